@@ -34,6 +34,10 @@ bool is_finite(const polytope::SearchResult& found) {
 
 }  // namespace
 
+std::vector<int> PolytopeCandidate::word(std::size_t index) const {
+  return from_left_to_right(products[index].word, transposed);
+}
+
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact,
                                 const polytope::ProductSource& more_products) {
   polytope::SearchOptions options{.budget = budget};
@@ -43,32 +47,13 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
   // Cones keep the coordinates in which no entry is negative.
   const RoundFamily round = cones && is_nonnegative(family) ? RoundFamily{to_search_family(family)}
                                                             : round_family(family, budget.deadline);
-  const polytope::SearchResult found = polytope::search_polytope(round.family, options);
-
-  PolytopeCandidate result;
-  if (round.coordinates.differ() && found.transposed)
+  PolytopeCandidate result{polytope::search_polytope(round.family, options), round.coordinates};
+  if (round.coordinates.differ() && result.transposed)
     result.coordinates = {transposed(round.coordinates.from), transposed(round.coordinates.to)};
-  else
-    result.coordinates = round.coordinates;
-  result.kind = found.kind;
-  result.transposed = found.transposed;
-  result.closed = found.status == polytope::SearchStatus::closed;
-  result.scale = found.scale;
-  result.scale_is_radius = found.scale == found.radius;
-  result.maximizing = found.maximizing;
-  for (const polytope::Candidate& product : found.products)
-    result.products.push_back({from_left_to_right(product.word, found.transposed), product.word});
-  if (!is_finite(found)) {
+  if (!is_finite(result)) {
     result.closed = false;
-    return result;
-  }
-  for (const polytope::Vertex& v : found.vertices)
-    result.vertices.push_back({v.value, v.parent, v.letter, v.cycle, v.place});
-  for (const polytope::ImageProof& image : found.images) {
-    result.images.push_back({image.vertex, image.letter, image.identity, {}});
-    for (const polytope::CombinationTerm& term : image.terms)
-      result.images.back().terms.push_back(
-          {term.vertex, static_cast<std::size_t>(term.element), term.conjugated, term.coefficient});
+    result.vertices.clear();
+    result.images.clear();
   }
   return result;
 }

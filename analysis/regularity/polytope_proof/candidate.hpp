@@ -8,46 +8,24 @@
 #include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
 
 #include <complex>
+#include <vector>
 
 namespace subcert::radius {
 
-/// An invariant polytope, perhaps, of a family or of its transposed matrices.
-struct PolytopeCandidate {
-  struct Product {
-    std::vector<int> word;   ///< of matrices of the family, from left to right
-    std::vector<int> cycle;  ///< the letters in the order in which the matrices of the polytope are applied
-  };
-  struct Vertex {
-    std::vector<std::complex<double>> value;  ///< in the coordinates of the search; real unless kind == complex
-    int parent = -1;                          ///< value = A_letter vertices[parent] / scale; -1: a root
-    int letter = -1;
-    int cycle = -1;  ///< roots: index into products, or -1 for an extra vertex
-    int place = -1;  ///< roots: letters of that cycle applied to its first root so far
-  };
-  struct Term {
-    int vertex = 0;
-    std::size_t element = 0;  ///< of the group of the family
-    bool conjugated = false;
-    std::complex<double> coefficient;
-  };
-  /// A_letter vertices[vertex] / scale is the sum of the terms.
-  struct Image {
-    int vertex = 0;
-    int letter = 0;
-    bool identity = false;  ///< it is terms[0], a vertex up to symmetry, conjugation, sign or phase
-    std::vector<Term> terms;
-  };
+/// An invariant polytope, perhaps, of a family or of its transposed matrices: what the search found, of which products
+/// is not empty, with the coordinates of the values of its vertices.
+struct PolytopeCandidate : polytope::SearchResult {
+  using Vertex = polytope::Vertex;
+  using Image = polytope::VertexImage;
+  using Term = polytope::CombinationTerm;
 
-  PolytopeKind kind = PolytopeKind::real;
-  bool transposed = false;        ///< the polytope belongs to the transposed matrices
-  SearchCoordinates coordinates;  ///< of the values of the vertices
-  bool closed = false;            ///< every image is a vertex or inside
-  double scale = 0;               ///< what images are divided by
-  bool scale_is_radius = false;   ///< the scale is the averaged radius of the first product
-  std::vector<Product> products;  ///< not empty; first `maximizing` ones of equal radius
-  std::size_t maximizing = 0;
-  std::vector<Vertex> vertices;
-  std::vector<Image> images;  ///< one for every vertex and letter, ordered by vertex, then letter
+  SearchCoordinates coordinates;
+
+  /// The product with this index, as matrices of the family from left to right; products[index].word are the letters
+  /// in the order in which the matrices of the polytope are applied.
+  std::vector<int> word(std::size_t index) const;
+  /// The scale is the averaged radius of the first product.
+  bool scale_is_radius() const { return scale == radius; }
 };
 
 /// Searches a product and a polytope. `cones`: also those of a cone, where no entry is negative; `exact`: of the very

@@ -76,8 +76,8 @@ class Certifier {
       if (image.identity && !image.terms.front().conjugated)
         result.coincidences.push_back({static_cast<std::size_t>(image.vertex), static_cast<std::size_t>(image.letter),
                                        static_cast<std::size_t>(image.terms.front().vertex),
-                                       image.terms.front().element});
-    for (const auto& product : candidate_.products) result.cycles.push_back(product.cycle);
+                                       static_cast<std::size_t>(image.terms.front().element)});
+    for (const auto& product : candidate_.products) result.cycles.push_back(product.word);
     return result;
   }
 
@@ -278,7 +278,7 @@ class Certifier {
     for (const auto& term : proposal.terms) {
       const auto weight = [&](double part) { return round_scaled(Real(part) * scale_, bits_); };
       WeightedVertex next{static_cast<std::size_t>(term.vertex),
-                          term.element,
+                          static_cast<std::size_t>(term.element),
                           term.conjugated && is_complex(),
                           weight(term.coefficient.real()),
                           is_complex() ? weight(term.coefficient.imag()) : Integer(0),

@@ -172,12 +172,12 @@ class OrbitWalk {
   OrbitPoint from_search(const OrbitPoint& v) const { return from_search_.size == 0 ? v : from_search_ * v; }
 
   const Real& scale() {
-    if (!scale_) scale_ = candidate_.scale_is_radius && first_radius_ ? *first_radius_ : Real(candidate_.scale);
+    if (!scale_) scale_ = candidate_.scale_is_radius() && first_radius_ ? *first_radius_ : Real(candidate_.scale);
     return *scale_;
   }
 
   OrbitPoint root(const PolytopeCandidate::Vertex& vertex) {
-    const std::vector<int>& cycle = candidate_.products[static_cast<std::size_t>(vertex.cycle)].cycle;
+    const std::vector<int>& cycle = candidate_.products[static_cast<std::size_t>(vertex.cycle)].word;
     const auto letter = [&cycle](int place) { return cycle[static_cast<std::size_t>(place) % cycle.size()]; };
     const int length = static_cast<int>(cycle.size());
     const OrbitPoint near = from_double(vertex.value, is_complex());

@@ -61,7 +61,6 @@ int IncrementalSimplex::add(std::span<const double> vertex) {
 
 Membership IncrementalSimplex::solve(std::span<const double> x, double accept, double reject, WarmStart* warm) {
   require(x.size() == size_, "IncrementalSimplex::solve: need {} numbers, got {}", size_, x.size());
-  ++programs_;
   const Question question{x, accept, reject, warm};
   Membership result;
   if (!start(question, result)) return result;
@@ -104,7 +103,6 @@ void IncrementalSimplex::iterate(const Question& question, Membership& result) {
       if (!sound) {
         if (cold) return;
         cold = true;
-        ++cold_starts_;
         start_cold(question.x);
         short_list_.clear();
         continue;

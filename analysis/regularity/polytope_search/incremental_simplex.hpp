@@ -92,9 +92,7 @@ class IncrementalSimplex {
 
   /// Of the programs: numbers of a vertex.
   std::size_t dimension() const { return size_; }
-  std::int64_t programs() const { return programs_; }
   std::int64_t pivots() const { return pivots_; }
-  std::int64_t cold_starts() const { return cold_starts_; }
 
  private:
   static constexpr std::size_t block_size = 16;   // vertices per block of the single precision copy
@@ -192,7 +190,7 @@ class IncrementalSimplex {
   std::vector<std::pair<double, std::size_t>> breaks_;
   bool changed_ = false;
 
-  std::int64_t programs_ = 0, pivots_ = 0, cold_starts_ = 0, clock_ = 0;
+  std::int64_t pivots_ = 0, clock_ = 0;
 };
 
 }  // namespace subcert::polytope

@@ -177,7 +177,7 @@ std::vector<CombinationTerm> PolytopeRun::combination() const {
 
 // A vertex, its images as far as their number goes, and what a report makes of them.
 std::size_t PolytopeRun::bytes_of_vertex() const {
-  const std::size_t image = sizeof(Image) + sizeof(ImageProof) + 3 * sizeof(Pending) + allocation_overhead;
+  const std::size_t image = sizeof(Image) + sizeof(VertexImage) + 3 * sizeof(Pending) + allocation_overhead;
   return sizeof(Node) + sizeof(Vertex) + 2 * allocation_overhead + simplex_.dimension() * sizeof(double) +
          dimension_ * sizeof(std::complex<double>) + matrices_.size() * image;
 }
@@ -408,7 +408,7 @@ std::optional<Candidate> PolytopeRun::better_product(double radius) const {
   for (std::size_t k = 0; k < tried_paths && k < size(); ++k) {
     const std::vector<int> word = path(static_cast<int>(size() - 1 - k * (1 + size() / 40)));
     for (std::size_t length = 2; length <= word.size(); ++length) {
-      if (static_cast<int>(length) > options_.max_product_length || options_.budget.deadline.expired()) break;
+      if (static_cast<int>(length) > longest_product || options_.budget.deadline.expired()) break;
       std::vector<int> tail(word.end() - static_cast<std::ptrdiff_t>(length), word.end());
       tail = canonical_word(tail, matrices_.size(), family_.symmetry);
       if (!tried.insert(tail).second) continue;
@@ -437,20 +437,13 @@ void PolytopeRun::finish(const Deadline& deadline) {
   }
 }
 
-void PolytopeRun::count(SearchCounters& counters) const {
-  counters.programs += simplex_.programs();
-  counters.pivots += simplex_.pivots();
-  counters.cold_starts += simplex_.cold_starts();
-}
-
 void PolytopeRun::report(SearchResult& result) && {
-  result.status = state_ == State::closed ? SearchStatus::closed : SearchStatus::budget_spent;
+  result.closed = state_ == State::closed;
   result.products = std::move(products_);
   result.maximizing = result.products.size();
   result.radius = result.products.front().radius;
   result.scale = scale_;
   result.kind = kind_;
-  result.spanning = spanning_ || state_ == State::closed;
   result.vertices.clear();
   result.vertices.reserve(size());
   const GroupAction action = family_.symmetry.action(dimension_);
@@ -461,14 +454,12 @@ void PolytopeRun::report(SearchResult& result) && {
   }
   result.images.clear();
   result.images.reserve(images_.size());
-  double worst = 0, margin = 1;
+  double worst = 0;
   for (Image& entry : images_) {
     const int m = static_cast<int>(matrices_.size()), index = static_cast<int>(result.images.size());
-    result.images.push_back({index / m, index % m, entry.identity, entry.norm, std::move(entry.terms)});
+    result.images.push_back({index / m, index % m, entry.identity, std::move(entry.terms), entry.norm});
     worst = std::max(worst, entry.norm);
-    if (!entry.identity) margin = std::min(margin, 1 - entry.norm);
   }
-  result.worst_margin = margin;
   result.upper_bound = scale_ * worst;
 }
 

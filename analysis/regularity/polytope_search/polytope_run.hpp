@@ -35,13 +35,10 @@ class PolytopeRun {
 
   /// What was found. The run is of no use afterwards.
   void report(SearchResult& result) &&;
-  void count(SearchCounters& counters) const;
 
   std::size_t size() const { return vertices_.size(); }
   /// No further vertex may be added.
-  bool full() const {
-    return size() >= options_.max_vertices || bytes() + bytes_of_next_vertex() > options_.budget.memory;
-  }
+  bool full() const { return size() >= most_vertices || bytes() + bytes_of_next_vertex() > options_.budget.memory; }
   /// Images that are open, per vertex.
   double open_share() const {
     return static_cast<double>(waiting_.size() + fresh_.size()) / static_cast<double>(std::max<std::size_t>(size(), 1));

@@ -51,14 +51,12 @@ void check(const SearchFamily& family, const SearchOptions& options) {
   }
   require(options.tolerance > 0 && options.tolerance < 1e-2, "search_polytope: need 0 < tolerance < 1e-2, got {}",
           options.tolerance);
-  require(options.max_product_length >= 1, "search_polytope: need max_product_length >= 1, got {}",
-          options.max_product_length);
 }
 
 std::size_t bytes_of(const SearchResult& result) {
   std::size_t bytes = 0;
   for (const Vertex& v : result.vertices) bytes += sizeof v + v.value.size() * sizeof v.value.front();
-  for (const ImageProof& i : result.images) bytes += sizeof i + i.terms.capacity() * sizeof i.terms.front();
+  for (const VertexImage& i : result.images) bytes += sizeof i + i.terms.capacity() * sizeof i.terms.front();
   return bytes;
 }
 
@@ -104,7 +102,7 @@ class Search {
   // Looks for products and gives up what is built on a worse one.
   void look_for_products(const ProductLook& look, double share) {
     ProductSearchOptions options;
-    options.max_length = std::min(look.length, options_.max_product_length);
+    options.max_length = std::min(look.length, longest_product);
     options.width = look.width;
     options.budget = {races_.at_most(share * seconds_), memory_of_products()};
     take(search_products(family_[0], options));
@@ -130,17 +128,11 @@ class Search {
     maximizing_ = std::min(sort_candidates(found), max_maximizing);
     candidates_ = std::move(found);
     if (std::ranges::equal(old, maximizing(), {}, &Candidate::word, &Candidate::word)) return;
-    if (!old.empty() && old.front().radius > 0) ++counters_.restarts;
-    for (auto& run : runs_) retire(run);
+    for (auto& run : runs_) run.reset();
   }
 
   std::vector<Candidate> maximizing() const {
     return {candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(maximizing_)};
-  }
-
-  void retire(std::unique_ptr<PolytopeRun>& run) {
-    if (run) run->count(counters_);
-    run.reset();
   }
 
   PolytopeKind kind() const {
@@ -158,7 +150,6 @@ class Search {
   }
 
   std::unique_ptr<PolytopeRun> start(std::size_t side, double scale, PolytopeKind kind, std::size_t memory) {
-    ++counters_.runs;
     std::vector<Candidate> products = maximizing();
     if (side == 1) {
       for (Candidate& c : products) std::reverse(c.word.begin(), c.word.end());
@@ -217,7 +208,7 @@ class Search {
     if (closes) return true;
     const bool same = std::ranges::equal(before, maximizing(), {}, &Candidate::word, &Candidate::word);
     for (std::size_t side : {0, 1}) {
-      retire(runs_[side]);
+      runs_[side].reset();
       if (same) std::swap(runs_[side], others[side]);
     }
     return false;
@@ -236,31 +227,23 @@ class Search {
 
   double radius_bound() const { return orbit_shape(family_[0].matrices, deadline()).radius_bound; }
 
-  SearchResult with_counters(SearchResult result) {
-    for (auto& run : runs_) retire(run);
-    counters_.seconds = stopwatch_.seconds();
-    result.counters = counters_;
-    return result;
-  }
-
   SearchResult vanishing() {
     SearchResult result;
     result.products = {candidates_.front()};
     result.maximizing = 1;
     result.upper_bound = radius_bound();
-    result.status = result.upper_bound == 0 ? SearchStatus::closed : SearchStatus::budget_spent;
-    return with_counters(std::move(result));
+    result.closed = result.upper_bound == 0;
+    return result;
   }
 
   SearchResult closed() {
     PolytopeRun& run = *runs_[winner_];
-    retire(runs_[1 - winner_]);
+    runs_[1 - winner_].reset();
     run.finish(deadline());
-    counters_.vertices = run.size();
     SearchResult result;
     std::move(run).report(result);
     result.transposed = winner_ == 1;
-    return with_counters(std::move(result));
+    return result;
   }
 
   // Images divided by (1 + excess) radius, the excess smaller as long as time and memory last. Forms enclose better.
@@ -269,7 +252,7 @@ class Search {
     SearchResult best;
     const double radius = candidates_.front().radius;
     const std::size_t side = runs_[0] && runs_[1] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
-    for (auto& run : runs_) retire(run);
+    for (auto& run : runs_) run.reset();
     reach_ = large_reach;
     // No image needs to come back to a vertex any more, so that real polytopes do for complex eigenvalues.
     const PolytopeKind simple = kind() == PolytopeKind::nonnegative ? PolytopeKind::nonnegative : PolytopeKind::real;
@@ -280,28 +263,22 @@ class Search {
       // An image that is inside by less than the excess need not become a vertex: it would by the radius itself.
       options_.tolerance = std::min(options_.tolerance, inner_share * excess);
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
-      if (run->advance(no_limit, end) != PolytopeRun::State::closed) {
-        retire(run);
-        break;
-      }
+      if (run->advance(no_limit, end) != PolytopeRun::State::closed) break;
       run->finish(end.after(0.5));
-      counters_.vertices = run->size();
-      run->count(counters_);
       std::move(*run).report(best);
       best.transposed = side == 1;
     }
-    best.status = SearchStatus::budget_spent;
+    best.closed = false;
     best.radius = radius;
     if (best.products.empty()) {
       best.products = maximizing();
       best.maximizing = maximizing_;
     }
     best.upper_bound = std::min(best.upper_bound, radius_bound() * (1 + 1e-6));
-    return with_counters(std::move(best));
+    return best;
   }
 
   SearchOptions options_;
-  Stopwatch stopwatch_;
   double seconds_;
   Deadline races_;          // of looks for products, too: what is left is for enclosing
   double work_ = 0;         // what decides whose turn it is, in place of a clock: PolytopeRun::work
@@ -311,7 +288,6 @@ class Search {
   std::unique_ptr<PolytopeRun> runs_[2];
   double reach_ = small_reach;
   std::size_t winner_ = 0;
-  SearchCounters counters_;
 };
 
 }  // namespace

@@ -13,21 +13,17 @@ namespace subcert::polytope {
 /// Products of a family whose averaged radius is near this one or above.
 using ProductSource = std::function<std::vector<Candidate>(const SearchFamily&, double radius, const Budget&)>;
 
+inline constexpr int longest_product = 200;
+inline constexpr std::size_t most_vertices = 40000;
+
 struct SearchOptions {
   /// Every phase ends soon after the deadline. The memory is that of what grows; a few copies of the family come on
   /// top.
   Budget budget{.deadline = Deadline::in(60)};
-  int max_product_length = 200;
-  std::size_t max_vertices = 40000;
   bool cones = true;                 ///< non-negative families may have polytopes of a cone, with fewer vertices
   bool exact = true;                 ///< a polytope of the very radius is looked for; otherwise only of a little more
   ProductSource more_products = {};  ///< asked where the cheaper looks lead to nothing
   double tolerance = 1e-9;           ///< an image is inside when its norm is at most 1 - tolerance
-};
-
-enum class SearchStatus {
-  closed,       ///< every image is a vertex or strictly inside: the radius is that of the product, up to rounding
-  budget_spent  ///< time, memory or vertices ran out: `radius` and `upper_bound` enclose, up to rounding
 };
 
 /// A vertex in the coordinates of the family (of the transposed family, if SearchResult::transposed).
@@ -40,45 +36,34 @@ struct Vertex {
 };
 
 /// What became of A_letter vertices[vertex] / scale.
-struct ImageProof {
+struct VertexImage {
   int vertex = 0;
   int letter = 0;
   bool identity = false;               ///< the image is terms[0], a vertex up to symmetry, conjugation, sign or phase
-  double norm = 0;                     ///< sum of |coefficient|; above 1 only if not closed
   std::vector<CombinationTerm> terms;  ///< the image is the sum of the terms (non-negative kind: is below the sum)
-};
-
-struct SearchCounters {
-  std::int64_t programs = 0;
-  std::int64_t pivots = 0;
-  std::int64_t cold_starts = 0;
-  std::size_t vertices = 0;
-  int runs = 0;
-  int restarts = 0;  ///< because a better product turned up
-  double seconds = 0;
+  double norm = 0;                     ///< sum of |coefficient|; above 1 only if not closed
 };
 
 struct SearchResult {
-  SearchStatus status = SearchStatus::budget_spent;
+  /// Every image is a vertex or strictly inside: the radius is that of the product, up to rounding. Otherwise time,
+  /// memory or vertices ran out: `radius` and `upper_bound` enclose, up to rounding.
+  bool closed = false;
   std::vector<Candidate> products;  ///< the spectrum maximizing ones (`maximizing` of them) first
   std::size_t maximizing = 0;
   double radius = 0;  ///< rho(product)^(1/length) of the first
   double scale = 0;   ///< what images are divided by: radius if closed, radius (1 + eps) if only enclosed
   double upper_bound = std::numeric_limits<double>::infinity();  ///< scale * largest image norm
-  double worst_margin = 0;  ///< least 1 - norm over the images that are not identities
   PolytopeKind kind = PolytopeKind::real;
   bool transposed = false;         ///< the polytope belongs to the transposed matrices
-  bool spanning = false;           ///< the vertices span; otherwise they prove nothing
-  std::vector<Vertex> vertices;    ///< one of each orbit of the symmetry
-  std::vector<ImageProof> images;  ///< one for every vertex and letter, ordered by vertex, then letter
-  SearchCounters counters;
+  std::vector<Vertex> vertices;     ///< one of each orbit of the symmetry
+  std::vector<VertexImage> images;  ///< one for every vertex and letter, ordered by vertex, then letter
 };
 
 /// Searches a spectrum maximizing product and an invariant polytope that shows it is one.
-/// Meaning: with status closed, the hull P of the vertices (with their images under the symmetry, negatives, phases as
+/// Meaning: where it closed, the hull P of the vertices (with their images under the symmetry, negatives, phases as
 /// `kind` tells) satisfies A_i P within radius * P, so that the joint spectral radius is `radius`. A family all
 /// whose long products vanish is closed with radius 0 and no vertices. Domain: at least one matrix, all square of one
-/// size >= 1; max_product_length >= 1, 0 < tolerance < 1e-2; throws Error otherwise. A symmetry that does not hold to
+/// size >= 1; 0 < tolerance < 1e-2; throws Error otherwise. A symmetry that does not hold to
 /// 1e-12 is made no use of. Where the budget is spent before anything closed, or an entry is not finite, what was found
 /// so far is returned: one product at least. Error: floating point throughout, nothing is proved; radius good to about
 /// 1e-13 times the condition of its eigenvalue. Cost: one small linear program per vertex and matrix, mostly. Ref:

@@ -186,7 +186,7 @@ class Proof {
   /// proves that no radius is above that of its largest cycle.
   std::optional<Rational> start_cycle(std::size_t root) {
     const int index = candidate_.vertices[root].cycle;
-    Cycle cycle{index, candidate_.products[static_cast<std::size_t>(index)].cycle, {}, root};
+    Cycle cycle{index, candidate_.products[static_cast<std::size_t>(index)].word, {}, root};
     for (const FamilySymmetry& element : polytope_.group) cycle.shifts.push_back(shift_of(cycle.word, element));
     const RationalMatrix product = product_from(cycle, place_of(root));
     const ComplexVector v = polytope_.vertex(root);
@@ -410,7 +410,7 @@ class Proof {
     const auto source = static_cast<std::size_t>(image.vertex),
                target = static_cast<std::size_t>(image.terms.front().vertex);
     const PolytopeCandidate::Vertex& aim = candidate_.vertices[target];
-    const std::size_t element = image.terms.front().element;
+    const auto element = static_cast<std::size_t>(image.terms.front().element);
     const bool conjugated = image.terms.front().conjugated;
     if (element == 0 && !conjugated && aim.parent == image.vertex && aim.letter == image.letter) return true;
     if (follows_from_extra_vertex(source, image.letter, target, element)) return true;

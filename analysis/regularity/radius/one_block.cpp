@@ -50,7 +50,7 @@ struct ProductDeadline {
 bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candidate, const ProductEvidence& first,
                       const Deadline& deadline) {
   for (std::size_t k = 1; k < candidate.maximizing; ++k) {
-    const ProductEvidence other = prove_product(family, candidate.products[k].word, deadline);
+    const ProductEvidence other = prove_product(family, candidate.word(k), deadline);
     if (!is_dominated(family, first, family, other, deadline) || !is_dominated(family, other, family, first, deadline))
       return false;
   }
@@ -232,7 +232,7 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
   const auto proving = [&](double share) {
     return Budget{Deadline::in(share * budget.deadline.remaining() + grace), budget.memory};
   };
-  result.product = prove_product(family, result.candidate.products.front().word, proving(1).deadline);
+  result.product = prove_product(family, result.candidate.word(0), proving(1).deadline);
   result.polytope = certify_polytope(family, result.candidate, proving(result.candidate.closed ? exact_share : 1));
   if (!result.polytope && result.candidate.closed && !budget.deadline.expired()) {
     // Too many vertices for a proof in this time: a smaller polytope, of a little more than the radius.
@@ -373,7 +373,7 @@ std::optional<ProductEvidence> largest_of_commuting(const MatrixFamily& family, 
 std::optional<ClosedOrbit> closed_orbit_of(const MatrixFamily& family, const PolytopeCandidate& candidate,
                                            const Budget& budget) {
   std::vector<std::vector<int>> words;
-  for (std::size_t k = 0; k < candidate.maximizing; ++k) words.push_back(candidate.products[k].word);
+  for (std::size_t k = 0; k < candidate.maximizing; ++k) words.push_back(candidate.word(k));
   return closed_orbit(family, words, {Deadline::in(budget.deadline.remaining() + grace), budget.memory});
 }
 
@@ -394,7 +394,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   const ProductDeadline end(budget.deadline);
   if (!found.exact.is_yes() && !(forms && forms->is_exact()))
     for (std::size_t k = 1; k < std::min(candidate.products.size(), proved_products); ++k) {
-      const std::vector<int>& word = candidate.products[k].word;
+      const std::vector<int> word = candidate.word(k);
       ProductEvidence other = prove_product(scaled_family, word, end(word));
       if (*other.radius.lower > *product.radius.lower) product = std::move(other);
     }
@@ -434,7 +434,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
   if (orbit) {
     const Rational power_of_unit = power(unit, orbit->length) * orbit->power;
     result.radius = root_enclosure(power_of_unit, orbit->length, default_bits);
-    product = prove_product(scaled_family, candidate.products.front().word, budget.deadline);
+    product = prove_product(scaled_family, candidate.word(0), budget.deadline);
     result.exact = {Truth::yes,
                     "finitely many rational vectors stay in their hull, and the product attains the radius"};
   }

@@ -78,9 +78,10 @@ Certificate verified(const Certificate& certificate, const std::string& matrices
     runtime::write_file(file, one.text);
     return run_checker(checker_arguments(one.text, file));
   };
-  if (answer_to(certificate).code == 0) return certificate;
+  CheckerAnswer answer = answer_to(certificate);
+  if (answer.code == 0) return certificate;
   Certificate bounds = certificate.of_bounds();
-  const CheckerAnswer answer = answer_to(bounds);
+  if (bounds.text != certificate.text) answer = answer_to(bounds);
   if (answer.code != 0) fail(ErrorKind::undecided, "subcert-check says {}", answer.text);
   return bounds;
 }

@@ -26,7 +26,7 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
 
 /// The certificate if the checker accepts it, or else, if it accepts that, the one of the bounds alone. `matrices`:
 /// what a certificate of a radius is about. Errors: throws undecided, with the checker's reason, where it accepts
-/// neither, and missing_file where there is no checker. Cost: at most two runs of the checker.
+/// neither, and missing_file where there is no checker. Cost: one run of the checker, or two where the two differ.
 Certificate verified(const Certificate& certificate, const std::string& matrices = {});
 
 /// After an answer whose certificates were asked for: what the system does not let be written. Nothing where there are

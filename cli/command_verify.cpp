@@ -7,6 +7,7 @@
 #include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 
 namespace subcert::cli {
@@ -17,38 +18,40 @@ struct VerifyOptions : CommonOptions {
   std::string claim;
 };
 
-/// The files, and those named .cert in folders, in the order of their names.
-std::vector<std::string> certificates_of(const std::vector<std::string>& paths) {
+/// A file, or those named .cert in a folder, in the order of their names.
+std::vector<std::string> certificates_in(const std::string& path) {
   namespace fs = std::filesystem;
-  std::vector<std::string> files;
-  for (const std::string& path : paths) {
-    if (!fs::is_directory(path)) {
-      files.push_back(path);
-      continue;
-    }
-    std::vector<std::string> inside;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path))
-      if (entry.path().extension() == ".cert") inside.push_back(entry.path().string());
-    if (inside.empty()) fail(ErrorKind::missing_file, "{}: no certificates (*.cert) in this folder", path);
-    std::sort(inside.begin(), inside.end());
-    files.insert(files.end(), inside.begin(), inside.end());
-  }
-  return files;
+  if (!fs::is_directory(path)) return {path};
+  std::vector<std::string> inside;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path))
+    if (entry.path().extension() == ".cert") inside.push_back(entry.path().string());
+  if (inside.empty()) fail(ErrorKind::missing_file, "{}: no certificates (*.cert) in this folder", path);
+  std::sort(inside.begin(), inside.end());
+  return inside;
 }
 
+/// A file that cannot be asked about ends the work, after the answers so far.
 ExitCode run(const VerifyOptions& options) {
   Json list = Json::array();
   std::string lines;
   ExitCode worst = done;
-  for (const std::string& file : certificates_of(options.files)) {
-    const std::string text = read_file(file);
-    const CheckerAnswer answer = run_checker(options.claim.empty() ? checker_arguments(text, file)
-                                                                   : stated_checker_arguments(options.claim, file));
-    if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
-    list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.text}});
-    lines += file + ": " + answer.text + "\n";
+  std::exception_ptr unread;
+  try {
+    for (const std::string& path : options.files)
+      for (const std::string& file : certificates_in(path)) {
+        const std::string text = read_file(file);
+        const CheckerAnswer answer = run_checker(options.claim.empty() ? checker_arguments(text, file)
+                                                                       : stated_checker_arguments(options.claim, file));
+        if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
+        list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.text}});
+        lines += file + ": " + answer.text + "\n";
+      }
+  } catch (const Error&) {
+    if (list.empty()) throw;
+    unread = std::current_exception();
   }
   options.answer(Json{{"certificates", list}}, lines);
+  if (unread) std::rethrow_exception(unread);
   return worst;
 }
 

@@ -43,13 +43,16 @@ CLI::Validator whole() {
       "");
 }
 
-/// Refuses one file for two answers.
+/// Refuses one file for two answers, and standard output for another one than the first.
 void require_different_files(const CLI::App& app) {
   std::map<std::filesystem::path, std::string> taken;
   for (const std::string name : {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal"}) {
     const CLI::Option* option = app.get_option_no_throw(name);
-    if (!option || option->count() == 0 || option->results().front() == "-") continue;
+    if (!option || option->count() == 0) continue;
     const std::string& file = option->results().front();
+    if (file == "-" && name != "--out")
+      fail(ErrorKind::usage, "{} -: standard output takes the answer of the command; expected another place", name);
+    if (file == "-") continue;
     std::error_code error;
     const auto [other, is_new] = taken.emplace(std::filesystem::weakly_canonical(file, error), name);
     if (!is_new)

@@ -74,10 +74,11 @@ std::vector<MultivariateMask> with_turned_dilations(const MultivariateMask& mask
   return result;
 }
 
-/// Where the shifts are not proved stable the differences of phi, as those of the scheme give no upper end.
+/// Where the shifts are not proved stable the differences of phi, as those of the scheme give no upper end. A Sobolev
+/// exponent below 0 is that of no continuous phi.
 DifferenceSpace space_of_differences(const MultivariateMask& mask, const MultivariateRegularity& result,
                                      const std::optional<MultivariateSobolev>& sobolev) {
-  if (!result.stable.is_yes() && sobolev && sobolev->exponent.upper) {
+  if (!result.stable.is_yes() && sobolev && sobolev->exponent.upper && *sobolev->exponent.upper >= 0) {
     // The exponent is at most the Sobolev exponent.
     const int order = static_cast<int>(floor_index(*sobolev->exponent.upper)) + 1;
     if (auto space = value_space(mask, order)) return std::move(*space);

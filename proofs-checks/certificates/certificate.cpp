@@ -57,14 +57,15 @@ std::string polynomial_text(const std::string& head, const LaurentPolynomial& p)
 }
 
 std::string group_text(const GroupWords& group) {
-  return group.generators().empty() ? "" : fmt::format(" group:{}", group.generators().size());
+  const std::size_t count = group.generators().size() + group.negation().size();
+  return count == 0 ? "" : fmt::format(" group:{}", count);
 }
 
 std::string properties_text(const PolytopeProof& polytope, const GroupWords& group) {
   std::string text;
   if (polytope.kind == PolytopeKind::complex) text += " complex";
   if (polytope.kind == PolytopeKind::nonnegative) text += " nonnegative";
-  if (polytope.is_flip_symmetric()) text += " symmetric";
+  if (polytope.is_flip_symmetric() && group.negation().empty()) text += " symmetric";
   if (polytope.transposed) text += " transposed";
   return text + group_text(group);
 }
@@ -111,14 +112,17 @@ std::string generators_text(const std::vector<FamilySymmetry>& elements, const G
   for (std::size_t g = 0; g < group.generators().size(); ++g)
     text += fmt::format("generator {}\n", fmt::join(elements[group.inverse(g)].letters, " ")) +
             rows_text("map", elements[group.generators()[g]].map.matrix());
-  return text;
+  if (group.negation().empty()) return text;
+  const FamilySymmetry& identity = elements.front();
+  return text + fmt::format("generator {}\n", fmt::join(identity.letters, " ")) +
+         rows_text("map", Rational(-1) * identity.map.matrix());
 }
 
 /// The sections of a proof, block by block.
 class SectionWriter {
  public:
-  /// `cycles`: the lines that say what is exact after those of polytopes and graphs, block by block.
-  explicit SectionWriter(std::size_t matrix_count, std::vector<std::string> cycles = {})
+  /// `cycles`: what says what is exact after polytopes and graphs, block by block.
+  explicit SectionWriter(std::size_t matrix_count, std::vector<CycleLines> cycles = {})
       : matrix_count_(matrix_count), cycles_(std::move(cycles)) {}
 
   std::string text(const RadiusProof& proof) { return std::visit(*this, proof); }
@@ -126,7 +130,7 @@ class SectionWriter {
   std::string operator()(const NormProof& norms) { return fmt::format("block {} norm {}\n", block_, norms.level); }
 
   std::string operator()(const PolytopeProof& polytope) const {
-    const GroupWords group(polytope.group, true);
+    const GroupWords group = words_of(polytope, cycles().negation);
     std::string text = fmt::format("block {} polytope {} {} {}{}\n", block_, polytope.vertices.size(),
                                    polytope.vertex_bits, polytope.weight_bits, properties_text(polytope, group));
     text += generators_text(polytope.group, group);
@@ -138,7 +142,7 @@ class SectionWriter {
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
-    return text + cycles();
+    return text + cycles().text;
   }
 
   std::string operator()(const QuadraticProof& proof) const {
@@ -149,7 +153,7 @@ class SectionWriter {
   }
 
   std::string operator()(const GraphProof& bound) const {
-    const GraphProof& proof = cycles().empty() ? bound : bound.attained->graph;
+    const GraphProof& proof = cycles().text.empty() ? bound : bound.attained->graph;
     const GroupWords group(proof.group, false);
     std::string text = fmt::format("block {} graph {} {} {}{}\n", block_, proof.states.size(), to_text(proof.bound),
                                    proof.bits, group_text(group)) +
@@ -161,7 +165,7 @@ class SectionWriter {
                             fmt::join(step.matrix, " "));
       text += "tree " + state.ends + "\n";
     }
-    return text + cycles();
+    return text + cycles().text;
   }
 
   std::string operator()(const BlockProof& proof) {
@@ -180,18 +184,18 @@ class SectionWriter {
   }
 
  private:
-  std::string cycles() const { return block_ < cycles_.size() ? cycles_[block_] : ""; }
+  CycleLines cycles() const { return block_ < cycles_.size() ? cycles_[block_] : CycleLines{}; }
 
   std::size_t matrix_count_;
-  std::vector<std::string> cycles_;
+  std::vector<CycleLines> cycles_;
   std::size_t block_ = 0;
 };
 
 /// What says that the product attains the radius.
 struct ExactRadius {
-  std::string number, root;         // empty where nothing says so
-  std::vector<std::string> cycles;  // block by block
-  bool grows_like_powers = false;   // products of length n have norms between multiples of radius^n
+  std::string number, root;        // empty where nothing says so
+  std::vector<CycleLines> cycles;  // block by block
+  bool grows_like_powers = false;  // products of length n have norms between multiples of radius^n
 };
 
 ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& radius) {
@@ -212,7 +216,7 @@ ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& 
   };
   const auto first = lines_of(leading);
   if (!first) return {};
-  ExactRadius exact{first->number, first->root, std::vector<std::string>(count), true};
+  ExactRadius exact{first->number, first->root, std::vector<CycleLines>(count), true};
   for (std::size_t i = 0; i < count; ++i) {
     if (i != leading && blocks->blocks[i].proved_upper() < first->low) continue;
     exact.grows_like_powers = exact.grows_like_powers && i == leading;
@@ -228,8 +232,8 @@ ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& 
 Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) {
   const auto of_block = [&](const JointSpectralRadius& block, std::size_t i) {
     const auto* graph = std::get_if<GraphProof>(&block.proof);
-    return graph && i < exact.cycles.size() && !exact.cycles[i].empty() ? *graph->attained->radius.upper
-                                                                        : block.proved_upper();
+    return graph && i < exact.cycles.size() && !exact.cycles[i].text.empty() ? *graph->attained->radius.upper
+                                                                             : block.proved_upper();
   };
   const BlockProof* blocks = radius.by_blocks();
   if (!blocks) return of_block(radius, 0);
@@ -311,7 +315,7 @@ MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
 
 /// `product`: the lower bound as well.
 std::string radius_text(const Mask& mask, const HolderRegularity& regularity, bool product,
-                        std::vector<std::string> cycles = {}) {
+                        std::vector<CycleLines> cycles = {}) {
   const JointSpectralRadius& radius = regularity.radius;
   return blocks_text(radius) + (product ? product_text(family_of(mask, regularity), radius) : "") +
          SectionWriter(static_cast<std::size_t>(mask.arity()), std::move(cycles)).text(radius.proof);
@@ -676,7 +680,7 @@ Certificate subradius_certificate(const MatrixFamily& family, const JointSpectra
   }
   if (lines) {
     certificate.claim.exact = lines->number;
-    proofs = fmt::format("exact {}\n{}{}{}", lines->number, lines->root, proofs, lines->cycles);
+    proofs = fmt::format("exact {}\n{}{}{}", lines->number, lines->root, proofs, lines->cycles.text);
   }
   certificate.text = fmt::format("subcert-certificate 3\nsubradius {} {}\n{}{}end\n", family.count(), family.size(),
                                  bounds_text(certificate.claim), proofs);

@@ -1,7 +1,5 @@
 #include "exact_radius.hpp"
 
-#include "group_words.hpp"
-
 #include <subcert/analysis/regularity/radius/subspace.hpp>
 #include <subcert/analysis/regularity/subradius/attained_subradius.hpp>
 #include <subcert/analysis/symbol/balls.hpp>
@@ -44,6 +42,11 @@ struct Zero {
   LaurentPolynomial polynomial;
   RationalComplex point, centre;
   Rational error, within;
+
+  /// Whether a zero of the polynomial in this ball may be the same.
+  bool may_be(const ComplexBall& ball) const {
+    return !Ball(within, root_bits).is_less(abs(ball - ball_around(centre, root_bits)));
+  }
 };
 
 /// Whether the disc around the centre has at most one zero.
@@ -130,7 +133,7 @@ std::string coefficients_text(const LaurentPolynomial& p) {
 }
 
 /// |z|^(1/length)
-ExactRadiusLines lines_of(const Zero& z, std::size_t length_of_cycles, const std::string& cycles) {
+ExactRadiusLines lines_of(const Zero& z, std::size_t length_of_cycles, const CycleLines& cycles) {
   const Enclosure modulus = root_enclosure(z.point.squared_modulus(), 2, radius_bits);
   const int length = static_cast<int>(length_of_cycles);
   const auto exact = z.error == 0 ? exact_root(z.point.squared_modulus(), 2 * length_of_cycles) : std::nullopt;
@@ -162,7 +165,7 @@ class CommonZero {
       zero_ = zero_in(nearest->ball, p);
       length_ = length;
     }
-    if (!zero_ || length_ != length || zero_->polynomial != p) return std::nullopt;
+    if (!zero_ || length_ != length || zero_->polynomial != p || !zero_->may_be(nearest->ball)) return std::nullopt;
     const LaurentPolynomial others = *characteristic.exact_quotient(p.pow(nearest->factor.multiplicity));
     // The value of this polynomial at the product, times a vector.
     const auto image_of = [&](const std::vector<Rational>& vector) {
@@ -193,7 +196,7 @@ class CommonZero {
 
   bool is_known() const { return zero_.has_value(); }
   /// Domain: a known zero; the lines from `cycle` on.
-  ExactRadiusLines lines(const std::string& cycles) const { return lines_of(*zero_, length_, cycles); }
+  ExactRadiusLines lines(const CycleLines& cycles) const { return lines_of(*zero_, length_, cycles); }
 
  private:
   std::optional<Zero> zero_;
@@ -202,8 +205,8 @@ class CommonZero {
 
 class Writer {
  public:
-  Writer(const MatrixFamily& family, const PolytopeProof& polytope)
-      : polytope_(polytope), origins_(polytope.origins), words_(polytope.group, true) {
+  Writer(const MatrixFamily& family, const PolytopeProof& polytope, bool negation)
+      : polytope_(polytope), origins_(polytope.origins), words_(words_of(polytope, negation)) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
     for (const FamilySymmetry& element : polytope.group) maps_.push_back(element.map.matrix());
   }
@@ -230,7 +233,7 @@ class Writer {
     for (const auto& [vertex, letter, target, element] : origins_.coincidences)
       if (const Image image{vertex, letter}; !children_.contains(image) && !closing.contains(image))
         same += fmt::format("same {} {} {}{}\n", vertex, letter, target, words_.word(element));
-    return zero_.lines(cycles + origins + same);
+    return zero_.lines({cycles + origins + same, !words_.negation().empty()});
   }
 
  private:
@@ -271,12 +274,17 @@ class Writer {
         const ComplexVector image = map * moved;
         const RationalComplex eigenvalue = rayleigh_quotient(start, image);
         if (!is_near(start, eigenvalue, image)) continue;
-        const auto seed = zero_.seed_of(map * product, eigenvalue, length, start);
+        std::string word = words_.word(e);
+        auto seed = zero_.seed_of(map * product, eigenvalue, length, start);
+        if (!seed && !words_.negation().empty()) {
+          seed = zero_.seed_of(Rational(-1) * map * product, {-eigenvalue.re, -eigenvalue.im}, length, start);
+          word += words_.negation();
+        }
         if (!seed) return std::nullopt;
         letters.resize(length);
         cycles_.emplace_back(v, letters);
-        return fmt::format("cycle {} {} {}\nseed {}\n", v, words_.word(e).empty() ? "-" : words_.word(e),
-                           fmt::join(letters, " "), fmt::join(*seed, " "));
+        return fmt::format("cycle {} {} {}\nseed {}\n", v, word.empty() ? "-" : word, fmt::join(letters, " "),
+                           fmt::join(*seed, " "));
       }
     }
     return std::nullopt;
@@ -307,6 +315,10 @@ class Writer {
 
 }  // namespace
 
+GroupWords words_of(const PolytopeProof& polytope, bool negation) {
+  return GroupWords(polytope.group, !negation, negation);
+}
+
 Rational rounded(const Rational& value, int bits, Rounding rounding) {
   if (value == 0) return value;
   const long shift = bits - binary_exponent(value);
@@ -315,15 +327,16 @@ Rational rounded(const Rational& value, int bits, Rounding rounding) {
 }
 
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope) {
-  return Writer(family, polytope).run();
+  auto lines = Writer(family, polytope, false).run();
+  return lines || polytope.kind == PolytopeKind::nonnegative ? lines : Writer(family, polytope, true).run();
 }
 
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const AttainedGraph& graph) {
   CommonZero zero;
   const auto seed = zero.seed_of(transposed(family.product(graph.product)), graph.eigenvalue, graph.product.size(), {});
   if (!seed) return std::nullopt;
-  return zero.lines(fmt::format("cycle {} {} {} {}\nseed {}\n", graph.first, graph.coordinate, to_text(graph.kept),
-                                to_text(graph.scale), fmt::join(*seed, " ")));
+  return zero.lines({fmt::format("cycle {} {} {} {}\nseed {}\n", graph.first, graph.coordinate, to_text(graph.kept),
+                                 to_text(graph.scale), fmt::join(*seed, " "))});
 }
 
 std::optional<ExactRadiusLines> exact_subradius_lines(const MatrixFamily& family, const AntinormProof& proof) {
@@ -338,7 +351,7 @@ std::optional<ExactRadiusLines> exact_subradius_lines(const MatrixFamily& family
   CommonZero zero;
   const auto seed = zero.seed_of(inner, rayleigh_quotient(start, inner * start), proof.cycle.size(), start);
   if (!seed || proof.cycle.size() > longest_cycle) return std::nullopt;
-  ExactRadiusLines lines = zero.lines(fmt::format("cycle 0 - {}\nseed", fmt::join(proof.cycle, " ")));
+  ExactRadiusLines lines = zero.lines({fmt::format("cycle 0 - {}\nseed", fmt::join(proof.cycle, " "))});
   const std::vector<Integer> weights = rest.rows() == 0
                                            ? std::vector<Integer>{}
                                            : subradius::subinvariant_vector(
@@ -346,14 +359,14 @@ std::optional<ExactRadiusLines> exact_subradius_lines(const MatrixFamily& family
   if (weights.size() != rest.rows()) return std::nullopt;
   std::string others = "rest";
   for (std::size_t i = 0, inside = 0, outside = 0; i < first.size(); ++i) {
-    lines.cycles += " " + (first[i] > 0 ? (*seed)[inside++] : Integer(0)).str();
+    lines.cycles.text += " " + (first[i] > 0 ? (*seed)[inside++] : Integer(0)).str();
     others += " " + (first[i] > 0 ? Integer(1) : weights[outside++]).str();
   }
-  lines.cycles += "\n" + (weights.empty() ? "" : others + "\n");
+  lines.cycles.text += "\n" + (weights.empty() ? "" : others + "\n");
   for (std::size_t j = 1; j < proof.vertices.size(); ++j)
-    lines.cycles += fmt::format("origin {} {} {}\n", j, proof.origins[j - 1].parent, proof.origins[j - 1].letter);
+    lines.cycles.text += fmt::format("origin {} {} {}\n", j, proof.origins[j - 1].parent, proof.origins[j - 1].letter);
   for (const auto& [vertex, letter, target] : proof.coincidences)
-    lines.cycles += fmt::format("same {} {} {}\n", vertex, letter, target);
+    lines.cycles.text += fmt::format("same {} {} {}\n", vertex, letter, target);
   return lines;
 }
 
@@ -361,7 +374,7 @@ std::optional<ExactRadiusLines> exact_radius_lines(const CoefficientGrowth& grow
   const auto nearest = nearest_zero(growth.recurrence, {*growth.radius.lower, 0});
   const auto zero = nearest ? zero_in(nearest->ball, nearest->factor.polynomial) : std::nullopt;
   if (!zero) return std::nullopt;
-  return lines_of(*zero, 1, "");
+  return lines_of(*zero, 1, {});
 }
 
 }  // namespace subcert

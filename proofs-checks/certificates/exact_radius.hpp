@@ -1,6 +1,8 @@
 #pragma once
 /// The lines of a certificate that prove that a product attains the joint spectral radius. Inner header.
 
+#include "group_words.hpp"
+
 #include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
 #include <subcert/analysis/regularity/quadratic/graph_proof.hpp>
 #include <subcert/analysis/regularity/radius/single_radius.hpp>
@@ -11,21 +13,30 @@
 
 namespace subcert {
 
+/// The words of the group of a polytope. With `negation` no letter stands for the flip, as none may beside a group.
+GroupWords words_of(const PolytopeProof& polytope, bool negation);
+
 /// A dyadic number within 2^-bits of the value, relatively.
 Rational rounded(const Rational& value, int bits, Rounding rounding);
+
+/// The lines from `cycle` on.
+struct CycleLines {
+  std::string text;
+  bool negation = false;  ///< whether words are those of words_of(polytope, true)
+};
 
 /// The joint spectral radius of a family as |z|^(1/L), z a zero of a polynomial with integer coefficients.
 struct ExactRadiusLines {
   std::string number;  ///< |[p0,p1,...]@RE,IM,EPS|^1/L
   std::string root;    ///< the line `root`
-  std::string cycles;  ///< the lines from `cycle` on
-  Rational low;        ///< a lower bound
+  CycleLines cycles;
+  Rational low;  ///< a lower bound
 };
 
-/// Nothing where the polytope has no cycle, or where cycles have different leading eigenvalues. What it writes is for
-/// the checker to accept or not: the images that have to lie inside are not looked at. Domain: `polytope` belongs to
-/// this family. Cost: a characteristic polynomial and its factorisation for each cycle. Source: SPEC.md beside this,
-/// section 4.10.
+/// Nothing where the polytope has no cycle, or where leading eigenvalues of cycles differ by more than their signs.
+/// What it writes is for the checker to accept or not: the images that have to lie inside are not looked at. Domain:
+/// `polytope` belongs to this family. Cost: at most three characteristic polynomials and their factorisations for each
+/// cycle. Source: SPEC.md beside this, section 4.10.
 std::optional<ExactRadiusLines> exact_radius_lines(const MatrixFamily& family, const PolytopeProof& polytope);
 
 /// The same for the product of a graph. Source: SPEC.md, section 4.14.

@@ -15,7 +15,7 @@ std::pair<std::size_t, int> find(const std::vector<RationalMatrix>& maps, const 
 
 }  // namespace
 
-GroupWords::GroupWords(const std::vector<FamilySymmetry>& group, bool flip) : words_(group.size()) {
+GroupWords::GroupWords(const std::vector<FamilySymmetry>& group, bool flip, bool negation) : words_(group.size()) {
   words_[0] = {"", 1};
   std::vector<RationalMatrix> maps;
   for (const FamilySymmetry& element : group) maps.push_back(element.map.matrix());
@@ -29,6 +29,7 @@ GroupWords::GroupWords(const std::vector<FamilySymmetry>& group, bool flip) : wo
     inverses_.push_back(find(maps, solve(maps[next], maps[0])).first);
     extend(maps);
   }
+  if (negation) negation_ = static_cast<char>('A' + generators_.size());
 }
 
 /// Words for all products of the generators so far.

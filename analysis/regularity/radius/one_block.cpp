@@ -140,8 +140,12 @@ void expand(std::vector<FamilySymmetry>& group, const DifferentMatrices& differe
     const std::size_t last = different.places.size() - 1;
     for (std::size_t t = 0; t <= last; ++t) {
       const std::size_t image = element.letters[different.places[t]];
-      // Of equal matrices the one that the flip names, so that it reverses the order of all.
-      letters.push_back(different.places[last - t] == image ? last - t : different.originals[image]);
+      const auto is_image = [&](std::size_t s) {
+        return different.places[s] == image && different.opposite[s] == different.opposite[t];
+      };
+      // Of equal matrices the one that the flip names, so that it reverses the order of all; of opposite ones, which
+      // only the identity keeps, itself.
+      letters.push_back(is_image(last - t) ? last - t : is_image(t) ? t : different.originals[image]);
     }
     element.letters = std::move(letters);
   }

@@ -150,6 +150,8 @@ TEST_CASE("dilations that are not isotropic have an exponent along each subspace
 TEST_CASE("masks that do not converge are told so") {
   const MultivariateMask shifted(surface("loop:").mask.symbol() * MultivariatePolynomial(2, 2), 2);
   CHECK(multivariate_regularity(shifted, {Deadline::in(1)}).converges.is_no());
+  // Shifts that are not stable, and no continuous limit whose values could be told apart.
+  CHECK(regularity("mask2:[[0,0,9,9],[-7,-7,9,9],[-7,-7,0,0]]/2").converges.is_no());
   const MultivariateMask shearing(surface("loop:").mask.symbol(), Dilation({{2, 1}, {0, 2}}));
   CHECK_THROWS_AS(multivariate_regularity(shearing, {Deadline::in(1)}), Error);
 }

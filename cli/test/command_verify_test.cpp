@@ -98,8 +98,22 @@ TEST_CASE("what a certificate says of a product whose leading eigenvalue is a mu
   // Of another one, with two leading eigenvalues, the page says what the certificate does not.
   const std::string both = line(R"({"matrices": [[[-2,-2,1],[-2,1,-1],[-2,-2,1]], [[1,-1,-1],[1,-2,-1],[0,-2,1]]]})");
   CHECK(both.find("proved to attain the joint spectral radius") != std::string::npos);
-  CHECK(both.find("that the product attains the radius") != std::string::npos);
+  CHECK(both.find("verified: the bounds, and that the product attains the radius") != std::string::npos);
   CHECK(run("verify " + file).code == 0);
+}
+
+TEST_CASE("answers about certificates come before the line about one that is missing") {
+  const Folder folder;
+  const std::string good = folder / "good.cert", bad = folder / "bad.cert", none = folder / "none.cert";
+  CHECK(run("regularity dd:n=2 --certificate " + good).code == 0);
+  std::ofstream(bad) << "nonsense\n";
+  for (const auto& [missing, code] : {std::pair(none, 66), std::pair(bad, 65)}) {
+    const Run both = run("verify " + good + " " + missing);
+    CHECK(both.code == code);
+    CHECK(both.out.starts_with(good + ": VERIFIED "));
+    CHECK(std::count(both.err.begin(), both.err.end(), '\n') == 1);
+  }
+  CHECK(run("verify " + none).out.empty());
 }
 
 TEST_CASE("a surface with unstable shifts has a certificate that proves convergence, too") {

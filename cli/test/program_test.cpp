@@ -169,6 +169,17 @@ TEST_CASE("what a reader that leaves early is told: nothing") {
   CHECK(result.out.size() == 10);
 }
 
+TEST_CASE("standard output takes one answer") {
+  for (const char* command :
+       {"regularity dd:n=2 --certificate -", "range four-point:w --over w=0..1 --property C1 --certificate -",
+        "analyze dd:n=2 --html -", "curve four-point:w --over w=0..1 --plot -"}) {
+    const Run result = run(command);
+    CHECK(result.code == 64);
+    CHECK(result.out.empty());
+    CHECK(contains(result.err, " -: standard output takes the answer of the command; expected another place\n"));
+  }
+}
+
 TEST_CASE("two answers do not go to one file") {
   const Folder folder;
   const std::string file = folder / "x.html";

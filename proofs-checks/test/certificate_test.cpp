@@ -71,14 +71,19 @@ MultivariateMask rings(const Rational& centre, const std::vector<LatticePoint>& 
   return {MultivariatePolynomial(2, terms), std::move(dilation)};
 }
 
-/// Whether the checker proves what a certificate says of the radius of a family.
-bool proves(const MatrixFamily& family, const Certificate& certificate) {
+/// Whether the checker proves what a certificate says of the radius of a family; `more`: and what else it is asked.
+bool proves(const MatrixFamily& family, const Certificate& certificate, const std::string& more = "") {
   const fs::path file = fs::temp_directory_path() / ("subcert-proofs-test-" + std::to_string(getpid()) + ".family");
   std::ofstream(file, std::ios::binary) << matrices_text(family);
-  const bool proved = proves("--matrices " + file.string(), certificate.claim.lower.value_or(""),
+  const bool proved = proves("--matrices " + file.string() + more, certificate.claim.lower.value_or(""),
                              *certificate.claim.upper, certificate.text);
   fs::remove(file);
   return proved;
+}
+
+/// The same, and what the radius is. Domain: the certificate says it.
+bool proves_exactly(const MatrixFamily& family, const Certificate& certificate) {
+  return proves(family, certificate, " --exact '" + *certificate.claim.exact + "'");
 }
 
 RationalMatrix matrix_of(std::size_t size, const std::vector<const char*>& entries) {
@@ -578,6 +583,33 @@ TEST_CASE("joint spectral radii from the literature") {
   CHECK(joint_spectral_radius({half}, {Deadline::in(5)}).radius.contains(q("1/2")));
   CHECK_THROWS_AS(joint_spectral_radius({}, {Deadline::in(5)}), Error);
   CHECK_THROWS_AS(joint_spectral_radius({RationalMatrix(2, 3)}, {Deadline::in(5)}), Error);
+}
+
+TEST_CASE("radii of cycles whose eigenvalues differ by their signs, and of rational vectors of several letters") {
+  const auto pair = [](const std::vector<const char*>& a, const std::vector<const char*>& b) {
+    const std::size_t size = a.size() == 4 ? 2 : 3;
+    return MatrixFamily{matrix_of(size, a), matrix_of(size, b)};
+  };
+  const std::vector<const char*> root_of_two = {"-1", "-1", "-1", "1"};
+  for (const MatrixFamily& family :
+       {pair({"-2", "-2", "1", "-2", "1", "-1", "-2", "-2", "1"}, {"1", "-1", "-1", "1", "-2", "-1", "0", "-2", "1"}),
+        pair(root_of_two, {"1", "1", "1", "-1"}), pair(root_of_two, {"-1", "-1", "0", "0"}),
+        pair(root_of_two, {"-1", "-1", "1", "-1"}), pair(root_of_two, {"-1", "0", "0", "1"}),
+        pair({"0", "-1", "1", "0"}, {"0", "0", "0", "0"}), pair({"0", "-1", "1", "0"}, {"-1", "0", "0", "0"})}) {
+    const JointSpectralRadius radius = joint_spectral_radius(family, {Deadline::in(10)});
+    CAPTURE(matrices_text(family));
+    CHECK(radius.exact.is_yes());
+    const Certificate certificate = radius_certificate(family, radius);
+    CHECK(proves(family, certificate));
+    if (radius.radius.is_exact() && certificate.claim.lower == certificate.claim.upper) continue;
+    REQUIRE(certificate.claim.exact);
+    CHECK(proves_exactly(family, certificate));
+    // Another sign of the eigenvalue of a cycle.
+    Certificate wrong = certificate;
+    const std::size_t cycle = wrong.text.find(" A ", wrong.text.find("\ncycle "));
+    if (cycle != std::string::npos)
+      CHECK_FALSE(proves_exactly(family, {wrong.claim, wrong.text.replace(cycle, 3, " - ")}));
+  }
 }
 
 TEST_CASE("cones: exact where images lie below vertices") {

@@ -9,7 +9,7 @@ namespace subcert::radius {
 struct ClosedOrbit {
   Rational power;  ///< the radius^length
   int length;      ///< of the products whose images of the vectors stay in the hull of these and their negatives
-  std::optional<PolytopeProof> proof;  ///< of an upper bound, for length 1
+  std::optional<PolytopeProof> proof;  ///< of an upper bound, where there is one of the family itself
 };
 
 /// Looks for vectors whose hull is mapped into itself by all products of so many letters, over the power of the radius:

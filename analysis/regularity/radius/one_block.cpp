@@ -442,7 +442,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget
     result.exact = {Truth::yes,
                     "finitely many rational vectors stay in their hull, and the product attains the radius"};
   }
-  if (orbit && orbit->proof && orbit->proof->bound * unit <= upper)
+  if (orbit && orbit->proof && orbit->proof->bound * unit <= upper * (1 + rounding))
     result.proof = scaled(std::move(*orbit->proof), unit);
   else if (by_form)
     result.proof = scaled(std::move(*form), unit);

@@ -49,11 +49,41 @@ std::string ratios(const Measured& errors, const std::string& first, const std::
          short_number(largest);
 }
 
+/// The paired differences of the first and `factor` times the second, negative; their samples averaged over levels.
+Mean excess(const std::string& first, const std::string& second, double factor = 1) {
+  return {first + " - " + (factor == 1 ? "" : short_number(factor) + " ") + second,
+          {first, "mean"},
+          Quantity{second, "mean"},
+          factor,
+          -INFINITY,
+          0.0};
+}
+
+/// Whether all means are negative over the levels.
+Relation in_the_mean(const std::string& statistic, const Levels& levels, const std::vector<Mean>& means) {
+  return [=](const Measured& errors) {
+    Measured averaged;
+    for (const Mean& mean : means)
+      for (const std::string& method : {mean.of.measure, mean.minus->measure}) {
+        std::vector<double> sum(errors.at(error_at(method, levels.from)).size());
+        for (int decibel = levels.from; decibel <= levels.to; ++decibel) {
+          const auto& error = errors.at(error_at(method, decibel));
+          for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += error[r] / static_cast<double>(levels.count());
+        }
+        averaged.samples[{method, "mean"}] = sum;
+      }
+    return whole_intervals(statistic + decibels(levels) + ", with the whole interval", means)(averaged);
+  };
+}
+
 }  // namespace
 
 Quantity error_at(const std::string& method, int decibel) { return {method, std::to_string(decibel)}; }
 
 Relation smaller_error(const std::string& better, const std::string& worse, const Levels& levels, At where) {
+  const std::string compared = "mean of the paired difference of errors, " + better + " minus " + worse;
+  if (where == At::mean_over_levels)
+    return in_the_mean(compared + ", negative in the mean over ", levels, {excess(better, worse)});
   return [=](const Measured& errors) {
     const MethodComparison found(errors, better, worse, levels, each_of(levels.count()));
     const bool some = where == At::some_level;
@@ -62,25 +92,28 @@ Relation smaller_error(const std::string& better, const std::string& worse, cons
     return Finding{yes  ? Truth::yes
                    : no ? Truth::no
                         : Truth::unknown,
-                   "mean of the paired difference of errors, " + better + " minus " + worse +
-                       ", negative with its whole interval at " + (some ? "some level, " : "each level, ") +
+                   compared + ", negative with its whole interval at " + (some ? "some level, " : "each level, ") +
                        decibels(levels),
                    "negative at " + listed(found.smaller) + " dB; positive at " + listed(found.larger) +
                        "; undecided at " + listed(found.undecided) + "; " + ratios(errors, better, worse, levels)};
   };
 }
 
-Relation nearly_equal_error(const std::string& first, const std::string& second, double tolerance,
-                            const Levels& levels) {
+Relation nearly_equal_error(const std::string& first, const std::string& second, double factor, const Levels& levels,
+                            At where) {
+  const std::string compared = "neither mean error is more than " + short_number(factor) + " times the other, ";
+  if (where == At::mean_over_levels)
+    return in_the_mean(compared + "in the mean over ", levels,
+                       {excess(first, second, factor), excess(second, first, factor)});
   return [=](const Measured& errors) {
     const double confidence = each_of(2 * levels.count());
-    const MethodComparison most(errors, first, second, levels, confidence, 1 + tolerance),
-        least(errors, first, second, levels, confidence, 1 - tolerance);
-    return Finding{most.smaller.size() == levels.count() && least.larger.size() == levels.count() ? Truth::yes
-                   : !most.larger.empty() || !least.smaller.empty()                               ? Truth::no
-                                                                                                  : Truth::unknown,
-                   "the mean errors differ by at most " + short_number(tolerance) + " of the second at each level, " +
-                       decibels(levels) + ", with their whole intervals",
+    const MethodComparison one(errors, first, second, levels, confidence, factor),
+        other(errors, second, first, levels, confidence, factor);
+    const std::size_t all = levels.count();
+    return Finding{one.smaller.size() == all && other.smaller.size() == all ? Truth::yes
+                   : !one.larger.empty() || !other.larger.empty()           ? Truth::no
+                                                                            : Truth::unknown,
+                   compared + "at each level, " + decibels(levels) + ", with their whole intervals",
                    ratios(errors, first, second, levels)};
   };
 }

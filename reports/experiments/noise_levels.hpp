@@ -16,14 +16,16 @@ struct Levels {
 /// Of a method at a level of noise.
 Quantity error_at(const std::string& method, int decibel);
 
-enum class At { each_level, some_level };
+/// mean_over_levels: the errors are averaged over the levels first, as one looks at a whole curve of errors.
+enum class At { each_level, some_level, mean_over_levels };
 
-/// At each of the levels, or at some, `better` has a smaller mean error than `worse`: the mean of the paired
-/// differences is negative with its whole interval. The contrary: it is positive at one of the levels, or at all.
+/// `better` has a smaller mean error than `worse`: the mean of the paired differences is negative with its whole
+/// interval. The contrary: it is positive, at one of the levels where each is asked, at all where some is.
 Relation smaller_error(const std::string& better, const std::string& worse, const Levels& levels, At where);
 
-/// The mean errors differ by at most `tolerance` times that of the second at each level; the contrary: by more at one.
-Relation nearly_equal_error(const std::string& first, const std::string& second, double tolerance,
-                            const Levels& levels);
+/// Neither mean error is more than `factor` times the other; the contrary: one of them is, at one of the levels.
+/// Domain: factor > 1, where != some_level.
+Relation nearly_equal_error(const std::string& first, const std::string& second, double factor, const Levels& levels,
+                            At where);
 
 }  // namespace subcert::experiments

@@ -25,25 +25,41 @@ double error_without(const RefinedSample& s) { return mean_squared_error(s.witho
 
 double response(const RefinedSample& s) { return largest_distance(s.with, s.without, s.data.dimension); }
 
-double roughness(const RefinedSample& s) {
-  double sum = 0;
-  std::size_t count = 0;
+/// Calls visit(difference) for the second differences of each coordinate along both axes, with this step.
+template <typename Visit>
+void for_each_second_difference(const RefinedSample& s, std::size_t step, const Visit& visit) {
   const std::size_t columns = s.axes[0].count, rows = s.axes[1].count, dimension = s.data.dimension,
                     row = columns * dimension;
-  const auto add = [&](std::size_t at, std::size_t step) {
-    const double difference = s.with[at - step] - 2 * s.with[at] + s.with[at + step];
-    sum += difference * difference;
-    ++count;
+  const auto add = [&](std::size_t at, std::size_t distance) {
+    visit(s.with[at - distance] - 2 * s.with[at] + s.with[at + distance]);
   };
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i)
       for (std::size_t c = 0; c < dimension; ++c) {
         const std::size_t at = j * row + i * dimension + c;
-        if (i > 0 && i + 1 < columns) add(at, dimension);
-        if (j > 0 && j + 1 < rows) add(at, row);
+        if (i >= step && i + step < columns) add(at, step * dimension);
+        if (j >= step && j + step < rows) add(at, step * row);
       }
+}
+
+double roughness(const RefinedSample& s) {
+  double sum = 0;
+  std::size_t count = 0;
+  for_each_second_difference(s, 1, [&](double difference) {
+    sum += difference * difference;
+    ++count;
+  });
   return sum / static_cast<double>(count);
 }
+
+/// In the unit of the distance of neighbours.
+double largest_change_of_slope(const RefinedSample& s, std::size_t step) {
+  double largest = 0;
+  for_each_second_difference(s, step, [&](double d) { largest = std::max(largest, std::abs(d)); });
+  return largest / static_cast<double>(step);
+}
+double largest_turn(const RefinedSample& s) { return largest_change_of_slope(s, 1); }
+double largest_coarse_turn(const RefinedSample& s) { return largest_change_of_slope(s, 2); }
 
 double from_data(const RefinedSample& s) {
   const std::size_t dimension = s.data.dimension;
@@ -94,7 +110,8 @@ void for_each_refined(
 
 const SampleMeasure error_measure{"error", error}, error_without_measure{"error without", error_without, true},
     response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
-    from_data_measure{"from data", from_data};
+    largest_turn_measure{"largest turn", largest_turn},
+    largest_coarse_turn_measure{"largest coarse turn", largest_coarse_turn}, from_data_measure{"from data", from_data};
 
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   std::vector<MeansTable::Row> result;
@@ -146,13 +163,10 @@ void study_error_parts(Measured& measured, const NoisyData& data, const std::vec
   std::map<std::string, std::vector<std::vector<double>>> errors;  // by method, of each sample at each value
   for (const Method& method : methods) {
     for (const char* part : {"squared bias", "variance"}) measured.samples[{part, method.name}].resize(pairs);
-    measured.samples[{from_data_measure.name, method.name}].resize(2 * pairs);
     errors[method.name].resize(2 * pairs);
   }
   for_each_refined(data, methods, 2 * pairs, Sets::with_outliers, options,
                    [&](const Method& method, std::size_t r, const RefinedSample& sample) {
-                     if (data.axes.size() == 1)
-                       measured.samples.at({from_data_measure.name, method.name})[r] = from_data(sample);
                      std::vector<double>&previous = errors.at(method.name)[r - r % 2],
                      &error = errors.at(method.name)[r];
                      error = sample.with;

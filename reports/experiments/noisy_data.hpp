@@ -68,6 +68,9 @@ struct SampleMeasure {
 extern const SampleMeasure error_measure, error_without_measure, response_measure;
 /// "roughness", on grids: the mean square of the second differences along both axes, with outliers.
 extern const SampleMeasure roughness_measure;
+/// "largest turn" and "largest coarse turn", on grids: the largest change of slope along an axis, between neighbours
+/// and between every other point; the first is about half of the second on a smooth surface, and as large at a kink.
+extern const SampleMeasure largest_turn_measure, largest_coarse_turn_measure;
 /// "from data", on curves: the mean squared distance of the limit from the data that are no outliers.
 extern const SampleMeasure from_data_measure;
 
@@ -78,8 +81,8 @@ void study(Measured& measured, const NoisyData& data, const std::vector<Method>&
            const std::string& prefix = "");
 
 /// Adds "squared bias" and "variance" of the limits of data with outliers, estimated from pairs of independent samples,
-/// one of each for each pair, as means over the points; for curves also "from data". With the errors e and e' of a
-/// pair, the mean of e . e' is unbiased for the squared bias, and that of |e - e'|^2 / 2 for the variance.
+/// one of each for each pair, as means over the points. With the errors e and e' of a pair, the mean of e . e' is
+/// unbiased for the squared bias, and that of |e - e'|^2 / 2 for the variance.
 /// Domain: options.runs >= 2; at least 4 samples are drawn.
 void study_error_parts(Measured& measured, const NoisyData& data, const std::vector<Method>& methods,
                        const ExperimentOptions& options);

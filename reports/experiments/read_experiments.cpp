@@ -62,26 +62,28 @@ std::string statistic_of(const Fields& claim) {
   return filled(claim.text("statistic"), bound);
 }
 
-/// A mean that the claim names: "S_3", or the paired differences "D_3 - S_3"; or a table {of, name, above, below} with
-/// a name and bounds of its own.
+/// A mean that the claim names: "S_3", or the paired differences "D_3 - S_3"; or a table with a name, bounds and, where
+/// it has them, a measure and what is subtracted of its own.
 Mean read_mean(const Fields& claim, const toml::node& node) {
   const bool own = node.is_table();
   const Fields fields{own ? *node.as_table() : claim.table, claim.values, claim.used};
-  if (own) only_keys(fields.table, {"of", "name", "above", "below"});
-  const std::string measure = claim.text("measure"), text = own ? fields.text("of") : claim.plain(node),
+  if (own) only_keys(fields.table, {"of", "name", "above", "below", "measure", "minus", "factor"});
+  const auto with = [&](const std::string& key) { return own && fields.has(key) ? fields : claim; };
+  const std::string measure = with("measure").text("measure"), text = own ? fields.text("of") : claim.plain(node),
                     place = claim.has("at") ? " at " + claim.text("at") : "";
+  const bool has_minus = with("minus").has("minus"), has_factor = with("factor").has("factor");
   const std::size_t minus = text.find(" - ");
   const std::string first = text.substr(0, minus);
   Mean mean{text, {measure, first + place}};
   if (minus != std::string::npos) {
-    if (claim.has("minus")) throw FileError(place_of(node), "either a difference or the key 'minus'");
+    if (has_minus) throw FileError(place_of(node), "either a difference or the key 'minus'");
     mean.minus = {measure, text.substr(minus + 3) + place};
-  } else if (claim.has("minus")) {
-    mean.minus = {claim.text("minus"), mean.of.subject};
+  } else if (has_minus) {
+    mean.minus = {with("minus").text("minus"), mean.of.subject};
   }
-  if (claim.has("factor")) {
+  if (has_factor) {
     if (!mean.minus) throw FileError(place_of(node), "'factor' goes with what is subtracted");
-    mean.factor = claim.number("factor", 1);
+    mean.factor = with("factor").number("factor", 1);
     if (minus != std::string::npos)
       mean.name = first + " - " + short_number(mean.factor) + " " + text.substr(minus + 3);
   }
@@ -109,17 +111,27 @@ Levels levels_of(const Fields& claim) {
   return levels;
 }
 
+/// By the key `where`, one of these words; without it at each level.
+At where_of(const Fields& claim, const std::map<std::string, At>& words) {
+  if (!claim.has("where")) return At::each_level;
+  const auto found = words.find(claim.text("where"));
+  if (found != words.end()) return found->second;
+  std::string expected;
+  for (const auto& [word, at] : words) expected += (expected.empty() ? "'" : " or '") + word + "'";
+  throw FileError(place_of(*claim.table.get("where")), "expected " + expected);
+}
+
 Relation relation_of_smaller_error(const Fields& claim) {
   const auto [better, worse] = claim.two("smaller-error");
-  if (claim.has("where") && claim.text("where") != "some level")
-    throw FileError(place_of(*claim.table.get("where")), "expected 'some level'");
-  return smaller_error(better, worse, levels_of(claim), claim.has("where") ? At::some_level : At::each_level);
+  return smaller_error(better, worse, levels_of(claim),
+                       where_of(claim, {{"some level", At::some_level}, {"mean", At::mean_over_levels}}));
 }
 
 Relation relation_of_equal_error(const Fields& claim) {
   const auto [first, second] = claim.two("equal-error");
-  if (!claim.has("within")) throw FileError(place_of(claim.table), "expected the key 'within'");
-  return nearly_equal_error(first, second, claim.number("within", 0), levels_of(claim));
+  const double factor = claim.number("within", 0);
+  if (!(factor > 1)) throw FileError(place_of(claim.table), "expected the key 'within' with a factor > 1");
+  return nearly_equal_error(first, second, factor, levels_of(claim), where_of(claim, {{"mean", At::mean_over_levels}}));
 }
 
 /// What decides a claim: the key that says so, the keys that go with it.
@@ -135,7 +147,7 @@ Reading read_reading(const Fields& fields, const Keys& others) {
       {"of", {"measure", "minus", "factor", "at", "above", "below", "statistic"}, relation_of_means},
       {"facts", {"statistic"}, relation_of_facts},
       {"smaller-error", {"from", "to", "where"}, relation_of_smaller_error},
-      {"equal-error", {"within", "from", "to"}, relation_of_equal_error}};
+      {"equal-error", {"within", "from", "to", "where"}, relation_of_equal_error}};
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return fields.has(k.key); });
   if (kind == kinds.end())
     throw FileError(place_of(fields.table), "expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");

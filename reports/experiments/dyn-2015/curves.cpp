@@ -29,10 +29,10 @@ std::size_t crossings(const Curve& c) {
   return result;
 }
 
-double crossings_kept(const Curve& limit, const Curve& truth) { return crossings(limit) == crossings(truth); }
+double crossings_kept(const TrialSample& s) { return crossings(s.limit) == crossings(s.truth); }
 
 /// The sum of the moduli of the angles between edges of the open polygon.
-double total_turning(const Curve& limit, const Curve&) {
+double total_turning(const Curve& limit) {
   double result = 0;
   for (std::size_t i = 0; i + 2 < limit.points(); ++i) {
     const double ux = x_of(limit, i + 1) - x_of(limit, i), uy = y_of(limit, i + 1) - y_of(limit, i),
@@ -42,8 +42,23 @@ double total_turning(const Curve& limit, const Curve&) {
   return result;
 }
 
+double turning_of_limit(const TrialSample& s) { return total_turning(s.limit); }
+
+/// 1 where the closed polygon turns to one side only, else 0.
+double convex(const TrialSample& s) {
+  const std::size_t count = s.limit.points();
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = orientation(s.limit, i, (i + 1) % count, (i + 2) % count);
+    left = left || turn > 0;
+    right = right || turn < 0;
+  }
+  return !(left && right);
+}
+
 /// The smallest distance from the origin over the largest.
-double roundness(const Curve& limit, const Curve&) {
+double roundness(const TrialSample& s) {
+  const Curve& limit = s.limit;
   double least = INFINITY, largest = 0;
   for (std::size_t i = 0; i < limit.points(); ++i) {
     const double radius = std::hypot(x_of(limit, i), y_of(limit, i));
@@ -69,13 +84,15 @@ Measured alpha_curve(const Run& run) {
                          .decibels = {17, 4},
                          .schemes = {"primal:n=3", "primal:n=5"},
                          .measures = {{"relative error", point_error},
-                                      {"total turning", total_turning},
-                                      {"crossings kept", crossings_kept}},
+                                      {"total turning", turning_of_limit},
+                                      {"crossings kept", crossings_kept},
+                                      {"from samples", square_to_noisy},
+                                      {"from curve", square_to_exact}},
                          .factor = run.number("decibel"),
                          .ends = data::parse_boundary(run.chosen("ends of the curve")).value()};
   Measured result = trial.measured(run);
   const Curve truth = trial.truth();
-  result.numbers = {{"crossings", crossings(truth)}, {"total turning", total_turning(truth, truth)}};
+  result.numbers = {{"crossings", crossings(truth)}, {"total turning", total_turning(truth)}};
   if (!run.is_alternative()) result.figures = {trial.curves_figure(run)};
   return result;
 }
@@ -96,7 +113,12 @@ Measured star(const Run& run) {
       .schemes = {"primal:n=3", "primal:n=5", "primal:n=4,d=3", "primal:n=6,d=3"},
       .measures = {{"relative error", point_error},
                    {"smallest / largest radius", roundness},
-                   {"total turning", total_turning}},
+                   {"total turning", turning_of_limit},
+                   {"convex", convex},
+                   {"from samples", square_to_noisy},
+                   {"from curve", square_to_exact},
+                   {"squared bias", squared_bias},
+                   {"from noise", squared_noise}},
       .factor = run.number("decibel")};
   Measured result = trial.measured(run);
   result.numbers = {{"middle", (0.6 + std::cos(std::numbers::pi / 5)) / 2}};  // of a star and a pentagon

@@ -49,6 +49,17 @@ Vector facet_normal(const data::GridData<double>& grid, std::size_t i, std::size
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+double mean_squared_distance(const data::GridData<double>& a, const data::GridData<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) sum += (a.values[i] - b.values[i]) * (a.values[i] - b.values[i]);
+  return sum / static_cast<double>(a.points());
+}
+
+/// The limit at the parameters of the samples.
+data::GridData<double> at_samples(const TrialSample& s) {
+  return {polygon_at(s.limit, parameters(s.noisy.axes[0])), s.noisy.dimension, s.noisy.axes};
+}
+
 std::string noise_words(double decibel) { return short_number(decibel) + " dB"; }
 
 std::string at_noise(const std::string& scheme, double decibel) {
@@ -90,13 +101,16 @@ double relative_error(const Values& values, const Values& truth) {
   return std::sqrt(error / norm);
 }
 
-double point_error(const data::GridData<double>& limit, const data::GridData<double>& truth) {
-  return relative_error(limit.values, truth.values);
-}
+double point_error(const TrialSample& s) { return relative_error(s.limit.values, s.truth.values); }
+double sample_error(const TrialSample& s) { return relative_error(s.noisy.values, s.exact.values); }
+double squared_noise(const TrialSample& s) { return mean_squared_distance(s.limit, s.quiet); }
+double squared_bias(const TrialSample& s) { return mean_squared_distance(s.quiet, s.truth); }
+double square_to_noisy(const TrialSample& s) { return mean_squared_distance(at_samples(s), s.noisy); }
+double square_to_exact(const TrialSample& s) { return mean_squared_distance(at_samples(s), s.exact); }
 
-double shape_error(const data::GridData<double>& limit, const data::GridData<double>& truth) {
-  Values found = centred(limit);
-  const Values wanted = centred(truth);
+double shape_error(const TrialSample& sample) {
+  Values found = centred(sample.limit);
+  const Values wanted = centred(sample.truth);
   double product = 0, square = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     product += found[i] * wanted[i];
@@ -106,7 +120,8 @@ double shape_error(const data::GridData<double>& limit, const data::GridData<dou
   return relative_error(found, wanted);
 }
 
-double normal_error(const data::GridData<double>& limit, const data::GridData<double>& truth) {
+double normal_error(const TrialSample& sample) {
+  const auto &limit = sample.limit, &truth = sample.truth;
   const std::size_t columns = limit.axes[0].count - 1, rows = limit.axes[1].count - 1;
   double sum = 0;
   for (std::size_t j = 0; j < rows; ++j)
@@ -160,6 +175,8 @@ data::GridData<double> LimitTrial::truth() const {
 Measured LimitTrial::measured(const Run& run) const {
   const data::GridData<double> exact = samples(), wanted = truth();
   const auto limits = limits_of(*this, level);
+  std::vector<data::GridData<double>> quiet;
+  for (const TensorLimit& limit : limits) quiet.push_back(limit(exact));
   Measured result;
   MeansTable table{run.experiment.id + "-measures", title, {"scheme", "SNR (dB)"}, {}, {}};
   for (const auto& [name, measure] : measures) table.columns.push_back({name, name});
@@ -174,7 +191,8 @@ Measured LimitTrial::measured(const Run& run) const {
       for (std::size_t s = 0; s < schemes.size(); ++s) {
         const data::GridData<double> limit = limits[s](data);
         for (const auto& [name, measure] : measures)
-          result.samples.at({name, at_noise(schemes[s], decibel)})[sample] = measure(limit, wanted);
+          result.samples.at({name, at_noise(schemes[s], decibel)})[sample] = measure(
+              {limit, wanted, quiet[s], data, exact});
       }
     });
   });

@@ -26,14 +26,31 @@ class TensorLimit {
   std::vector<data::Axis> axes_;  ///< of the limit
 };
 
-/// A number for a limit beside the truth at the same parameters.
-using LimitMeasure = double (*)(const data::GridData<double>& limit, const data::GridData<double>& truth);
+/// One sample and its limit.
+struct TrialSample {
+  const data::GridData<double>& limit;
+  const data::GridData<double>& truth;  ///< at the same parameters
+  const data::GridData<double>& quiet;  ///< the limit of the samples without noise
+  const data::GridData<double>& noisy;
+  const data::GridData<double>& exact;  ///< the samples without noise
+};
 
-double point_error(const data::GridData<double>& limit, const data::GridData<double>& truth);
+using LimitMeasure = double (*)(const TrialSample& sample);
+
+double point_error(const TrialSample& sample);
 /// After the limit is scaled about its centre so that it fits best.
-double shape_error(const data::GridData<double>& limit, const data::GridData<double>& truth);
+double shape_error(const TrialSample& sample);
 /// The root mean square of the angles between the normals of facets, in degrees. Domain: two axes.
-double normal_error(const data::GridData<double>& limit, const data::GridData<double>& truth);
+double normal_error(const TrialSample& sample);
+/// Of the noisy samples: what a limit has to better.
+double sample_error(const TrialSample& sample);
+/// The mean squared distances of the limit from the limit without noise, and of that from the truth.
+double squared_noise(const TrialSample& sample);
+double squared_bias(const TrialSample& sample);
+/// The mean squared distances, at the parameters of the samples, of the limit from the noisy samples and from the exact
+/// ones. Domain: one axis.
+double square_to_noisy(const TrialSample& sample);
+double square_to_exact(const TrialSample& sample);
 
 /// A shape, its noisy samples and the limits of schemes.
 struct LimitTrial {

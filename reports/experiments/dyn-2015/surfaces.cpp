@@ -18,6 +18,16 @@ Measured measured_and_drawn(const LimitTrial& trial, const std::string& samples_
   return result;
 }
 
+/// The mean distance of the points of the limit from the torus.
+double distance_from_torus(const TrialSample& s) {
+  double sum = 0;
+  for (std::size_t i = 0; i < s.limit.values.size(); i += 3) {
+    const double* const p = &s.limit.values[i];
+    sum += std::abs(std::hypot(std::hypot(p[0], p[1]) - 10, p[2]) - 5);
+  }
+  return sum / static_cast<double>(s.limit.points());
+}
+
 }  // namespace
 
 Measured torus(const Run& run) {
@@ -36,7 +46,9 @@ Measured torus(const Run& run) {
                              .schemes = {"primal:n=3", "primal:n=5"},
                              .measures = {{"relative error", point_error},
                                           {"error up to size", shape_error},
-                                          {"normals (degrees)", normal_error}},
+                                          {"normals (degrees)", normal_error},
+                                          {"distance from torus", distance_from_torus},
+                                          {"error of samples", sample_error}},
                              .factor = run.number("decibel")},
                             "fig18", run);
 }

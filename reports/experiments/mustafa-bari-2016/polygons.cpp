@@ -78,7 +78,7 @@ Measured refined_polygons(const Run&) {
         const bool kept = shares_a_point(data, first);
         result.add_fact("approximating", one.name, !kept, kept ? "vertices are kept" : "no vertex is kept");
       }
-      result.add_fact("third level", polygon.name + " " + one.name, level3 < 1.0 / 200, short_number(level3));
+      result.add_fact("third level", polygon.name + " " + one.name, level3 < 1.0 / 100, short_number(level3));
       figure.panels.push_back(
           plain_panel(one.name + ", level 1", {drawn, line("level 1", line_of(first), colour::red)}, true));
       figure.panels.back().curves.back().marked = true;

@@ -129,7 +129,7 @@ Measured measured_surface(const MeshExperiment& experiment, const Run& run) {
     const std::string name = "level " + std::to_string(k);
     figure.surfaces.push_back(drawn_surface(name, refined));
     table.rows.push_back({std::to_string(k), std::to_string(refined.points()), short_number(distance)});
-    result.add_fact("approach", name, distance < last && (k < drawn_levels || distance < 1.0 / 200),
+    result.add_fact("approach", name, distance < last && (k < drawn_levels || distance < 1.0 / 100),
                     short_number(distance));
     last = distance;
   }

@@ -92,11 +92,11 @@ Measured measured_noise(const NoisyData& data, const Run& run) {
   const std::string id = run.experiment.id;
   const std::vector<Method> methods = all_methods(), of_parts = l1_methods(windows, {1, 2, 3});
   Measured result;
-  study(result, data, methods, {error_measure, error_without_measure, response_measure}, run);
+  study(result, data, methods, {error_measure, error_without_measure, response_measure, from_data_measure}, run);
   study_error_parts(result, data, of_parts, run);
   // The expected squared norm of the noise at a point.
   const double noise = static_cast<double>(data.dimension) * *data.sigma * *data.sigma;
-  result.numbers = {{"noise", noise}, {"half of noise", noise / 2}};
+  result.numbers = {{"noise", noise}};
   const MeansTable parts{id + "-parts",
                          "Parts of the mean squared error with outliers",
                          {"scheme"},

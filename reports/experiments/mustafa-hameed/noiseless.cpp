@@ -58,7 +58,7 @@ std::size_t extrema(const data::GridData<double>& curve, double height) {
 
 constexpr double rounding = 1e-12;  ///< heights of rounding errors
 /// Heights below this part of the diameter are not seen.
-constexpr double visible = 1.0 / 200;
+constexpr double visible = 1.0 / 100;
 
 struct Polygon {
   std::string name;

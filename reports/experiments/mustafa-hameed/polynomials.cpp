@@ -116,6 +116,7 @@ Measured linear_polynomials(const Run& run) {
   find_linear_reproduction(result);
   const NoisyData noisy = noisy_cubic();
   const std::vector<Method> methods = l1_methods(windows_of_linear, {1, 2, 3});
+  study(result, noisy, methods, {error_measure, from_data_measure}, run);
   study_error_parts(result, noisy, methods, run);
   const double variance = *noisy.sigma * *noisy.sigma;
   result.numbers = {{"noise", variance}};

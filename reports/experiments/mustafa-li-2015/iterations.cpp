@@ -69,14 +69,6 @@ Measured iterations(const Run& run) {
   for (const auto& [over, settings] : all_series)
     for (const Setting& s : settings)
       result.samples[{"error over " + over, s.label}] = result.at({"error", s.subject()});
-  // What is left of the gain of the iterations, beyond a tenth of it.
-  const auto &least_squares = result.at({"error over fits", "0 fits"}),
-             &converged = result.at({"error over fits", "100 fits"});
-  for (const char* m : {"m = 5", "m = 6"}) {
-    std::vector<double> rest = result.at({"error over fits", m});
-    for (std::size_t r = 0; r < rest.size(); ++r) rest[r] -= converged[r] + (least_squares[r] - converged[r]) / 10;
-    result.samples[{"left of the gain", m}] = rest;
-  }
   if (run.is_alternative()) return result;
   result.tables = {table.filled(result)};
   result.figures = {drawn(data.first_sample(run.seed))};

@@ -33,11 +33,9 @@ NoisyData spiral_data(double turns, double length) {
 }  // namespace
 
 Measured spiral(const Run& run) {
-  const double turns = run.number("half turns");
-  const NoisyData data = spiral_data(turns, run.number("displacement"));
+  const NoisyData data = spiral_data(run.number("half turns"), run.number("displacement"));
   Measured result;
   add_outlier_study(result, run, "-measures", "Spiral with three outliers", data, curve_methods());
-  result.numbers = {{"tenth of radius", std::exp(turns * std::numbers::pi / 10) / 10}};
   if (run.is_alternative()) return result;
   formats::Figure figure{run.experiment.id,
                          "Logarithmic spiral with three outliers",

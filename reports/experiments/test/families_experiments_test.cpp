@@ -72,7 +72,7 @@ TEST_CASE("squared bias and variance add up to the error; without noise there is
 
 TEST_CASE("the distance from the data leaves outliers out") {
   Measured measured;
-  study_error_parts(measured, parabola(0, 1000), {l1_method(8, 2)}, {1, 2, 1});
+  study(measured, parabola(0, 1000), {l1_method(8, 2)}, {from_data_measure}, {1, 4, 1});
   REQUIRE(measured.at({"from data", "D_8^2"}).size() == 4);
   // The square of the outlier's own distance would be at least 40,000 in the mean over 21 data.
   for (const double square : measured.at({"from data", "D_8^2"})) CHECK(square < 10);

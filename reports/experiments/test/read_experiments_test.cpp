@@ -117,13 +117,13 @@ TEST_CASE("errors over levels of noise: each, some, nearly equal") {
   CHECK(of(smaller_error("near", "far", {1, 6}, At::some_level)) == Truth::yes);
   CHECK(of(smaller_error("far", "near", {1, 4}, At::some_level)) == Truth::no);
   CHECK(of(smaller_error("far", "near", {1, 6}, At::some_level)) == Truth::unknown);
-  CHECK(of(nearly_equal_error("near", "far", 0.3, {1, 4})) == Truth::yes);
-  CHECK(of(nearly_equal_error("near", "far", 0.1, {1, 4})) == Truth::no);
-  CHECK(of(nearly_equal_error("near", "far", 0.3, {1, 6})) == Truth::unknown);
+  CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(nearly_equal_error("near", "far", 1.1, {1, 4}, At::each_level)) == Truth::no);
+  CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 6}, At::each_level)) == Truth::unknown);
   // Two intervals are asked to hold together: each of 99 % would do here.
   errors.samples[error_at("near", 1)] = {0.997, 1.003};
   errors.samples[error_at("far", 1)] = {1, 1};
-  CHECK(of(nearly_equal_error("near", "far", 0.3, {1, 1})) == Truth::unknown);
+  CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 1}, At::each_level)) == Truth::unknown);
 }
 
 TEST_CASE("a claim is decided over every choice, by its best reading") {

@@ -59,12 +59,21 @@ std::string DecidedReading::numbers() const {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+bool is_open(const DecidedClaim& claim, const DecidedReading& reading) {
+  if (reading.verdict != ClaimVerdict::undecided || claim.finding == ClaimVerdict::own_data) return false;
+  const auto is_no = [](const VariantFinding& f) { return f.finding.truth == Truth::no; };
+  const bool may_hold = !reading.late && std::ranges::none_of(reading.findings, is_no);
+  const ClaimVerdict best = claim.readings.front().verdict;
+  return best == ClaimVerdict::undecided || (best == ClaimVerdict::depends && may_hold);
+}
+
 DecidedClaim decided(const Claim& claim, const std::vector<Variant>& variants) {
   std::vector<DecidedReading> readings;
   for (const Reading& reading : claim.readings) {
     auto findings = findings_of(reading, claim, variants);
-    const ClaimVerdict verdict = verdict_over(findings);
-    readings.push_back({reading.words, verdict, std::move(findings)});
+    ClaimVerdict verdict = verdict_over(findings);
+    if (reading.late && verdict == ClaimVerdict::holds) verdict = ClaimVerdict::depends;
+    readings.push_back({reading.words, verdict, reading.late, std::move(findings)});
   }
   std::ranges::stable_sort(readings, {}, [](const DecidedReading& r) { return rank(r.verdict); });
   const DecidedReading& best = readings.front();

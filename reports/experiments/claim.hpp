@@ -20,6 +20,7 @@ struct Choice {
 struct Reading {
   std::string words;
   Relation relation;
+  bool late = false;  ///< chosen after the numbers were seen: it can save a sentence, but not show it
 };
 
 /// Canonical: at least one reading.
@@ -55,6 +56,7 @@ struct VariantFinding {
 struct DecidedReading {
   std::string words;
   ClaimVerdict verdict;                  ///< of this reading, whosever data they are; never own_data
+  bool late;                             ///< then depends at best
   std::vector<VariantFinding> findings;  ///< as taken first
   /// The numbers as taken, and which other choices say the same, the contrary or nothing.
   std::string numbers() const;
@@ -75,6 +77,10 @@ struct DecidedClaim {
 /// holds: every finding is yes; contrary: every one is no; depends: some are yes and some no; else undecided. Domain:
 /// at least one finding.
 ClaimVerdict verdict_over(const std::vector<VariantFinding>& findings);
+
+/// Whether more samples could lead to a better verdict: the reading is undecided, and a decision of it would
+/// count. Never on our data, where no verdict hangs on it.
+bool is_open(const DecidedClaim& claim, const DecidedReading& reading);
 
 /// By the variants of the choices that the claim names. Domain: the first variant is the one as taken. Errors: throws a
 /// domain error that names what was not measured.

@@ -108,14 +108,15 @@ std::vector<DecidedClaim> decided_claims(const Experiment& experiment, const std
   return result;
 }
 
-/// The names of the variants that leave a claim open which no other variant decides.
+/// The names of the variants that leave a claim open.
 std::set<std::string> open_variants(const std::vector<DecidedClaim>& claims) {
   std::set<std::string> result;
   for (const DecidedClaim& claim : claims) {
-    if (claim.readings.front().verdict != ClaimVerdict::undecided) continue;
-    for (const DecidedReading& reading : claim.readings)
+    for (const DecidedReading& reading : claim.readings) {
+      if (!is_open(claim, reading)) continue;
       for (const VariantFinding& one : reading.findings)
         if (one.finding.truth == Truth::unknown) result.insert(one.variant);
+    }
   }
   return result;
 }
@@ -207,9 +208,11 @@ nlohmann::ordered_json claim_json(const DecidedClaim& c) {
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
   std::vector<Variant> variants = measured_variants(experiment, options);
   std::vector<DecidedClaim> claims = decided_claims(experiment, variants);
-  if (const auto open = open_variants(claims); experiment.random && !open.empty()) {
+  for (const std::size_t times : patience) {
+    const auto open = open_variants(claims);
+    if (!experiment.random || open.empty()) break;
     ExperimentOptions more = options;
-    more.runs *= patience;
+    more.runs *= times;
     for (Variant& variant : variants)
       if (open.contains(variant.name()))
         variant = {variant.choice, variant.value, more.runs,

@@ -3,6 +3,7 @@
 
 #include "claim.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -78,11 +79,11 @@ struct RanExperiment {
   ExperimentResult result;
 };
 
-/// How many times the samples a question gets that the first ones leave open.
-inline constexpr std::size_t patience = 4;
+/// How many times the samples a question gets that fewer leave open.
+inline constexpr std::array<std::size_t, 3> patience{4, 16, 64};
 
 /// Measures with every choice as taken and with each other value of one of them, and decides the claims. What is open
-/// is measured once more with `patience` times the samples. Domain: options.runs >= 2. Errors: throws a domain error
+/// is measured again with `patience` times the samples. Domain: options.runs >= 2. Errors: throws a domain error
 /// that names the claim and what it names but was not measured.
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options);
 

@@ -25,41 +25,25 @@ double error_without(const RefinedSample& s) { return mean_squared_error(s.witho
 
 double response(const RefinedSample& s) { return largest_distance(s.with, s.without, s.data.dimension); }
 
-/// Calls visit(difference) for the second differences of each coordinate along both axes, with this step.
-template <typename Visit>
-void for_each_second_difference(const RefinedSample& s, std::size_t step, const Visit& visit) {
+double roughness(const RefinedSample& s) {
+  double sum = 0;
+  std::size_t count = 0;
   const std::size_t columns = s.axes[0].count, rows = s.axes[1].count, dimension = s.data.dimension,
                     row = columns * dimension;
-  const auto add = [&](std::size_t at, std::size_t distance) {
-    visit(s.with[at - distance] - 2 * s.with[at] + s.with[at + distance]);
+  const auto add = [&](std::size_t at, std::size_t step) {
+    const double difference = s.with[at - step] - 2 * s.with[at] + s.with[at + step];
+    sum += difference * difference;
+    ++count;
   };
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i)
       for (std::size_t c = 0; c < dimension; ++c) {
         const std::size_t at = j * row + i * dimension + c;
-        if (i >= step && i + step < columns) add(at, step * dimension);
-        if (j >= step && j + step < rows) add(at, step * row);
+        if (i > 0 && i + 1 < columns) add(at, dimension);
+        if (j > 0 && j + 1 < rows) add(at, row);
       }
-}
-
-double roughness(const RefinedSample& s) {
-  double sum = 0;
-  std::size_t count = 0;
-  for_each_second_difference(s, 1, [&](double difference) {
-    sum += difference * difference;
-    ++count;
-  });
   return sum / static_cast<double>(count);
 }
-
-/// In the unit of the distance of neighbours.
-double largest_change_of_slope(const RefinedSample& s, std::size_t step) {
-  double largest = 0;
-  for_each_second_difference(s, step, [&](double d) { largest = std::max(largest, std::abs(d)); });
-  return largest / static_cast<double>(step);
-}
-double largest_turn(const RefinedSample& s) { return largest_change_of_slope(s, 1); }
-double largest_coarse_turn(const RefinedSample& s) { return largest_change_of_slope(s, 2); }
 
 double from_data(const RefinedSample& s) {
   const std::size_t dimension = s.data.dimension;
@@ -110,8 +94,7 @@ void for_each_refined(
 
 const SampleMeasure error_measure{"error", error}, error_without_measure{"error without", error_without, true},
     response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
-    largest_turn_measure{"largest turn", largest_turn},
-    largest_coarse_turn_measure{"largest coarse turn", largest_coarse_turn}, from_data_measure{"from data", from_data};
+    from_data_measure{"from data", from_data};
 
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   std::vector<MeansTable::Row> result;

@@ -68,9 +68,6 @@ struct SampleMeasure {
 extern const SampleMeasure error_measure, error_without_measure, response_measure;
 /// "roughness", on grids: the mean square of the second differences along both axes, with outliers.
 extern const SampleMeasure roughness_measure;
-/// "largest turn" and "largest coarse turn", on grids: the largest change of slope along an axis, between neighbours
-/// and between every other point; the first is about half of the second on a smooth surface, and as large at a kink.
-extern const SampleMeasure largest_turn_measure, largest_coarse_turn_measure;
 /// "from data", on curves: the mean squared distance of the limit from the data that are no outliers.
 extern const SampleMeasure from_data_measure;
 

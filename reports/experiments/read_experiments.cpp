@@ -16,6 +16,12 @@ const toml::array& list_of(const toml::table& table, const std::string& key) {
   return *node->as_array();
 }
 
+bool flag(const toml::table& table, const std::string& key, bool otherwise) {
+  const toml::node* node = table.get(key);
+  if (node && !node->is_boolean()) throw FileError(place_of(*node), "expected true or false");
+  return node ? node->as_boolean()->get() : otherwise;
+}
+
 /// The table of a claim, with values put in for {name} in its texts.
 struct Fields {
   const toml::table& table;
@@ -152,10 +158,11 @@ Reading read_reading(const Fields& fields, const Keys& others) {
   if (kind == kinds.end())
     throw FileError(place_of(fields.table), "expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
   Keys known(others);
-  known.insert(known.end(), {"read-as", kind->key});
+  known.insert(known.end(), {"read-as", "late", kind->key});
   known.insert(known.end(), kind->keys.begin(), kind->keys.end());
   only_keys(fields.table, known);
-  return {fields.has("read-as") ? fields.text("read-as") : "", kind->relation(fields)};
+  return {fields.has("read-as") ? fields.text("read-as") : "", kind->relation(fields),
+          flag(fields.table, "late", false)};
 }
 
 /// Whether the data are ours, by the key `data` of an experiment or of a claim.
@@ -279,8 +286,6 @@ std::vector<Experiment> read_experiments(const std::string& paper, std::string_v
   std::vector<Experiment> result;
   for (const toml::table* table : tables_of(file, "experiment")) {
     only_keys(*table, {"id", "title", "setup", "choices", "data", "random", "printed", "claim"});
-    const toml::node* random = table->get("random");
-    if (random && !random->is_boolean()) throw FileError(place_of(*random), "expected true or false");
     const std::string id = needed_text(*table, "id");
     Experiment experiment{id,
                           paper,
@@ -289,7 +294,7 @@ std::vector<Experiment> read_experiments(const std::string& paper, std::string_v
                           named_choices(*table, choices),
                           {},
                           optional_text(*table, "printed"),
-                          !random || random->as_boolean()->get(),
+                          flag(*table, "random", true),
                           open.taken(*table, id)};
     for (const toml::table* claim : tables_of(*table, "claim"))
       for (Claim& one : read_claims(*claim, shared, experiment, is_on_our_data(*table, false)))

@@ -87,7 +87,9 @@ Measured alpha_curve(const Run& run) {
                                       {"total turning", turning_of_limit},
                                       {"crossings kept", crossings_kept},
                                       {"from samples", square_to_noisy},
-                                      {"from curve", square_to_exact}},
+                                      {"from curve", square_to_exact},
+                                      {"squared bias", squared_bias},
+                                      {"from noise", squared_noise}},
                          .factor = run.number("decibel"),
                          .ends = data::parse_boundary(run.chosen("ends of the curve")).value()};
   Measured result = trial.measured(run);

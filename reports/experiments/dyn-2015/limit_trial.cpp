@@ -101,16 +101,11 @@ double relative_error(const Values& values, const Values& truth) {
   return std::sqrt(error / norm);
 }
 
-double point_error(const TrialSample& s) { return relative_error(s.limit.values, s.truth.values); }
-double sample_error(const TrialSample& s) { return relative_error(s.noisy.values, s.exact.values); }
-double squared_noise(const TrialSample& s) { return mean_squared_distance(s.limit, s.quiet); }
-double squared_bias(const TrialSample& s) { return mean_squared_distance(s.quiet, s.truth); }
-double square_to_noisy(const TrialSample& s) { return mean_squared_distance(at_samples(s), s.noisy); }
-double square_to_exact(const TrialSample& s) { return mean_squared_distance(at_samples(s), s.exact); }
+namespace {
 
-double shape_error(const TrialSample& sample) {
-  Values found = centred(sample.limit);
-  const Values wanted = centred(sample.truth);
+double error_up_to_size(const data::GridData<double>& points, const data::GridData<double>& truth) {
+  Values found = centred(points);
+  const Values wanted = centred(truth);
   double product = 0, square = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     product += found[i] * wanted[i];
@@ -119,6 +114,18 @@ double shape_error(const TrialSample& sample) {
   for (double& value : found) value *= product / square;
   return relative_error(found, wanted);
 }
+
+}  // namespace
+
+double point_error(const TrialSample& s) { return relative_error(s.limit.values, s.truth.values); }
+double sample_error(const TrialSample& s) { return relative_error(s.noisy.values, s.exact.values); }
+double squared_noise(const TrialSample& s) { return mean_squared_distance(s.limit, s.quiet); }
+double squared_bias(const TrialSample& s) { return mean_squared_distance(s.quiet, s.truth); }
+double square_to_noisy(const TrialSample& s) { return mean_squared_distance(at_samples(s), s.noisy); }
+double square_to_exact(const TrialSample& s) { return mean_squared_distance(at_samples(s), s.exact); }
+
+double shape_error(const TrialSample& s) { return error_up_to_size(s.limit, s.truth); }
+double sample_shape_error(const TrialSample& s) { return error_up_to_size(s.noisy, s.exact); }
 
 double normal_error(const TrialSample& sample) {
   const auto &limit = sample.limit, &truth = sample.truth;

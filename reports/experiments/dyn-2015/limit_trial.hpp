@@ -44,6 +44,7 @@ double shape_error(const TrialSample& sample);
 double normal_error(const TrialSample& sample);
 /// Of the noisy samples: what a limit has to better.
 double sample_error(const TrialSample& sample);
+double sample_shape_error(const TrialSample& sample);
 /// The mean squared distances of the limit from the limit without noise, and of that from the truth.
 double squared_noise(const TrialSample& sample);
 double squared_bias(const TrialSample& sample);

@@ -48,7 +48,8 @@ Measured torus(const Run& run) {
                                           {"error up to size", shape_error},
                                           {"normals (degrees)", normal_error},
                                           {"distance from torus", distance_from_torus},
-                                          {"error of samples", sample_error}},
+                                          {"error of samples", sample_error},
+                                          {"error of samples up to size", sample_shape_error}},
                              .factor = run.number("decibel")},
                             "fig18", run);
 }

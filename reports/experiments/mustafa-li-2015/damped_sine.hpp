@@ -9,7 +9,7 @@ double damped_sine(double x);
 
 namespace damped {
 
-constexpr int levels = 5;
+constexpr int levels = 3;
 
 /// What the paper leaves open: `count` data from -end to end, and outliers of a modulus from `height` to twice that.
 struct Setting {

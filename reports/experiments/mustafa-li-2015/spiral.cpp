@@ -15,7 +15,7 @@ NoisyData spiral_data(double turns, double length) {
   const double step = turns * std::numbers::pi / (spiral_points - 1);
   return {.axes = {data::Axis::of(spiral_points)},
           .dimension = 2,
-          .levels = 4,
+          .levels = 3,
           .truth =
               [step](double u, double) {
                 const double t = step * u, r = std::exp(t / 10);

@@ -206,12 +206,14 @@ nlohmann::ordered_json claim_json(const DecidedClaim& c) {
 }  // namespace
 
 RanExperiment run_experiment(const Experiment& experiment, const ExperimentOptions& options) {
-  std::vector<Variant> variants = measured_variants(experiment, options);
+  ExperimentOptions first = options;
+  first.runs *= experiment.times;
+  std::vector<Variant> variants = measured_variants(experiment, first);
   std::vector<DecidedClaim> claims = decided_claims(experiment, variants);
   for (const std::size_t times : patience) {
     const auto open = open_variants(claims);
     if (!experiment.random || open.empty()) break;
-    ExperimentOptions more = options;
+    ExperimentOptions more = first;
     more.runs *= times;
     for (Variant& variant : variants)
       if (open.contains(variant.name()))

@@ -32,6 +32,7 @@ struct Experiment {
   std::string printed;  ///< the paper's table of errors that rest on its unpublished data
   bool random;          ///< whether seed and samples matter
   Measure measure;
+  std::size_t times = 1;  ///< samples for each one of the other experiments
 };
 
 /// One measurement: the choices as taken, or one of them with another value.

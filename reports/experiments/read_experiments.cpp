@@ -22,6 +22,14 @@ bool flag(const toml::table& table, const std::string& key, bool otherwise) {
   return node ? node->as_boolean()->get() : otherwise;
 }
 
+std::size_t times_of(const toml::table& table) {
+  const toml::node* node = table.get("times");
+  if (!node) return 1;
+  const auto times = node->value<std::int64_t>();
+  if (!node->is_integer() || *times < 1 || *times > 100) throw FileError(place_of(*node), "need 1 <= times <= 100");
+  return static_cast<std::size_t>(*times);
+}
+
 /// The table of a claim, with values put in for {name} in its texts.
 struct Fields {
   const toml::table& table;
@@ -285,7 +293,7 @@ std::vector<Experiment> read_experiments(const std::string& paper, std::string_v
   ById<Measure> open(paper, "measure", "experiment", measures);
   std::vector<Experiment> result;
   for (const toml::table* table : tables_of(file, "experiment")) {
-    only_keys(*table, {"id", "title", "setup", "choices", "data", "random", "printed", "claim"});
+    only_keys(*table, {"id", "title", "setup", "choices", "data", "random", "printed", "times", "claim"});
     const std::string id = needed_text(*table, "id");
     Experiment experiment{id,
                           paper,
@@ -295,7 +303,8 @@ std::vector<Experiment> read_experiments(const std::string& paper, std::string_v
                           {},
                           optional_text(*table, "printed"),
                           flag(*table, "random", true),
-                          open.taken(*table, id)};
+                          open.taken(*table, id),
+                          times_of(*table)};
     for (const toml::table* claim : tables_of(*table, "claim"))
       for (Claim& one : read_claims(*claim, shared, experiment, is_on_our_data(*table, false)))
         experiment.claims.push_back(std::move(one));

@@ -219,6 +219,23 @@ TEST_CASE("tensor product limits keep a plane, open, and turn with the data, clo
     CHECK(limit.values[i] == Approx(wanted.values[i]).margin(1e-11));
 }
 
+TEST_CASE("measures of a limit beside samples, truth and the limit without noise") {
+  const auto points = [](std::vector<double> values) {
+    const std::size_t count = values.size() / 2;
+    return data::GridData<double>{std::move(values), 2, {data::Axis::of(count)}};
+  };
+  const auto limit = points({0, 1, 2, 2}), truth = points({0, 0, 2, 0}), quiet = points({0, 0.5, 2, 0.5}),
+             noisy = points({0, 4, 2, 2}), exact = points({0, 0, 2, 0});
+  const TrialSample sample{limit, truth, quiet, noisy, exact};
+  CHECK(squared_noise(sample) == Approx((0.25 + 2.25) / 2));
+  CHECK(squared_bias(sample) == Approx(0.25));
+  CHECK(square_to_noisy(sample) == Approx(9.0 / 2));
+  CHECK(square_to_exact(sample) == Approx(5.0 / 2));
+  CHECK(sample_error(sample) == Approx(std::sqrt(20.0 / 4)));
+  CHECK(shape_error({truth, truth, quiet, points({0, 0, 6, 0}), exact}) == Approx(0).margin(1e-12));
+  CHECK(sample_shape_error({limit, truth, quiet, points({0, 0, 6, 0}), exact}) == Approx(0).margin(1e-12));
+}
+
 TEST_CASE("the mechanical part has the size of the scan and the heights of its parts") {
   const data::GridData<double> part = sampled(part_axes(), 3, part_point);
   CHECK(part.points() == 3969);

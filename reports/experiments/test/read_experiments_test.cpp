@@ -94,6 +94,11 @@ TEST_CASE("differences are paired, and facts are wanted all") {
   const DecidedClaim excess = decided("measure = 'error'\nof = ['a']\nminus = 'noise'\n" + above);
   CHECK(excess.numbers == "a: 1 ± 0");
   CHECK(excess.statistic == "above 0.5 with the whole interval, each");
+  CHECK(
+      decided(
+          "measure = 'height'\nof = [{ of = 'a', measure = 'error', minus = 'noise', factor = 0.5, above = 'half' }]\n"
+          "statistic = ''")
+          .numbers == "a: 2 ± 6.366");
   CHECK(decided("measure = 'error'\nof = ['a']\nat = '3 dB'\n" + above).numbers == "a: 7 ± 0");
   CHECK(decided("facts = 'kept'\nstatistic = 's'").finding == ClaimVerdict::holds);
   const DecidedClaim lost = decided("facts = 'lost'\nstatistic = 's'\nrecorded = 'contrary shown'");
@@ -120,6 +125,18 @@ TEST_CASE("errors over levels of noise: each, some, nearly equal") {
   CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 4}, At::each_level)) == Truth::yes);
   CHECK(of(nearly_equal_error("near", "far", 1.1, {1, 4}, At::each_level)) == Truth::no);
   CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 6}, At::each_level)) == Truth::unknown);
+  // The factor counts both ways.
+  CHECK(of(nearly_equal_error("far", "near", 1.3, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(nearly_equal_error("far", "near", 1.1, {1, 4}, At::each_level)) == Truth::no);
+  // Averaged over the levels first: what is lost at one may be won at the others.
+  errors.samples[error_at("mixed", 1)] = {5, 5.001};
+  for (int decibel = 2; decibel <= 4; ++decibel) errors.samples[error_at("mixed", decibel)] = {0.01, 0.012};
+  CHECK(of(smaller_error("mixed", "far", {2, 4}, At::mean_over_levels)) == Truth::yes);
+  CHECK(of(smaller_error("mixed", "far", {1, 4}, At::mean_over_levels)) == Truth::no);
+  CHECK(of(smaller_error("mixed", "far", {1, 4}, At::each_level)) == Truth::no);
+  CHECK(of(nearly_equal_error("mixed", "near", 1.3, {1, 4}, At::mean_over_levels)) == Truth::yes);
+  CHECK(of(nearly_equal_error("mixed", "near", 1.2, {1, 4}, At::mean_over_levels)) == Truth::no);
+  CHECK(of(nearly_equal_error("near", "mixed", 1.2, {1, 4}, At::mean_over_levels)) == Truth::no);
   // Two intervals are asked to hold together: each of 99 % would do here.
   errors.samples[error_at("near", 1)] = {0.997, 1.003};
   errors.samples[error_at("far", 1)] = {1, 1};
@@ -163,11 +180,37 @@ TEST_CASE("a claim is decided over every choice, by its best reading") {
   const ExperimentResult elsewhere = found("4", "counted-in = 'other'\n" + readings);
   CHECK(elsewhere.claims.empty());
   CHECK(elsewhere.remarks.size() == 1);
+  // A late reading saves a sentence, and does not show it.
+  const std::string late =
+      "[[experiment.claim.reading]]\nread-as = 'harsh'\nfacts = 'lost'\nstatistic = 'harshly'\n"
+      "[[experiment.claim.reading]]\nlate = true\nfacts = 'kept'\nstatistic = 'mildly'\n";
+  CHECK(found("4", late).claims.front().finding == ClaimVerdict::depends);
+  CHECK(found("4", readings + "late = false\n").claims.front().finding == ClaimVerdict::holds);
+  CHECK_THROWS_AS(experiment("4", readings + "late = 'true'\n"), FileError);
   CHECK_THROWS_AS(experiment("4", moving + "over = ['time']\n"), FileError);
   CHECK_THROWS_AS(experiment("4", "data = 'theirs'\n" + readings), FileError);
 }
 
-TEST_CASE("what is open is measured once more with more samples, and nothing else is") {
+TEST_CASE("a reading is open where a decision of it would count") {
+  const VariantFinding yes{"a", 2, {Truth::yes, "", ""}}, no{"b", 2, {Truth::no, "", ""}},
+      unknown{"c", 2, {Truth::unknown, "", ""}};
+  const auto open = [](ClaimVerdict best, const std::vector<VariantFinding>& findings, bool late = false,
+                       ClaimVerdict finding = ClaimVerdict::depends) {
+    const DecidedReading reading{"", verdict_over(findings), late, findings};
+    DecidedClaim claim{"", "", finding, "", ""};
+    claim.readings = {{"", best, false, {}}, reading};
+    return is_open(claim, reading);
+  };
+  CHECK(open(ClaimVerdict::undecided, {no, unknown}));
+  CHECK(open(ClaimVerdict::depends, {yes, unknown}));
+  CHECK(!open(ClaimVerdict::depends, {no, unknown}));
+  CHECK(!open(ClaimVerdict::depends, {yes, unknown}, true));
+  CHECK(!open(ClaimVerdict::holds, {yes, unknown}));
+  CHECK(!open(ClaimVerdict::undecided, {yes, no}));
+  CHECK(!open(ClaimVerdict::undecided, {unknown}, false, ClaimVerdict::own_data));
+}
+
+TEST_CASE("what is open is measured again with more samples, and nothing else is") {
   std::map<std::string, std::vector<std::size_t>> runs;  // by the choice
   const Measure measure = [&](const Run& run) {
     runs[run.value].push_back(run.runs);
@@ -186,6 +229,8 @@ TEST_CASE("what is open is measured once more with more samples, and nothing els
   CHECK(result.runs == 40);
   CHECK(runs[""] == std::vector<std::size_t>{10, 40});
   CHECK(runs["far"] == std::vector<std::size_t>{10});
+  toy.times = 2;
+  CHECK(run_experiment(toy, {1, 10, 1}).result.runs == 80);
 }
 
 TEST_CASE("shared claims take values; setups take texts and numbers") {
@@ -212,7 +257,7 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
   CHECK(refusal(file) == "line 7, column 1: expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
   CHECK(refusal(file + "facts = 'kept'\nmeasure = 'error'\nstatistic = 's'\n") ==
         "line 11, column 1: unknown key 'measure'; expected one of sentence, place, recorded, data, over, counted-in, "
-        "read-as, facts, statistic");
+        "read-as, late, facts, statistic");
   CHECK(refusal(file + "of = 'a'\nmeasure = 'error'\nstatistic = 's'\n") ==
         "line 10, column 6: expected the list 'of'");
   // What would hold of nothing, or twice.
@@ -223,6 +268,9 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
             .find("either a difference") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a', 'b']\nfrom = 9\nto = 5\n").find("from <= to") != std::string::npos);
   CHECK(refusal(file + "equal-error = ['a', 'b']\n").find("'within'") != std::string::npos);
+  CHECK(refusal(file + "equal-error = ['a', 'b']\nwithin = 0.1\n").find("a factor > 1") != std::string::npos);
+  CHECK(refusal(file + "smaller-error = ['a', 'b']\nwhere = 'nowhere'\n").find("'mean' or 'some level'") !=
+        std::string::npos);
   CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("contrary shown") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a']\n") == "line 10, column 17: expected two texts");
   CHECK(refusal("[text]\n" + head).find("names no text of [text]") != std::string::npos);
@@ -231,6 +279,9 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
   CHECK(refusal("title = 'A toy'\n").starts_with("line 1, column 1: unknown key 'title'"));
   const std::string fine = text + head;
   CHECK(refusal(fine).empty());
+  CHECK(refusal(fine + "times = 3\n").empty());
+  for (const char* times : {"0", "101", "1.5", "'2'"})
+    CHECK(refusal(fine + "times = " + times + "\n").find("need 1 <= times <= 100") != std::string::npos);
   CHECK(refusal(fine + head).find("the experiment 'toy' is there twice") != std::string::npos);
   CHECK(refusal(fine, {}) == "line 1, column 1: experiments without measure: toy; measures without experiment: none");
   CHECK(refusal(fine, {{"toy", toy}, {"ball", toy}}) ==

@@ -98,7 +98,7 @@ TEST_CASE("differences are paired, and facts are wanted all") {
       decided(
           "measure = 'height'\nof = [{ of = 'a', measure = 'error', minus = 'noise', factor = 0.5, above = 'half' }]\n"
           "statistic = ''")
-          .numbers == "a: 2 ± 6.366");
+          .numbers == "a: 2 ± 63.66");
   CHECK(decided("measure = 'error'\nof = ['a']\nat = '3 dB'\n" + above).numbers == "a: 7 ± 0");
   CHECK(decided("facts = 'kept'\nstatistic = 's'").finding == ClaimVerdict::holds);
   const DecidedClaim lost = decided("facts = 'lost'\nstatistic = 's'\nrecorded = 'contrary shown'");

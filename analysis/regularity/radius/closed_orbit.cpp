@@ -64,7 +64,7 @@ class Orbit {
         budget_(budget),
         simplex_(PolytopeKind::real, polytope::GroupAction(family.size()), budget) {
     candidate_.scale = std::pow(power.convert_to<double>(), 1.0 / length);
-    candidate_.scale_is_radius = strict;
+    if (strict) candidate_.radius = candidate_.scale;
     candidate_.closed = true;
   }
 
@@ -76,7 +76,7 @@ class Orbit {
       if (strict_) {
         origin.cycle = static_cast<int>(candidate_.products.size());
         origin.place = 0;
-        candidate_.products.push_back({{start.cycle.rbegin(), start.cycle.rend()}, start.cycle});
+        candidate_.products.push_back({start.cycle, candidate_.radius});
       }
       add({start.vector, 0, vertices_.size()}, std::move(origin));
       for (std::size_t k = 0; k + 1 < start.cycle.size() && strict_; ++k) {

@@ -75,6 +75,18 @@ std::string product_text(std::size_t block, const RationalComplex& eigenvalue, c
                      fmt::join(word, " "));
 }
 
+/// Whether the eigenvalue that the line `product` gives is the radius itself; one that is multiple is a little off.
+bool is_exactly_given(const ProductEvidence& product) {
+  const auto letters = static_cast<long>(product.word.size());
+  return product.exact && product.eigenvalue.squared_modulus() == power(*product.exact, 2 * letters);
+}
+
+/// What the line `product` proves at least.
+Rational proved_lower(const ProductEvidence& product) {
+  const Rational& lower = *product.radius.lower;
+  return product.exact && !is_exactly_given(product) ? lower - lower * power(Rational(2), -inverse_bits) : lower;
+}
+
 /// The lines `inverse` and `column`.
 std::string inverse_text(const ApproximateInverse& inverse) {
   std::string text = fmt::format("inverse {}\n", inverse.bits);
@@ -118,6 +130,12 @@ std::string generators_text(const std::vector<FamilySymmetry>& elements, const G
          rows_text("map", Rational(-1) * identity.map.matrix());
 }
 
+/// The same combination of the images under the flip, of a group of two.
+std::vector<WeightedVertex> mirrored(std::vector<WeightedVertex> terms) {
+  for (WeightedVertex& term : terms) term.element = 1 - term.element;
+  return terms;
+}
+
 /// The sections of a proof, block by block.
 class SectionWriter {
  public:
@@ -139,6 +157,11 @@ class SectionWriter {
               (polytope.kind == PolytopeKind::complex ? numbers_text(polytope.imaginary[v]) : "") + "\n";
     for (std::size_t k = 0; k < polytope.units.size(); ++k)
       text += fmt::format("unit {}{}\n", k, terms_text(polytope.units[k], polytope.kind, group));
+    // Beside a group all are written; those of a flip are half of them, and the others their mirror images.
+    const std::size_t size = polytope.vertices.front().size();
+    if (!group.negation().empty() && polytope.is_flip_symmetric())
+      for (std::size_t k = polytope.units.size(); k < size; ++k)
+        text += fmt::format("unit {}{}\n", k, terms_text(mirrored(polytope.units[size - 1 - k]), polytope.kind, group));
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
@@ -365,11 +388,10 @@ ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularit
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.radius;
   ExponentLines result;
-  const std::optional<Rational>& product = radius.product.radius.lower;
+  const Rational product = proved_lower(radius.product);
   const std::string whole = std::to_string(rules),
-                    decimal = product && *product > 1
-                                  ? outward(rules - *log_ratio(*product, mask.arity()).lower, Rounding::up)
-                                  : whole;
+                    decimal = product > 1 ? outward(rules - *log_ratio(product, mask.arity()).lower, Rounding::up)
+                                          : whole;
   // A product that proves no more than the number of sum rules is not needed.
   const bool by_product = decimal != whole;
   // The checker shows stability only where the sub-symbols have no common zero at all.
@@ -480,7 +502,7 @@ Certificate surface_certificate(const MultivariateMask& mask, const Multivariate
   require(!space.is_of_values() || regularity.shrinking,
           "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone");
   const auto exponent = [&](const ExactRadius& exact) {
-    Enclosure ends = exponent_of_radius({radius.product.radius.lower, upper_end(radius, exact)}, dilation.classes(),
+    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact)}, dilation.classes(),
                                         dilation.variables());
     ends.lower = std::min(ends.lower.value_or(0), Rational(space.order));
     return ends;
@@ -641,9 +663,9 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
   return with_bounds([&](bool tell_exact) {
     Certificate certificate;
     const ProductEvidence& product = radius.product;
-    if (const Rational& lower = *product.radius.lower; lower > 0)
-      certificate.claim.lower = outward(product.exact ? lower : rounded(lower, inverse_bits, Rounding::down),
-                                        Rounding::down);
+    if (const Rational lower = proved_lower(product); lower > 0)
+      certificate.claim.lower = outward(
+          is_exactly_given(product) ? lower : rounded(lower, inverse_bits, Rounding::down), Rounding::down);
     ExactRadius exact = tell_exact ? exact_radius(family, radius) : ExactRadius{};
     certificate.claim.upper = outward(upper_end(radius, exact), Rounding::up);
     certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),

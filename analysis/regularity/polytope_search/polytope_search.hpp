@@ -54,7 +54,7 @@ struct SearchResult {
   double scale = 0;   ///< what images are divided by: radius if closed, radius (1 + eps) if only enclosed
   double upper_bound = std::numeric_limits<double>::infinity();  ///< scale * largest image norm
   PolytopeKind kind = PolytopeKind::real;
-  bool transposed = false;         ///< the polytope belongs to the transposed matrices
+  bool transposed = false;          ///< the polytope belongs to the transposed matrices
   std::vector<Vertex> vertices;     ///< one of each orbit of the symmetry
   std::vector<VertexImage> images;  ///< one for every vertex and letter, ordered by vertex, then letter
 };

@@ -1,0 +1,153 @@
+// subcert check FILE...: expected properties of schemes as a gate for continuous integration
+
+#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/cli/command.hpp>
+#include <subcert/proofs-checks/properties/properties.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <mutex>
+#include <new>
+
+namespace subcert::cli {
+namespace {
+
+struct CheckOptions : CommonOptions {
+  std::vector<std::string> files;
+  double budget = 20;
+};
+
+/// One property of one scheme of one file.
+struct Question {
+  std::string file;
+  const properties::ExpectedScheme* scheme;
+  const properties::Expectation* expectation;
+};
+
+std::vector<properties::ExpectedScheme> read_expected(const std::string& file) {
+  try {
+    return properties::read_expectations(read_file(file));
+  } catch (const properties::FileError& error) {
+    fail(ErrorKind::data, "{}, {}", file, error.what());
+  }
+}
+
+/// The verdict on one question: `error` where it could not be computed, with the message as its reason.
+struct Answer {
+  Decision decision;
+  bool error = false;
+
+  bool is(Truth truth) const { return !error && decision.truth == truth; }
+};
+
+/// An error in one question is the answer to that question alone.
+Answer answer_to(const Question& question, double seconds) {
+  try {
+    return {has_property(*question.scheme, *question.expectation, seconds)};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {{Truth::unknown, error.what()}, true};
+  }
+}
+
+Json answer_json(const Question& question, const Answer& answer) {
+  return {{"file", question.file},
+          {"line", question.expectation->place.line},
+          {"scheme", question.scheme->specification},
+          {"name", question.scheme->name},
+          {"property", question.expectation->property},
+          {"expected", question.expectation->expected},
+          {"holds", answer.error ? "error" : to_text(answer.decision.truth)},
+          {"found", answer.decision.reason}};
+}
+
+std::string answer_line(const Question& question, const Answer& answer) {
+  const std::string claim = question.scheme->name + ": " + question.expectation->property + " " +
+                            question.expectation->expected;
+  const std::string place = question.file + ":" + std::to_string(question.expectation->place.line) + ": ";
+  if (answer.is(Truth::yes)) return "holds      " + place + claim + "\n";
+  const std::string verdict = answer.error ? "error      " : answer.is(Truth::no) ? "FAILS      " : "undecided  ";
+  return verdict + place + claim + " (" + visible(answer.decision.reason) + ")\n";
+}
+
+/// Prints the lines of answers in the order of the questions, each as soon as those before it are there. Safe to use
+/// from several threads.
+class Lines {
+ public:
+  Lines(const std::vector<Question>& questions, const std::vector<Answer>& answers)
+      : questions_(questions), answers_(answers), known_(questions.size(), false) {}
+
+  void finish(std::size_t i) {
+    const std::scoped_lock lock(mutex_);
+    known_[i] = true;
+    const std::size_t before = printed_;
+    for (; printed_ < known_.size() && known_[printed_]; ++printed_)
+      std::cout << answer_line(questions_[printed_], answers_[printed_]);
+    if (printed_ > before) require_output_written();
+  }
+
+ private:
+  const std::vector<Question>& questions_;
+  const std::vector<Answer>& answers_;
+  std::mutex mutex_;
+  std::vector<bool> known_;
+  std::size_t printed_ = 0;
+};
+
+/// `\n3 properties: 2 hold, 0 fail, 1 undecided.`
+std::string counts_text(const std::vector<Answer>& answers) {
+  const auto count = [&](Truth truth) {
+    return std::to_string(std::ranges::count_if(answers, [=](const Answer& answer) { return answer.is(truth); }));
+  };
+  const auto errors = std::ranges::count_if(answers, &Answer::error);
+  return "\n" + std::to_string(answers.size()) + (answers.size() == 1 ? " property: " : " properties: ") +
+         count(Truth::yes) + " hold, " + count(Truth::no) + " fail, " + count(Truth::unknown) + " undecided" +
+         (errors == 0 ? "" : ", " + std::to_string(errors) + (errors == 1 ? " error" : " errors")) + ".\n";
+}
+
+ExitCode run(const CheckOptions& options) {
+  std::vector<std::vector<properties::ExpectedScheme>> files;
+  for (const std::string& file : options.files) files.push_back(read_expected(file));
+  std::vector<Question> questions;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (const auto& scheme : files[i])
+      for (const auto& expectation : scheme.expectations)
+        questions.push_back({options.files[i], &scheme, &expectation});
+  std::vector<Answer> answers(questions.size());
+  const bool at_once = !options.json && (options.out.empty() || options.out == standard_stream);
+  Lines lines(questions, answers);
+  parallel_tasks(questions.size(), options.threads(), [&](std::size_t i) {
+    answers[i] = answer_to(questions[i], options.budget);
+    if (at_once) lines.finish(i);
+  });
+  Json json{{"properties", Json::array()}};
+  std::string text;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    json["properties"].push_back(answer_json(questions[i], answers[i]));
+    if (!at_once) text += answer_line(questions[i], answers[i]);
+  }
+  options.answer(json, text + counts_text(answers));
+  if (std::ranges::any_of(answers, [](const Answer& answer) { return answer.is(Truth::no); })) return failed;
+  return std::ranges::all_of(answers, [](const Answer& answer) { return answer.is(Truth::yes); }) ? done : undecided;
+}
+
+}  // namespace
+
+void add_check(Command& app) {
+  auto options = std::make_shared<CheckOptions>();
+  Command command = add_command(app, "check", "Checks expected properties of schemes, given in TOML files",
+                                "subcert check my-schemes.toml", options, [=] { return run(*options); });
+  command.option("FILE", options->files, "TOML files with schemes and properties").required();
+  command.option("--budget", options->budget, "Seconds of processor time for each search")
+      .within(0.001, 1e6)
+      .with_default();
+  std::string known;
+  for (const auto& property : properties::known_properties())
+    known += "\n  " + property.name + " = " + property.values + "\n      " + property.meaning;
+  command.add_to_footer("\n\nProperties:" + known);
+}
+
+}  // namespace subcert::cli

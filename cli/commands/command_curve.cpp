@@ -1,0 +1,214 @@
+// subcert curve SCHEME --over w=LOW..HIGH [--plot FILE] [--csv FILE] [--certificate DIR]
+
+#include <subcert/cli/command.hpp>
+#include <subcert/cli/pages/exponent_text.hpp>
+#include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/parameter_range.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace subcert::cli {
+namespace {
+
+struct CurveCommandOptions : SearchOptions {
+  std::string scheme;
+  std::string over;
+  std::string plot;
+  std::string csv;
+  std::string certificate;
+  int pieces = 200;
+};
+
+/// The ends that say something about exponents: positive ones.
+Enclosure positive_part(const Enclosure& exponent) {
+  Enclosure result;
+  if (exponent.lower && *exponent.lower > 0) result.lower = exponent.lower;
+  if (exponent.upper && *exponent.upper > 0) result.upper = exponent.upper;
+  return result;
+}
+
+const char* convergence_text(const Enclosure& exponent) {
+  if (exponent.lower && *exponent.lower > 0) return "convergent";
+  return exponent.upper && *exponent.upper <= 0 ? "divergent" : "undecided";
+}
+
+std::string product_text(const CurvePiece& piece) {
+  return piece.proof.below ? word_text(piece.proof.below->word) : "";
+}
+
+Json json_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
+  Json pieces = Json::array(), special = Json::array();
+  for (const CurvePiece& piece : curve.pieces)
+    pieces.push_back({{"from", to_text(piece.proof.low)},
+                      {"to", to_text(piece.proof.high)},
+                      {"holder", enclosure_json(positive_part(piece.exponent))},
+                      {"product", product_text(piece)},
+                      {"convergence", convergence_text(piece.exponent)},
+                      {"reason", piece.proof.reason}});
+  for (const CurvePoint& point : curve.special)
+    special.push_back({{"value", enclosure_json(point.at.value)},
+                       {"polynomial", to_text(point.at.polynomial, scheme.parameter)},
+                       {"why", why_text(point.at.why)},
+                       {"holder", enclosure_json(positive_part(point.exponent.value_or(Enclosure{})))}});
+  return {{"family", scheme.specification}, {"sum_rules", curve.sum_rules}, {"pieces", pieces}, {"special", special}};
+}
+
+std::string csv_of(const ExponentCurve& curve) {
+  std::string text = "from,to,lower,upper,product,convergence\n";
+  for (const CurvePiece& piece : curve.pieces) {
+    const Enclosure holder = positive_part(piece.exponent);
+    text += fmt::format("{},{},{},{},{},{}\n", to_text(piece.proof.low), to_text(piece.proof.high),
+                        holder.lower ? holder.lower_text(15) : "", holder.upper ? holder.upper_text(15) : "",
+                        product_text(piece), convergence_text(piece.exponent));
+  }
+  return text;
+}
+
+/// `; exponent 2`, or nothing where none is known.
+std::string exponent_text(const CurvePoint& point) {
+  const Enclosure exponent = positive_part(point.exponent.value_or(Enclosure{}));
+  return exponent.lower || exponent.upper ? "; exponent " + enclosure_text(exponent, 8) : "";
+}
+
+/// A row for each run of pieces with one product and one verdict on convergence.
+std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
+  std::ostringstream page;
+  const char w = scheme.parameter;
+  page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
+       << "sum rules    " << curve.sum_rules << " for all " << w << "\n"
+       << "pieces       " << curve.pieces.size() << "\n";
+  double widest = 0;
+  for (const CurvePiece& piece : curve.pieces)
+    if (const Enclosure holder = positive_part(piece.exponent); holder.is_bounded())
+      widest = std::max(widest, Rational(*holder.upper - *holder.lower).convert_to<double>());
+  const bool bounded = std::any_of(curve.pieces.begin(), curve.pieces.end(),
+                                   [](const CurvePiece& piece) { return positive_part(piece.exponent).is_bounded(); });
+  page << "envelopes    "
+       << (bounded ? fmt::format("{:.2g} apart, or less", widest) : "none, as no piece has both ends") << "\n";
+  for (std::size_t first = 0, next = 0; first < curve.pieces.size(); first = next) {
+    const CurvePiece& begin = curve.pieces[first];
+    std::string reasons;
+    Enclosure hull = positive_part(begin.exponent);
+    for (next = first; next < curve.pieces.size(); ++next) {
+      const CurvePiece& piece = curve.pieces[next];
+      if (product_text(piece) != product_text(begin) ||
+          std::string_view(convergence_text(piece.exponent)) != convergence_text(begin.exponent))
+        break;
+      if (reasons.find(piece.proof.reason) == std::string::npos)
+        reasons += (reasons.empty() ? "" : "; ") + piece.proof.reason;
+      const Enclosure holder = positive_part(piece.exponent);
+      hull.lower = hull.lower && holder.lower ? std::optional(std::min(*hull.lower, *holder.lower)) : std::nullopt;
+      hull.upper = hull.upper && holder.upper ? std::optional(std::max(*hull.upper, *holder.upper)) : std::nullopt;
+    }
+    const std::string product = product_text(begin);
+    page << padded(convergence_text(begin.exponent), 13)
+         << fmt::format("{} <= {} <= {}", number_text(begin.proof.low, Rounding::up), w,
+                        number_text(curve.pieces[next - 1].proof.high, Rounding::down));
+    if (hull.lower || hull.upper) page << ": exponent " << enclosure_text(hull, 5);
+    page << (!product.empty() ? ", product " + product
+             : hull.upper     ? ", the upper end from the sum rules"
+                              : ", no upper end is proved")
+         << (reasons.empty() ? "" : " (" + reasons + ")") << "\n";
+  }
+  for (const CurvePoint& point : curve.special)
+    page << "special      " << w << " = " << number_text(point.at.value) << ": " << why_text(point.at.why)
+         << exponent_text(point) << "\n";
+  return page.str();
+}
+
+/// Both envelopes in runs without gaps, what lies between them, and the exponents at single values.
+void draw(const ExponentCurve& curve, const ParametricScheme& scheme, const std::string& file) {
+  const auto number = [](const Rational& value) { return value.convert_to<double>(); };
+  formats::Panel panel{scheme.specification, std::string(1, scheme.parameter), "Hoelder exponent", {}};
+  struct Envelope {
+    const char *label, *colour;
+    std::optional<Rational> Enclosure::*end;
+  };
+  for (const Envelope& envelope :
+       {Envelope{"at least", "#0b559f", &Enclosure::lower}, Envelope{"at most", "#c0392b", &Enclosure::upper}}) {
+    bool joined = false, labelled = false;
+    for (const CurvePiece& piece : curve.pieces) {
+      const Enclosure exponent = positive_part(piece.exponent);
+      const auto& end = exponent.*envelope.end;
+      if (end) {
+        if (!joined) panel.curves.push_back({labelled ? "" : envelope.label, {}, false, true, envelope.colour});
+        labelled = true;
+        for (const Rational& w : {piece.proof.low, piece.proof.high})
+          panel.curves.back().points.emplace_back(number(w), number(*end));
+      }
+      joined = end.has_value();
+    }
+  }
+  formats::Band enclosed{"enclosed", {}};
+  for (const CurvePiece& piece : curve.pieces)
+    if (const Enclosure exponent = positive_part(piece.exponent); exponent.is_bounded()) {
+      const bool goes_on = !enclosed.ends.empty() && enclosed.ends.back()[0] == number(piece.proof.low);
+      if (!goes_on && !enclosed.ends.empty()) panel.bands.push_back(std::exchange(enclosed, {"", {}}));
+      for (const Rational& w : {piece.proof.low, piece.proof.high})
+        enclosed.ends.push_back({number(w), number(*exponent.lower), number(*exponent.upper)});
+    }
+  if (!enclosed.ends.empty()) panel.bands.push_back(std::move(enclosed));
+  for (formats::Band& band : panel.bands) band.colour = "#0b559f";
+  formats::Curve points{"single values", {}, true, false, "#1e8449"};
+  for (const CurvePoint& point : curve.special)
+    if (point.exponent && point.exponent->lower && *point.exponent->lower > 0)
+      points.points.emplace_back(number(*point.at.value.lower), number(*point.exponent->lower));
+  if (!points.points.empty()) panel.curves.push_back(std::move(points));
+  if (panel.curves.empty())
+    fail(ErrorKind::domain, "--plot {}: there is no exponent to draw, as no scheme is proved to converge", file);
+  formats::draw_file({"curve", scheme.specification, "", 1, {panel}}, file);
+}
+
+ExitCode run(const CurveCommandOptions& options) {
+  require_picture_name(options.plot);
+  const ParametricScheme scheme = make_parametric_scheme(options.scheme);
+  const auto [low, high] = read_over(options.over, scheme.parameter);
+  if (!options.certificate.empty()) require_folder(options.certificate);
+  options.progress("pieces");
+  const ExponentCurve curve = exponent_curve(scheme.mask, low, high,
+                                             {options.pieces, options.threads(), options.limits()});
+  options.end_progress();
+  Json json = json_of(curve, scheme);
+  WrittenCertificates written;
+  if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(curve));
+  if (!options.certificate.empty()) {
+    std::vector<NamedCertificate> certificates;
+    for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.parameter, curve))
+      certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate});
+    written = write_certificates(options.certificate, certificates, {"-piece"}, json);
+  }
+  if (!options.plot.empty()) draw(curve, scheme, options.plot);
+  options.answer(json, text_of(curve, scheme) + written.text);
+  written.failure.raise();
+  return static_cast<int>(curve.pieces.size()) == options.pieces ? done : undecided;
+}
+
+}  // namespace
+
+void add_curve(Command& app) {
+  auto options = std::make_shared<CurveCommandOptions>();
+  Command command = add_command(
+      app, "curve", "The exponent of a family over its parameter, between certified envelopes",
+      "subcert curve four-point:w --over w=0..1/4 --plot curve.svg", options, [=] { return run(*options); });
+  command
+      .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
+      .required()
+      .suggest(suggested_schemes);
+  command.option("--over", options->over, "The values: w=LOW..HIGH").required();
+  command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")
+      .within(1, 100'000)
+      .with_default();
+  command.option("--plot", options->plot, "Draw both envelopes, as .svg, .png or .html");
+  command.option("--csv", options->csv, "Write the pieces as a table");
+  command.option("--certificate", options->certificate, "Write a certificate for each piece into this folder");
+  add_limits(command, *options);
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,134 @@
+// subcert limit SCHEME
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/cli/pages/limit_page.hpp>
+#include <subcert/cli/pages/multivariate_regularity_page.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iostream>
+#include <numeric>
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+constexpr int usual_level = 8, usual_level_of_surfaces = 2;
+constexpr long most_derivatives = 1000;
+constexpr int proof_levels = 16;  // of norms that prove convergence
+
+struct LimitCommandOptions : LimitPageOptions {
+  std::string scheme;
+  std::string derivative;
+  bool range = false;
+};
+
+/// The order in each variable; zeros where none is given.
+LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
+  if (text.empty()) return LatticePoint(variables, 0);
+  LatticePoint orders;
+  std::istringstream parts(text + ",");
+  for (std::string part; std::getline(parts, part, ',');) {
+    long order = -1;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), order);
+    if (error != std::errc() || end != part.data() + part.size() || order < 0 || order > most_derivatives)
+      fail(ErrorKind::usage, "--derivative: expected orders from 0 to {}, got '{}'", most_derivatives, part);
+    orders.push_back(order);
+  }
+  if (orders.size() != variables)
+    fail(ErrorKind::usage, "--derivative: need {}, got '{}'",
+         variables == 1   ? "one order for a scheme of one variable"
+         : variables == 2 ? "an order for each of 2 variables, as 1,0"
+                          : "an order for each of 3 variables, as 1,0,0",
+         text);
+  return orders;
+}
+
+ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders, const std::string& obstacle) {
+  std::cerr << "subcert: " << scheme << ": derivative " << fmt::format("{}", fmt::join(orders, ","))
+            << " is not proved to be continuous; " << obstacle << "\n";
+  return undecided;
+}
+
+/// Prints why values are not to be had; nothing where they are.
+std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
+  if (orders.front() > 0) {
+    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, {proof_levels, deadline});
+    if (smoothness.order >= orders.front()) return std::nullopt;
+    return refuse_derivative(scheme.specification, orders, smoothness.obstacle);
+  }
+  const Decision convergence = converges(scheme.mask, {proof_levels, deadline});
+  if (convergence.is_yes()) return std::nullopt;
+  return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
+}
+
+std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticePoint& orders,
+                                const Deadline& deadline) {
+  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
+  if (total > 0 && !scheme.factors.empty()) {
+    for (std::size_t v = 0; v < scheme.factors.size(); ++v) {
+      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], {proof_levels, deadline});
+      if (smoothness.order < orders[v])
+        return refuse_derivative(scheme.specification, orders,
+                                 "factor " + std::to_string(v + 1) + ": " + smoothness.obstacle);
+    }
+    return std::nullopt;
+  }
+  MultivariateRegularity regularity;
+  for (const double share : {0.2, 1.0}) {  // most need little of the time
+    regularity = multivariate_regularity_page(scheme, {deadline.after(share)}, {}).regularity;
+    const Decision& convergence = regularity.converges;
+    const auto& exponent = regularity.exponent.lower;
+    if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;
+    if (convergence.is_no() || regularity.is_closed()) break;
+  }
+  if (!regularity.converges.is_yes())
+    return refuse_unproved(scheme.specification, "no limit function to evaluate", regularity.converges);
+  return refuse_derivative(scheme.specification, orders,
+                           "the exponent is proved to be at least " + regularity.exponent.lower_text(12) +
+                               ", and has to be above " + std::to_string(total));
+}
+
+ExitCode run(LimitCommandOptions options) {
+  const LinearScheme scheme = make_linear_scheme(options.scheme);
+  const auto* multivariate = std::get_if<MultivariateScheme>(&scheme);
+  const LatticePoint orders = derivative_orders(
+      options.derivative, multivariate ? static_cast<std::size_t>(multivariate->mask.dimension()) : 1);
+  if (options.range && (!options.derivative.empty() || options.level >= 0))
+    fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
+  if (options.level < 0) options.level = multivariate ? usual_level_of_surfaces : usual_level;
+  const Deadline deadline = Deadline::in(options.budget);
+  return std::visit(
+      [&](const auto& one) {
+        if (const auto code = refused(one, orders, deadline)) return *code;
+        return options.range ? print_limit_range(one, options, deadline)
+                             : print_limit_values(one, orders, options, deadline);
+      },
+      scheme);
+}
+
+}  // namespace
+
+void add_limit(Command& app) {
+  auto options = std::make_shared<LimitCommandOptions>();
+  Command command = add_command(app, "limit", "Exact values of the basic limit function, or bounds for all of them",
+                                "subcert limit primal:n=2 --level 3", options, [=] { return run(*options); });
+  command
+      .option("--level", options->level,
+              "Values at the points i / arity^LEVEL, 8 if not given; of surfaces at M^-LEVEL i, 2 if not given")
+      .within(0, 60);
+  command.option("--derivative", options->derivative, "Order of the derivative; of surfaces in each variable, as 1,0");
+  command.flag("--range", options->range, "Maximum, minimum and sign of the function instead, with proof");
+  command.option("--width", options->width, "Relative width of the enclosures of --range, p or p/q")
+      .exact_number()
+      .with_default();
+  command
+      .option("--budget", options->budget, "Seconds of processor time, for the proof of convergence and what follows")
+      .within(0.001, 1e6)
+      .with_default();
+  add_scheme(command, options->scheme, true);
+}
+
+}  // namespace subcert::cli

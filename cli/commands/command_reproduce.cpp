@@ -1,0 +1,149 @@
+// subcert reproduce [PAPER...]: the main job
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/cli/checker.hpp>
+#include <subcert/cli/command.hpp>
+#include <subcert/reports/overview.hpp>
+#include <subcert/reports/report_files.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+
+#include <fmt/ranges.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+
+namespace subcert::cli {
+namespace {
+
+struct ReproduceOptions : CommonOptions {
+  std::vector<std::string> papers;
+  std::vector<std::string> only;
+  std::optional<double> budget;
+  std::string baseline;
+};
+
+void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
+  const auto known = reports::reproducible_papers();
+  for (const std::string& paper : papers)
+    if (std::find(known.begin(), known.end(), paper) == known.end())
+      fail(ErrorKind::usage, "PAPER '{}' cannot be reproduced by this version; expected {}", paper,
+           fmt::join(known, ", "));
+  for (const std::string& item : options.only) {
+    std::vector<std::string> items;
+    for (const std::string& paper : papers) {
+      const auto more = reports::report_items(paper);
+      items.insert(items.end(), more.begin(), more.end());
+    }
+    if (std::find(items.begin(), items.end(), item) == items.end())
+      fail(ErrorKind::usage, "--only: unknown item '{}'; expected {}", item, fmt::join(items, ", "));
+  }
+}
+
+/// Of collections there are none.
+std::vector<reports::CheckedStatement> check_statements_of(const std::vector<std::string>& papers,
+                                                           const ReproduceOptions& options) {
+  std::vector<const statements::Statement*> chosen;
+  for (const statements::Statement& statement : statements::statements())
+    if (std::find(papers.begin(), papers.end(), statement.paper()) != papers.end()) chosen.push_back(&statement);
+  return reports::check_statements(chosen, statements::Tier::quick, options.threads(),
+                                   [&](const std::string& id) { options.progress(id); });
+}
+
+/// Which program ran, what was asked for, and today's date.
+reports::Origin origin(const ReproduceOptions& options) {
+  std::string input = "subcert reproduce";
+  for (const std::string& paper : options.papers) input += " " + paper;
+  if (!options.only.empty()) input += fmt::format(" --only {}", fmt::join(options.only, ","));
+  if (options.seed != ReproduceOptions().seed) input += fmt::format(" --seed {}", options.seed);
+  const std::time_t now = std::time(nullptr);
+  char when[16] = "";
+  if (const std::tm* day = std::gmtime(&now)) std::strftime(when, sizeof when, "%Y-%m-%d", day);
+  return {SUBCERT_VERSION, SUBCERT_COMMIT, input, when};
+}
+
+bool wants_colours() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR") && terminal && std::string(terminal) != "dumb";
+}
+
+ExitCode run(ReproduceOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto papers = options.papers.empty() ? reports::default_papers() : options.papers;
+  require_known(options, papers);
+  std::optional<std::vector<reports::EarlierResult>> earlier;
+  if (!options.baseline.empty()) {
+    const std::string file = (std::filesystem::path(options.baseline) / "results.json").string();
+    earlier = reports::read_results(read_file(file), file);
+  }
+  reports::Findings findings;
+  findings.origin = origin(options);
+  std::mutex terminal;
+  reports::ReportOptions report_options{options.only, options.threads(),
+                                        [&](const std::string& line) {
+                                          const std::lock_guard lock(terminal);
+                                          options.progress(line);
+                                        },
+                                        options.seed};
+  report_options.budget = options.budget;
+  report_options.verified = [](const Certificate& certificate, const std::string& matrices) {
+    return verified(certificate, matrices);
+  };
+  for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
+  if (!options.out.empty()) {
+    if (options.only.empty()) findings.statements = check_statements_of(papers, options);
+    options.progress("writing " + options.out);
+    reports::write_reports(findings, options.out, options.threads());
+    runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));
+  }
+  options.end_progress();
+  const std::vector<reports::Result> all = reports::results(findings);
+  std::optional<std::vector<reports::Change>> changed;
+  if (earlier) changed = reports::changes(*earlier, all);
+  if (options.json) {
+    std::cout << reports::reports_json(findings.reports, changed) << "\n";
+  } else {
+    if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
+    // Of wall clock, as it is the reader who waits.
+    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+    std::cout << reports::first_screen(findings, {wants_colours(), options.out, duration.count()});
+    if (changed) std::cout << reports::changes_text(*changed, all.size(), options.baseline);
+  }
+  const bool is_alarm = changed && std::ranges::any_of(*changed, &reports::Change::is_alarm);
+  return findings.as_recorded() && !is_alarm ? done : failed;
+}
+
+}  // namespace
+
+void add_reproduce(Command& app) {
+  auto options = std::make_shared<ReproduceOptions>();
+  Command command = add_command(
+      app, "reproduce", "Recomputes tables, figures and experiments of papers beside what they print",
+      "subcert reproduce dyn-2015 --only table1,table2 --out out", options, [=] { return run(*options); });
+  command
+      .option(
+          "PAPER", options->papers,
+          fmt::format("Papers and collections: {} (default: all but {})",
+                      fmt::join(reports::reproducible_papers(), ", "), fmt::join(statements::collection_keys(), ", ")))
+      .suggest([] {
+        std::vector<Suggestion> words;
+        for (const std::string& paper : reports::reproducible_papers()) words.push_back({paper, ""});
+        return words;
+      });
+  command.option("--only", options->only, "Items, separated by commas").separated_by_commas();
+  command
+      .option("--budget", options->budget,
+              "Seconds of processor time for the exponent of each surface (default: those of the page)")
+      .within(0.001, 1e6);
+  command.option("--baseline", options->baseline,
+                 "Folder of an earlier run: says what changed, and fails where that matters");
+  command.existing("--out").describe("Folder for index.html, tables and figures");
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,149 @@
+// subcert smooth DATA
+
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/pages/smooth_page.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/data/smooth/smoothing_stream.hpp>
+
+namespace subcert::cli {
+namespace {
+
+data::SmoothedSamples smoothed(const SmoothOptions& options, const NamedSamples& samples) {
+  const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
+                                   options.constant, options.at == "data"};
+  return smooth(samples, options.scheme, how, options.threads());
+}
+
+/// What data-dependent schemes cannot do.
+void require_linear(const SmoothOptions& options) {
+  const std::string scheme = make_l1_scheme(options.scheme).specification;
+  if (options.requested_bands.value_or(0) != 0)
+    fail(ErrorKind::usage, "--bands needs a linear scheme; {} is none", scheme);
+  if (options.kind() != data::BandKind::pointwise)
+    fail(ErrorKind::usage, "--bands-kind {} needs a linear scheme; {} is none", options.bands_kind, scheme);
+  if (options.boundary == "nearest" || options.boundary == "constant")
+    fail(ErrorKind::usage, "--boundary {}: expected interp, mirror or wrap for l1 schemes", options.boundary);
+}
+
+/// Writes values as soon as their data have come.
+void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
+  if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
+  if (options.json || !options.plot.empty() || options.at == "data" || options.samples.irregular != "raise")
+    fail(ErrorKind::usage, "--stream: expected none of --json, --plot, --at data, --irregular fit");
+  if (!noise && options.requested_bands.value_or(0) != 0)
+    fail(ErrorKind::usage, "--stream: --bands needs --noise, as its estimate needs all data");
+  if (options.kind() == data::BandKind::simultaneous)
+    fail(ErrorKind::usage, "--stream: --bands-kind simultaneous needs all data");
+  SampleStream input(options.samples);
+  NamedSamples head = input.head();
+  head.noise = noise;
+  const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
+                                   options.constant};
+  data::SmoothingStream stream(head, data::make_smoothing_method(options.scheme), how, input.weighted());
+  options.answer([&](std::ostream& out) {
+    bool headed = false;
+    const auto write = [&](data::SmoothedSamples values) {
+      if (values.positions.empty()) return;
+      const SmoothPage page(options, head, std::move(values));
+      if (!headed) page.write_head(out);
+      headed = true;
+      page.write_rows(out);
+      out << std::flush;
+    };
+    while (out) {  // nobody waits for more than can be written
+      const auto rows = input.next();
+      if (!rows) break;
+      stream.add(rows->columns, rows->weights);
+      write(stream.take());
+    }
+    write(stream.finish());
+  });
+}
+
+ExitCode run(const SmoothOptions& options) {
+  if (options.automatic && !options.scheme.empty())
+    fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
+  if (options.kind() == data::BandKind::prediction && options.derivative > 0)
+    fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
+  if (is_l1_specification(options.scheme)) require_linear(options);
+  std::optional<Rational> noise;
+  if (!options.noise.empty() && (!(noise = parse_number(options.noise)) || *noise <= 0))
+    fail(ErrorKind::usage, "--noise {}: expected a standard deviation > 0", options.noise);
+  require_picture_name(options.plot);
+  if (options.stream) {
+    smooth_stream(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
+    return done;
+  }
+  NamedSamples samples = read_samples(options.samples);
+  if (noise) samples.noise = data::nearest_double(*noise);
+  try {
+    const SmoothPage page(options, samples, smoothed(options, samples));
+    if (!options.plot.empty()) formats::draw_file(page.figure(), options.plot);
+    if (options.json)
+      options.answer(page.json());
+    else
+      options.answer([&](std::ostream& stream) { page.write(stream); });
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::data) throw;
+    fail(ErrorKind::data, "{}: {}{}", options.samples.name(), error.what(),
+         options.scheme.empty() ? "; name one with --scheme" : "");
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_smooth(Command& app) {
+  auto options = std::make_shared<SmoothOptions>();
+  Command command = add_command(app, "smooth", "Smooths data by the limit of a scheme or local polynomials, with bands",
+                                "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options,
+                                [=] { return run(*options); });
+  command
+      .option("DATA", options->samples.file,
+              "CSV: a column of positions, then one or more of values; - is standard input")
+      .required();
+  command.option("--scheme", options->scheme, "Scheme specification, also local:... and l1:...")
+      .suggest(suggested_schemes);
+  command.flag("--auto", options->automatic, "Choose the scheme from noise and bias (the default)");
+  command.option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
+  command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
+  command.option("--weights", options->samples.weights,
+                 "Column of prior weights, inverse to the variance of the noise");
+  command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
+  command.option("--irregular", options->samples.irregular, "Positions that are not uniform")
+      .one_of({"raise", "fit"})
+      .with_default();
+  command
+      .option("--spacing", options->samples.spacing,
+              "Of the output grid where positions are irregular (default: the mean), or of the data of a stream")
+      .exact_number();
+  command.option("--at", options->at, "Where values stand: on the grid of --level, or at the data")
+      .one_of({"grid", "data"})
+      .with_default();
+  command.option("--noise", options->noise, "Its standard deviation for weight 1, where it is known").exact_number();
+  command.option("--boundary", options->boundary, "How data go on past the ends")
+      .one_of(data::smoothing_boundary_names())
+      .with_default();
+  command.option("--constant", options->constant, "The value of --boundary constant")
+      .within(-1e300, 1e300)
+      .with_default();
+  command.option("--bands", options->requested_bands, "Level of the confidence bands, 0 for none (default 0.95)")
+      .within(0.0, 0.999999);
+  command
+      .option("--bands-kind", options->bands_kind,
+              "Bands for the expected value of the limit at each point by itself, or at all points at once; or for a "
+              "new datum of weight 1")
+      .one_of(data::band_kind_names())
+      .with_default();
+  command.option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
+      .within(0, 12)
+      .with_default();
+  command.option("--derivative", options->derivative, "Order of the derivative").within(0, 20).with_default();
+  command.flag("--stream", options->stream,
+               "Write values as soon as their data have come, in memory that does not grow");
+  command.option("--plot", options->plot, "Draw data and result, as .svg, .png or .html");
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,180 @@
+// subcert statements list|check: the statements of the papers as executable checks
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/cli/command.hpp>
+#include <subcert/reports/results.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace subcert::cli {
+namespace {
+
+using statements::Outcome;
+using statements::Statement;
+using statements::Tier;
+
+struct StatementsOptions : CommonOptions {
+  std::vector<std::string> wanted;
+  bool ids = false;
+  bool wide = false;
+  std::string page;
+};
+
+/// All statements, or those asked for, each once and in the order of the papers.
+std::vector<const Statement*> selected(const std::vector<std::string>& wanted) {
+  std::vector<const Statement*> chosen;
+  for (const std::string& one : wanted) {
+    const auto found = statements::find_statements(one);
+    chosen.insert(chosen.end(), found.begin(), found.end());
+  }
+  std::vector<const Statement*> result;
+  for (const Statement& statement : statements::statements())
+    if (wanted.empty() || std::find(chosen.begin(), chosen.end(), &statement) != chosen.end())
+      result.push_back(&statement);
+  return result;
+}
+
+Json grade_json(const std::optional<Grade>& grade) { return grade ? Json(to_text(*grade)) : Json(); }
+
+/// `misprint, slip`, to a width.
+std::string verdict_column(StatementVerdict verdict, const std::optional<Grade>& grade) {
+  return fmt::format("{:<23}", to_text(verdict) + (grade ? ", " + to_text(*grade) : ""));
+}
+
+Json statement_json(const Statement& statement) {
+  return {{"id", statement.id},
+          {"place", statement.place},
+          {"paraphrase", statement.paraphrase},
+          {"checked", statement.checked},
+          {"printed", printed_latex(statement)},
+          {"sentence", statement.sentence},
+          {"readings", statement.readings},
+          {"follows", statement.follows},
+          {"scan", statement.scan},
+          {"experiments", statement.experiments},
+          {"recorded", to_text(statement.recorded)},
+          {"recorded_grade", grade_json(statement.grade)}};
+}
+
+ExitCode list(const StatementsOptions& options) {
+  const auto chosen = selected(options.wanted);
+  if (options.json) {
+    Json json{{"statements", Json::array()}};
+    for (const Statement* statement : chosen) json["statements"].push_back(statement_json(*statement));
+    options.answer(json);
+    return done;
+  }
+  std::string text, paper;
+  for (const Statement* statement : chosen) {
+    if (options.ids) {
+      text += statement->id + "\n";
+      continue;
+    }
+    if (statement->paper() != paper) {
+      paper = statement->paper();
+      text += (text.empty() ? "" : "\n") + paper + "\n";
+    }
+    text += "  " + verdict_column(statement->recorded, statement->grade) + statement->id + "  " +
+            statement->paraphrase + "\n";
+  }
+  options.answer(text);
+  return done;
+}
+
+Json outcome_json(const reports::CheckedStatement& checked) {
+  const Statement& statement = *checked.statement;
+  Json json = statement_json(statement);
+  json["verdict"] = to_text(checked.outcome.verdict);
+  json["grade"] = grade_json(grade_of(statement, checked.outcome));
+  json["edge"] = checked.outcome.edge;
+  json["range"] = checked.outcome.range;
+  json["witness"] = checked.outcome.witness;
+  json["corrected"] = corrected_latex(statement);
+  json["argument"] = checked.outcome.argument;
+  json["seconds"] = checked.seconds;
+  return json;
+}
+
+std::string outcome_text(const Statement& statement, const Outcome& outcome) {
+  const std::optional<Grade> grade = grade_of(statement, outcome);
+  std::string text = verdict_column(outcome.verdict, grade) + statement.id + "  " + statement.paraphrase + "\n";
+  const auto line = [&](const char* name, const std::string& content) {
+    if (!content.empty()) text += std::string(25, ' ') + name + content + "\n";
+  };
+  if (grade) line("", verdict_in_words(statement, outcome));
+  line("range: ", outcome.range);
+  if (grade) line("the paper says: ", statement.sentence);
+  if (grade) line("read as: ", statement.readings);
+  line("as the scan has it: ", statement.scan);
+  line("witness: ", outcome.witness);
+  if (grade) line("corrected: ", corrected_latex(statement));
+  line("", outcome.argument);
+  line("follows from: ", statement.follows);
+  for (const std::string& id : statement.experiments) line("experiment: subcert experiment ", id);
+  if (!is_as_recorded(statement, outcome))
+    line("NOT AS RECORDED: the verdict on record is ",
+         to_text(statement.recorded) + (statement.grade ? ", " + to_text(*statement.grade) : ""));
+  return text;
+}
+
+ExitCode run_checks(const StatementsOptions& options) {
+  const auto results = reports::check_statements(selected(options.wanted), options.wide ? Tier::wide : Tier::quick,
+                                                 options.threads(),
+                                                 [&](const std::string& id) { options.progress(id); });
+  options.end_progress();
+  if (!options.page.empty()) runtime::write_file(options.page, reports::errata_page(results, {}));
+  ExitCode code = done;
+  Json json{{"statements", Json::array()}};
+  std::string text;
+  for (const reports::CheckedStatement& checked : results) {
+    if (checked.outcome.verdict == StatementVerdict::undecided)
+      code = code == done ? undecided : code;
+    else if (!checked.as_recorded())
+      code = failed;
+    json["statements"].push_back(outcome_json(checked));
+    text += outcome_text(*checked.statement, checked.outcome);
+  }
+  const reports::Counts found = reports::counts(reports::results(results), reports::ResultKind::statement);
+  text += "\n" + found.text() + ".";
+  text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
+  options.answer(json, text);
+  return code;
+}
+
+}  // namespace
+
+void add_statements(Command& app) {
+  Command group = app.subcommand("statements", "The statements of the papers as executable checks");
+  std::string known;
+  for (const auto& paper : statements::paper_keys()) known += (known.empty() ? "" : ", ") + paper;
+  const std::string meaning = "Statements or papers (" + known + "; default: all)";
+
+  const auto suggestions = [] {
+    std::vector<Suggestion> words;
+    for (const std::string& paper : statements::paper_keys()) words.push_back({paper, "all statements of the paper"});
+    for (const Statement& one : statements::statements()) words.push_back({one.id, one.paraphrase});
+    return words;
+  };
+
+  auto list_options = std::make_shared<StatementsOptions>();
+  Command list_command = add_command(group, "list", "Lists the statements with the verdicts on record",
+                                     "subcert statements list dyn-2015", list_options,
+                                     [=] { return list(*list_options); });
+  list_command.option("ID", list_options->wanted, meaning).suggest(suggestions);
+  list_command.flag("--ids", list_options->ids, "Only the ids, one a line");
+
+  group.run_without_subcommand([=] { return static_cast<int>(list(*list_options)); });
+
+  auto check_options = std::make_shared<StatementsOptions>();
+  Command check_command = add_command(group, "check", "Checks statements and compares with the verdicts on record",
+                                      "subcert statements check dyn-2015/eq-2", check_options,
+                                      [=] { return run_checks(*check_options); });
+  check_command.option("ID", check_options->wanted, meaning).suggest(suggestions);
+  check_command.flag("--wide", check_options->wide, "Larger ranges");
+  check_command.option("--page", check_options->page, "Write the page 'errata and confirmations' there");
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,81 @@
+// subcert theorem: computer-assisted theorems, every inequality of their proofs certified
+
+#include <subcert/cli/pages/theorem_page.hpp>
+
+#include <fmt/format.h>
+
+namespace subcert::cli {
+namespace {
+
+using theorems::Theorem;
+using theorems::TheoremEntry;
+
+struct TheoremOptions : CommonOptions {
+  std::string id = "list";
+  std::optional<int> degree = {};
+  std::string family = "primal";
+  bool all = false;
+};
+
+Json list_json() {
+  Json list = Json::array();
+  for (const TheoremEntry& entry : theorems::theorem_list())
+    list.push_back({{"id", entry.id}, {"title", entry.title}, {"range", entry.range}, {"degrees", entry.degrees}});
+  return {{"theorems", list}};
+}
+
+std::string list_text() {
+  std::string text;
+  for (const TheoremEntry& entry : theorems::theorem_list())
+    text += padded(entry.id, 23) + entry.title + "; " + entry.range +
+            (entry.degrees.empty() ? "" : fmt::format("; proved for --d {}", fmt::join(entry.degrees, ", "))) + "\n";
+  return text;
+}
+
+/// Of those for which the theorem is proved.
+int least_degree(const std::string& id) {
+  for (const TheoremEntry& entry : theorems::theorem_list())
+    if (entry.id == id && !entry.degrees.empty()) return entry.degrees.front();
+  return 1;
+}
+
+ExitCode run(const TheoremOptions& options) {
+  if (options.id == "list") {
+    options.json ? options.answer(list_json()) : options.answer(list_text());
+    return done;
+  }
+  const int degree = options.degree.value_or(least_degree(options.id));
+  if (options.family.starts_with("primal") && degree % 2 == 0)
+    fail(ErrorKind::usage, "--d {}: expected an odd degree; {} schemes of degree {} are those of degree {}", degree,
+         options.family, degree, degree + 1);
+  options.progress("theorem " + options.id);
+  const Theorem theorem = theorems::prove(options.id, degree,
+                                          theorems::stated_constants(options.id, degree, options.family),
+                                          options.threads(), options.family);
+  options.end_progress();
+  options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
+  return exit_code(theorem.decision.truth);
+}
+
+}  // namespace
+
+void add_theorem(Command& app) {
+  auto options = std::make_shared<TheoremOptions>();
+  std::vector<std::string> ids{"list"};
+  for (const TheoremEntry& entry : theorems::theorem_list()) ids.push_back(entry.id);
+  Command command = add_command(app, "theorem",
+                                "Computer-assisted theorems: runs every certified inequality of a proof",
+                                "subcert theorem conjecture-8-n --d 1", options, [=] { return run(*options); });
+  command.option("ID", options->id, "list, or a theorem of the list").one_of(ids).with_default();
+  command
+      .option("--d", options->degree,
+              "Degree, by default the least of the list; for conjecture-8-d the smaller one of two neighbouring odd "
+              "degrees")
+      .within(1, 98);
+  command.option("--family", options->family, "Family of the schemes, for the conjectures")
+      .one_of({"primal", "primal-odd", "dual", "dual-odd"})
+      .with_default();
+  command.flag("--all", options->all, "Every single inequality, also where many differ in n only");
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,77 @@
+// subcert variance SCHEME
+
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/cli/command.hpp>
+
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+constexpr double convergence_share = 0.5;  // of the time, at most
+
+struct Options : CommonOptions {
+  std::string scheme;
+  std::string width = "1/1000000";
+  double budget = 60;
+};
+
+ExitCode run(const Options& options) {
+  const Deadline deadline = Deadline::in(options.budget);
+  const Scheme scheme = make_scheme(options.scheme);
+  const auto width = parse_number(options.width);
+  if (!width || *width <= 0)
+    fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
+  const Decision convergence = converges(scheme.mask, {16, deadline.after(convergence_share)});
+  if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no variance curve", convergence);
+  VarianceRange range;
+  try {
+    range = variance_range(scheme.mask, {*width, {deadline}});
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::domain) throw;
+    return refuse_unproved(scheme.specification, "no variance curve", {convergence.truth, error.what()});
+  }
+  const ExitCode code = range.complete ? done : undecided;
+  if (options.json) {
+    Json json{{"scheme", scheme.specification},
+              {"sup", enclosure_json(range.maximum)},
+              {"inf", enclosure_json(range.minimum)},
+              {"derivative_sup", enclosure_json(range.slope)},
+              {"mean", to_text(range.mean)},
+              {"complete", range.complete},
+              {"cells", range.cells}};
+    if (!range.slope_reason.empty()) json["derivative_note"] = range.slope_reason;
+    options.answer(json);
+    return code;
+  }
+  std::ostringstream text;
+  text << "scheme          " << scheme.specification << "  (" << scheme.title << ")\n"
+       << "maximum         " << enclosure_text(range.maximum) << "\n"
+       << "minimum         " << enclosure_text(range.minimum) << "\n";
+  if (range.slope)
+    text << "largest |psi'|  " << enclosure_text(*range.slope)
+         << (range.slope_reason.empty() ? "" : "  (best Lipschitz constant; " + range.slope_reason + ")") << "\n";
+  else
+    text << "largest |psi'|  not known: " << range.slope_reason << "\n";
+  text << "mean            " << to_decimal(range.mean, 15, Rounding::nearest) << "  = " << to_text(range.mean) << "\n"
+       << (range.complete ? "" : "The enclosures are wider than asked for: the budget ran out.\n");
+  options.answer(text.str());
+  return code;
+}
+
+}  // namespace
+
+void add_variance(Command& app) {
+  auto options = std::make_shared<Options>();
+  Command command = add_command(app, "variance",
+                                "The variance curve psi: maximum, minimum and largest slope, enclosed with proof",
+                                "subcert variance primal:n=5", options, [=] { return run(*options); });
+  command.option("--width", options->width, "Relative width of the enclosures, p or p/q").exact_number().with_default();
+  command.option("--budget", options->budget, "Seconds of processor time").within(1e-9, 1e6).with_default();
+  add_scheme(command, options->scheme);
+}
+
+}  // namespace subcert::cli

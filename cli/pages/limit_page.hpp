@@ -1,0 +1,25 @@
+#pragma once
+/// What `subcert limit` prints: values of the basic limit function and its derivatives, or its extremes and sign.
+
+#include <subcert/cli/command.hpp>
+
+namespace subcert::cli {
+
+struct LimitPageOptions : CommonOptions {
+  int level = -1;  ///< not given
+  std::string width = "1/1000000";
+  double budget = 10;
+};
+
+/// Domain: level >= 0; an order for each variable, such that the derivative is continuous.
+ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options,
+                            const Deadline& deadline);
+ExitCode print_limit_values(const MultivariateScheme& scheme, const LatticePoint& orders,
+                            const LimitPageOptions& options, const Deadline& deadline);
+
+/// Domain: schemes that converge; of one variable by contraction, else the answer is a refusal. Errors: throws a usage
+/// error for a width that is no positive number.
+ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options, const Deadline& deadline);
+ExitCode print_limit_range(const MultivariateScheme& scheme, const LimitPageOptions& options, const Deadline& deadline);
+
+}  // namespace subcert::cli

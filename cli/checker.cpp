@@ -1,7 +1,5 @@
 #include "checker.hpp"
 
-#include "command.hpp"
-
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 /// The independent checker, a program of its own.
 
-#include "json.hpp"
+#include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>

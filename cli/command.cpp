@@ -142,12 +142,6 @@ void add_scheme(Command& command, std::string& target, bool any) {
   command.add_to_footer("\n\nSchemes:" + known);
 }
 
-std::string sizes_text(const std::vector<std::size_t>& sizes) {
-  std::string text;
-  for (const std::size_t size : sizes) text += (text.empty() ? "" : " + ") + std::to_string(size);
-  return text;
-}
-
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;

@@ -1,13 +1,13 @@
 #pragma once
 /// What the subcommands share.
 
-#include "json.hpp"
 #include "options.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/reports/facts/fact.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <functional>
@@ -16,6 +16,8 @@
 #include <string>
 
 namespace subcert::cli {
+
+using namespace facts;  // how answers are printed
 
 /// What the program leaves with; its meanings: docs/errors-and-exit-codes.md.
 enum class ExitCode {
@@ -99,11 +101,20 @@ std::vector<Suggestion> suggested_schemes();
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
 void add_scheme(Command& command, std::string& target, bool any = false);
 
-/// `2 + 3 + 1`: the sizes of diagonal blocks.
-std::string sizes_text(const std::vector<std::size_t>& sizes);
-
 /// The text with blanks up to this width.
 std::string padded(std::string text, std::size_t width);
+
+/// Prints bounds of a function of a scheme, texts from the column `width` on; undecided where they are not as narrow as
+/// was asked for.
+template <class Kind>
+ExitCode print_range(const Kind& scheme, Facts known, bool complete, std::size_t width, const CommonOptions& options) {
+  Facts list = named(scheme.specification, scheme.title);
+  append(list, std::move(known));
+  options.answer(
+      page_json(list),
+      page_text(list, width) + (complete ? "" : "The enclosures are wider than asked for: the budget ran out.\n"));
+  return complete ? done : undecided;
+}
 
 /// Says on standard error, as errors do, that the scheme lacks what limits are needed for; the code to leave with.
 ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence);

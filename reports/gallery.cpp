@@ -1,5 +1,6 @@
 #include "gallery.hpp"
 
+#include "facts/regularity_facts.hpp"
 #include "formats/data_figure.hpp"
 #include "formats/html.hpp"
 #include "formats/limit_figure.hpp"
@@ -191,8 +192,7 @@ void fill(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
 
 void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& options) {
   const Budget budget{Deadline::in(options.budget), options.memory};
-  const MultivariateRegularity regularity = scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget)
-                                                                   : tensor_product_regularity(scheme.factors, budget);
+  const MultivariateRegularity regularity = facts::regularity_of(scheme, budget);
   plate.sum_rules = regularity.sum_rules;
   plate.convergence = regularity.converges;
   plate.stable = regularity.stable;

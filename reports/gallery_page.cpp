@@ -16,6 +16,8 @@
 namespace subcert::reports {
 namespace {
 
+using facts::Fact;
+
 constexpr int places_of_card = 4;
 constexpr long largest_grid = 21;  // rows and columns of a mask that are shown
 
@@ -43,8 +45,8 @@ std::string typeset(const std::string& text) {
 }
 
 std::string value_html(const Fact& fact) {
-  const bool strong = fact.name.starts_with("Hoelder") && fact.value.find_first_of("0123456789") != std::string::npos;
-  return (strong ? "<b>" + typeset(fact.value) + "</b>" : typeset(fact.value)) +
+  const bool strong = fact.key == "holder" && fact.text.find_first_of("0123456789") != std::string::npos;
+  return (strong ? "<b>" + typeset(fact.text) + "</b>" : typeset(fact.text)) +
          (fact.remark.empty() ? "" : " <span class=why>" + typeset(fact.remark) + "</span>");
 }
 
@@ -72,10 +74,11 @@ std::string mask_html(const MultivariateScheme& scheme) {
 
 std::string facts_html(const Plate& plate) {
   std::string result = "<dl>\n";
-  for (const Fact& fact : facts(plate)) {
-    const auto* surface = fact.name == "mask" ? std::get_if<MultivariateScheme>(&plate.scheme) : nullptr;
-    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", typeset(fact.name),
-                          fact.name == "mask" && !surface ? " class=mask" : "",
+  for (const Fact& fact : plate_facts(plate)) {
+    if (fact.label.empty()) continue;
+    const auto* surface = fact.label == "mask" ? std::get_if<MultivariateScheme>(&plate.scheme) : nullptr;
+    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", typeset(fact.label),
+                          fact.label == "mask" && !surface ? " class=mask" : "",
                           surface ? mask_html(*surface) : value_html(fact));
   }
   if (plate.proof && !plate.proof->name.empty())
@@ -159,18 +162,18 @@ std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates) {
 
 std::string comparison_html(const std::vector<Plate>& plates) {
   const std::vector<std::string> names = anchors(plates);
-  std::vector<std::vector<Fact>> known;
-  for (const Plate& plate : plates) known.push_back(facts(plate));
+  std::vector<facts::Facts> known;
+  for (const Plate& plate : plates) known.push_back(plate_facts(plate));
   std::string table = "<tr><th></th>";
   for (std::size_t i = 0; i < plates.size(); ++i)
     table += fmt::format("<th class=text><a href=\"#{}\">{}</a></th>", names[i],
                          formats::html(plates[i].specification()));
   table += "</tr>\n";
-  for (const std::string& name : fact_names(known)) {
-    table += fmt::format("<tr><th>{}</th>", typeset(name));
-    for (const std::vector<Fact>& list : known) {
-      const auto fact = std::ranges::find(list, name, &Fact::name);
-      table += fmt::format("<td class=text>{}</td>", fact == list.end() ? "" : value_html(*fact));
+  for (const std::string& label : labels(known)) {
+    table += fmt::format("<tr><th>{}</th>", typeset(label));
+    for (const facts::Facts& list : known) {
+      const Fact* fact = find(list, label);
+      table += fmt::format("<td class=text>{}</td>", fact ? value_html(*fact) : "");
     }
     table += "</tr>\n";
   }

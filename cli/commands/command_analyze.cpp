@@ -1,20 +1,15 @@
 // subcert analyze SCHEME: one page about one scheme
 
-#include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/family_page.hpp>
-#include <subcert/cli/pages/multivariate_page.hpp>
 #include <subcert/cli/pages/plot.hpp>
-#include <subcert/cli/pages/scheme_page.hpp>
+#include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/reports/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 namespace subcert::cli {
 namespace {
-
-constexpr double norm_share = 0.5;   // of the time that is left, at most
-constexpr double exact_grace = 0.5;  // seconds more for exact values
 
 struct AnalyzeOptions : CommonOptions {
   std::string scheme;
@@ -25,59 +20,15 @@ struct AnalyzeOptions : CommonOptions {
   std::string html;
 };
 
-SchemePage make_page(Scheme scheme, const AnalyzeOptions& options, const Deadline& deadline) {
-  const Mask mask = scheme.mask;
-  const int rules = sum_rules(mask);
-  SchemePage page{std::move(scheme),
-                  rules,
-                  *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(rules)),
-                  limit_support(mask),
-                  symmetry(mask),
-                  polynomial_reproduction(mask),
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {}};
-  options.progress("convergence");
-  const ProofLimits limits{options.levels, deadline};
-  page.convergence = converges(mask, limits);
-  if (!page.convergence.is_yes()) {
-    options.end_progress();
-    return page;
-  }
-  page.smoothness = proved_smoothness(mask, limits);
-  options.progress("norms of the difference scheme");
-  page.bounds = holder_bounds(mask, options.levels, deadline.after(norm_share));
-  page.stable = has_stable_shifts(mask);
-  page.sobolev = sobolev_if_small(mask, deadline);
-  options.progress("limit values");
-  try {
-    const Deadline exact = Deadline::in(deadline.remaining() + exact_grace);
-    page.integers = limit_values(mask, 0, 0, exact);
-    page.grid = variance_grid(mask, options.grid_level, page.smoothness.order >= 1, exact);
-    page.mean = squared_l2_norm(mask, exact);
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::size && error.kind() != ErrorKind::undecided) throw;
-    page.skipped = error.what();
-  }
-  options.end_progress();
-  return page;
-}
-
 /// Prints the page, and says whether the scheme converges.
-Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
-  const SchemePage page = make_page(scheme, options, deadline);
-  options.json ? options.answer(page.json()) : options.answer(page.text());
-  return page.convergence;
-}
-
-Decision analyze(const MultivariateScheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
-  return analyze_multivariate(scheme, {options.levels, deadline}, options);
+Decision analyze(const LinearScheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
+  const facts::AnalysisOptions limits{
+      {options.levels, deadline}, options.grid_level, [&](const std::string& next) { options.progress(next); }};
+  const facts::Analysis known = std::visit([&](const auto& one) { return facts::analysis(one, limits); }, scheme);
+  options.end_progress();
+  const facts::Facts list = facts::scheme_facts(scheme, known);
+  options.json ? options.answer(page_json(list)) : options.answer(page_text(list, 14));
+  return known.convergence;
 }
 
 ExitCode run(const AnalyzeOptions& options) {
@@ -96,7 +47,7 @@ ExitCode run(const AnalyzeOptions& options) {
   if (!options.html.empty())
     runtime::write_file(options.html, reports::gallery_html({reports::make_plate(
                                           {options.scheme}, {.budget = options.budget, .verified = verified})}));
-  const Decision convergence = std::visit([&](const auto& one) { return analyze(one, options, deadline); }, scheme);
+  const Decision convergence = analyze(scheme, options, deadline);
   if (!options.plot.empty()) {
     if (convergence.is_no()) return refuse_unproved(options.scheme, "no limit function to draw", convergence);
     draw_limit(options.plot, scheme, convergence);

@@ -22,15 +22,15 @@ struct CompareOptions : SearchOptions {
 
 /// A line a fact, a column a scheme; what is too wide ends in dots.
 std::string table_text(const std::vector<reports::Plate>& plates) {
-  std::vector<std::vector<reports::Fact>> known;
-  for (const reports::Plate& plate : plates) known.push_back(reports::facts(plate));
+  std::vector<Facts> known;
+  for (const reports::Plate& plate : plates) known.push_back(reports::plate_facts(plate));
   std::vector<std::vector<std::string>> rows{{"scheme"}};
   for (const reports::Plate& plate : plates) rows.front().push_back(plate.specification());
-  for (const std::string& name : reports::fact_names(known)) {
-    rows.push_back({name});
-    for (const std::vector<reports::Fact>& list : known) {
-      const auto fact = std::ranges::find(list, name, &reports::Fact::name);
-      rows.back().push_back(fact == list.end() ? "-" : fact->value);
+  for (const std::string& label : labels(known)) {
+    rows.push_back({label});
+    for (const Facts& list : known) {
+      const Fact* fact = find(list, label);
+      rows.back().push_back(fact ? fact->text.substr(0, fact->text.find('\n')) : "-");
     }
   }
   std::vector<std::size_t> widths(plates.size() + 1, 0);

@@ -1,9 +1,9 @@
 // subcert curve SCHEME --over w=LOW..HIGH [--plot FILE] [--csv FILE] [--certificate DIR]
 
 #include <subcert/cli/command.hpp>
-#include <subcert/cli/pages/exponent_text.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>

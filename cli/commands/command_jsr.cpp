@@ -7,10 +7,11 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
-#include <subcert/cli/pages/exponent_text.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
+#include <subcert/reports/facts/exponents.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

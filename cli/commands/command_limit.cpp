@@ -3,7 +3,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/pages/limit_page.hpp>
-#include <subcert/cli/pages/multivariate_regularity_page.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 
 #include <fmt/format.h>
 
@@ -78,7 +78,7 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
   }
   MultivariateRegularity regularity;
   for (const double share : {0.2, 1.0}) {  // most need little of the time
-    regularity = multivariate_regularity_page(scheme, {deadline.after(share)}, {}).regularity;
+    regularity = regularity_of(scheme, {deadline.after(share)});
     const Decision& convergence = regularity.converges;
     const auto& exponent = regularity.exponent.lower;
     if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;

@@ -1,6 +1,7 @@
 // subcert mask SCHEME
 
-#include <subcert/cli/pages/multivariate_page.hpp>
+#include <subcert/cli/command.hpp>
+#include <subcert/reports/facts/scheme_facts.hpp>
 
 namespace subcert::cli {
 namespace {

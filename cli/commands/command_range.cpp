@@ -4,8 +4,8 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/cli/command.hpp>
-#include <subcert/cli/pages/exponent_text.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 

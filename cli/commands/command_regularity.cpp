@@ -2,8 +2,8 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
-#include <subcert/cli/pages/multivariate_regularity_page.hpp>
-#include <subcert/cli/pages/regularity_page.hpp>
+#include <subcert/cli/width.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 
 #include <algorithm>
 
@@ -18,54 +18,56 @@ struct RegularityOptions : SearchOptions {
   int levels = 16;
 };
 
-RegularityPage compute(Scheme scheme, const RegularityOptions& options, const WantedWidth& wanted,
-                       const Budget& budget) {
+struct Answer {
+  Facts facts;
+  std::function<Certificate()> certificate;
+  Decision converges, exact;
+  bool complete;
+};
+
+Answer answer(const Scheme& scheme, const RegularityOptions& options, const WantedWidth& wanted, const Budget& budget) {
   const Stopwatch watch;
   options.progress("norms, products and polytopes");
   std::optional<SobolevRegularity> sobolev;
   if (is_affine(scheme.mask) && !scheme.rounding)  // otherwise holder_regularity says so
     sobolev = sobolev_if_small(scheme.mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding,
-                                                  wanted.bits);
-  options.end_progress();
-  const Enclosure holder = regularity.proved_exponent();
-  const bool complete = regularity.deciding().radius.is_closed() && wanted.holds(holder);
-  return {std::move(scheme), std::move(regularity), std::move(sobolev), holder,
-          complete,          watch.seconds(),       wanted.digits};
+  const HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding,
+                                                        wanted.bits);
+  const JointSpectralRadius& deciding = regularity.deciding().radius;
+  const bool complete = deciding.is_closed() && wanted.holds(regularity.proved_exponent());
+  return {regularity_facts(scheme, regularity, sobolev, {watch.seconds(), wanted.digits, complete}),
+          [=] { return exponent_certificate(scheme.mask, regularity, scheme.rounding); }, regularity.converges,
+          deciding.exact, complete};
 }
 
-ExitCode run(Scheme scheme, const RegularityOptions& options, const Budget& budget) {
-  const RegularityPage page = compute(std::move(scheme), options, wanted_width(options), budget);
-  const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
-    return exponent_certificate(page.scheme.mask, page.regularity, page.scheme.rounding);
-  });
-  Json json = page.json();
-  certificate.add_to(json);
-  options.answer(json, page.text() + certificate.text(page.regularity.deciding().radius.exact.is_yes()));
-  certificate.failure.raise();
-  if (page.regularity.converges.is_no()) return failed;
-  return page.regularity.converges.is_yes() && page.complete ? done : undecided;
-}
-
-ExitCode run(MultivariateScheme scheme, const RegularityOptions& options, const Budget& budget) {
+Answer answer(const MultivariateScheme& scheme, const RegularityOptions& options, const WantedWidth& wanted,
+              const Budget& budget) {
+  const Stopwatch watch;
   options.progress("products and polytopes");
-  const WantedWidth wanted = wanted_width(options);
-  const MultivariateRegularityPage page = multivariate_regularity_page(std::move(scheme), budget, wanted);
-  const MultivariateMask& mask = page.scheme.mask;
+  const MultivariateRegularity regularity = regularity_of(scheme, budget, wanted.bits);
+  const bool complete = regularity.is_closed() && wanted.holds(regularity.exponent);
   // A certificate is about the mask, also of a tensor product.
-  const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
+  const auto certificate = [=] {
     return surface_certificate(
-        mask, page.scheme.factors.empty() ? page.regularity : multivariate_regularity(mask, budget, wanted.bits));
-  });
+        scheme.mask, scheme.factors.empty() ? regularity : multivariate_regularity(scheme.mask, budget, wanted.bits));
+  };
+  return {regularity_facts(scheme, regularity, {watch.seconds(), wanted.digits, complete}), certificate,
+          regularity.converges, regularity.exact, complete};
+}
+
+ExitCode run(const RegularityOptions& options, const Budget& budget) {
+  const WantedWidth wanted = wanted_width(options);
+  const Answer found = std::visit([&](const auto& scheme) { return answer(scheme, options, wanted, budget); },
+                                  make_linear_scheme(options.scheme));
+  const WrittenCertificate certificate = write_certificate(options.certificate, found.certificate);
   options.end_progress();
-  Json json = page.json();
+  Json json = page_json(found.facts);
   certificate.add_to(json);
-  options.answer(json, page.text() + certificate.text(page.regularity.exact.is_yes()));
+  options.answer(json, page_text(found.facts, 13) + certificate.text(found.exact.is_yes()));
   certificate.failure.raise();
-  if (page.regularity.converges.is_no()) return failed;
-  const bool complete = page.regularity.is_closed() && wanted.holds(page.regularity.exponent);
-  return page.regularity.converges.is_yes() && complete ? done : undecided;
+  if (found.converges.is_no()) return failed;
+  return found.converges.is_yes() && found.complete ? done : undecided;
 }
 
 }  // namespace
@@ -75,10 +77,7 @@ void add_regularity(Command& app) {
   Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
                                 "subcert regularity primal:n=5 --certificate s5.cert", options, [=] {
                                   require_place(options->certificate);
-                                  const Budget budget = options->limits();
-                                  return std::visit(
-                                      [&](auto scheme) { return run(std::move(scheme), *options, budget); },
-                                      make_linear_scheme(options->scheme));
+                                  return run(*options, options->limits());
                                 });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   add_limits(command, *options);

@@ -5,8 +5,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/cli/command.hpp>
-
-#include <sstream>
+#include <subcert/reports/facts/limit_facts.hpp>
 
 namespace subcert::cli {
 namespace {
@@ -34,32 +33,7 @@ ExitCode run(const Options& options) {
     if (error.kind() != ErrorKind::domain) throw;
     return refuse_unproved(scheme.specification, "no variance curve", {convergence.truth, error.what()});
   }
-  const ExitCode code = range.complete ? done : undecided;
-  if (options.json) {
-    Json json{{"scheme", scheme.specification},
-              {"sup", enclosure_json(range.maximum)},
-              {"inf", enclosure_json(range.minimum)},
-              {"derivative_sup", enclosure_json(range.slope)},
-              {"mean", to_text(range.mean)},
-              {"complete", range.complete},
-              {"cells", range.cells}};
-    if (!range.slope_reason.empty()) json["derivative_note"] = range.slope_reason;
-    options.answer(json);
-    return code;
-  }
-  std::ostringstream text;
-  text << "scheme          " << scheme.specification << "  (" << scheme.title << ")\n"
-       << "maximum         " << enclosure_text(range.maximum) << "\n"
-       << "minimum         " << enclosure_text(range.minimum) << "\n";
-  if (range.slope)
-    text << "largest |psi'|  " << enclosure_text(*range.slope)
-         << (range.slope_reason.empty() ? "" : "  (best Lipschitz constant; " + range.slope_reason + ")") << "\n";
-  else
-    text << "largest |psi'|  not known: " << range.slope_reason << "\n";
-  text << "mean            " << to_decimal(range.mean, 15, Rounding::nearest) << "  = " << to_text(range.mean) << "\n"
-       << (range.complete ? "" : "The enclosures are wider than asked for: the budget ran out.\n");
-  options.answer(text.str());
-  return code;
+  return print_range(scheme, variance_facts(range), range.complete, 16, options);
 }
 
 }  // namespace

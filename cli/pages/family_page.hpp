@@ -1,7 +1,7 @@
 #pragma once
 /// What `subcert analyze` prints of a scheme with a parameter.
 
-#include <subcert/cli/json.hpp>
+#include <subcert/cli/command.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 namespace subcert::cli {

@@ -1,6 +1,7 @@
 #include "plates.hpp"
 
 #include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/reports/plate_facts.hpp>
 
 #include <algorithm>
 #include <mutex>
@@ -28,21 +29,11 @@ Json mask_json(const MultivariateScheme& scheme) {
 }
 
 Json plate_json(const reports::Plate& plate) {
-  Json json{{"scheme", plate.specification()},
-            {"title", plate.title()},
-            {"reference", plate.key.empty() ? Json() : Json(plate.key)},
-            {"mask", std::visit([](const auto& one) { return mask_json(one); }, plate.scheme)},
-            {"sum_rules", plate.sum_rules},
-            {"convergence", decision_json(plate.convergence)},
-            {"holder", plate.holder.lower ? enclosure_json(plate.holder) : Json()},
-            {"exact", plate.exact.is_yes()},
-            {"sobolev", enclosure_json(plate.sobolev)},
-            {"stable", decision_json(plate.stable)},
-            {"derivatives", plate.derivatives < 0 ? Json() : Json(plate.derivatives)},
-            {"variance_sup", enclosure_json(plate.largest_variance)},
-            {"variance_mean", plate.mean_variance ? Json(to_text(*plate.mean_variance)) : Json()},
-            {"notes", plate.notes},
-            {"curves", curves_json(plate)}};
+  Json json = page_json(reports::plate_facts(plate));
+  json["reference"] = plate.key.empty() ? Json() : Json(plate.key);
+  json["mask"] = std::visit([](const auto& one) { return mask_json(one); }, plate.scheme);
+  json["notes"] = plate.notes;
+  json["curves"] = curves_json(plate);
   return json;
 }
 

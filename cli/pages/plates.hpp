@@ -2,7 +2,6 @@
 /// Schemes with what is known of each, as pages and as JSON.
 
 #include <subcert/cli/command.hpp>
-#include <subcert/cli/json.hpp>
 #include <subcert/reports/gallery.hpp>
 
 #include <vector>

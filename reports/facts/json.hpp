@@ -1,5 +1,6 @@
 #pragma once
-/// Values of the library as JSON, for all commands: exact numbers are texts `p/q`, enclosures decimals rounded outward.
+/// Values of the library as JSON, wherever they are printed: exact numbers are texts `p/q`, enclosures decimals rounded
+/// outward.
 
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
@@ -9,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace subcert::cli {
+namespace subcert::facts {
 
 using Json = nlohmann::ordered_json;
 
@@ -28,4 +29,4 @@ Json optional_json(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-}  // namespace subcert::cli
+}  // namespace subcert::facts

@@ -1,6 +1,6 @@
 #include "json.hpp"
 
-namespace subcert::cli {
+namespace subcert::facts {
 
 Json enclosure_json(const Enclosure& enclosure, int digits) {
   digits = enclosure.telling_digits(digits);
@@ -25,4 +25,4 @@ Json numbers_json(const std::vector<Rational>& numbers) {
   return list;
 }
 
-}  // namespace subcert::cli
+}  // namespace subcert::facts

@@ -1,0 +1,19 @@
+#pragma once
+/// Facts about the basic limit function between grid points, and about the variance curve.
+
+#include "fact.hpp"
+
+#include <subcert/analysis/limit/limit_range.hpp>
+#include <subcert/analysis/limit/multivariate_limit_range.hpp>
+#include <subcert/analysis/variance/variance_range.hpp>
+
+namespace subcert::facts {
+
+Facts limit_facts(const LimitRange& range);
+Facts limit_facts(const MultivariateLimitRange& range);
+Facts variance_facts(const VarianceRange& range);
+
+/// `1/2, -1`.
+std::string coordinates_text(const std::vector<Rational>& point);
+
+}  // namespace subcert::facts

@@ -1,10 +1,10 @@
 #pragma once
-/// The independent checker, a program of its own.
+/// What becomes of a certificate that is asked for.
 
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/certificates/checker_client.hpp>
 
 #include <functional>
 #include <optional>
@@ -12,22 +12,6 @@
 #include <vector>
 
 namespace subcert::cli {
-
-struct CheckerAnswer {
-  int code;
-  std::string text;  ///< without the last end of line
-};
-
-/// subcert-check beside this program, or else the one on the PATH.
-std::string checker_program();
-
-/// Runs the checker. Errors: throws missing_file where there is none.
-CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::string& program = checker_program());
-
-/// The certificate if the checker accepts it, or else, if it accepts that, the one of the bounds alone. `matrices`:
-/// what a certificate of a radius is about. Errors: throws undecided, with the checker's reason, where it accepts
-/// neither, and missing_file where there is no checker. Cost: one run of the checker, or two where the two differ.
-Certificate verified(const Certificate& certificate, const std::string& matrices = {});
 
 /// After an answer whose certificates were asked for: what the system does not let be written. Nothing where there are
 /// none for want of a proof.

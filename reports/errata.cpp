@@ -1,7 +1,5 @@
 #include "errata.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
 #include "formats/html.hpp"
 #include "formats/mathml.hpp"
 #include "results.hpp"
@@ -9,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 
 namespace subcert::reports {
 namespace {
@@ -139,22 +136,6 @@ std::string paper_section(const statements::Paper& paper, const std::vector<Chec
 }
 
 }  // namespace
-
-std::vector<CheckedStatement> check_statements(const std::vector<const Statement*>& chosen, statements::Tier tier,
-                                               int jobs, const std::function<void(const std::string&)>& progress) {
-  std::vector<CheckedStatement> results(chosen.size());
-  std::mutex one_at_a_time;
-  parallel_tasks(chosen.size(), jobs, [&](std::size_t i) {
-    if (progress) {
-      const std::lock_guard lock(one_at_a_time);
-      progress(chosen[i]->id);
-    }
-    const Stopwatch watch;
-    Outcome outcome = check(*chosen[i], tier);
-    results[i] = {chosen[i], std::move(outcome), watch.seconds()};
-  });
-  return results;
-}
 
 std::string errata_page(const std::vector<CheckedStatement>& checked, const std::vector<Result>& results) {
   std::string body =

@@ -1,27 +1,14 @@
 #pragma once
-/// The statements of the papers, checked, and the page about them.
+/// The page about the statements of the papers, checked.
 
 #include <subcert/proofs-checks/papers/registry.hpp>
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace subcert::reports {
 
-struct CheckedStatement {
-  const statements::Statement* statement;
-  statements::Outcome outcome;
-  double seconds;
-
-  bool as_recorded() const { return is_as_recorded(*statement, outcome); }
-};
-
-/// Runs the checks on at most `jobs` threads; `progress` is called with an id before each, one call at a time. Errors:
-/// those of the checks.
-std::vector<CheckedStatement> check_statements(const std::vector<const statements::Statement*>& chosen,
-                                               statements::Tier tier, int jobs,
-                                               const std::function<void(const std::string&)>& progress);
+using statements::CheckedStatement;
 
 struct Result;
 

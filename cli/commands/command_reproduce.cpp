@@ -47,12 +47,12 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
 }
 
 /// Of collections there are none.
-std::vector<reports::CheckedStatement> check_statements_of(const std::vector<std::string>& papers,
+std::vector<statements::CheckedStatement> check_statements_of(const std::vector<std::string>& papers,
                                                            const ReproduceOptions& options) {
   std::vector<const statements::Statement*> chosen;
   for (const statements::Statement& statement : statements::statements())
     if (std::find(papers.begin(), papers.end(), statement.paper()) != papers.end()) chosen.push_back(&statement);
-  return reports::check_statements(chosen, statements::Tier::quick, options.threads(),
+  return statements::check_statements(chosen, statements::Tier::quick, options.threads(),
                                    [&](const std::string& id) { options.progress(id); });
 }
 

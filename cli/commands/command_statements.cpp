@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/reports/facts/statement_facts.hpp>
 #include <subcert/reports/results.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -23,48 +24,15 @@ struct StatementsOptions : CommonOptions {
   std::string page;
 };
 
-/// All statements, or those asked for, each once and in the order of the papers.
-std::vector<const Statement*> selected(const std::vector<std::string>& wanted) {
-  std::vector<const Statement*> chosen;
-  for (const std::string& one : wanted) {
-    const auto found = statements::find_statements(one);
-    chosen.insert(chosen.end(), found.begin(), found.end());
-  }
-  std::vector<const Statement*> result;
-  for (const Statement& statement : statements::statements())
-    if (wanted.empty() || std::find(chosen.begin(), chosen.end(), &statement) != chosen.end())
-      result.push_back(&statement);
-  return result;
-}
-
-Json grade_json(const std::optional<Grade>& grade) { return grade ? Json(to_text(*grade)) : Json(); }
-
 /// `misprint, slip`, to a width.
 std::string verdict_column(StatementVerdict verdict, const std::optional<Grade>& grade) {
   return fmt::format("{:<23}", to_text(verdict) + (grade ? ", " + to_text(*grade) : ""));
 }
 
-Json statement_json(const Statement& statement) {
-  return {{"id", statement.id},
-          {"place", statement.place},
-          {"paraphrase", statement.paraphrase},
-          {"checked", statement.checked},
-          {"printed", printed_latex(statement)},
-          {"sentence", statement.sentence},
-          {"readings", statement.readings},
-          {"follows", statement.follows},
-          {"scan", statement.scan},
-          {"experiments", statement.experiments},
-          {"recorded", to_text(statement.recorded)},
-          {"recorded_grade", grade_json(statement.grade)}};
-}
-
 ExitCode list(const StatementsOptions& options) {
-  const auto chosen = selected(options.wanted);
+  const auto chosen = statements::select_statements(options.wanted);
   if (options.json) {
-    Json json{{"statements", Json::array()}};
-    for (const Statement* statement : chosen) json["statements"].push_back(statement_json(*statement));
-    options.answer(json);
+    options.answer(Json{{"statements", statements_json(chosen)}});
     return done;
   }
   std::string text, paper;
@@ -82,20 +50,6 @@ ExitCode list(const StatementsOptions& options) {
   }
   options.answer(text);
   return done;
-}
-
-Json outcome_json(const reports::CheckedStatement& checked) {
-  const Statement& statement = *checked.statement;
-  Json json = statement_json(statement);
-  json["verdict"] = to_text(checked.outcome.verdict);
-  json["grade"] = grade_json(grade_of(statement, checked.outcome));
-  json["edge"] = checked.outcome.edge;
-  json["range"] = checked.outcome.range;
-  json["witness"] = checked.outcome.witness;
-  json["corrected"] = corrected_latex(statement);
-  json["argument"] = checked.outcome.argument;
-  json["seconds"] = checked.seconds;
-  return json;
 }
 
 std::string outcome_text(const Statement& statement, const Outcome& outcome) {
@@ -121,26 +75,24 @@ std::string outcome_text(const Statement& statement, const Outcome& outcome) {
 }
 
 ExitCode run_checks(const StatementsOptions& options) {
-  const auto results = reports::check_statements(selected(options.wanted), options.wide ? Tier::wide : Tier::quick,
-                                                 options.threads(),
-                                                 [&](const std::string& id) { options.progress(id); });
+  const auto results = statements::check_statements(statements::select_statements(options.wanted),
+                                                    options.wide ? Tier::wide : Tier::quick, options.threads(),
+                                                    [&](const std::string& id) { options.progress(id); });
   options.end_progress();
   if (!options.page.empty()) runtime::write_file(options.page, reports::errata_page(results, {}));
   ExitCode code = done;
-  Json json{{"statements", Json::array()}};
   std::string text;
   for (const reports::CheckedStatement& checked : results) {
     if (checked.outcome.verdict == StatementVerdict::undecided)
       code = code == done ? undecided : code;
     else if (!checked.as_recorded())
       code = failed;
-    json["statements"].push_back(outcome_json(checked));
     text += outcome_text(*checked.statement, checked.outcome);
   }
   const reports::Counts found = reports::counts(reports::results(results), reports::ResultKind::statement);
   text += "\n" + found.text() + ".";
   text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
-  options.answer(json, text);
+  options.answer(Json{{"statements", statements_json(results)}}, text);
   return code;
 }
 

@@ -5,10 +5,15 @@
 #include "mustafa-hameed/checks.hpp"
 #include "mustafa-li-2015/checks.hpp"
 
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <mutex>
+#include <set>
 #include <sstream>
 
 namespace subcert {
@@ -116,8 +121,36 @@ std::vector<const Statement*> find_statements(const std::string& id_or_paper) {
   return result;
 }
 
+std::vector<const Statement*> select_statements(const std::vector<std::string>& wanted) {
+  std::set<const Statement*> chosen;
+  for (const std::string& one : wanted) {
+    const auto found = find_statements(one);
+    chosen.insert(found.begin(), found.end());
+  }
+  std::vector<const Statement*> result;
+  for (const Statement& statement : statements())
+    if (wanted.empty() || chosen.contains(&statement)) result.push_back(&statement);
+  return result;
+}
+
 Outcome check(const Statement& statement, Tier tier) {
   return check(statement, Context(paper(statement.paper()), tier));
+}
+
+std::vector<CheckedStatement> check_statements(const std::vector<const Statement*>& chosen, Tier tier, int jobs,
+                                               const std::function<void(const std::string&)>& progress) {
+  std::vector<CheckedStatement> results(chosen.size());
+  std::mutex one_at_a_time;
+  parallel_tasks(chosen.size(), jobs, [&](std::size_t i) {
+    if (progress) {
+      const std::lock_guard lock(one_at_a_time);
+      progress(chosen[i]->id);
+    }
+    const Stopwatch watch;
+    Outcome outcome = check(*chosen[i], tier);
+    results[i] = {chosen[i], std::move(outcome), watch.seconds()};
+  });
+  return results;
 }
 
 std::string printed_latex(const Statement& statement) {

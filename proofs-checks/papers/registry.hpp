@@ -22,8 +22,24 @@ std::string reference(const std::string& key);
 const std::vector<Statement>& statements();
 /// The statements with this id or of this paper. Errors: throws a usage error that names both.
 std::vector<const Statement*> find_statements(const std::string& id_or_paper);
+/// Those with one of these ids or of one of these papers, each once and in the order of the papers; all where none is
+/// named. Errors: as find_statements().
+std::vector<const Statement*> select_statements(const std::vector<std::string>& wanted);
 /// The check of a statement with its paper.
 Outcome check(const Statement& statement, Tier tier);
+
+struct CheckedStatement {
+  const Statement* statement;
+  Outcome outcome;
+  double seconds;
+
+  bool as_recorded() const { return is_as_recorded(*statement, outcome); }
+};
+
+/// Runs the checks on at most `jobs` threads; `progress` is called with an id before each, one call at a time. Errors:
+/// those of the checks.
+std::vector<CheckedStatement> check_statements(const std::vector<const Statement*>& chosen, Tier tier, int jobs,
+                                               const std::function<void(const std::string&)>& progress);
 
 /// The printed and the corrected LaTeX with the transcriptions put in.
 std::string printed_latex(const Statement& statement);

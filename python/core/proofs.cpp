@@ -2,8 +2,10 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/checker_arguments.hpp>
+#include <subcert/proofs-checks/certificates/checker_client.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
-#include <subcert/reports/errata.hpp>
+#include <subcert/reports/facts/statement_facts.hpp>
+#include <subcert/reports/report.hpp>
 #include <subcert/reports/report_files.hpp>
 
 #include <fmt/ranges.h>
@@ -14,47 +16,14 @@
 namespace subcert::python {
 namespace {
 
-py::dict statement_dict(const statements::Statement& statement) {
-  return py::dict("id"_a = statement.id, "place"_a = statement.place, "paraphrase"_a = statement.paraphrase,
-                  "checked"_a = statement.checked, "printed"_a = printed_latex(statement),
-                  "recorded"_a = to_text(statement.recorded));
-}
-
-std::vector<const statements::Statement*> find(const std::vector<std::string>& wanted) {
-  std::vector<const statements::Statement*> result;
-  for (const std::string& one : wanted) {
-    const auto found = statements::find_statements(one);
-    result.insert(result.end(), found.begin(), found.end());
-  }
-  if (wanted.empty())
-    for (const statements::Statement& statement : statements::statements()) result.push_back(&statement);
-  return result;
-}
-
-py::list check_statements(const std::vector<std::string>& wanted, bool wide, int jobs, const py::object& progress) {
-  const auto chosen = find(wanted);
-  const auto checked = interruptible(progress, [&] {
-    return reports::check_statements(chosen, wide ? statements::Tier::wide : statements::Tier::quick, jobs,
-                                     [](const std::string&) {});
+/// JSON, as the command line has it.
+std::string check_statements(const std::vector<std::string>& wanted, bool wide, int jobs, const py::object& progress) {
+  const auto chosen = statements::select_statements(wanted);
+  return interruptible(progress, [&] {
+    return facts::statements_json(
+               check_statements(chosen, wide ? statements::Tier::wide : statements::Tier::quick, jobs, {}))
+        .dump();
   });
-  py::list result;
-  for (const reports::CheckedStatement& one : checked) {
-    py::dict answer = statement_dict(*one.statement);
-    answer["verdict"] = to_text(one.outcome.verdict);
-    const auto grade = statements::grade_of(*one.statement, one.outcome);
-    answer["grade"] = grade ? to_text(*grade) : "";
-    answer["edge"] = one.outcome.edge;
-    answer["sentence"] = one.statement->sentence;
-    answer["readings"] = one.statement->readings;
-    answer["follows"] = one.statement->follows;
-    answer["scan"] = one.statement->scan;
-    answer["range"] = one.outcome.range;
-    answer["witness"] = one.outcome.witness;
-    answer["argument"] = one.outcome.argument;
-    answer["corrected"] = corrected_latex(*one.statement);
-    result.append(answer);
-  }
-  return result;
 }
 
 py::list check_properties(const std::string& text, double seconds, int jobs, const py::object& progress) {
@@ -98,11 +67,16 @@ std::string reproduce(const std::string& paper, const std::vector<std::string>& 
 }  // namespace
 
 void add_proofs(py::module_& module) {
-  module.def("checker_arguments", &checker_arguments);
+  const auto pair = [](const CheckerAnswer& answer) { return std::pair(answer.code == 0, answer.text); };
+  module.def("check_file", [=](const std::string& text, const std::string& file, const std::string& program) {
+    return pair(run_checker(checker_arguments(text, file), program));
+  });
+  module.def("check_certificate",
+             [=](const std::string& text, const std::string& matrices, const std::string& program) {
+               return pair(check_certificate(text, matrices, program));
+             });
   module.def("statements", [](const std::vector<std::string>& wanted) {
-    py::list result;
-    for (const statements::Statement* statement : find(wanted)) result.append(statement_dict(*statement));
-    return result;
+    return facts::statements_json(statements::select_statements(wanted)).dump();
   });
   module.def("check_statements", &check_statements);
   module.def("check_properties", &check_properties);

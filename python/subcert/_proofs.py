@@ -100,6 +100,12 @@ def _computed_text(computed: Any) -> str:
     return "" if computed is None else str(computed)
 
 
+def _made(kind: Any, answer: str) -> list[Any]:
+    """Of what the library says in JSON the fields of this kind."""
+    names = [field.name for field in dataclasses.fields(kind)]
+    return [kind(**{name: one[name] or "" for name in names}) for one in json.loads(answer)]
+
+
 def statements(*wanted: str) -> list[Statement]:
     """The statements with these ids, or of these papers; all where none is named.
 
@@ -107,7 +113,7 @@ def statements(*wanted: str) -> list[Statement]:
     >>> subcert.statements("dyn-2015/eq-2")[0].recorded
     'holds-for-all-n'
     """
-    return [Statement(**one) for one in _core.statements(list(wanted))]
+    return _made(Statement, _core.statements(list(wanted)))
 
 
 def check_statements(
@@ -115,7 +121,7 @@ def check_statements(
 ) -> list[CheckedStatement]:
     """Checks statements: holds, holds-for-all-n, misprint (with witness and correction), false or not-checkable.
     `wide`: larger ranges."""
-    return [CheckedStatement(**one) for one in _core.check_statements(list(wanted), wide, _jobs(jobs), progress)]
+    return _made(CheckedStatement, _core.check_statements(list(wanted), wide, _jobs(jobs), progress))
 
 
 def check(

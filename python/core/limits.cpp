@@ -5,11 +5,10 @@
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/limit/multivariate_limit_values.hpp>
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 
 namespace subcert::python {
 namespace {
@@ -43,9 +42,7 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_val
                                                                                        int level, double budget) {
   require(level >= 0, "limit: need level >= 0, got {}", level);
   const Budget limits{Deadline::in(budget)};
-  const Decision convergence = (scheme.factors.empty() ? multivariate_regularity(scheme.mask, limits)
-                                                       : tensor_product_regularity(scheme.factors, limits))
-                                   .converges;
+  const Decision convergence = facts::regularity_of(scheme, limits).converges;
   require_convergence(scheme.specification, convergence);
   std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> result;
   for (const auto& [index, value] :

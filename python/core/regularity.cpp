@@ -2,10 +2,10 @@
 
 #include <subcert/analysis/regularity/radius/constrained.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
-#include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <memory>
@@ -49,19 +49,16 @@ std::shared_ptr<HolderEvidence> holder(const Scheme& scheme, int levels, double 
   });
 }
 
+/// What is exact, or in other letters than in JSON.
 py::dict holder_dict(const HolderEvidence& evidence) {
   const HolderRegularity& regularity = evidence.regularity;
   const HolderBound& bound = regularity.bounds.last();
-  py::dict result = radius_dict(regularity.radius, regularity.radius.product.word);
-  result["exponent"] = regularity.proved_exponent();
-  result["converges"] = regularity.converges;
-  result["stable"] = regularity.stable;
-  result["sum_rules"] = regularity.bounds.sum_rules;
-  result["bound"] = py::make_tuple(bound.levels, bound.norm, bound.exponent);
-  result["logarithm"] = py::make_tuple(regularity.logarithm.at_least, regularity.logarithm.at_most);
-  // What the exponent is from, where the shifts are not stable.
-  result["closed"] = regularity.deciding().radius.is_closed();
-  return result;
+  return py::dict("exponent"_a = regularity.proved_exponent(), "radius"_a = regularity.radius.radius,
+                  "product"_a = regularity.radius.product.word, "converges"_a = regularity.converges,
+                  "stable"_a = regularity.stable, "bound"_a = py::make_tuple(bound.levels, bound.norm, bound.exponent),
+                  "logarithm"_a = py::make_tuple(regularity.logarithm.at_least, regularity.logarithm.at_most),
+                  // What the exponent is from, where the shifts are not stable.
+                  "closed"_a = regularity.deciding().radius.is_closed(), "sobolev"_a = py::none());
 }
 
 py::object holder_certificate(const HolderEvidence& evidence) {
@@ -78,27 +75,20 @@ std::shared_ptr<SurfaceEvidence> surface_holder(const MultivariateScheme& scheme
                                                 int bits, bool certificate, const py::object& progress) {
   return interruptible(progress, [&] {
     const Budget budget = budget_of(seconds, memory);
-    return std::make_shared<SurfaceEvidence>(SurfaceEvidence{
-        scheme, scheme.factors.empty() || certificate ? multivariate_regularity(scheme.mask, budget, bits)
-                                                      : tensor_product_regularity(scheme.factors, budget, bits)});
+    return std::make_shared<SurfaceEvidence>(
+        SurfaceEvidence{scheme, certificate ? multivariate_regularity(scheme.mask, budget, bits)
+                                            : facts::regularity_of(scheme, budget, bits)});
   });
 }
 
 py::dict surface_dict(const SurfaceEvidence& evidence) {
   const MultivariateRegularity& regularity = evidence.regularity;
-  py::dict result = regularity.radius ? radius_dict(*regularity.radius, regularity.radius->product.word)
-                                      : py::dict("radius"_a = Enclosure{}, "product"_a = std::vector<int>{},
-                                                 "exact"_a = regularity.exact.is_yes(), "method"_a = "by its factors",
-                                                 "vertices"_a = 0);
-  result["exact"] = regularity.exact.is_yes();
-  result["exactness"] = regularity.exact.reason;
-  result["exponent"] = regularity.exponent;
-  result["converges"] = regularity.converges;
-  result["stable"] = regularity.stable;
-  result["sum_rules"] = regularity.sum_rules;
-  result["sobolev"] = regularity.sobolev;
-  result["closed"] = regularity.is_closed();
-  return result;
+  const auto& radius = regularity.radius;
+  return py::dict("exponent"_a = regularity.exponent, "radius"_a = radius ? radius->radius : Enclosure{},
+                  "product"_a = radius ? radius->product.word : std::vector<int>{},
+                  "converges"_a = regularity.converges, "stable"_a = regularity.stable, "bound"_a = py::none(),
+                  "logarithm"_a = py::make_tuple(0, py::none()), "closed"_a = regularity.is_closed(),
+                  "sobolev"_a = regularity.sobolev);
 }
 
 /// A family with the graph that restricts its products, if there is one.
@@ -185,11 +175,21 @@ void add_regularity(py::module_& module) {
   module.def("bits_for_width", &bits_for_width);
   module.def("word_text", &word_text);
   py::class_<HolderEvidence, std::shared_ptr<HolderEvidence>>(module, "HolderEvidence")
-      .def_property_readonly("facts", &holder_dict)
+      .def_property_readonly("exact", &holder_dict)
+      .def_property_readonly(
+          "facts",
+          [](const HolderEvidence& evidence) {
+            return page_json(facts::regularity_facts(evidence.scheme, evidence.regularity, {}, {})).dump();
+          })
       .def("certificate", &holder_certificate);
   module.def("holder", &holder);
   py::class_<SurfaceEvidence, std::shared_ptr<SurfaceEvidence>>(module, "SurfaceEvidence")
-      .def_property_readonly("facts", &surface_dict)
+      .def_property_readonly("exact", &surface_dict)
+      .def_property_readonly(
+          "facts",
+          [](const SurfaceEvidence& evidence) {
+            return page_json(facts::regularity_facts(evidence.scheme, evidence.regularity, {})).dump();
+          })
       .def("certificate", [](const SurfaceEvidence& evidence) -> py::object {
         if (!evidence.regularity.space) return py::none();
         return to_list(surface_certificate(evidence.scheme.mask, evidence.regularity));

@@ -2,28 +2,30 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
-#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/schemes/specification.hpp>
 
 namespace subcert::python {
 namespace {
 
-py::dict facts(const Scheme& scheme) {
+/// JSON, as the command line has it.
+template <class Kind>
+std::string facts_of(const Kind& scheme) {
+  return page_json(facts::mask_facts(scheme)).dump();
+}
+
+template <class Kind>
+std::string analysis_of(const Kind& scheme, int levels, double budget, const py::object& progress) {
+  return interruptible(progress, [&] {
+    const facts::Analysis known = facts::analysis(scheme, {{levels, Deadline::in(budget)}});
+    return page_json(facts::scheme_facts(scheme, known)).dump();
+  });
+}
+
+LaurentPolynomial remaining_factor(const Scheme& scheme) {
   const Mask& mask = scheme.mask;
-  const int rules = sum_rules(mask);
-  const PolynomialReproduction polynomials = polynomial_reproduction(mask);
-  const SymmetryReport report = symmetry(mask);
-  return py::dict("sum_rules"_a = rules,
-                  "rest"_a = *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(rules)),
-                  "limit_support"_a = limit_support(mask).enclosure(),
-                  "symmetry"_a = report.kind == Symmetry::none  ? "none"
-                                 : report.kind == Symmetry::odd ? "odd"
-                                                                : "even",
-                  "centre"_a = report.centre, "generation_degree"_a = polynomials.generation_degree,
-                  "reproduction_degree"_a = polynomials.reproduction_degree,
-                  "parametrization"_a = polynomials.parametrization);
+  return *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(sum_rules(mask)));
 }
 
 std::vector<std::pair<LatticePoint, Rational>> terms_of(const MultivariateScheme& scheme) {
@@ -72,7 +74,11 @@ void add_schemes(py::module_& module) {
   module.def("make_any_scheme", [](const std::string& specification) { return make_any_scheme(specification); });
   module.def("families", [] { return help_of(families()); });
   module.def("multivariate_families", [] { return help_of(multivariate_families()); });
-  module.def("facts", &facts);
+  module.def("facts", &facts_of<Scheme>);
+  module.def("facts", &facts_of<MultivariateScheme>);
+  module.def("analyze", &analysis_of<Scheme>);
+  module.def("analyze", &analysis_of<MultivariateScheme>);
+  module.def("remaining_factor", &remaining_factor);
   module.def("symbol_text", [](const LaurentPolynomial& symbol) { return symbol.to_text(); });
   module.def("symbol_latex", [](const LaurentPolynomial& symbol) { return symbol.to_latex(); });
   module.def("stable", [](const Scheme& scheme) { return has_stable_shifts(scheme.mask); });

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from fractions import Fraction
 from typing import Any, Callable, Iterable, Optional, Sequence
 
@@ -197,6 +198,8 @@ class HolderExponent(_Certified):
     """Between which powers of |log h| the modulus of continuity lies; (0, 0): the exponent is attained."""
     sobolev: Optional[Enclosure] = None
     """Of surfaces: the Sobolev exponent."""
+    facts: dict[str, Any] = dataclasses.field(default_factory=dict, repr=False, compare=False)
+    """All that `subcert regularity --json` says of it."""
     _evidence: Any = _hidden()
     _again: Any = _hidden()
 
@@ -230,20 +233,26 @@ def _radius_fields(facts: dict[str, Any]) -> dict[str, Any]:
 
 
 def exponent_of(evidence: Any, again: Computation) -> HolderExponent:
-    facts = evidence.facts
-    bound = facts.get("bound")
+    facts, exact = json.loads(evidence.facts), evidence.exact
+    bound = exact["bound"]
     return HolderExponent(
-        enclosure=Enclosure._of(facts["exponent"]),
-        radius=Enclosure._of(facts["radius"]),
-        converges=Decision._of(facts["converges"]),
-        stable=Decision._of(facts["stable"]),
+        enclosure=Enclosure._of(exact["exponent"]),
+        exact=facts["exact"],
+        exactness=facts["exactness"],
+        product=tuple(exact["product"]),
+        radius=Enclosure._of(exact["radius"]),
+        method=facts["method"],
+        vertices=facts["vertices"] or 0,
+        closed=exact["closed"],
+        converges=Decision._of(exact["converges"]),
+        stable=Decision._of(exact["stable"]),
         sum_rules=facts["sum_rules"],
         bound=Bound(bound[0], bound[1], Enclosure._of(bound[2])) if bound else None,
-        logarithm=facts.get("logarithm", (0, None)),
-        sobolev=optional_enclosure(facts.get("sobolev")),
+        logarithm=exact["logarithm"],
+        sobolev=optional_enclosure(exact["sobolev"]),
+        facts=facts,
         _evidence=evidence,
         _again=again,
-        **_radius_fields(facts),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import json
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
 
@@ -127,7 +128,25 @@ class Named:
         return refine(self, data, levels, **options)
 
 
-class Scheme(Named):
+class LinearScheme(Named):
+    """A scheme with a mask."""
+
+    @functools.cached_property
+    def facts(self) -> dict[str, Any]:
+        """What follows from the mask alone, by the keys of `subcert analyze --json`; exact numbers are texts."""
+        return json.loads(_core.facts(self._handle))
+
+    def analyze(self, levels: int = 16, budget: float = 10, progress: Progress = None) -> dict[str, Any]:
+        """The page of `subcert analyze --json`: these facts, convergence, smoothness and what else the time allows.
+
+        >>> import subcert
+        >>> subcert.scheme("dd:n=2").analyze()["smoothness"]["proved"]
+        1
+        """
+        return json.loads(_core.analyze(self._handle, levels, budget, progress))
+
+
+class Scheme(LinearScheme):
     """A linear scheme of one variable.
 
     >>> import subcert
@@ -158,43 +177,40 @@ class Scheme(Named):
         """Where the coefficients that are meant are not rational: how far the rational ones are from them at most."""
         return self._handle.rounding
 
-    @functools.cached_property
-    def _facts(self) -> dict[str, Any]:
-        return _core.facts(self._handle)
-
     @property
     def sum_rules(self) -> int:
         """The multiplicity of 1 + z + ... + z^(arity-1) in the symbol."""
-        return self._facts["sum_rules"]
+        return self.facts["sum_rules"]
 
     @property
     def remaining_factor(self) -> Symbol:
         """The symbol divided by all of these factors."""
-        return _symbol(self._facts["rest"])
+        return _symbol(_core.remaining_factor(self._handle))
 
     @property
     def support(self) -> tuple[Fraction, Fraction]:
         """Of the basic limit function."""
-        return self._facts["limit_support"]
+        ends = self.facts["support"]
+        return Fraction(ends["lower"]), Fraction(ends["upper"])
 
     @property
     def symmetry(self) -> str:
         """``odd`` about an integer, ``even`` about a half-integer, or ``none``."""
-        return self._facts["symmetry"]
+        return self.facts["symmetry"]
 
     @property
     def generation_degree(self) -> int:
-        return self._facts["generation_degree"]
+        return self.facts["generation_degree"]
 
     @property
     def reproduction_degree(self) -> int:
         """Polynomials of this degree are reproduced, the datum f_j attached to j + parametrization; -1: not even
         constants."""
-        return self._facts["reproduction_degree"]
+        return self.facts["reproduction_degree"]
 
     @property
     def parametrization(self) -> Fraction:
-        return self._facts["parametrization"]
+        return Fraction(self.facts["parametrization"])
 
     def converges(self, levels: int = 16, budget: float = 20, progress: Progress = None) -> Decision:
         """Whether the scheme converges uniformly for all bounded data."""
@@ -290,7 +306,7 @@ def _ends(value: Any) -> Any:
     return Enclosure(*value) if isinstance(value, tuple) else value
 
 
-class MultivariateScheme(Named):
+class MultivariateScheme(LinearScheme):
     """A linear scheme of two or three variables.
 
     >>> import subcert

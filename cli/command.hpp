@@ -75,6 +75,8 @@ struct CommonOptions {
   /// The same for an answer that is written piece by piece.
   void answer(const std::function<void(std::ostream&)>& write) const;
   void answer(const Json& json_object) const { answer(json_object.dump(2) + "\n"); }
+  /// As a page, texts from the column `width` on, or as JSON.
+  void answer(const Facts& facts, std::size_t width) const { answer(page_json(facts), page_text(facts, width)); }
   /// The one that --json asks for.
   void answer(const Json& json_object, const std::string& text) const { json ? answer(json_object) : answer(text); }
 };

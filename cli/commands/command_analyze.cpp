@@ -2,8 +2,8 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
-#include <subcert/cli/pages/family_page.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/reports/facts/family_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/reports/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -27,7 +27,7 @@ Decision analyze(const LinearScheme& scheme, const AnalyzeOptions& options, cons
   const facts::Analysis known = std::visit([&](const auto& one) { return facts::analysis(one, limits); }, scheme);
   options.end_progress();
   const facts::Facts list = facts::scheme_facts(scheme, known);
-  options.json ? options.answer(page_json(list)) : options.answer(page_text(list, 14));
+  options.answer(list, 14);
   return known.convergence;
 }
 
@@ -37,8 +37,7 @@ ExitCode run(const AnalyzeOptions& options) {
   if (has_parameter(options.scheme)) {
     if (!options.plot.empty() || !options.html.empty())
       fail(ErrorKind::usage, "{}: pictures are of single schemes; {} has a parameter", picture, options.scheme);
-    const FamilyPage page = family_page(make_parametric_scheme(options.scheme));
-    options.answer(page.json, page.text);
+    options.answer(family_facts(make_parametric_scheme(options.scheme)), 14);
     return done;
   }
   const Deadline deadline = Deadline::in(options.budget);

@@ -81,16 +81,31 @@ JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Ra
   return result;
 }
 
-void add_verdicts(Json& json, const std::vector<Bound>& bounds) {
+/// The end of both kinds of answers.
+Facts verdict_facts(const std::vector<Bound>& bounds) {
+  Facts list;
   for (const Bound& bound : bounds)
-    json[bound.name] = {{"value", to_text(bound.value)}, {"verdict", verdict_text(bound.holds)}};
+    list.push_back({bound.name,
+                    bound.name,
+                    to_text(bound.value) + ": " + verdict_text(bound.holds),
+                    "",
+                    {{"value", to_text(bound.value)}, {"verdict", verdict_text(bound.holds)}}});
+  return list;
 }
 
-std::string verdicts_text(const std::vector<Bound>& bounds) {
-  std::string text;
-  for (const Bound& bound : bounds)
-    text += fmt::format("{}{}: {}\n", padded(bound.name, 13), to_text(bound.value), verdict_text(bound.holds));
-  return text;
+Fact matrices_fact(const MatrixFamily& family) {
+  return {"", "matrices", fmt::format("{} of size {}", family.count(), family.size())};
+}
+
+/// Of the caller's letters.
+Fact product_fact(const std::vector<int>& word, std::string remark) {
+  return {"product", "product", fmt::format("{}", fmt::join(word, " ")), std::move(remark), word};
+}
+
+Fact radius_fact(const char* name, const char* label, const Enclosure& radius, std::string remark,
+                 const WantedWidth& wanted) {
+  return {name, label, enclosure_text(radius, std::max(wanted.digits, 14)), std::move(remark),
+          enclosure_json(radius, std::max(wanted.digits, 20))};
 }
 
 /// Of bounds that were asked for, or else of the enclosure.
@@ -102,31 +117,28 @@ ExitCode code_of(const std::vector<Bound>& bounds, bool is_closed) {
   return any(Truth::no) ? failed : any(Truth::unknown) ? undecided : done;
 }
 
-Json json_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds,
-             std::size_t size, int digits) {
+Facts radius_facts_of(const JointSpectralRadius& radius, const std::vector<int>& word, std::size_t size,
+                      const WantedWidth& wanted) {
   const BlockProof* blocks = radius.by_blocks();
-  Json json{{"radius", enclosure_json(radius.radius, std::max(digits, 20))},
-            {"exact", radius.exact.is_yes()},
-            {"exactness", radius.exact.reason},
-            {"closed", radius.is_closed()},
-            {"product", word},
-            {"method", method_text(radius)},
-            {"vertices", radius.vertices()},
-            {"blocks", blocks ? Json(blocks->triangular.sizes) : Json({size})}};
-  add_verdicts(json, bounds);
-  return json;
+  Facts list{
+      blocks ? Fact{"blocks", "blocks", sizes_text(blocks->triangular.sizes), "", blocks->triangular.sizes}
+             : member("blocks", Json::array({size})),
+      radius_fact("radius", "radius", radius.radius, sized_method_text(radius), wanted),
+      product_fact(word, fmt::format("radius {}{}", enclosure_text(radius.product.radius, 14),
+                                     radius.exact.is_yes() ? ", proved to attain the joint spectral radius" : "")),
+      member("method", method_text(radius)), member("vertices", radius.vertices())};
+  append(list, exact_facts(radius.exact, radius.is_closed()));
+  return list;
 }
 
-std::string text_of(const JointSpectralRadius& radius, const std::vector<int>& word, const std::vector<Bound>& bounds,
-                    int digits) {
-  const BlockProof* blocks = radius.by_blocks();
-  std::string text;
-  if (blocks) text += "blocks       " + sizes_text(blocks->triangular.sizes) + "\n";
-  text += fmt::format("radius       {}  ({})\nproduct      {}  (radius {}{})\n",
-                      enclosure_text(radius.radius, std::max(digits, 14)), sized_method_text(radius),
-                      fmt::join(word, " "), enclosure_text(radius.product.radius, 14),
-                      radius.exact.is_yes() ? ", proved to attain the joint spectral radius" : "");
-  return text + verdicts_text(bounds);
+ExitCode print(Facts list, const std::vector<Bound>& bounds, const WrittenCertificate& certificate, bool attained,
+               bool closed, const JsrOptions& options) {
+  append(list, verdict_facts(bounds));
+  Json json = page_json(list);
+  certificate.add_to(json);
+  options.answer(json, page_text(list, 13) + certificate.text(attained));
+  certificate.failure.raise();
+  return code_of(bounds, closed);
 }
 
 ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const WantedWidth& wanted) {
@@ -138,13 +150,11 @@ ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const
   const auto found = p_radius(file.family, options.power, wanted.bits, options.limits().deadline);
   if (!found)
     fail(ErrorKind::undecided, "--budget: the p-radius takes more than {} seconds of processor time", options.budget);
-  const Json json{{"p", options.power},
-                  {"radius", enclosure_json(found->radius, std::max(wanted.digits, 20))},
-                  {"size", found->size}};
-  options.answer(json,
-                 fmt::format("matrices     {} of size {}\np-radius     {}  (p = {}, by a matrix of size {})\n",
-                             file.family.count(), file.family.size(),
-                             enclosure_text(found->radius, std::max(wanted.digits, 14)), options.power, found->size));
+  options.answer({matrices_fact(file.family), member("p", options.power),
+                  radius_fact("radius", "p-radius", found->radius,
+                              fmt::format("p = {}, by a matrix of size {}", options.power, found->size), wanted),
+                  member("size", found->size)},
+                 13);
   return wanted.holds(found->radius) ? done : undecided;
 }
 
@@ -167,23 +177,13 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
   options.end_progress();
   const WrittenCertificate certificate = write_certificate(
       options.certificate, [&] { return subradius_certificate(family, found); }, matrices_text(family));
-  const std::vector<Bound> bounds = decided(found.radius, lower, upper);
-  Json json{{"subradius", enclosure_json(found.radius, std::max(wanted.digits, 20))},
-            {"exact", found.exact.is_yes()},
-            {"exactness", found.exact.reason},
-            {"closed", found.is_closed()},
-            {"product", found.product.word},
-            {"vertices", found.antinorm ? found.antinorm->vertices.size() : 0}};
-  add_verdicts(json, bounds);
-  certificate.add_to(json);
-  options.answer(
-      json, fmt::format("matrices     {} of size {}\nsubradius    {}  ({})\nproduct      {}{}\n{}{}", family.count(),
-                        family.size(), enclosure_text(found.radius, std::max(wanted.digits, 14)), method_text(found),
-                        fmt::join(found.product.word, " "),
-                        found.exact.is_yes() ? "  (proved to attain the joint spectral subradius)" : "",
-                        verdicts_text(bounds), certificate.text(found.exact.is_yes())));
-  certificate.failure.raise();
-  return code_of(bounds, found.is_closed() && wanted.holds(found.radius));
+  Facts list{
+      matrices_fact(family), radius_fact("subradius", "subradius", found.radius, method_text(found), wanted),
+      product_fact(found.product.word, found.exact.is_yes() ? "proved to attain the joint spectral subradius" : "")};
+  append(list, exact_facts(found.exact, found.is_closed()));
+  list.push_back(member("vertices", found.antinorm ? found.antinorm->vertices.size() : 0));
+  return print(std::move(list), decided(found.radius, lower, upper), certificate, found.exact.is_yes(),
+               found.is_closed() && wanted.holds(found.radius), options);
 }
 
 ExitCode run(const JsrOptions& options) {
@@ -206,16 +206,14 @@ ExitCode run(const JsrOptions& options) {
   std::vector<int> word = radius.product.word;
   if (lift)
     for (int& letter : word) letter = lift->letters[static_cast<std::size_t>(letter)];
-  const std::vector<Bound> bounds = decided(radius.radius, lower, upper);
-  std::string head = fmt::format("matrices     {} of size {}\n", file.family.count(), file.family.size());
+  Facts list{matrices_fact(file.family)};
   if (lift)
-    head += fmt::format("graph        {} successions, {} matrices of size {}\n", file.graph.size(), family.count(),
-                        family.size());
-  Json json = json_of(radius, word, bounds, family.size(), wanted.digits);
-  certificate.add_to(json);
-  options.answer(json, head + text_of(radius, word, bounds, wanted.digits) + certificate.text(radius.exact.is_yes()));
-  certificate.failure.raise();
-  return code_of(bounds, radius.is_closed() && wanted.holds(radius.radius));
+    list.push_back(
+        {"", "graph",
+         fmt::format("{} successions, {} matrices of size {}", file.graph.size(), family.count(), family.size())});
+  append(list, radius_facts_of(radius, word, family.size(), wanted));
+  return print(std::move(list), decided(radius.radius, lower, upper), certificate, radius.exact.is_yes(),
+               radius.is_closed() && wanted.holds(radius.radius), options);
 }
 
 }  // namespace

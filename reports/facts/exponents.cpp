@@ -1,13 +1,20 @@
 #include "exponents.hpp"
 
-#include <fmt/ranges.h>
+#include <subcert/analysis/symbol/decimal.hpp>
 
-#include <algorithm>
+#include <fmt/ranges.h>
 
 namespace subcert::facts {
 
 Json bound_json(const HolderBound& bound) {
   return {{"levels", bound.levels}, {"norm", to_text(bound.norm)}, {"holder", enclosure_json(bound.exponent)}};
+}
+
+Fact bound_fact(std::string label, const HolderBound& bound) {
+  return {"bound", std::move(label),
+          fmt::format(">= {} after {} levels; ||S_b^{}|| = {}", bound.exponent.lower_text(12), bound.levels,
+                      bound.levels, to_decimal(bound.norm, 12, Rounding::nearest)),
+          "", bound_json(bound)};
 }
 
 std::string method_text(const JointSpectralRadius& radius) { return to_text(radius.method()); }
@@ -42,12 +49,35 @@ Facts radius_facts(const JointSpectralRadius& radius, int digits) {
   return list;
 }
 
-Fact sobolev_fact(const Enclosure& exponent, const Decision& stable, const SobolevReasons& otherwise, Json json) {
+Facts exact_facts(const Decision& exact, bool closed) {
+  return {member("exact", exact.is_yes()), member("exactness", exact.reason), member("closed", closed)};
+}
+
+namespace {
+
+/// With the reasons why there is no upper end, and why it is exact although the shifts are not stable.
+Fact sobolev(const Enclosure& exponent, const Decision& stable, const char* open, const char* unstable, Json json) {
+  json["stable"] = stable.is_yes();
   return {"sobolev", "Sobolev", enclosure_text(exponent, 14),
-          "L2 smoothness, " + (!exponent.upper   ? "a lower bound as the shifts are " + otherwise.no_upper_end
-                               : stable.is_yes() ? "exact as the shifts are stable"
-                                                 : "exact" + otherwise.unstable),
+          fmt::format("L2 smoothness, {}", !exponent.upper   ? fmt::format("a lower bound as the shifts are {}", open)
+                                           : stable.is_yes() ? "exact as the shifts are stable"
+                                                             : unstable),
           std::move(json)};
+}
+
+}  // namespace
+
+Fact sobolev_fact(const std::optional<SobolevRegularity>& found, const Decision& stable) {
+  if (!found) return member("sobolev", nullptr);
+  return sobolev(
+      found->exponent, stable, "not stable", "exact by the reduced mask",
+      {{"exponent", enclosure_json(found->exponent)}, {"spectral_radius", enclosure_json(found->spectral_radius)}});
+}
+
+Fact sobolev_fact(const std::optional<Enclosure>& exponent, const Decision& stable) {
+  if (!exponent) return member("sobolev", nullptr);
+  return sobolev(*exponent, stable, "not proved stable", "exact, by the inner products of the shifts",
+                 {{"exponent", enclosure_json(*exponent)}});
 }
 
 }  // namespace subcert::facts

@@ -5,11 +5,14 @@
 
 #include <subcert/analysis/regularity/holder_bound.hpp>
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/regularity/sobolev.hpp>
 
 namespace subcert::facts {
 
 /// {"levels", "norm", "holder"}.
 Json bound_json(const HolderBound& bound);
+/// Of one variable, by norms.
+Fact bound_fact(std::string label, const HolderBound& bound);
 
 /// By which kind of argument the upper end of a radius is proved.
 std::string method_text(const JointSpectralRadius& radius);
@@ -19,13 +22,14 @@ std::string sized_method_text(const JointSpectralRadius& radius);
 /// `2 + 3 + 1`: the sizes of diagonal blocks.
 std::string sizes_text(const std::vector<std::size_t>& sizes);
 
+/// `exact`, `exactness` and `closed`, for programs alone.
+Facts exact_facts(const Decision& exact, bool closed);
+
 /// Radius, method, blocks, product and vertices. `digits`: of the radius in JSON, at least.
 Facts radius_facts(const JointSpectralRadius& radius, int digits);
 
-/// A Sobolev exponent. `otherwise`: why there is no upper end, and why it is exact although the shifts are not stable.
-struct SobolevReasons {
-  std::string no_upper_end, unstable;
-};
-Fact sobolev_fact(const Enclosure& exponent, const Decision& stable, const SobolevReasons& otherwise, Json json);
+/// The Sobolev exponent, of one variable with the spectral radius behind it; null where there is none.
+Fact sobolev_fact(const std::optional<SobolevRegularity>& sobolev, const Decision& stable);
+Fact sobolev_fact(const std::optional<Enclosure>& exponent, const Decision& stable);
 
 }  // namespace subcert::facts

@@ -65,10 +65,6 @@ Facts stable_facts(const Decision& stable, bool of_limits) {
   return {fact, member("stability", stable.reason)};
 }
 
-Facts exact_facts(const Decision& exact, bool closed) {
-  return {member("exact", exact.is_yes()), member("exactness", exact.reason), member("closed", closed)};
-}
-
 Fact exponent_fact(std::string text, std::string remark, const Enclosure& exponent, int digits) {
   return {"holder", "exponent", std::move(text), std::move(remark),
           enclosure_json(exponent, std::max(digits, most_digits))};
@@ -149,18 +145,13 @@ Fact logarithm_member(const LogarithmicFactor& logarithm) {
                               {"reason", logarithm.reason}});
 }
 
-Facts bound_facts(const HolderBounds& bounds) {
-  const HolderBound& last = bounds.last();
+Fact levels_member(const HolderBounds& bounds) {
   Json by_level = Json::array();
   for (const HolderBound& bound : bounds.levels) by_level.push_back(bound.exponent.lower_text(12));
-  return {{"bound", "bound",
-           fmt::format(">= {} after {} levels; ||S_b^{}|| = {}", last.exponent.lower_text(12), last.levels, last.levels,
-                       to_decimal(last.norm, 12, Rounding::nearest)),
-           "", bound_json(last)},
-          member("bounds_by_level", std::move(by_level))};
+  return member("bounds_by_level", std::move(by_level));
 }
 
-Fact bound_fact(const std::optional<HolderBound>& bound) {
+Fact surface_bound_fact(const std::optional<HolderBound>& bound) {
   if (!bound) return member("bound", nullptr);
   if (bound->exponent.lower.value_or(0) <= 0) return member("bound", bound_json(*bound));
   return {"bound", "bound",
@@ -182,7 +173,8 @@ Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
   list.push_back(rounding_fact(scheme.rounding));
   list.push_back(plain("sum_rules", "sum rules", regularity.bounds.sum_rules));
   list.push_back(converges_fact(regularity.converges));
-  append(list, bound_facts(regularity.bounds));
+  list.push_back(bound_fact("bound", regularity.bounds.last()));
+  list.push_back(levels_member(regularity.bounds));
   append(list, radius_facts(regularity.radius, std::max(form.digits, most_digits)));
   append(list, exact_facts(regularity.radius.exact, regularity.radius.is_closed()));
   append(list, stable_facts(regularity.stable, regularity.converges.is_yes()));
@@ -191,13 +183,7 @@ Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
   if (holder.lower && *regularity.exponent.lower > 0) list.push_back(attained_fact(regularity));
   list.push_back(logarithm_member(regularity.logarithm));
   list.push_back(member("single", decision_json(regularity.single.applies)));
-  if (sobolev)
-    list.push_back(sobolev_fact(sobolev->exponent, regularity.stable, {"not stable", " by the reduced mask"},
-                                {{"exponent", enclosure_json(sobolev->exponent)},
-                                 {"spectral_radius", enclosure_json(sobolev->spectral_radius)},
-                                 {"stable", regularity.stable.is_yes()}}));
-  else
-    list.push_back(member("sobolev", nullptr));
+  list.push_back(sobolev_fact(sobolev, regularity.stable));
   if (!form.complete) list.push_back({"", "budget", "the polytope did not close; the enclosure reached is printed"});
   list.push_back(member("seconds", form.seconds));
   return list;
@@ -215,7 +201,7 @@ Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegul
   list.push_back(plain("sum_rules", "sum rules", regularity.sum_rules));
   list.push_back(converges_fact(regularity.converges));
   list.push_back(space_fact(regularity, dilation));
-  list.push_back(bound_fact(regularity.bound));
+  list.push_back(surface_bound_fact(regularity.bound));
   if (radius)
     append(list, radius_facts(*radius, std::max(form.digits, most_digits)));
   else
@@ -224,12 +210,7 @@ Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegul
   append(list, exact_facts(regularity.exact, regularity.is_closed()));
   append(list, stable_facts(regularity.stable, true));
   list.push_back(exponent_fact(regularity, !scheme.factors.empty() && !radius, form.digits));
-  if (regularity.sobolev)
-    list.push_back(sobolev_fact(
-        *regularity.sobolev, regularity.stable, {"not proved stable", ", by the inner products of the shifts"},
-        {{"exponent", enclosure_json(*regularity.sobolev)}, {"stable", regularity.stable.is_yes()}}));
-  else
-    list.push_back(member("sobolev", nullptr));
+  list.push_back(sobolev_fact(regularity.sobolev, regularity.stable));
   if (!regularity.is_closed() && !regularity.converges.is_no())
     list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});
   list.push_back(member("seconds", form.seconds));

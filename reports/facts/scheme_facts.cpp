@@ -39,24 +39,6 @@ Fact smoothness_fact(const SmoothnessProof& proof, bool by_factors) {
           "", std::move(json)};
 }
 
-Fact bound_fact(const HolderBound& bound) {
-  return {"bound", "Hoelder",
-          fmt::format(">= {} after {} levels; ||S_b^{}|| = {}", bound.exponent.lower_text(12), bound.levels,
-                      bound.levels, to_decimal(bound.norm, 12, Rounding::nearest)),
-          "", bound_json(bound)};
-}
-
-/// Of one variable with the spectral radius.
-Fact sobolev_fact(const Analysis& known) {
-  if (!known.sobolev_radius)
-    return {"sobolev", known.sobolev ? "Sobolev" : "", known.sobolev ? enclosure_text(*known.sobolev, 12) : "", "",
-            enclosure_json(known.sobolev)};
-  return facts::sobolev_fact(*known.sobolev, *known.stable, {"not stable", " by the reduced mask"},
-                             {{"exponent", enclosure_json(*known.sobolev)},
-                              {"spectral_radius", enclosure_json(*known.sobolev_radius)},
-                              {"stable", known.stable->is_yes()}});
-}
-
 Fact variance_fact(const Mask& mask, const VarianceGrid& grid, const Rational& mean) {
   return {"variance",
           "variance",
@@ -96,10 +78,7 @@ Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
   const Deadline& deadline = options.limits.deadline;
   known.bound = holder_bounds(mask, options.limits.levels, deadline.after(norm_share)).last();
   known.stable = has_stable_shifts(mask);
-  if (const auto sobolev = sobolev_if_small(mask, deadline)) {
-    known.sobolev = sobolev->exponent;
-    known.sobolev_radius = sobolev->spectral_radius;
-  }
+  known.sobolev = sobolev_if_small(mask, deadline);
   next("limit values");
   add_values(known, mask, options);
   return known;
@@ -112,7 +91,7 @@ Analysis analysis(const MultivariateScheme& scheme, const AnalysisOptions& optio
     known.convergence = regularity.converges;
     known.stable = regularity.stable;
     known.exponent = regularity.exponent;
-    known.sobolev = regularity.sobolev;
+    known.surface_sobolev = regularity.sobolev;
     return known;
   }
   if (scheme.factors.empty()) {
@@ -133,12 +112,17 @@ Facts scheme_facts(const LinearScheme& scheme, const Analysis& known) {
   Facts list = std::visit([](const auto& one) { return mask_facts(one); }, scheme);
   list.push_back(decided("convergence", "convergence", known.convergence));
   if (known.smoothness && converges) list.push_back(smoothness_fact(*known.smoothness, !curve));
-  if (known.bound) list.push_back(bound_fact(*known.bound));
+  if (known.bound) list.push_back(bound_fact("Hoelder", *known.bound));
   if (known.exponent)
     list.push_back({"holder", converges ? "exponent" : "", enclosure_text(*known.exponent, 12),
                     "Hoelder, as far as subcert regularity gets in the time", enclosure_json(known.exponent)});
   if (known.stable) {
-    list.push_back(sobolev_fact(known));
+    if (curve)
+      list.push_back(sobolev_fact(known.sobolev, *known.stable));
+    else
+      list.push_back({"sobolev", known.surface_sobolev ? "Sobolev" : "",
+                      enclosure_text(known.surface_sobolev.value_or(Enclosure{}), 12), "",
+                      enclosure_json(known.surface_sobolev)});
     list.push_back(decided("stable", converges ? "stable" : "", *known.stable));
   }
   if (!known.skipped.empty()) list.push_back({"skipped", "values", "skipped: " + known.skipped, "", known.skipped});

@@ -31,8 +31,8 @@ struct Analysis {
   std::optional<HolderBound> bound;           ///< by norms
   std::optional<Enclosure> exponent;          ///< of surfaces, as far as the search gets
   std::optional<Decision> stable;
-  std::optional<Enclosure> sobolev;
-  std::optional<Enclosure> sobolev_radius;  ///< of one variable: the spectral radius behind it
+  std::optional<SobolevRegularity> sobolev;
+  std::optional<Enclosure> surface_sobolev;
   std::optional<LimitValues> integers;
   std::optional<VarianceGrid> grid;
   std::optional<Rational> mean;

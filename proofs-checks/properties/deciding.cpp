@@ -11,11 +11,15 @@ bool compare(const Rational& value, const std::string& relation, const Rational&
   return relation == ">" ? value > number : value < number;
 }
 
+std::string lies_in(const std::string& what, const Enclosure& value) {
+  return what + " lies in [" + value.lower_text(8) + ", " + value.upper_text(8) + "]";
+}
+
 Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what) {
   const std::string& relation = expectation.relation;
   const Rational& number = expectation.number;
   const bool from_below = relation == ">=" || relation == ">";
-  const std::string found = what + " lies in [" + value.lower_text(8) + ", " + value.upper_text(8) + "]";
+  const std::string found = lies_in(what, value);
   const auto& worst = from_below ? value.lower : value.upper;
   const auto& best = from_below ? value.upper : value.lower;
   if (worst && compare(*worst, relation, number)) return decided(true, found);
@@ -25,8 +29,7 @@ Decision compare(const Enclosure& value, const Expectation& expectation, const s
 
 Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation) {
   const Enclosure& exponent = regularity.exponent;
-  const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
-                            "]";
+  const std::string found = lies_in("the Hoelder exponent", exponent);
   if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
   if (regularity.converges.is_yes() && expectation.number == 0) return decided(true, "the scheme converges");
   if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);

@@ -2,7 +2,6 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
@@ -12,6 +11,8 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
+
+#include <algorithm>
 
 namespace subcert::properties {
 namespace {
@@ -32,7 +33,51 @@ Decision convergence_of(const Mask& mask, double seconds) {
   return holder_regularity(mask, levels, {Deadline::in(seconds)}).converges;
 }
 
-Decision smoothness(const Mask& mask, const Expectation& expectation, double seconds) {
+Decision rounded_coefficients() { return {Truth::unknown, "the coefficients are rounded"}; }
+
+/// For all masks that are meant.
+HolderRegularity regularity_of(const Scheme& scheme, double seconds) {
+  return holder_regularity(scheme.mask, levels, {Deadline::in(seconds)}, HolderProof::shortest, scheme.rounding);
+}
+
+MultivariateRegularity regularity_of(const MultivariateScheme& scheme, double seconds) {
+  const Budget budget{Deadline::in(seconds)};
+  return scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget)
+                                : tensor_product_regularity(scheme.factors, budget);
+}
+
+struct Degrees {
+  long sum_rules, generates, reproduces;
+};
+
+Degrees degrees_of(const Scheme& scheme) {
+  const PolynomialReproduction found = polynomial_reproduction(scheme.mask);
+  return {sum_rules(scheme.mask), found.generation_degree, found.reproduction_degree};
+}
+
+Degrees degrees_of(const MultivariateScheme& scheme) {
+  const MultivariateReproduction found = scheme.factors.empty() ? polynomial_reproduction(scheme.mask)
+                                                                : tensor_product_reproduction(scheme.factors);
+  return {found.sum_rules, found.generation_degree(), found.reproduction_degree};
+}
+
+bool is_rounded(const Scheme& scheme) { return scheme.rounding.has_value(); }
+bool is_rounded(const MultivariateScheme&) { return false; }
+
+Decision convergent(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  if (!scheme.rounding) return matches(convergence_of(scheme.mask, seconds), expectation.yes);
+  const bool converges = *regularity_of(scheme, seconds).exponent.lower > 0;
+  return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
+                 expectation.yes);
+}
+
+Decision smoothness(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const Mask& mask = scheme.mask;
+  if (scheme.rounding) {
+    const HolderRegularity regularity = regularity_of(scheme, seconds);
+    if (*regularity.exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
+    return {has_derivatives(regularity, expectation.number), lies_in("the Hoelder exponent", regularity.exponent)};
+  }
   const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
   const SmoothnessProof proof = proved_smoothness(mask, {levels, Deadline::in(seconds)});
@@ -40,24 +85,26 @@ Decision smoothness(const Mask& mask, const Expectation& expectation, double sec
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
   const HolderRegularity regularity = holder_regularity(mask, levels, {Deadline::in(seconds)});
-  const Enclosure& exponent = regularity.exponent;
-  const std::string found = "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) +
-                            "]";
+  const std::string found = lies_in("the Hoelder exponent", regularity.exponent);
   const Truth smooth = has_derivatives(regularity, expectation.number);
   if (smooth != Truth::unknown) return {smooth, found};
   return {Truth::unknown, "C^" + std::to_string(proof.order) + " is proved; " + found};
 }
 
-Decision holder(const Mask& mask, const Expectation& expectation, double seconds) {
-  if (!is_affine(mask)) return decided(false, "a coset sum is not 1, so the scheme does not converge");
-  const HolderRegularity regularity = holder_regularity(mask, levels, {Deadline::in(seconds)});
+Decision holder(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  if (!scheme.rounding && !is_affine(scheme.mask))
+    return decided(false, "a coset sum is not 1, so the scheme does not converge");
+  const HolderRegularity regularity = regularity_of(scheme, seconds);
   Enclosure exponent = regularity.exponent;
+  if (scheme.rounding && *exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
   // Otherwise the lower end proves nothing.
   if (exponent.lower && *exponent.lower <= 0) exponent.lower = regularity.proved_exponent().lower;
   return compare(exponent, expectation, "the exponent");
 }
 
-Decision sobolev(const Mask& mask, const Expectation& expectation, double seconds) {
+Decision sobolev(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  if (scheme.rounding) return rounded_coefficients();
+  const Mask& mask = scheme.mask;
   const Decision convergence = convergence_of(mask, seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   const auto found = sobolev_regularity(mask, Deadline::in(seconds));
@@ -65,7 +112,9 @@ Decision sobolev(const Mask& mask, const Expectation& expectation, double second
   return compare(found->exponent, expectation, "the exponent");
 }
 
-Decision variance(const Mask& mask, const Expectation& expectation, double seconds) {
+Decision variance(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  if (scheme.rounding) return rounded_coefficients();
+  const Mask& mask = scheme.mask;
   const Decision convergence = convergence_of(mask, seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   try {
@@ -94,95 +143,103 @@ bool is_interpolatory(const MultivariateMask& mask) {
   return mask.symbol().coefficient(zero) == 1;
 }
 
-Decision property_of(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
-  const std::string& property = expectation.property;
-  if (property == "interpolatory")
-    return matches({is_interpolatory(scheme.mask) ? Truth::yes : Truth::no, ""}, expectation.yes);
-  const MultivariateReproduction polynomials = scheme.factors.empty() ? polynomial_reproduction(scheme.mask)
-                                                                      : tensor_product_reproduction(scheme.factors);
-  if (property == "sum_rules") return whole_number(polynomials.sum_rules, expectation);
-  if (property == "generates") return whole_number(polynomials.generation_degree(), expectation);
-  if (property == "reproduces") return whole_number(polynomials.reproduction_degree, expectation);
-  const Budget budget{Deadline::in(seconds)};
-  const MultivariateRegularity regularity = scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget)
-                                                                   : tensor_product_regularity(scheme.factors, budget);
-  if (property == "convergent") return matches(regularity.converges, expectation.yes);
-  if (property == "stable") return matches(regularity.stable, expectation.yes);
-  if (property == "smoothness") return smoothness(regularity, expectation);
-  if (property == "holder") {
-    if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
-    return compare(regularity.exponent, expectation, "the exponent");
-  }
-  if (property == "sobolev") {
-    if (!regularity.sobolev) return {Truth::unknown, "the spectral radius was not computed in time"};
-    return compare(*regularity.sobolev, expectation, "the exponent");
-  }
-  fail(ErrorKind::domain, "has_property: need a property of surfaces, got '{}'", property);
+Decision stable(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  if (scheme.rounding) return matches(has_stable_shifts(scheme.mask, scheme.rounding->distance), expectation.yes);
+  const Decision convergence = convergence_of(scheme.mask, seconds);
+  if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
+  return matches(has_stable_shifts(scheme.mask), expectation.yes);
 }
 
-/// What depends on coefficients that are rounded; nothing for properties that do not.
-std::optional<Decision> property_of_rounded(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const std::string& property = expectation.property;
-  if (property == "sobolev" || property == "variance" || property == "reproduces")
-    return Decision{Truth::unknown, "the coefficients are rounded"};
-  if (property == "stable") return matches(has_stable_shifts(scheme.mask, scheme.rounding->distance), expectation.yes);
-  if (property != "convergent" && property != "holder" && property != "smoothness") return std::nullopt;
-  const HolderRegularity regularity = holder_regularity(scheme.mask, levels, {Deadline::in(seconds)},
-                                                        HolderProof::shortest, scheme.rounding);
-  const Enclosure& exponent = regularity.exponent;
-  const bool converges = *exponent.lower > 0;
-  if (property == "convergent")
-    return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
-                   expectation.yes);
-  if (!converges) return Decision{Truth::unknown, "convergence is not proved"};
-  if (property == "holder") return compare(exponent, expectation, "the exponent");
-  return Decision{has_derivatives(regularity, expectation.number),
-                  "the Hoelder exponent lies in [" + exponent.lower_text(8) + ", " + exponent.upper_text(8) + "]"};
+Decision symmetry_of(const Scheme& scheme, const Expectation& expectation, double) {
+  const std::string found = word_of(symmetry(scheme.mask).kind);
+  return decided(found == expectation.word, "it is " + found);
 }
 
-Decision property_of(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  if (scheme.rounding)
-    if (auto decision = property_of_rounded(scheme, expectation, seconds)) return *std::move(decision);
-  const Mask& mask = scheme.mask;
-  const std::string& property = expectation.property;
-  if (property == "convergent") return matches(convergence_of(mask, seconds), expectation.yes);
-  if (property == "stable") {
-    const Decision convergence = convergence_of(mask, seconds);
-    if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
-    return matches(has_stable_shifts(mask), expectation.yes);
-  }
-  if (property == "interpolatory")
-    return matches({is_interpolatory(mask) ? Truth::yes : Truth::no, ""}, expectation.yes);
-  if (property == "smoothness") return smoothness(mask, expectation, seconds);
-  if (property == "holder") return holder(mask, expectation, seconds);
-  if (property == "sobolev") return sobolev(mask, expectation, seconds);
-  if (property == "variance") return variance(mask, expectation, seconds);
-  if (property == "sum_rules") return whole_number(sum_rules(mask), expectation);
-  if (property == "generates") return whole_number(polynomial_reproduction(mask).generation_degree, expectation);
-  if (property == "reproduces") return whole_number(polynomial_reproduction(mask).reproduction_degree, expectation);
-  if (property == "symmetry") {
-    const std::string found = word_of(symmetry(mask).kind);
-    return decided(found == expectation.word, "it is " + found);
-  }
-  if (property == "support") {
-    const Interval found = limit_support(mask);
-    return decided(found.lower == expectation.ends->lower && found.upper == expectation.ends->upper,
-                   "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
-  }
-  fail(ErrorKind::domain, "has_property: need a known property, got '{}'", property);
+Decision support_of(const Scheme& scheme, const Expectation& expectation, double) {
+  const Interval found = limit_support(scheme.mask);
+  return decided(found == *expectation.ends,
+                 "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
 }
 
-RangeProperty range_property(const Expectation& expectation) {
+Decision holder_of_surface(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
+  const MultivariateRegularity regularity = regularity_of(scheme, seconds);
+  if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
+  return compare(regularity.exponent, expectation, "the exponent");
+}
+
+Decision sobolev_of_surface(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
+  const MultivariateRegularity regularity = regularity_of(scheme, seconds);
+  if (!regularity.sobolev) return {Truth::unknown, "the spectral radius was not computed in time"};
+  return compare(*regularity.sobolev, expectation, "the exponent");
+}
+
+}  // namespace
+
+const std::vector<Property>& known_properties() {
   using Kind = RangeProperty::Kind;
-  if (expectation.property == "convergent") return {Kind::convergent, 0};
-  if (expectation.property == "stable") return {Kind::stable, 0};
-  if (expectation.property == "holder") return {Kind::holder, expectation.number};
-  if (expectation.property == "sobolev") return {Kind::sobolev, expectation.number};
-  return {expectation.number == 0 ? Kind::convergent : Kind::smooth, expectation.number};
+  using E = const Expectation&;
+  using Surface = const MultivariateScheme&;
+  const char* answer = "true or false";
+  const char* whole = "an integer or a comparison";
+  const char* comparison = "\">= X\", \"<= X\", \"> X\" or \"< X\"";
+  constexpr auto rules = [](const auto& s, E e, double) { return whole_number(degrees_of(s).sum_rules, e); };
+  constexpr auto generates = [](const auto& s, E e, double) { return whole_number(degrees_of(s).generates, e); };
+  constexpr auto reproduces = [](const auto& s, E e, double) {
+    return is_rounded(s) ? rounded_coefficients() : whole_number(degrees_of(s).reproduces, e);
+  };
+  constexpr auto interpolatory = [](const auto& s, E e, double) {
+    return matches({is_interpolatory(s.mask) ? Truth::yes : Truth::no, ""}, e.yes);
+  };
+  static const std::vector<Property> all{
+      {"convergent", answer, "uniform convergence for all bounded data", Expects::answer, convergent,
+       [](Surface s, E e, double time) { return matches(regularity_of(s, time).converges, e.yes); }, Kind::convergent},
+      {"smoothness", "\">= K\"", "C^K limits", Expects::order, smoothness,
+       [](Surface s, E e, double time) { return smoothness(regularity_of(s, time), e); }, Kind::smooth},
+      {"holder", comparison, "the Hoelder exponent", Expects::comparison, holder, holder_of_surface, Kind::holder},
+      {"sobolev", comparison, "the Sobolev exponent", Expects::comparison, sobolev, sobolev_of_surface, Kind::sobolev},
+      {"sum_rules", whole, "the number of sum rules", Expects::whole_number, rules, rules},
+      {"generates", whole, "the largest degree of polynomials that are limits", Expects::whole_number, generates,
+       generates},
+      {"reproduces", whole, "the largest degree of polynomials that are reproduced", Expects::whole_number, reproduces,
+       reproduces},
+      {"support", "[first, last]", "the ends of the support of the basic limit function", Expects::ends, support_of,
+       nullptr},
+      {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
+      {"stable", answer, "stability of the integer shifts", Expects::answer, stable,
+       [](Surface s, E e, double time) { return matches(regularity_of(s, time).stable, e.yes); }, Kind::stable},
+      {"interpolatory", answer, "whether old values are kept", Expects::answer, interpolatory, interpolatory},
+      {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", Expects::comparison,
+       variance, nullptr}};
+  return all;
+}
+
+const Property* find_property(std::string_view name) {
+  const auto& all = known_properties();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Property& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+namespace {
+
+Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation, double seconds) {
+  return property.of_curve(scheme, expectation, seconds);
+}
+
+Decision property_of(const MultivariateScheme& scheme, const Property& property, const Expectation& expectation,
+                     double seconds) {
+  if (!property.of_surface)
+    fail(ErrorKind::domain, "has_property: need a property of surfaces, got '{}'", property.name);
+  return property.of_surface(scheme, expectation, seconds);
 }
 
 /// For all values: every piece is proved, single values of gaps included.
-Decision property_of(const SchemeRange& range, const Expectation& expectation, double seconds) {
+Decision property_of(const SchemeRange& range, const Property& property, const Expectation& expectation,
+                     double seconds) {
+  using Kind = RangeProperty::Kind;
+  if (!property.of_ranges) fail(ErrorKind::domain, "has_property: need a property of ranges, got '{}'", property.name);
+  // C^0 limits are those of a scheme that converges.
+  const Kind kind = property.of_ranges == Kind::smooth && expectation.number == 0 ? Kind::convergent
+                                                                                  : *property.of_ranges;
   const std::string letter(1, range.family.parameter);
   const auto describe = [&](const RangePiece& piece, const char* verdict) {
     const auto text = [](const Rational& value) { return to_decimal(value, 10, Rounding::nearest); };
@@ -190,7 +247,7 @@ Decision property_of(const SchemeRange& range, const Expectation& expectation, d
                           ? " for " + letter + " = " + text(piece.low)
                           : " for " + text(piece.low) + " <= " + letter + " <= " + text(piece.high));
   };
-  const PropertyRange found = property_range(range.family.mask, range_property(expectation), range.values.low,
+  const PropertyRange found = property_range(range.family.mask, {kind, expectation.number}, range.values.low,
                                              range.values.high, {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
   Decision answer{Truth::yes, ""};
   for (const RangePiece& piece : found.pieces) {
@@ -212,7 +269,9 @@ Decision property_of(const SchemeRange& range, const Expectation& expectation, d
 }  // namespace
 
 Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds) {
-  return std::visit([&](const auto& one) { return property_of(one, expectation, seconds); }, scheme.scheme);
+  const Property* property = find_property(expectation.property);
+  if (!property) fail(ErrorKind::domain, "has_property: need a known property, got '{}'", expectation.property);
+  return std::visit([&](const auto& one) { return property_of(one, *property, expectation, seconds); }, scheme.scheme);
 }
 
 }  // namespace subcert::properties

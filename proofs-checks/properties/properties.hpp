@@ -1,6 +1,7 @@
 #pragma once
 /// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
 
+#include <subcert/analysis/family/property_range.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -39,15 +40,23 @@ struct ExpectedScheme {
   std::vector<Expectation> expectations;
 };
 
-/// The names of the properties, each with the values that it takes.
-struct PropertyHelp {
+/// How an expected value is written: true or false; `>= K` with a whole K; a comparison; one, or an integer; [first,
+/// last]; a word.
+enum class Expects { answer, order, comparison, whole_number, ends, word };
+
+/// All that is known of a property. A function that is absent: it is none of such schemes.
+struct Property {
   std::string name;
-  std::string values;
+  std::string values;  ///< that it takes, for messages
   std::string meaning;
-  bool of_surfaces = true;  ///< also of schemes of two and three variables
-  bool of_ranges = false;   ///< also for all values of a parameter
+  Expects expects;
+  Decision (*of_curve)(const Scheme& scheme, const Expectation& expectation, double seconds);
+  Decision (*of_surface)(const MultivariateScheme& scheme, const Expectation& expectation, double seconds);
+  std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
 };
-const std::vector<PropertyHelp>& known_properties();
+const std::vector<Property>& known_properties();
+/// The one of this name, or null.
+const Property* find_property(std::string_view name);
 
 /// Reads a file. Domain: at most 10^6 characters. Errors: throws FileError for what is no TOML, an unknown key, a value
 /// of the wrong kind, a scheme that cannot be made, a scheme without expected properties, a file without schemes.

@@ -7,23 +7,6 @@
 
 namespace subcert::properties {
 
-const std::vector<PropertyHelp>& known_properties() {
-  static const std::vector<PropertyHelp> all{
-      {"convergent", "true or false", "uniform convergence for all bounded data", true, true},
-      {"smoothness", "\">= K\"", "C^K limits", true, true},
-      {"holder", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Hoelder exponent", true, true},
-      {"sobolev", "\">= X\", \"<= X\", \"> X\" or \"< X\"", "the Sobolev exponent", true, true},
-      {"sum_rules", "an integer or a comparison", "the number of sum rules"},
-      {"generates", "an integer or a comparison", "the largest degree of polynomials that are limits"},
-      {"reproduces", "an integer or a comparison", "the largest degree of polynomials that are reproduced"},
-      {"support", "[first, last]", "the ends of the support of the basic limit function", false},
-      {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", false},
-      {"stable", "true or false", "stability of the integer shifts", true, true},
-      {"interpolatory", "true or false", "whether old values are kept"},
-      {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", false}};
-  return all;
-}
-
 namespace {
 
 /// An integer, or a rational or decimal number in a string.
@@ -33,19 +16,12 @@ std::optional<Rational> exact_number(const toml::node& node) {
   return std::nullopt;
 }
 
-const PropertyHelp* find_property(std::string_view name) {
-  const auto& all = known_properties();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const PropertyHelp& p) { return p.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-[[noreturn]] void refuse(const toml::node& node, const PropertyHelp& property) {
+[[noreturn]] void refuse(const toml::node& node, const Property& property) {
   throw FileError(place_of(node), "'" + property.name + "' takes " + property.values);
 }
 
-void read_comparison(Expectation& to, const toml::node& node, const PropertyHelp& property) {
-  const bool whole = property.name == "sum_rules" || property.name == "generates" || property.name == "reproduces";
-  if (const auto* integer = node.as_integer(); integer && whole) {
+void read_comparison(Expectation& to, const toml::node& node, const Property& property) {
+  if (const auto* integer = node.as_integer(); integer && property.expects == Expects::whole_number) {
     to.relation = "=";
     to.number = Rational(static_cast<long>(integer->get()));
     to.expected = subcert::to_text(to.number);
@@ -58,7 +34,7 @@ void read_comparison(Expectation& to, const toml::node& node, const PropertyHelp
     if (value.rfind(relation, 0) != 0) continue;
     const std::size_t begin = value.find_first_not_of(' ', std::string(relation).size());
     const auto number = begin == std::string::npos ? std::nullopt : parse_number(std::string_view(value).substr(begin));
-    const bool is_order = property.name == "smoothness";
+    const bool is_order = property.expects == Expects::order;
     if (!number ||
         (is_order && (std::string(relation) != ">=" || denominator(*number) != 1 || *number < 0 || *number > 1000)))
       refuse(node, property);
@@ -70,21 +46,21 @@ void read_comparison(Expectation& to, const toml::node& node, const PropertyHelp
   refuse(node, property);
 }
 
-Expectation read_expectation(const PropertyHelp& property, const toml::node& node, const Place& place) {
+Expectation read_expectation(const Property& property, const toml::node& node, const Place& place) {
   Expectation result{property.name, "", place, "", 0, false, "", std::nullopt};
-  if (property.values == "true or false") {
+  if (property.expects == Expects::answer) {
     const auto* value = node.as_boolean();
     if (!value) refuse(node, property);
     result.yes = value->get();
     result.expected = result.yes ? "yes" : "no";
-  } else if (property.name == "support") {
+  } else if (property.expects == Expects::ends) {
     const auto* list = node.as_array();
     if (!list || list->size() != 2) refuse(node, property);
     const auto lower = exact_number(*list->get(0)), upper = exact_number(*list->get(1));
     if (!lower || !upper) refuse(node, property);
     result.ends = Interval{*lower, *upper};
     result.expected = "[" + subcert::to_text(*lower) + ", " + subcert::to_text(*upper) + "]";
-  } else if (property.name == "symmetry") {
+  } else if (property.expects == Expects::word) {
     const auto* word = node.as_string();
     if (!word || (word->get() != "odd" && word->get() != "even" && word->get() != "none")) refuse(node, property);
     result.word = result.expected = word->get();
@@ -96,7 +72,7 @@ Expectation read_expectation(const PropertyHelp& property, const toml::node& nod
 
 std::vector<std::string> known_keys() {
   std::vector<std::string> keys{"mask", "name"};
-  for (const PropertyHelp& property : known_properties()) keys.push_back(property.name);
+  for (const Property& property : known_properties()) keys.push_back(property.name);
   keys.emplace_back("for");
   return keys;
 }
@@ -162,8 +138,8 @@ ExpectedScheme read_scheme(const toml::table& table) {
       result.name = printable(node.as_string()->get());
       continue;
     }
-    const PropertyHelp* property = find_property(key.str());
-    if (surface && !property->of_surfaces)
+    const Property* property = find_property(key.str());
+    if (surface && !property->of_surface)
       throw FileError(
           place, "'" + property->name + "' is a property of schemes of one variable, got " + printable(specification));
     if (range && !property->of_ranges)

@@ -1,5 +1,7 @@
 #include "surface_facts.hpp"
 
+#include "facts/regularity_facts.hpp"
+
 #include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -84,18 +86,17 @@ std::vector<std::string> SurfaceFacts::row(std::vector<std::string> before) cons
 
 std::vector<SurfaceFacts> surface_facts(const std::vector<std::string>& specifications, const ReportOptions& options,
                                         double seconds, long most_searched) {
-  std::vector<SurfaceFacts> facts(specifications.size());
-  parallel_tasks(facts.size(), options.jobs, [&](std::size_t i) {
+  std::vector<SurfaceFacts> result(specifications.size());
+  parallel_tasks(result.size(), options.jobs, [&](std::size_t i) {
     if (options.progress) options.progress(specifications[i]);
     const auto scheme = std::get<MultivariateScheme>(make_linear_scheme(specifications[i]));
     const Budget budget{Deadline::in(options.budget.value_or(seconds))};
     const bool searched = options.budget || scheme.mask.symbol().count() <= most_searched;
-    facts[i] = {scheme.specification, limit_support(scheme.mask),
-                !scheme.factors.empty() ? tensor_product_regularity(scheme.factors, budget)
-                : searched              ? multivariate_regularity(scheme.mask, budget)
-                                        : sobolev_alone(scheme.mask)};
+    result[i] = {
+        scheme.specification, limit_support(scheme.mask),
+        searched || !scheme.factors.empty() ? facts::regularity_of(scheme, budget) : sobolev_alone(scheme.mask)};
   });
-  return facts;
+  return result;
 }
 
 }  // namespace subcert::reports

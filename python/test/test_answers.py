@@ -206,3 +206,19 @@ def test_pictures():
     assert subcert.scheme("primal:n=2")._repr_latex_().startswith("$a(z) = ")
     assert subcert.scheme("primal:n=2").holder()._repr_latex_().startswith("$")
     assert "exact" in subcert.scheme("primal:n=2").holder()._repr_html_()
+
+
+def test_facts_are_those_of_the_command_line():
+    curve, surface = subcert.scheme("dd:n=2"), subcert.scheme("loop:")
+    assert curve.facts["sum_rules"] == curve.sum_rules == 4
+    assert Fraction(curve.facts["support"]["upper"]) == curve.support[1] == 3
+    assert surface.facts["factors"] == [2, 2]
+    page = curve.analyze()
+    assert page["convergence"]["verdict"] == "yes" and {**page, **curve.facts} == page
+    assert surface.analyze(budget=2)["stable"]["verdict"] == "yes"
+    h = curve.holder()
+    assert h.facts["exact"] is h.exact and h.facts["method"] == h.method and h.facts["sum_rules"] == h.sum_rules
+    assert pickle.loads(pickle.dumps(h)).facts == h.facts
+    assert surface.holder().facts["variables"] == 2
+    with pytest.raises(subcert.DomainError):
+        subcert.scheme("mask:[1,2]/2").holder()

@@ -39,6 +39,13 @@ Fact smoothness_fact(const SmoothnessProof& proof, bool by_factors) {
           "", std::move(json)};
 }
 
+std::string integers_text(const LimitValues& integers) {
+  std::string text;
+  for (std::size_t i = 0; i < integers.values.size(); ++i)
+    text += fmt::format("{}phi({}) = {}", i ? ", " : "", to_text(integers.point(i)), to_text(integers.values[i]));
+  return text;
+}
+
 Fact variance_fact(const Mask& mask, const VarianceGrid& grid, const Rational& mean) {
   return {"variance",
           "variance",
@@ -56,13 +63,6 @@ Fact variance_fact(const Mask& mask, const VarianceGrid& grid, const Rational& m
 }
 
 }  // namespace
-
-std::string integers_text(const LimitValues& integers) {
-  std::string text;
-  for (std::size_t i = 0; i < integers.values.size(); ++i)
-    text += fmt::format("{}phi({}) = {}", i ? ", " : "", to_text(integers.point(i)), to_text(integers.values[i]));
-  return text;
-}
 
 Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
   const Mask& mask = scheme.mask;

@@ -53,7 +53,4 @@ Analysis analysis(const MultivariateScheme& scheme, const AnalysisOptions& optio
 /// The mask's facts, and those found out.
 Facts scheme_facts(const LinearScheme& scheme, const Analysis& known);
 
-/// Exact values at the integers, the mean of the variance curve: as the page says them.
-std::string integers_text(const LimitValues& integers);
-
 }  // namespace subcert::facts

@@ -1,0 +1,114 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/facts/family_facts.hpp>
+#include <subcert/reports/facts/limit_facts.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
+#include <subcert/reports/facts/scheme_facts.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace subcert;
+using namespace subcert::facts;
+
+namespace {
+
+/// Each member is there once, and each label; a fact is for programs or for people, or for both.
+void check_list(const Facts& list) {
+  std::set<std::string> keys, names;
+  for (const Fact& fact : list) {
+    CAPTURE(fact.key, fact.label);
+    CHECK((!fact.key.empty() || !fact.label.empty()));
+    if (!fact.key.empty()) CHECK(keys.insert(fact.key).second);
+    if (fact.label.empty()) continue;
+    CHECK(names.insert(fact.label).second);
+    CHECK_FALSE(fact.text.empty());
+  }
+  CHECK(page_json(list).size() == keys.size());
+}
+
+}  // namespace
+
+TEST_CASE("facts: every printer prints the same list") {
+  const Facts list{{"scheme", "scheme", "dd:n=2", "a title", "dd:n=2"},
+                   {"symbol", "symbol", "a(z)\n= b(z)", "", "a(z)"},
+                   decided("stable", "stable", {Truth::unknown, "no time"}),
+                   decided("convergence", "convergence", {Truth::yes, ""}),
+                   member("arity", 2),
+                   {"", "a long label", "words"},
+                   plain("sum_rules", "sum rules", 4)};
+  CHECK(page_text(list, 13) ==
+        "scheme       dd:n=2  (a title)\n"
+        "symbol       a(z)\n"
+        "             = b(z)\n"
+        "stable       unknown: no time\n"
+        "convergence  yes\n"
+        "a long label words\n"
+        "sum rules    4\n");
+  CHECK(page_text({{"", "wider than that", "words"}}, 5) == "wider than that words\n");
+  const Json stable{{"verdict", "unknown"}, {"reason", "no time"}}, convergence{{"verdict", "yes"}, {"reason", ""}};
+  CHECK(page_json(list) == Json{{"scheme", "dd:n=2"},
+                                {"symbol", "a(z)"},
+                                {"stable", stable},
+                                {"convergence", convergence},
+                                {"arity", 2},
+                                {"sum_rules", 4}});
+  CHECK(page_json({}) == Json::object());
+  CHECK(page_text({}, 13).empty());
+  CHECK(find(list, "symbol")->json == "a(z)");
+  CHECK(find(list, "arity") == nullptr);
+}
+
+TEST_CASE("facts: labels of several lists, in the order of each") {
+  const auto list = [](const std::vector<std::string>& names) {
+    Facts result;
+    for (const std::string& name : names) result.push_back({name, name, "x"});
+    return result;
+  };
+  CHECK(labels({list({"a", "c"}), list({"a", "b", "c", "d"}), {}}) == std::vector<std::string>{"a", "b", "c", "d"});
+  CHECK(labels({{member("a", 1)}}).empty());
+}
+
+TEST_CASE("facts: curves and surfaces, with proofs and without") {
+  for (const char* specification :
+       {"dd:n=2", "mask:[1]", "mask:[1,1]", "mask:[1,-1,1,1]", "mask:[1,1,1]", "daubechies:n=2", "bspline:degree=2,a=3",
+        "loop:", "quincunx:", "tensor:(dd:n=1)x(bspline:degree=1)", "mask2:[[1,0],[0,1]]", "mask2:[[1,1],[1,1]]"}) {
+    CAPTURE(specification);
+    const LinearScheme scheme = make_linear_scheme(specification);
+    const Facts of_mask = std::visit([](const auto& one) { return mask_facts(one); }, scheme);
+    const Analysis known = std::visit([](const auto& one) { return analysis(one, {{8, Deadline::in(2)}, 2}); }, scheme);
+    const Facts list = scheme_facts(scheme, known);
+    check_list(list);
+    REQUIRE(list.size() > of_mask.size());
+    CHECK(std::ranges::equal(of_mask, std::span(list).first(of_mask.size()), {}, &Fact::key, &Fact::key));
+    const Json json = page_json(list);
+    for (const char* key :
+         {"scheme", "title", "coefficients", "sum_rules", "support", "parametrization", "convergence"})
+      CHECK(json.contains(key));
+    // Without limits nothing is said of them.
+    CHECK((find(list, "stable") != nullptr && !known.convergence.is_yes()) == false);
+    CHECK((find(list, "smoothness") != nullptr && !known.convergence.is_yes()) == false);
+  }
+  check_list(family_facts(make_parametric_scheme("four-point:w")));
+}
+
+TEST_CASE("facts: exponents have the fields of the contract, whatever was found") {
+  const Budget budget{Deadline::in(1)};
+  for (const char* specification : {"dd:n=2", "bspline:degree=0", "mask:[1,2,2,2,1]/4", "mask:[-1,4,5,0]/4",
+                                    "loop:", "zwart-powell:", "tensor:(dd:n=1)x(dd:n=2)"}) {
+    CAPTURE(specification);
+    const LinearScheme scheme = make_linear_scheme(specification);
+    Facts list;
+    if (const auto* curve = std::get_if<Scheme>(&scheme))
+      list = regularity_facts(*curve, holder_regularity(curve->mask, 4, budget), std::nullopt, {});
+    else
+      list = regularity_facts(std::get<MultivariateScheme>(scheme),
+                              regularity_of(std::get<MultivariateScheme>(scheme), budget), {});
+    check_list(list);
+    const Json json = page_json(list);
+    for (const char* key :
+         {"scheme", "sum_rules", "bound", "holder", "exact", "method", "product", "stable", "seconds"})
+      CHECK(json.contains(key));
+    CHECK(json.at("stable").is_boolean());
+    CHECK(json.at("converges").is_string());
+  }
+}

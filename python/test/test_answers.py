@@ -220,5 +220,3 @@ def test_facts_are_those_of_the_command_line():
     assert h.facts["exact"] is h.exact and h.facts["method"] == h.method and h.facts["sum_rules"] == h.sum_rules
     assert pickle.loads(pickle.dumps(h)).facts == h.facts
     assert surface.holder().facts["variables"] == 2
-    with pytest.raises(subcert.DomainError):
-        subcert.scheme("mask:[1,2]/2").holder()

@@ -70,7 +70,7 @@ TEST_CASE("facts: labels of several lists, in the order of each") {
 
 TEST_CASE("facts: curves and surfaces, with proofs and without") {
   for (const char* specification :
-       {"dd:n=2", "mask:[1]", "mask:[1,1]", "mask:[1,-1,1,1]", "mask:[1,1,1]", "daubechies:n=2", "bspline:degree=2,a=3",
+       {"dd:n=2", "mask:[1,1]", "four-point:w=3/4", "mask:[1,2,2,2,1]/4", "daubechies:n=2", "bspline:degree=2,a=3",
         "loop:", "quincunx:", "tensor:(dd:n=1)x(bspline:degree=1)", "mask2:[[1,0],[0,1]]", "mask2:[[1,1],[1,1]]"}) {
     CAPTURE(specification);
     const LinearScheme scheme = make_linear_scheme(specification);
@@ -93,7 +93,7 @@ TEST_CASE("facts: curves and surfaces, with proofs and without") {
 
 TEST_CASE("facts: exponents have the fields of the contract, whatever was found") {
   const Budget budget{Deadline::in(1)};
-  for (const char* specification : {"dd:n=2", "bspline:degree=0", "mask:[1,2,2,2,1]/4", "mask:[-1,4,5,0]/4",
+  for (const char* specification : {"dd:n=2", "mask:[1,1]", "four-point:w=3/4", "mask:[1,2,2,2,1]/4",
                                     "loop:", "zwart-powell:", "tensor:(dd:n=1)x(dd:n=2)"}) {
     CAPTURE(specification);
     const LinearScheme scheme = make_linear_scheme(specification);

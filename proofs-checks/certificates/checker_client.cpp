@@ -5,6 +5,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,7 +34,8 @@ std::string checker_program() {
 
 CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::string& program) {
   int channel[2];
-  if (pipe(channel) != 0) throw std::system_error(errno, std::generic_category(), "checker: cannot make a pipe");
+  if (pipe2(channel, O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "checker: cannot make a pipe");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);

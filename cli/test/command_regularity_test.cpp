@@ -50,6 +50,15 @@ TEST_CASE("regularity: reduced masks") {
   CHECK(run_json("regularity dd:n=2").at("reduced").is_null());
 }
 
+TEST_CASE("regularity: several roots on one line, with the flip") {
+  const Folder folder;
+  const std::string certificate = folder / "c.cert";
+  const std::string mask = "mask:[7,14,21,28,35,28,15,2,-11,-24,-30,-24,-11,2,15,28,35,28,21,14,7]/40,arity=5";
+  const auto json = nlohmann::json::parse(run("regularity " + mask + " --json --certificate " + certificate).out);
+  CHECK(json.at("certificate").at("upper") == "270741929774503/250000000000000");
+  CHECK(run("verify " + certificate).code == 0);
+}
+
 TEST_CASE("regularity: width on demand") {
   const auto fine = run_json("regularity primal:n=5 --width 1e-60");
   const std::string digits = "1.99014395938625596641873752702416512012704326974351205988261";

@@ -15,6 +15,7 @@ Json statement_json(const statements::Statement& statement) {
           {"readings", statement.readings},
           {"follows", statement.follows},
           {"scan", statement.scan},
+          {"experiments", statement.experiments},
           {"recorded", to_text(statement.recorded)},
           {"recorded_grade", grade_json(statement.grade)}};
 }

@@ -48,12 +48,12 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
 
 /// Of collections there are none.
 std::vector<statements::CheckedStatement> check_statements_of(const std::vector<std::string>& papers,
-                                                           const ReproduceOptions& options) {
+                                                              const ReproduceOptions& options) {
   std::vector<const statements::Statement*> chosen;
   for (const statements::Statement& statement : statements::statements())
     if (std::find(papers.begin(), papers.end(), statement.paper()) != papers.end()) chosen.push_back(&statement);
   return statements::check_statements(chosen, statements::Tier::quick, options.threads(),
-                                   [&](const std::string& id) { options.progress(id); });
+                                      [&](const std::string& id) { options.progress(id); });
 }
 
 /// Which program ran, what was asked for, and today's date.

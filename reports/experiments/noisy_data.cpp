@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
+#include <mutex>
 
 namespace subcert::experiments {
 namespace {
@@ -71,6 +72,12 @@ void for_each_refined(
     const std::function<void(const Method& method, std::size_t r, const RefinedSample& sample)>& visit) {
   const std::size_t shares = (count + samples_per_share - 1) / samples_per_share;
   const bool both = sets == Sets::both && data.outliers > 0;
+  const std::vector<double> points = data.true_points().values;
+  struct Truth {
+    std::once_flag once;
+    std::vector<double> values;  // at the parameters after refinement, the same for all samples
+  };
+  std::vector<Truth> truths(methods.size());
   parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
     const Method& method = methods[task / shares];
     const std::size_t first = task % shares * samples_per_share, last = std::min(count, first + samples_per_share);
@@ -78,15 +85,16 @@ void for_each_refined(
     Batch batch{data.axes, data.dimension, {}};
     for (std::size_t r = first; r < last; ++r) {
       auto engine = generator(options.seed, r);
-      drawn.push_back(data.draw(engine));
+      drawn.push_back(data.draw(engine, points));
       if (both) batch.sets.push_back(drawn.back().without);
       batch.sets.push_back(drawn.back().with);
     }
     const Batch fine = refined(method.specification, batch, method.levels.value_or(data.levels));
-    const std::vector<double> truth = data.true_points(fine.axes).values;
+    Truth& truth = truths[task / shares];
+    std::call_once(truth.once, [&] { truth.values = data.true_points(fine.axes).values; });
     for (std::size_t k = 0; k < drawn.size(); ++k)
       visit(method, first + k,
-            {data, drawn[k], fine.axes, truth, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k]});
+            {data, drawn[k], fine.axes, truth.values, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k]});
   });
 }
 
@@ -102,8 +110,8 @@ std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   return result;
 }
 
-OutlierSample NoisyData::draw(std::mt19937_64& engine) const {
-  OutlierSample sample{true_points().values, {}};
+OutlierSample NoisyData::draw(std::mt19937_64& engine, std::vector<double> points) const {
+  OutlierSample sample{std::move(points), {}};
   if (sigma) {
     const auto noise = normal_noise(engine, sample.without.size());
     for (std::size_t i = 0; i < noise.size(); ++i) sample.without[i] += *sigma * noise[i];

@@ -33,8 +33,9 @@ struct NoisyData {
   std::size_t outliers = 0;
   std::function<void(std::mt19937_64&, double* point)> displace = {};  ///< makes an outlier of a point
 
-  /// Draws the noise, then the places of the outliers, then each.
-  OutlierSample draw(std::mt19937_64& engine) const;
+  /// Draws the noise, then the places of the outliers, then each. `points`: the values of true_points().
+  OutlierSample draw(std::mt19937_64& engine, std::vector<double> points) const;
+  OutlierSample draw(std::mt19937_64& engine) const { return draw(engine, true_points().values); }
   OutlierSample first_sample(std::uint64_t seed) const;
   /// Sample 0 with its outliers.
   data::GridData<double> first_data(std::uint64_t seed) const { return as_grid(first_sample(seed).with); }

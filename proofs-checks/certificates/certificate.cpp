@@ -494,7 +494,8 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
 }
 
 Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity) {
-  require(regularity.radius && regularity.space, "certificate: need a joint spectral radius, got none");
+  require(regularity.radius && regularity.space,
+          "certificate: need a joint spectral radius, got none (of a tensor product, certify the factors)");
   const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());

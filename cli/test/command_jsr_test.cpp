@@ -231,13 +231,20 @@ TEST_CASE("jsr: certificates name what is exact, and say so where they do not") 
 
 TEST_CASE("jsr: a certificate claims no more than the product proves whose eigenvalue is multiple") {
   const Folder folder;
-  const std::string file = folder / "file.json", certificate = folder / "c.cert";
-  std::ofstream(file, std::ios::binary) << R"({"matrices": [[[5,0,0],[0,5,0],[0,0,1]],[[1,2,1],[2,-3,1],[1,1,0]]]})";
-  const auto json = nlohmann::json::parse(run("jsr " + file + " --json --budget 3 --certificate " + certificate).out);
-  CHECK(json.at("radius").at("lower") == "5");
-  const std::string claim = run("verify " + certificate).out;
-  CAPTURE(claim);
-  CHECK(contains(claim, "VERIFIED 4999999999999999/1000000000000000 <= joint spectral radius"));
+  const std::string file = folder / "file.json";
+  for (const char* family :
+       {R"({"matrices": [[[5,0,0],[0,5,0],[0,0,1]],[[1,2,1],[2,-3,1],[1,1,0]]]})",
+        R"({"matrices": [[["9e-40","4e-12"],[0,"-3e-40"]],[["5e-12",-3],[0,"-6e-12"]],[["-3e-40","-5e-40"],[0,5]],)"
+        R"([["-9e-12","-1e-12"],[0,8]],[["9e-40","4e-12"],[0,"-3e-40"]]],)"
+        R"("edges": [[1,0,0],[0,0,2],[1,1,2],[0,1,3],[1,1,4]]})"}) {
+    std::ofstream(file, std::ios::binary) << family;
+    const std::string certificate = (folder / std::to_string(std::string(family).size())) + ".cert";
+    const auto json = nlohmann::json::parse(run("jsr " + file + " --json --budget 3 --certificate " + certificate).out);
+    CHECK(json.at("radius").at("lower") == "5");
+    const std::string claim = run("verify " + certificate).out;
+    CAPTURE(claim);
+    CHECK(contains(claim, "VERIFIED 4999999999999999/1000000000000000 <= joint spectral radius"));
+  }
 }
 
 TEST_CASE("jsr: the certificate of a large matrix of huge numbers claims no more than its inverse proves") {

@@ -1,5 +1,9 @@
 #include "noise_levels.hpp"
 
+#include <subcert/proofs-checks/verdict.hpp>
+
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +40,21 @@ struct MethodComparison {
     }
   }
 };
+
+/// Whether the first error is smaller at each level; the contrary: larger at one.
+Truth each(const MethodComparison& found, const Levels& levels) {
+  return found.smaller.size() == levels.count() ? Truth::yes : found.larger.empty() ? Truth::unknown : Truth::no;
+}
+/// At some level; the contrary: larger at all.
+Truth some(const MethodComparison& found, const Levels& levels) {
+  return !found.smaller.empty() ? Truth::yes : found.larger.size() == levels.count() ? Truth::no : Truth::unknown;
+}
+
+/// yes where one is, no where all are.
+Truth any_of(const std::vector<Truth>& truths) {
+  if (std::ranges::count(truths, Truth::yes) > 0) return Truth::yes;
+  return std::ranges::count(truths, Truth::unknown) > 0 ? Truth::unknown : Truth::no;
+}
 
 std::string ratios(const Measured& errors, const std::string& first, const std::string& second, const Levels& levels) {
   double least = INFINITY, largest = 0;
@@ -80,41 +99,47 @@ Relation in_the_mean(const std::string& statistic, const Levels& levels, const s
 
 Quantity error_at(const std::string& method, int decibel) { return {method, std::to_string(decibel)}; }
 
-Relation smaller_error(const std::string& better, const std::string& worse, const Levels& levels, At where) {
-  const std::string compared = "mean of the paired difference of errors, " + better + " minus " + worse;
-  if (where == At::mean_over_levels)
-    return in_the_mean(compared + ", negative in the mean over ", levels, {excess(better, worse)});
+Relation smaller_error(const std::vector<Pair>& pairs, const Levels& levels, At where) {
+  std::string compared = "mean of the paired difference of errors";
+  std::vector<Mean> excesses;
+  for (const auto& [better, worse] : pairs) {
+    compared += ", " + better + " minus " + worse;
+    excesses.push_back(excess(better, worse));
+  }
+  if (where == At::mean_over_levels) return in_the_mean(compared + ", negative in the mean over ", levels, excesses);
   return [=](const Measured& errors) {
-    const MethodComparison found(errors, better, worse, levels, each_of(levels.count()));
-    const bool some = where == At::some_level;
-    const bool yes = some ? !found.smaller.empty() : found.smaller.size() == levels.count(),
-               no = some ? found.larger.size() == levels.count() : !found.larger.empty();
-    return Finding{yes  ? Truth::yes
-                   : no ? Truth::no
-                        : Truth::unknown,
-                   compared + ", negative with its whole interval at " + (some ? "some level, " : "each level, ") +
-                       decibels(levels),
-                   "negative at " + listed(found.smaller) + " dB; positive at " + listed(found.larger) +
-                       "; undecided at " + listed(found.undecided) + "; " + ratios(errors, better, worse, levels)};
+    const double confidence = each_of(pairs.size() * levels.count());
+    std::vector<Truth> truths;
+    std::vector<std::string> numbers;
+    for (const auto& [better, worse] : pairs) {
+      const MethodComparison found(errors, better, worse, levels, confidence);
+      truths.push_back(where == At::some_level ? some(found, levels) : each(found, levels));
+      numbers.push_back("negative at " + listed(found.smaller) + " dB; positive at " + listed(found.larger) +
+                        "; undecided at " + listed(found.undecided) + "; " + ratios(errors, better, worse, levels));
+    }
+    return Finding{where == At::some_level ? any_of(truths) : all_of(truths),
+                   compared + ", negative with its whole interval at " +
+                       (where == At::some_level ? "some level, " : "each level, ") + decibels(levels),
+                   fmt::format("{}", fmt::join(numbers, ". "))};
   };
 }
 
-Relation nearly_equal_error(const std::string& first, const std::string& second, double factor, const Levels& levels,
-                            At where) {
+Relation nearly_equal_error(const std::vector<Pair>& pairs, double factor, const Levels& levels, At where) {
   const std::string compared = "neither mean error is more than " + short_number(factor) + " times the other, ";
-  if (where == At::mean_over_levels)
-    return in_the_mean(compared + "in the mean over ", levels,
-                       {excess(first, second, factor), excess(second, first, factor)});
+  std::vector<Pair> both_ways;
+  for (const auto& [first, second] : pairs) both_ways.insert(both_ways.end(), {{first, second}, {second, first}});
+  std::vector<Mean> excesses;
+  for (const auto& [first, second] : both_ways) excesses.push_back(excess(first, second, factor));
+  if (where == At::mean_over_levels) return in_the_mean(compared + "in the mean over ", levels, excesses);
   return [=](const Measured& errors) {
-    const double confidence = each_of(2 * levels.count());
-    const MethodComparison one(errors, first, second, levels, confidence, factor),
-        other(errors, second, first, levels, confidence, factor);
-    const std::size_t all = levels.count();
-    return Finding{one.smaller.size() == all && other.smaller.size() == all ? Truth::yes
-                   : !one.larger.empty() || !other.larger.empty()           ? Truth::no
-                                                                            : Truth::unknown,
-                   compared + "at each level, " + decibels(levels) + ", with their whole intervals",
-                   ratios(errors, first, second, levels)};
+    const double confidence = each_of(both_ways.size() * levels.count());
+    std::vector<Truth> truths;
+    for (const auto& [first, second] : both_ways)
+      truths.push_back(each(MethodComparison(errors, first, second, levels, confidence, factor), levels));
+    std::vector<std::string> numbers;
+    for (const auto& [first, second] : pairs) numbers.push_back(ratios(errors, first, second, levels));
+    return Finding{all_of(truths), compared + "at each level, " + decibels(levels) + ", with their whole intervals",
+                   fmt::format("{}", fmt::join(numbers, "; "))};
   };
 }
 

@@ -19,13 +19,18 @@ Quantity error_at(const std::string& method, int decibel);
 /// mean_over_levels: the errors are averaged over the levels first, as one looks at a whole curve of errors.
 enum class At { each_level, some_level, mean_over_levels };
 
-/// `better` has a smaller mean error than `worse`: the mean of the paired differences is negative with its whole
-/// interval. The contrary: it is positive, at one of the levels where each is asked, at all where some is.
-Relation smaller_error(const std::string& better, const std::string& worse, const Levels& levels, At where);
+/// The names of two methods that are compared.
+struct Pair {
+  std::string first, second;
+};
 
-/// Neither mean error is more than `factor` times the other; the contrary: one of them is, at one of the levels.
-/// Domain: factor > 1, where != some_level.
-Relation nearly_equal_error(const std::string& first, const std::string& second, double factor, const Levels& levels,
-                            At where);
+/// The first of each pair has a smaller mean error than the second: the mean of the paired differences is negative with
+/// its whole interval; at some level of one pair where some is asked. The contrary: it is positive, for one pair at one
+/// of the levels where each is asked, for all pairs at all levels where some is. Domain: at least one pair.
+Relation smaller_error(const std::vector<Pair>& pairs, const Levels& levels, At where);
+
+/// Of each pair neither mean error is more than `factor` times the other; the contrary: one of them is, at one of the
+/// levels. Domain: at least one pair, factor > 1, where != some_level.
+Relation nearly_equal_error(const std::vector<Pair>& pairs, double factor, const Levels& levels, At where);
 
 }  // namespace subcert::experiments

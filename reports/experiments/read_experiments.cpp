@@ -57,11 +57,18 @@ struct Fields {
   Bound bound(const std::string& key, double otherwise) const {
     return has(key) && table.get(key)->is_string() ? Bound(text(key)) : Bound(number(key, otherwise));
   }
-  /// Domain: a list of two texts.
-  std::pair<std::string, std::string> two(const std::string& key) const {
-    const toml::array& both = list_of(table, key);
-    if (both.size() != 2) throw FileError(place_of(both), "expected two texts");
-    return {plain(*both.get(0)), plain(*both.get(1))};
+  /// A list of two texts, or of such lists.
+  std::vector<Pair> pairs(const std::string& key) const {
+    const toml::array& list = list_of(table, key);
+    if (list.empty() || !list.get(0)->is_array()) return {pair(list)};
+    std::vector<Pair> result;
+    for (const toml::node& node : list) result.push_back(pair(node));
+    return result;
+  }
+  Pair pair(const toml::node& node) const {
+    const toml::array* both = node.as_array();
+    if (!both || both->size() != 2) throw FileError(place_of(node), "expected two texts");
+    return {plain(*both->get(0)), plain(*both->get(1))};
   }
 };
 
@@ -136,16 +143,15 @@ At where_of(const Fields& claim, const std::map<std::string, At>& words) {
 }
 
 Relation relation_of_smaller_error(const Fields& claim) {
-  const auto [better, worse] = claim.two("smaller-error");
-  return smaller_error(better, worse, levels_of(claim),
+  return smaller_error(claim.pairs("smaller-error"), levels_of(claim),
                        where_of(claim, {{"some level", At::some_level}, {"mean", At::mean_over_levels}}));
 }
 
 Relation relation_of_equal_error(const Fields& claim) {
-  const auto [first, second] = claim.two("equal-error");
   const double factor = claim.number("within", 0);
   if (!(factor > 1)) throw FileError(place_of(claim.table), "expected the key 'within' with a factor > 1");
-  return nearly_equal_error(first, second, factor, levels_of(claim), where_of(claim, {{"mean", At::mean_over_levels}}));
+  return nearly_equal_error(claim.pairs("equal-error"), factor, levels_of(claim),
+                            where_of(claim, {{"mean", At::mean_over_levels}}));
 }
 
 /// What decides a claim: the key that says so, the keys that go with it.

@@ -136,6 +136,11 @@ const TestFunction f2{"f_2", [](double x) { return std::cos(x * 2 / 5) + cube(x 
 const TestFunction f3{"f_3", [](double x) { return std::cos(x / 10) - cube(x / 50 - 1); }};
 const TestFunction f4{"f_4", [](double x) { return std::cos(x * 2 / 5) - cube(x / 50 - 0.8); }};
 
+/// LLR with the bandwidth that the run chooses.
+std::string regression(const Run& run) {
+  return run.chosen("bandwidth") == "leaving out" ? leaving_out + "1" : by_medians;
+}
+
 struct FunctionFigure {
   TestFunction function;
   std::array<Method, 2> compared;
@@ -146,7 +151,7 @@ struct FunctionFigure {
   /// Both methods of the figure; as taken, for comparison the others, too.
   std::vector<Method> methods(const Run& run) const {
     std::vector<Method> result(compared.begin(), compared.end());
-    if (has_regression() && run.chosen("bandwidth") == "leaving out") result[1].specification = leaving_out + "1";
+    if (has_regression()) result[1].specification = regression(run);
     if (!run.is_alternative()) result.insert(result.end(), baselines.begin(), baselines.end());
     result.insert(result.end(), beside.begin(), beside.end());
     return result;
@@ -183,11 +188,16 @@ formats::Figure figure_of(const FunctionFigure& figure, const FunctionTrial& tri
           {over_noise, shown}};
 }
 
-MeansTable errors_table(const FunctionFigure& figure, const Run& run) {
+MeansTable errors_table(const std::vector<Method>& methods, const Run& run) {
   MeansTable table{run.experiment.id + "-errors", "Mean relative errors", {"SNR (dB)"}, {}, {}};
   for (int decibel = loudest; decibel <= quietest; ++decibel)
     table.rows.push_back({{std::to_string(decibel)}, std::to_string(decibel)});
-  for (const Method& method : figure.methods(run)) table.columns.push_back({method.name, method.name});
+  for (const Method& method : methods) table.columns.push_back({method.name, method.name});
+  return table;
+}
+
+MeansTable errors_table(const FunctionFigure& figure, const Run& run) {
+  MeansTable table = errors_table(figure.methods(run), run);
   table.columns.push_back({"first minus second", figure.compared[0].name, figure.compared[1].name});
   return table;
 }
@@ -198,6 +208,24 @@ Measured measured(const FunctionFigure& figure, const Run& run) {
   if (run.is_alternative()) return result;
   result.tables = {errors_table(figure, run).filled(result)};
   result.figures = {figure_of(figure, trial, result, run)};
+  return result;
+}
+
+/// All that Figures 3 to 7 compare: "S_3 on f_1".
+Measured measured_together(const Run& run) {
+  const std::pair<TestFunction, std::vector<int>> compared[]{{f1, {3, 5, 7}}, {f2, {3, 5}}};
+  Measured result;
+  std::vector<Method> all;
+  for (const auto& [function, sizes] : compared) {
+    std::vector<Method> methods{{"LLR on " + function.name, regression(run)}};
+    for (const int n : sizes) {
+      const std::string scheme = "primal:n=" + std::to_string(n);
+      methods.push_back({scheme_name(scheme) + " on " + function.name, scheme});
+    }
+    result.samples.merge(FunctionTrial(function, Setting(run), methods).errors(run).samples);
+    all.insert(all.end(), methods.begin(), methods.end());
+  }
+  if (!run.is_alternative()) result.tables = {errors_table(all, run).filled(result)};
   return result;
 }
 
@@ -217,6 +245,7 @@ Measures functions() {
           {"fig5", compared(f1, "primal:n=7", llr, 7.9)},
           {"fig6", compared(f2, "primal:n=3", llr, 6.2, {{"S_5", "primal:n=5"}})},
           {"fig7", compared(f2, "primal:n=5", llr, 8)},
+          {"figs3-7", measured_together},
           {"fig10", compared(f3, "primal:n=5", s53, 8.2)},
           {"fig11", compared(f4, "primal:n=5", s53, 7.2)},
           {"fig12", compared(f3, "primal:n=6,d=3", s93, 8.4)},

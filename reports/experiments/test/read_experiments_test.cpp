@@ -114,33 +114,43 @@ TEST_CASE("errors over levels of noise: each, some, nearly equal") {
     errors.samples[error_at("far", decibel)] = {1.2, decibel < 5 ? 1.201 : 1.9};
   }
   const auto of = [&](const Relation& relation) { return relation(errors).truth; };
-  CHECK(of(smaller_error("near", "far", {1, 4}, At::each_level)) == Truth::yes);
-  CHECK(of(smaller_error("far", "near", {1, 4}, At::each_level)) == Truth::no);
-  const Finding each = smaller_error("near", "far", {1, 6}, At::each_level)(errors);
+  CHECK(of(smaller_error({{"near", "far"}}, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(smaller_error({{"far", "near"}}, {1, 4}, At::each_level)) == Truth::no);
+  const Finding each = smaller_error({{"near", "far"}}, {1, 6}, At::each_level)(errors);
   CHECK(each.truth == Truth::unknown);
   CHECK(each.numbers.starts_with("negative at 1 to 4 dB; positive at none; undecided at 5 to 6; ratio"));
-  CHECK(of(smaller_error("near", "far", {1, 6}, At::some_level)) == Truth::yes);
-  CHECK(of(smaller_error("far", "near", {1, 4}, At::some_level)) == Truth::no);
-  CHECK(of(smaller_error("far", "near", {1, 6}, At::some_level)) == Truth::unknown);
-  CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 4}, At::each_level)) == Truth::yes);
-  CHECK(of(nearly_equal_error("near", "far", 1.1, {1, 4}, At::each_level)) == Truth::no);
-  CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 6}, At::each_level)) == Truth::unknown);
+  CHECK(of(smaller_error({{"near", "far"}}, {1, 6}, At::some_level)) == Truth::yes);
+  CHECK(of(smaller_error({{"far", "near"}}, {1, 4}, At::some_level)) == Truth::no);
+  CHECK(of(smaller_error({{"far", "near"}}, {1, 6}, At::some_level)) == Truth::unknown);
+  CHECK(of(nearly_equal_error({{"near", "far"}}, 1.3, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(nearly_equal_error({{"near", "far"}}, 1.1, {1, 4}, At::each_level)) == Truth::no);
+  CHECK(of(nearly_equal_error({{"near", "far"}}, 1.3, {1, 6}, At::each_level)) == Truth::unknown);
+  // Of several pairs each, but some level of one pair is enough.
+  const std::vector<Pair> both{{"near", "far"}, {"far", "near"}};
+  CHECK(of(smaller_error(both, {1, 4}, At::each_level)) == Truth::no);
+  CHECK(of(smaller_error({both[0], both[0]}, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(smaller_error(both, {1, 4}, At::some_level)) == Truth::yes);
+  CHECK(of(smaller_error({both[1], both[1]}, {1, 4}, At::some_level)) == Truth::no);
+  CHECK(of(smaller_error({both[1], both[1]}, {1, 6}, At::some_level)) == Truth::unknown);
+  CHECK(of(smaller_error(both, {1, 4}, At::mean_over_levels)) == Truth::no);
+  CHECK(of(nearly_equal_error({both[0], {"near", "near"}}, 1.3, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(nearly_equal_error({{"near", "near"}, both[0]}, 1.1, {1, 4}, At::each_level)) == Truth::no);
   // The factor counts both ways.
-  CHECK(of(nearly_equal_error("far", "near", 1.3, {1, 4}, At::each_level)) == Truth::yes);
-  CHECK(of(nearly_equal_error("far", "near", 1.1, {1, 4}, At::each_level)) == Truth::no);
+  CHECK(of(nearly_equal_error({{"far", "near"}}, 1.3, {1, 4}, At::each_level)) == Truth::yes);
+  CHECK(of(nearly_equal_error({{"far", "near"}}, 1.1, {1, 4}, At::each_level)) == Truth::no);
   // Averaged over the levels first: what is lost at one may be won at the others.
   errors.samples[error_at("mixed", 1)] = {5, 5.001};
   for (int decibel = 2; decibel <= 4; ++decibel) errors.samples[error_at("mixed", decibel)] = {0.01, 0.012};
-  CHECK(of(smaller_error("mixed", "far", {2, 4}, At::mean_over_levels)) == Truth::yes);
-  CHECK(of(smaller_error("mixed", "far", {1, 4}, At::mean_over_levels)) == Truth::no);
-  CHECK(of(smaller_error("mixed", "far", {1, 4}, At::each_level)) == Truth::no);
-  CHECK(of(nearly_equal_error("mixed", "near", 1.3, {1, 4}, At::mean_over_levels)) == Truth::yes);
-  CHECK(of(nearly_equal_error("mixed", "near", 1.2, {1, 4}, At::mean_over_levels)) == Truth::no);
-  CHECK(of(nearly_equal_error("near", "mixed", 1.2, {1, 4}, At::mean_over_levels)) == Truth::no);
+  CHECK(of(smaller_error({{"mixed", "far"}}, {2, 4}, At::mean_over_levels)) == Truth::yes);
+  CHECK(of(smaller_error({{"mixed", "far"}}, {1, 4}, At::mean_over_levels)) == Truth::no);
+  CHECK(of(smaller_error({{"mixed", "far"}}, {1, 4}, At::each_level)) == Truth::no);
+  CHECK(of(nearly_equal_error({{"mixed", "near"}}, 1.3, {1, 4}, At::mean_over_levels)) == Truth::yes);
+  CHECK(of(nearly_equal_error({{"mixed", "near"}}, 1.2, {1, 4}, At::mean_over_levels)) == Truth::no);
+  CHECK(of(nearly_equal_error({{"near", "mixed"}}, 1.2, {1, 4}, At::mean_over_levels)) == Truth::no);
   // Two intervals are asked to hold together: each of 99 % would do here.
   errors.samples[error_at("near", 1)] = {0.997, 1.003};
   errors.samples[error_at("far", 1)] = {1, 1};
-  CHECK(of(nearly_equal_error("near", "far", 1.3, {1, 1}, At::each_level)) == Truth::unknown);
+  CHECK(of(nearly_equal_error({{"near", "far"}}, 1.3, {1, 1}, At::each_level)) == Truth::unknown);
 }
 
 TEST_CASE("a claim is decided over every choice, by its best reading") {
@@ -273,6 +283,8 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
         std::string::npos);
   CHECK(refusal(means + "below = 0\nrecorded = 'holds'\n").find("contrary shown") != std::string::npos);
   CHECK(refusal(file + "smaller-error = ['a']\n") == "line 10, column 17: expected two texts");
+  CHECK(refusal(file + "smaller-error = [['a', 'b'], ['a']]\n") == "line 10, column 30: expected two texts");
+  CHECK(refusal(file + "smaller-error = []\n") == "line 10, column 17: expected two texts");
   CHECK(refusal("[text]\n" + head).find("names no text of [text]") != std::string::npos);
   CHECK(refusal(text + "[[choice]]\nname = 'a'\n" + head).find("expected the key 'open'") != std::string::npos);
   CHECK(refusal(text + head + "choices = ['a']\n").find("no [[choice]] of this name") != std::string::npos);

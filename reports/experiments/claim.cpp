@@ -40,6 +40,10 @@ ClaimVerdict verdict_over(const std::vector<VariantFinding>& findings) {
   return yes > 0 ? ClaimVerdict::holds : ClaimVerdict::contrary;
 }
 
+std::string DecidedReading::read_as() const {
+  return words + (late ? " (chosen after the numbers were seen: it can save a sentence, not show it)" : "");
+}
+
 std::string DecidedReading::numbers() const {
   const Finding& taken = findings.front().finding;
   if (findings.size() == 1) return taken.numbers;
@@ -77,7 +81,7 @@ DecidedClaim decided(const Claim& claim, const std::vector<Variant>& variants) {
   }
   std::ranges::stable_sort(readings, {}, [](const DecidedReading& r) { return rank(r.verdict); });
   const DecidedReading& best = readings.front();
-  const std::string words = best.words.empty() ? "" : "read as: " + best.words + "; ";
+  const std::string words = best.words.empty() ? "" : "read as: " + best.read_as() + "; ";
   DecidedClaim result{claim.sentence,
                       claim.place,
                       claim.on_our_data ? ClaimVerdict::own_data : best.verdict,

@@ -58,6 +58,8 @@ struct DecidedReading {
   ClaimVerdict verdict;                  ///< of this reading, whosever data they are; never own_data
   bool late;                             ///< then depends at best
   std::vector<VariantFinding> findings;  ///< as taken first
+  /// How the sentence is read, and whether that was chosen late; may be empty.
+  std::string read_as() const;
   /// The numbers as taken, and which other choices say the same, the contrary or nothing.
   std::string numbers() const;
 };

@@ -146,7 +146,7 @@ formats::PlainTable remarks_table(const RanExperiment& ran) {
     for (std::size_t i = from; i < claim.readings.size(); ++i) {
       const DecidedReading& r = claim.readings[i];
       table.rows.push_back({claim.sentence + (claim.counted_in.empty() ? "" : " (" + claim.counted_in + ")"),
-                            r.words.empty() ? r.findings.front().finding.statistic : r.words, to_text(r.verdict),
+                            r.words.empty() ? r.findings.front().finding.statistic : r.read_as(), to_text(r.verdict),
                             r.numbers()});
     }
   };
@@ -196,6 +196,7 @@ nlohmann::ordered_json claim_json(const DecidedClaim& c) {
                          {"shown", to_text(f.finding.truth)},
                          {"numbers", f.finding.numbers}});
     json["readings"].push_back({{"read as", r.words},
+                                {"late", r.late},
                                 {"finding", to_text(r.verdict)},
                                 {"statistic", r.findings.front().finding.statistic},
                                 {"choices", choices}});

@@ -3,7 +3,6 @@
 
 #include "claim.hpp"
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -79,9 +78,6 @@ struct RanExperiment {
   ExperimentOptions options;
   ExperimentResult result;
 };
-
-/// How many times the samples a question gets that fewer leave open.
-inline constexpr std::array<std::size_t, 3> patience{4, 16, 64};
 
 /// Measures with every choice as taken and with each other value of one of them, and decides the claims. What is open
 /// is measured again with `patience` times the samples. Domain: options.runs >= 2. Errors: throws a domain error

@@ -42,7 +42,7 @@ std::string MeanInterval::text() const { return short_number(mean) + " ± " + sh
 
 double each_of(std::size_t count) {
   require(count >= 1, "each_of: need count >= 1");
-  return 1 - (1 - together) / static_cast<double>(count);
+  return 1 - (1 - together) / static_cast<double>(count * (1 + patience.size()));
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 /// Random noise that is the same on every machine, and means with confidence intervals.
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -35,8 +36,10 @@ struct MeanInterval {
 /// The confidence of a table's intervals, each for itself, and that with which all intervals of a decision hold
 /// together.
 inline constexpr double shown_confidence = 0.95, together = 0.99;
-/// The confidence of each of `count` intervals that hold together with the confidence `together`, by Bonferroni's
-/// inequality. Domain: count >= 1.
+/// How many times the samples a question gets that fewer leave open.
+inline constexpr std::array<std::size_t, 3> patience{4, 16, 64};
+/// The confidence of each of `count` intervals that hold together with the confidence `together`, in the first look at
+/// the samples and in each that `patience` adds, by Bonferroni's inequality. Domain: count >= 1.
 double each_of(std::size_t count);
 
 /// The mean with its interval by Student's t; where all values are 0 or 1, by Clopper and Pearson, whose farther end it

@@ -3,6 +3,10 @@
 #include "limit_trial.hpp"
 #include "parts.hpp"
 
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
+#include <subcert/schemes/specification.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -68,6 +72,15 @@ double roundness(const TrialSample& s) {
   return least / largest;
 }
 
+/// "phi(0) of S_3" and the like, rounded from the exact values. Where a limit is nearer to the noisy samples than to
+/// the exact ones is seen from them alone: the residuals at the samples and the errors there have the same bias, and
+/// away from the ends the variances 1 - 2 phi(0) + psi(0) and psi(0), times that of the noise.
+void add_values_at_zero(Measured& result, const std::vector<std::string>& schemes) {
+  for (const std::string& scheme : schemes)
+    result.numbers["phi(0) of " + scheme_name(scheme)] = data::nearest_double(
+        limit_values(make_scheme(scheme).mask, 0).at(0));
+}
+
 }  // namespace
 
 Measured alpha_curve(const Run& run) {
@@ -95,6 +108,7 @@ Measured alpha_curve(const Run& run) {
   Measured result = trial.measured(run);
   const Curve truth = trial.truth();
   result.numbers = {{"crossings", crossings(truth)}, {"total turning", total_turning(truth)}};
+  add_values_at_zero(result, trial.schemes);
   if (!run.is_alternative()) result.figures = {trial.curves_figure(run)};
   return result;
 }
@@ -124,6 +138,7 @@ Measured star(const Run& run) {
       .factor = run.number("decibel")};
   Measured result = trial.measured(run);
   result.numbers = {{"middle", (0.6 + std::cos(std::numbers::pi / 5)) / 2}};  // of a star and a pentagon
+  add_values_at_zero(result, trial.schemes);
   if (!run.is_alternative()) result.figures = {trial.curves_figure(run)};
   return result;
 }

@@ -20,8 +20,8 @@ struct Response {
   std::vector<double> values;
 };
 
-Response response(int points, const L1Options& options, int at_level = level) {
-  const data::GridData<double> data = data::l1_impulse_response({{points}, 1, options}, at_level);
+Response response(int points, const L1Options& options) {
+  const data::GridData<double> data = data::l1_impulse_response({{points}, 1, options}, level);
   return {parameters(data.axes[0]), data.values};
 }
 
@@ -86,15 +86,6 @@ Shape shape(const Response& r) {
   return result;
 }
 
-/// The largest change of slope between neighbouring edges of the polygon.
-double slope_change(const Response& r) {
-  double largest = 0;
-  for (std::size_t i = 1; i + 1 < r.values.size(); ++i)
-    largest = std::max(largest,
-                       std::abs(r.values[i - 1] - 2 * r.values[i] + r.values[i + 1]) / (r.at[i + 1] - r.at[i]));
-  return largest;
-}
-
 formats::PlainTable shapes_table() {
   formats::PlainTable table{"l1-fig2-shapes", "Shape over iterations and delta", {"iterations", "delta"}, {}};
   for (const int points : {6, 7, 8})
@@ -151,15 +142,12 @@ Measured limit_functions(const Run& run) {
     result.add_fact("peaks", name, s.peaks == 2 && s.valley < 0.5,
                     std::to_string(s.peaks) + " of height " + short_number(s.height) + ", valley / height " +
                         short_number(s.valley));
-    std::string rates;
-    bool all_positive = true;
-    for (int k = 6; k < 10; ++k) {
-      const double rate = std::log2(slope_change(response(points, options, k)) /
-                                    slope_change(response(points, options, k + 1)));
-      all_positive = all_positive && rate > 0;
-      rates += (rates.empty() ? "" : ", ") + short_number(rate);
-    }
-    result.add_fact("smooth", name, all_positive, rates);
+    add_smoothness(
+        result, name,
+        [&](int at_level) {
+          return data::l1_impulse_response({{points}, 1, options}, at_level);
+        },
+        6, 10);
   }
   if (run.is_alternative()) return result;
   result.tables = {shapes_table()};

@@ -1,7 +1,9 @@
 #include "parts.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace subcert::experiments::mustafa_li_2015 {
@@ -32,6 +34,39 @@ void add_outlier_study(Measured& result, const Run& run, const std::string& tabl
   study(result, data, methods, measures, run, prefix);
   if (!run.is_alternative())
     result.tables.push_back(outlier_table(run.experiment.id + table, title, methods, prefix).filled(result));
+}
+
+namespace {
+
+double largest_slope_change(const data::GridData<double>& f) {
+  double largest = 0;
+  std::size_t stride = 1;
+  for (const data::Axis& axis : f.axes) {
+    const double step = data::nearest_double(axis.step);
+    for (std::size_t i = 0; i < f.values.size(); ++i) {
+      const std::size_t place = i / stride % axis.count;
+      if (place == 0 || place + 1 == axis.count) continue;
+      largest = std::max(largest, std::abs(f.values[i - stride] - 2 * f.values[i] + f.values[i + stride]) / step);
+    }
+    stride *= axis.count;
+  }
+  return largest;
+}
+
+}  // namespace
+
+void add_smoothness(Measured& result, const std::string& name,
+                    const std::function<data::GridData<double>(int level)>& at_level, int first, int last) {
+  std::string rates;
+  bool all_positive = true;
+  double before = largest_slope_change(at_level(first));
+  for (int level = first + 1; level <= last; ++level) {
+    const double now = largest_slope_change(at_level(level)), rate = std::log2(before / now);
+    all_positive = all_positive && rate > 0;
+    rates += (rates.empty() ? "" : ", ") + short_number(rate);
+    before = now;
+  }
+  result.add_fact("smooth", name, all_positive, rates);
 }
 
 Measures measures() {

@@ -29,4 +29,9 @@ void add_outlier_study(Measured& result, const Run& run, const std::string& tabl
                        const NoisyData& data, const std::vector<Method>& methods, const std::string& prefix = "",
                        std::vector<SampleMeasure> measures = {});
 
+/// Adds the fact "smooth" of this name: whether the largest change of slope between neighbouring edges along an axis
+/// falls with each level from `first` to `last`. Domain: first < last; at_level(k) has values of dimension 1.
+void add_smoothness(Measured& result, const std::string& name,
+                    const std::function<data::GridData<double>(int level)>& at_level, int first, int last);
+
 }  // namespace subcert::experiments::mustafa_li_2015

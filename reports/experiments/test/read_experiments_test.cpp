@@ -9,10 +9,10 @@ using namespace subcert::experiments;
 
 namespace {
 
-/// With 99 % confidence, "clear" has the interval from -3 to -1, "open" that from -1.5 to 0.5, and "moving" that of
-/// width 2 about the choice "place", if there is one.
+/// With the confidence of one interval, "clear" has the interval from -3 to -1, "open" that from -1.5 to 0.5, and
+/// "moving" that of width 2 about the choice "place", if there is one.
 Measured toy(const Run& run) {
-  const double width = 1 / mean_interval({-1, 1}, together).half_width,
+  const double width = 1 / mean_interval({-1, 1}, each_of(1)).half_width,
                place = run.experiment.choices.empty() ? 0 : run.number("place");
   Measured measured;
   measured.samples = {{{"height", "clear"}, {-2 - width, -2 + width}},

@@ -65,7 +65,7 @@ const std::vector<Fact>& smooth_surfaces() {
     Measured found;
     for (const Method& method : surface_methods())
       add_smoothness(
-          found, method.name, [&](int level) { return refined(method.specification, one, level); }, 2, 4);
+          found, method.name, [&](int at_level) { return refined(method.specification, one, at_level); }, 2, 4);
     return found.facts.at("smooth");
   }();
   return facts;

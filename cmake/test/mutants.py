@@ -75,15 +75,26 @@ class Room:
         self.compiles = [shlex.split(line) for line in listed if " -c " in line]
         link = shlex.split(next(line for line in listed if f"/{target} " in line and line.startswith(": && ")))[2:]
         self.link = link[:link.index("&&")]
-        self.program = build / self.link[self.link.index("-o") + 1]
-        start = time.monotonic()
-        if not self.passes(self.program, 3600):
-            sys.exit(f"{target} fails unchanged")
-        self.seconds = time.monotonic() - start
+        self.folder = (build / self.link[self.link.index("-o") + 1]).parent
+        with tempfile.TemporaryDirectory() as folder:
+            program = self.linked([], pathlib.Path(folder))
+            start = time.monotonic()
+            if not self.passes(program, 3600):
+                sys.exit(f"{target} fails unchanged")
+            self.seconds = time.monotonic() - start
+
+    def linked(self, objects, folder):
+        """The program with these objects before its libraries."""
+        program = folder / "tests"
+        words = list(self.link)
+        words[words.index("-o") + 1] = str(program)
+        words[1:1] = map(str, objects)
+        subprocess.run(words, cwd=self.build, check=True, capture_output=True)
+        return program
 
     def passes(self, program, seconds):
         try:
-            return subprocess.run([program, "~[long]", "-a"], cwd=self.program.parent, timeout=seconds,
+            return subprocess.run([program, "~[long]", "-a"], cwd=self.folder, timeout=seconds,
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
         except subprocess.TimeoutExpired:
             return False
@@ -105,27 +116,24 @@ class Room:
             return "is not built"
         lines = path.read_text().split("\n")
         lines[number] = changed
-        mutant, source, objects = folder / path.name, folder / "given.cpp", folder / "mutant.o"
+        mutant, source, object_file = folder / path.name, folder / "given.cpp", folder / "mutant.o"
         mutant.write_text("\n".join(lines))
         if f'"{path}"' in given:
             source.write_text(given.replace(f'"{path}"', f'"{mutant}"'))
         else:
             source = mutant
         words = list(command)
-        for flag, value in (("-c", source), ("-o", objects), ("-MF", folder / "mutant.d")):
+        for flag, value in (("-c", source), ("-o", object_file), ("-MF", folder / "mutant.d")):
             words[words.index(flag) + 1] = str(value)
         words[1:1] = ["-w", "-iquote", str(path.parent)]
         if subprocess.run(words, cwd=self.build, capture_output=True).returncode:
             return "does not compile"
-        link = list(self.link)
-        link[link.index("-o") + 1] = str(folder / "tests")
-        link.insert(1, str(objects))
-        subprocess.run(link, cwd=self.build, check=True, capture_output=True)
-        return "survived" if self.passes(folder / "tests", 10 * self.seconds + 10) else "killed"
+        program = self.linked([object_file], folder)
+        return "survived" if self.passes(program, 10 * self.seconds + 10) else "killed"
 
 
 def known_survivors(source):
-    """{(file, changed line): reason}, a line each: file | line | changed line | reason."""
+    """{(file, changed line): reason}, a line each: file ~ line ~ changed line ~ reason."""
     known = {}
     for entry in (pathlib.Path(__file__).parent / "known_survivors.txt").read_text().splitlines():
         if entry and not entry.startswith("#"):

@@ -41,7 +41,9 @@ ClaimVerdict verdict_over(const std::vector<VariantFinding>& findings) {
 }
 
 std::string DecidedReading::read_as() const {
-  return words + (late ? " (chosen after the numbers were seen: it can save a sentence, not show it)" : "");
+  if (!late) return words;
+  return words + (words.empty() ? "" : " ") +
+         "(chosen after the numbers were seen: it can save a sentence, not show it)";
 }
 
 std::string DecidedReading::numbers() const {
@@ -81,7 +83,7 @@ DecidedClaim decided(const Claim& claim, const std::vector<Variant>& variants) {
   }
   std::ranges::stable_sort(readings, {}, [](const DecidedReading& r) { return rank(r.verdict); });
   const DecidedReading& best = readings.front();
-  const std::string words = best.words.empty() ? "" : "read as: " + best.read_as() + "; ";
+  const std::string words = best.read_as().empty() ? "" : "read as: " + best.read_as() + "; ";
   DecidedClaim result{claim.sentence,
                       claim.place,
                       claim.on_our_data ? ClaimVerdict::own_data : best.verdict,

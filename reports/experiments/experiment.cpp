@@ -146,8 +146,8 @@ formats::PlainTable remarks_table(const RanExperiment& ran) {
     for (std::size_t i = from; i < claim.readings.size(); ++i) {
       const DecidedReading& r = claim.readings[i];
       table.rows.push_back({claim.sentence + (claim.counted_in.empty() ? "" : " (" + claim.counted_in + ")"),
-                            r.words.empty() ? r.findings.front().finding.statistic : r.read_as(), to_text(r.verdict),
-                            r.numbers()});
+                            r.read_as().empty() ? r.findings.front().finding.statistic : r.read_as(),
+                            to_text(r.verdict), r.numbers()});
     }
   };
   for (const DecidedClaim& claim : ran.result.claims) add(claim, 1);

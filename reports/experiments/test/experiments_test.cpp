@@ -237,6 +237,24 @@ TEST_CASE("measures of a limit beside samples, truth and the limit without noise
   CHECK(sample_shape_error({limit, truth, quiet, points({0, 0, 6, 0}), exact}) == Approx(0).margin(1e-12));
 }
 
+TEST_CASE("whether a linear limit is nearer to the samples than to the truth is seen from its value at 0") {
+  const Experiment& e = experiment("fig17");
+  const Measured measured = e.measure({{1, 400, 2}, e});
+  const double noise = 2 * 8.5 / (10 - 1);  // mean square of both coordinates at 10 dB
+  for (const std::string scheme : {"S_3", "S_5", "S_4^3", "S_6^3"}) {
+    CAPTURE(scheme);
+    const MeanInterval found = mean_difference(measured.at({"from samples", scheme + " at 10 dB"}),
+                                               measured.at({"from curve", scheme + " at 10 dB"}), 0.9999);
+    CHECK(std::abs(found.mean - noise * (1 - 2 * measured.number("phi(0) of " + scheme))) < found.half_width);
+  }
+  CHECK(measured.number("phi(0) of S_3") == Approx(180.0 / 983));
+}
+
+TEST_CASE("with little noise the limits on the torus are tori") {
+  const Experiment& e = experiment("fig19");
+  CHECK(e.measure({{1, 2, 2}, e}).at({"torus kept", "S_3 at 15 dB"}) == std::vector<double>{1, 1});
+}
+
 TEST_CASE("the mechanical part has the size of the scan and the heights of its parts") {
   const data::GridData<double> part = sampled(part_axes(), 3, part_point);
   CHECK(part.points() == 3969);

@@ -1,5 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
+#include <subcert/reports/facts/json.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
@@ -111,4 +112,14 @@ TEST_CASE("facts: exponents have the fields of the contract, whatever was found"
     CHECK(json.at("stable").is_boolean());
     CHECK(json.at("converges").is_string());
   }
+}
+
+TEST_CASE("enclosures and intervals as JSON keep both ends, rounded outward or exact") {
+  const Json json = enclosure_json(Enclosure{Rational(1, 3), Rational(2, 3)}, 3);
+  const auto end = [&](const char* name) { return std::stod(json.at(name).get<std::string>()); };
+  CHECK((end("lower") <= 1.0 / 3 && end("lower") > 0.33));
+  CHECK((end("upper") >= 2.0 / 3 && end("upper") < 0.67));
+  CHECK(interval_json({Rational(1, 3), Rational(2, 3)}) == Json{{"lower", "1/3"}, {"upper", "2/3"}});
+  CHECK(enclosure_json(std::nullopt).is_null());
+  CHECK(numbers_json({Rational(1, 3), 2}) == Json{"1/3", "2"});
 }

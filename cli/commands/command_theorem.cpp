@@ -71,7 +71,7 @@ void add_theorem(Command& app) {
       .option("--d", options->degree,
               "Degree, by default the least of the list; for conjecture-8-d the smaller one of two neighbouring odd "
               "degrees")
-      .within(1, 98);
+      .within(1, theorems::largest_degree);
   command.option("--family", options->family, "Family of the schemes, for the conjectures")
       .one_of({"primal", "primal-odd", "dual", "dual-odd"})
       .with_default();

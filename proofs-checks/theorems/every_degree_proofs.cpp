@@ -66,13 +66,14 @@ Rational derivative_error(const Mask& mask, int M, int degree) {
   return error;
 }
 
-/// The largest |D_M| at w = pi i/64, 1 <= i <= 32.
-Ball largest_response(const Mask& mask, int M) {
-  Ball largest(proof_bits);
+/// The largest |D_M| at w = pi i/64, 1 <= i <= 32; it differs from 1 by as little as w^(d+1).
+Ball largest_response(const Mask& mask, int M, int degree) {
+  const slong bits = proof_bits + 6 * degree;
+  Ball largest(bits);
   for (int i = 1; i <= 32; ++i) {
-    Ball value(proof_bits);
+    Ball value(bits);
     for (int x = 1 - M; x <= M - 1; x += 2)
-      value += exactly(mask.symbol().coefficient(x)) * cos(Ball::pi(proof_bits) * (x * i) / 64);
+      value += Ball(mask.symbol().coefficient(x), bits) * cos(Ball::pi(bits) * (x * i) / 64);
     largest = max(largest, abs(value));
   }
   return largest;
@@ -135,6 +136,29 @@ std::vector<Check> checks_from_seven() {
   return checks;
 }
 
+/// The numbers that the proof of Theorem P rounds, (P.5) to (P.15); the least degree, 3, decides where one stands.
+std::vector<Check> rounded_checks() {
+  const Ball pi = Ball::pi(proof_bits);
+  const auto stated = [](const char* value) { return exact(decimal(value)); };
+  const Rational rho = 16 * power(Rational(1 + rounded::turning), 2) * rounded::gammas,
+                 odd_rho = rho * power(Rational(1 + rounded::excess), 2);
+  const Ball share = 4 / (pi * pi);
+  const Rational least(44, 10);  // of X/d
+  return {less("P.5", "4/pi - 1 < 0.28", (4 / pi - 1).enclosure(), exact(rounded::rise)),
+          less("P.6", "(5/16)(4/51) + 4/25 < 0.19", exact(Rational(5, 204) + Rational(4, 25)), exact(rounded::turning)),
+          less("P.7", "0.28 (d + 4)/(7d + 16) < 0.053 at d = 3", exact(rounded::rise * 7 / 37), exact(rounded::excess)),
+          less("P.8", "16 (1.19)^2 1.08 (4/pi^2) < 10", (exactly(rho) * share).enclosure(), exact(10)),
+          less("P.9", "the same times 1.053^2 < 11", (exactly(odd_rho) * share).enclosure(), exact(11)),
+          less("P.10", "(4.4 d)^3 < 25.5 nu^2 (5d + 9)/(d + 3)^2 at d = 3", exact(power(least * 3, 3)),
+               exact(Rational(51, 2) * 144 * 24 / 36)),
+          less("P.11", "3 nu/(2 (4.4 d)^2) < 0.11 at d = 3", exact(18 / power(least * 3, 2)), stated("0.11")),
+          less("P.12", "0.46 < sqrt(nu) - d at d = 3", stated("0.46"), (sqrt(exactly(12)) - 3).enclosure()),
+          less("P.13", "10 + 51 nu/(5d + 9) < 10.2 d + 5 at d = 3", exact(10 + Rational(51 * 12, 24)), stated("35.6")),
+          less("P.13", "11 + 51 nu/(7d + 16) < 7.3 d + 6 at d = 3", exact(11 + Rational(51 * 12, 37)), stated("27.9")),
+          less("P.14", "11.6^2 < 41^3/510", exact(power(decimal("11.6"), 2)), exact(Rational(68921, 510))),
+          less("P.15", "10.6^2 < 40^3/561", exact(power(decimal("10.6"), 2)), exact(Rational(64000, 561)))};
+}
+
 /// s^2 integral of h^2, and the factor (sqrt(1 + eta^2) + eta)^2, at beta = 7/5.
 Ball beyond_turning_point(const Ball& a) {
   const Ball beta = exactly(Rational(7, 5)), square = beta * beta - 1;
@@ -160,10 +184,12 @@ std::vector<Check> convergence_checks(const Constants& c, int degree, int) {
       checks.push_back(less("P.3", "|coefficients of D_M' - those of the lemma| < 10^-30 at M = " + text(M),
                             exact(derivative_error(mask, M, degree)), exact(tiny())));
       responses.push_back(less("P.4", "|D_M(pi i/64)| < 1, i <= 32, at M = " + text(M),
-                               largest_response(mask, M).enclosure(), exact(1)));
+                               largest_response(mask, M, degree).enclosure(), exact(1)));
     }
   }
+  const std::vector<Check> more = rounded_checks();
   checks.insert(checks.end(), responses.begin(), responses.end());
+  checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }
 

@@ -15,6 +15,7 @@ namespace subcert::theorems {
 namespace {
 
 constexpr int least_large_n = 50;
+constexpr int last_linear = 191;  ///< the degree up to which n_0 = max(50, 4d + 4)
 
 const Rational stretch(8, 5);
 
@@ -71,6 +72,52 @@ Ball mean_modulus(const std::vector<Rational>& coefficients, int cells) {
   return sum / cells + curvature * half * half / 6;
 }
 
+/// s_0 = sin w_0.
+Ball sine_at_stretch(int degree, int n) {
+  return exactly(stretch / (2 * n - 1)) * sqrt(exactly(degree * (degree + 1)));
+}
+
+/// x_-.
+Rational turning_exponent(int d, int n) {
+  return stretch * stretch * d * (d + 1) / (8 * d + 12) * (1 - power(Rational(d + 1, 2 * n - 1), 2));
+}
+
+/// The numbers that the bounds round, (T.6) to (T.11).
+std::vector<Check> rounded_checks(int degree, int n) {
+  const Ball one(1, proof_bits), pi = Ball::pi(proof_bits), root = sqrt(exactly(2)), fourth = one.scaled(-2);
+  const auto stated = [](const Rational& value) { return Enclosure::exactly(value); };
+  std::vector<Check> checks{
+      less("T.6", "1.7 < 1 + cos(pi/4)", stated(rounded::cosine), (one + one / root).enclosure()),
+      less("T.7", "(1/4 - 1/(2 pi))/1.7^2 < 0.0315",
+           ((fourth - one / pi.scaled(1)) / exactly(rounded::cosine).pow(2)).enclosure(), stated(rounded::spread)),
+      less("T.8", "sqrt 2 (1 + (pi/2)/(sqrt 2 - 1)) < 6.8", (root * (pi.scaled(-1) / (root - 1) + 1)).enclosure(),
+           stated(rounded::envelopes)),
+      less("T.9", "(1/2)/(1 - 2^(-1/2)) < 1.71", (one.scaled(-1) / (one - one / root)).enclosure(),
+           stated(rounded::constants)),
+      // 2 cos x = sqrt(2 + 2 cos 2x), twice.
+      less("T.10", "1.99 < 2 cos(arcsin(0.23)/4)", stated(rounded::halving),
+           sqrt(sqrt(sqrt(one - exactly(rounded::sine).pow(2)).scaled(1) + 2) + 2).enclosure())};
+  for (int d : {degree, degree + 2})
+    checks.push_back(less("T.11", "s_0 < 0.23 at d = " + text(d) + ", n = " + text(n),
+                          sine_at_stretch(d, n).enclosure(), stated(rounded::sine)));
+  return checks;
+}
+
+/// What makes (T.5) fall from the last degree that it is run for on, (T.12) to (T.15).
+std::vector<Check> growth_checks(int d) {
+  const Rational share(26, 100), grown(203, 100), step(63, 100);
+  const Ball factor = exactly(stretch * stretch / 4 * share) * exp(exactly(grown - step / 2));
+  const auto half_square = [](int degree) { return (degree * degree + 1) / 2; };
+  return {
+      less("T.12", "(beta^2/4) 0.26 e^2.03 e^-0.315 < 0.96", factor.enclosure(), Enclosure::exactly(decimal("0.96"))),
+      less("T.13", "(d + 2)(d + 3)/((2d + 3)(2d + 5)) < 0.26 at d = " + text(d),
+           Enclosure::exactly(Rational((d + 2) * (d + 3), (2 * d + 3) * (2 * d + 5))), Enclosure::exactly(share)),
+      less("T.14", "2 + 3/d < 2.03 at d = " + text(d), Enclosure::exactly(2 + Rational(3, d)),
+           Enclosure::exactly(grown)),
+      less("T.15", "0.63 < the step of x_- at d = " + text(d), Enclosure::exactly(step),
+           Enclosure::exactly(turning_exponent(d + 2, half_square(d + 2)) - turning_exponent(d, half_square(d))))};
+}
+
 }  // namespace
 
 Rational central_weight(int degree, int M) {
@@ -85,8 +132,8 @@ LargeBounds large_bounds(int degree, int n) {
   const Ball one(1, proof_bits), pi = Ball::pi(proof_bits), log_two = log(exactly(2));
   const Ball gamma = exactly(d * central((d - 1) / 2)), a = sqrt(exactly(nu)), L = exactly(odd * odd - nu);
   const Ball root_L = sqrt(L), b = exactly(stretch * stretch - 1), squared_beta = exactly(stretch * stretch);
-  const Ball s0 = exactly(stretch / odd) * a, z0 = sqrt(one - s0 * s0), zh = sqrt((one + z0).scaled(-1));
-  const Ball theta = one / (a * b * sqrt(b)), sigma = one + exactly(Rational(56 * n, 100)) / L;
+  const Ball s0 = sine_at_stretch(degree, n), z0 = sqrt(one - s0 * s0), zh = sqrt((one + z0).scaled(-1));
+  const Ball theta = one / (a * b * sqrt(b)), sigma = one + exactly(2 * n * rounded::rise) / L;
   const Ball constant = gamma / root_L * (one + exactly(2 * n) / L);
   const auto envelope = [&](const Ball& u) {  // without u/(u^2 - nu)
     const Ball square = u * u, X = square - nu, eta = (square + nu) / (X * sqrt(X));
@@ -109,20 +156,21 @@ LargeBounds large_bounds(int degree, int n) {
   Rational double_factorial = 1;
   for (int i = 3; i <= 2 * d + 1; i += 2) double_factorial *= i;
   const Rational exponent = stretch * stretch * nu / (8 * d + 12);
-  const Ball x_low = exactly(exponent * (1 - power(Rational(d + 1, odd), 2)));
+  const Ball x_low = exactly(turning_exponent(d, n));
   const Ball lambda = one * (d + 1) - exactly(exponent * power(Rational(2 * n, odd), 2)) / (zh * zh);
   const Ball p = gamma / (zh * exactly(double_factorial)) * (exactly(stretch * Rational(n, odd)) * a / zh).pow(d + 1) *
                  exp(-x_low.scaled(-1)) / lambda;
-  const Ball series = one / (one - exp(-(lambda * log(exactly(decimal("1.99"))))));
+  const Ball series = one / (one - exp(-(lambda * log(exactly(rounded::halving)))));
   const Ball iota = s0.scaled(2) / (pi * zh * zh) * p * series / (lambda + 1);
 
   const Ball near_turn = envelope(a * exactly(stretch)), first = near_turn * gamma * exactly(stretch) / (a * b);
-  const Ball spread = exactly(decimal("0.0315")) * (near_turn * gamma * squared_beta / b).pow(2) / exactly(odd * odd);
+  const Ball spread = exactly(rounded::spread) * (near_turn * gamma * squared_beta / b).pow(2) / exactly(odd * odd);
   const Ball quarter = (sqrt((one - z0).pow(2) * s0 + spread) + sqrt(epsilon)).pow(2).scaled(-1);
   const Ball p0 = p.scaled(-1) * series, mixed = sqrt(far * quarter);
   const Ball both = sqrt(exactly(central_weight(d, odd)) * omega) + mixed + (delta * delta).scaled(-2);
   const Ball aliased = iota.scaled(-2) + p0 * far +
-                       mixed * (first * exactly(decimal("6.8")) + constant * exactly(decimal("1.71")) * sqrt(pi / s0));
+                       mixed * (first * exactly(rounded::envelopes) +
+                                constant * exactly(rounded::constants) * sqrt(pi / s0));
   const Ball Gamma = p0 + 1 + log(pi / s0.scaled(1)) / log_two;
   return {iota + omega + far,
           (delta * (both + aliased)).scaled(1) + (delta * delta * (omega + far + Gamma * aliased)).scaled(1)};
@@ -134,7 +182,9 @@ Rational curve_ceiling(int n, int degree) {
   return (central_weight(degree, 2 * n - 1) + central_weight(degree, 2 * n) + *modulus.upper) / 2;
 }
 
-int large_n(int degree) { return degree <= 101 ? std::max(least_large_n, 4 * degree + 4) : (degree * degree + 1) / 2; }
+int large_n(int degree) {
+  return degree <= last_linear ? std::max(least_large_n, 4 * degree + 4) : (degree * degree + 1) / 2;
+}
 
 Constants large_n_constants(int degree) {
   struct Stated {
@@ -156,20 +206,28 @@ std::vector<Check> large_n_checks(const Constants& c, int degree, int) {
   const std::string right = " < (2d + 3) (binom(d+1, (d+1)/2)/2^(d+1))^2";
   std::vector<Check> checks;
   if (c.all().empty()) {
-    for (int d = 13; d <= 103; d += 2) {
+    const int last = last_linear + 2;
+    for (int d = 13; d <= last; d += 2) {
       const int n = large_n(d);
       const LargeBounds low = large_bounds(d, n), high = large_bounds(d + 2, n);
       checks.push_back(less("T.5", "2n (T' + Z' + Z)" + right + " at d = " + text(d) + ", n = " + text(n),
                             ((high.deficit + high.ripple + low.ripple) * (2 * n)).enclosure(), gap(d)));
     }
+    // The sines s_0 are largest at d = 15.
+    for (const std::vector<Check>& more :
+         {rounded_checks(13, large_n(13)), rounded_checks(15, large_n(15)), growth_checks(last)})
+      checks.insert(checks.end(), more.begin(), more.end());
     return checks;
   }
   const int n = large_n(degree);
   const LargeBounds low = large_bounds(degree, n), high = large_bounds(degree + 2, n);
-  return {defining(c, "T", "2n T of degree d + 2", high.deficit * (2 * n)),
-          defining(c, "Z'", "2n Z of degree d + 2", high.ripple * (2 * n)),
-          defining(c, "Z", "2n Z of degree d", low.ripple * (2 * n)),
-          less("T.4", "T + Z' + Z" + right, Enclosure::exactly(c["T"] + c["Z'"] + c["Z"]), gap(degree))};
+  checks = {defining(c, "T", "2n T of degree d + 2", high.deficit * (2 * n)),
+            defining(c, "Z'", "2n Z of degree d + 2", high.ripple * (2 * n)),
+            defining(c, "Z", "2n Z of degree d", low.ripple * (2 * n)),
+            less("T.4", "T + Z' + Z" + right, Enclosure::exactly(c["T"] + c["Z'"] + c["Z"]), gap(degree))};
+  const std::vector<Check> more = rounded_checks(degree, n);
+  checks.insert(checks.end(), more.begin(), more.end());
+  return checks;
 }
 
 }  // namespace subcert::theorems

@@ -7,6 +7,8 @@
 
 #include <subcert/schemes/specification.hpp>
 
+#include <optional>
+
 namespace subcert::theorems {
 
 /// For claims: the number, and ` at n = 5`.
@@ -32,6 +34,30 @@ Ball excess_of_shells();
 /// The integral that the first Fourier coefficient of psi_n tends to for n = 3, 11, 43, ..., scaled, and with a minus.
 /// Ref: docs/theorems/variance-curves.tex, the proof of Theorem I. Cost: a second.
 Ball first_harmonic();
+
+/// What section 7 bounds of the symbol for all N >= N_1 = family.size(start), as stated with `end` at their names.
+/// N is N_1, `fewest` and `most` its M_- and M_+.
+struct SymbolConstants {
+  Ball N, fewest, most, H, F, E, B;
+};
+
+/// (7.3) to (7.8) but for (7.7). A ledger that does not hold ends with the inequality that misses.
+SymbolConstants state_symbol(Ledger& ledger, const SchemeFamily& family, int degree, int start, const std::string& end);
+
+/// Smoothness for every n: Theorem U for degree 1 of the primal family, else Theorem V. Domain: as uniform_7.
+void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+
+/// What `smoothness` proves of the smoothest class for every n >= `first`, and of those before.
+struct SmoothnessRange {
+  int order;                ///< of the derivatives: sum rules - 1
+  int first;                ///< the least n from which on all limits have them
+  int start;                ///< n_1: from here on for all n at once
+  std::optional<int> rate;  ///< n_2: from here on the rate holds with constants
+};
+SmoothnessRange smoothness_range(const SchemeFamily& family, int degree);
+
+/// The proved lower end of the Hoelder exponent of one scheme, 0 where there is none; kept for the next call.
+Rational exponent_bound(const std::string& scheme);
 
 Constants degree_one_constants_7();
 Constants degree_one_constants_8();

@@ -121,6 +121,53 @@ void describe_8_d(Theorem& t, const SchemeFamily& family) {
   describe_ranges(t, family.least_n(next), std::max(uniform_start(family, degree), uniform_start(family, next)));
 }
 
+/// `C^2 for n >= 3`, of what is proved of single schemes before the smoothest class begins.
+void describe_small(Theorem& t, const SchemeFamily& family, const SmoothnessRange& range) {
+  const int degree = t.degrees.front();
+  for (int n = family.least_n(degree); n < range.first; ++n) {
+    const Rational exponent = exponent_bound(family.scheme(n, degree));
+    t.values.emplace_back("s, n = " + std::to_string(n),
+                          exponent > 0 ? ">= " + to_decimal(exponent, 5, Rounding::down) : "not bounded");
+  }
+}
+
+void describe_smoothness_degree_one(Theorem& t) {
+  const auto number = [&](const char* name) { return plain(t.constants[name]); };
+  t.title = "Smoothness for degree 1 and every n";
+  t.text = "docs/theorems/smoothness.tex, Theorem U";
+  t.statement = {"For all n >= 2 the Hoelder exponent s of S_n lies in 2 - " + number("C") +
+                     " N^(1 - log2(N)/2) < s <= 2, N = 2n - 1/2.",
+                 "So all limits are C^1, s tends to 2 faster than every power of n, and no S_n is C^2.",
+                 "For all n >= 4, s > " + number("s") + "."};
+  t.ranges = {{"2 <= n < 64", "a supersolution on cells of frequencies for each n"},
+              {"n >= 64", "the constants below, for all n at once"}};
+}
+
+void describe_smoothness(Theorem& t, const SchemeFamily& family) {
+  if (family.id == "primal" && t.degrees.front() == 1) return describe_smoothness_degree_one(t);
+  const SmoothnessRange range = smoothness_range(family, t.degrees.front());
+  const std::string d = std::to_string(t.degrees.front()), order = std::to_string(range.order),
+                    rules = std::to_string(range.order + 1), first = std::to_string(range.first),
+                    start = std::to_string(range.start);
+  t.title = title_of("Smoothness", family, "degree " + d);
+  t.text = "docs/theorems/smoothness.tex, Theorem V";
+  t.statement = {"For all n >= " + first + " all limits are C^" + order + ": their Hoelder exponent s is above " +
+                 order + ", and at most " + rules + "."};
+  t.ranges = {{first + " <= n < " + start, "a supersolution on cells of frequencies for each n"},
+              {"n >= " + start, "the constants below, for all n at once"}};
+  const std::string tends = "s tends to " + rules + " faster than every power of n.";
+  if (range.rate) {
+    const auto number = [&](const std::string& name) { return plain(t.constants[name + "_" + d + "'"]); };
+    t.statement.push_back("For n >= " + std::to_string(*range.rate) + ", " + rules + " - s < " + number("R*") + " N^(" +
+                          number("r*") + " - log2(N)/2), N = " + size_text(family) + ": " + tends);
+    t.ranges.emplace_back("n >= " + std::to_string(*range.rate), "those with a prime, for the rate");
+  } else {
+    t.statement.push_back("As n grows, " + tends);
+    t.ranges.emplace_back("n to infinity", "Theorem V (c), without constants");
+  }
+  describe_small(t, family, range);
+}
+
 void describe_limit_constants(Theorem& t) {
   t.title = "The limits of n max psi_n";
   t.degrees = {1, 3, 5, 7, 9};
@@ -159,12 +206,12 @@ void describe_large_n(Theorem& t) {
   t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and large n";
   t.text = "docs/theorems/variance-curves.tex, Theorem T (b)";
   t.statement = {
-      "max psi_n^d < min psi_n^{d+2} for every odd d from 5 to 101 and all n >= max(50, 4d + 4), for d >= 103 and all "
+      "max psi_n^d < min psi_n^{d+2} for every odd d from 5 to 191 and all n >= max(50, 4d + 4), for d >= 193 and all "
       "n >= (d^2 + 1)/2; here max psi_n^" +
       low + " < min psi_n^" + high + " for all n >= " + start + "."};
   t.ranges = {{"n >= " + start, "bounds of mean and ripple that fall with n"}};
   if (degree > 11)
-    t.ranges.emplace_back("all d >= 13", "(T.5) for 13 <= d <= 103; from 103 on they fall with d, 2n = d^2 + 1");
+    t.ranges.emplace_back("all d >= 13", "(T.5) for 13 <= d <= 193; from 193 on they fall with d, 2n = d^2 + 1");
 }
 
 void describe_all_higher(Theorem& t) {
@@ -294,9 +341,31 @@ const std::vector<Entry>& entries() {
            if (!primal(family) || degree > 7) return std::nullopt;
            return by_degree(degree, all_higher_constants, all_higher_checks, describe_all_higher);
          }});
+    all.push_back({{"smoothness",
+                    "S_n^d is C^d, and its Hoelder exponent tends to d + 1 faster than every power of n",
+                    "every n >= 2 for d = 1, every n >= 7 for d = 3",
+                    {1, 3}},
+                   {},
+                   {"the bounds of section 7 are tried up to n_1 = 600"},
+                   false,
+                   [](int degree, const SchemeFamily& family) {
+                     return found(degree, family, smoothness, describe_smoothness);
+                   }});
+    all.push_back({{"smoothness-dual",
+                    "the dual schemes of degree 1 are C^2, and their Hoelder exponents tend to 3 faster than every "
+                    "power of n",
+                    "every n >= 2, of (2n+1) points every n >= 1",
+                    {1}},
+                   {},
+                   {"the bounds of section 7 are tried up to n_1 = 600"},
+                   false,
+                   [](int degree, const SchemeFamily& family) {
+                     return found(degree, scheme_family(family.id == "primal" ? "dual" : family.id), smoothness,
+                                  describe_smoothness);
+                   }});
     all.push_back({{"conjecture-8-d-large",
                     "psi of degree d < psi of degree d + 2 everywhere",
-                    "every odd d >= 5, every n >= max(50, 4d+4), beyond d = 101 n >= (d^2+1)/2",
+                    "every odd d >= 5, every n >= max(50, 4d+4), beyond d = 191 n >= (d^2+1)/2",
                     {5, 7, 9, 11, 13}},
                    {},
                    {"for the degrees 1 and 3, and for other families, see conjecture-8-d"},
@@ -364,8 +433,9 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
   const Entry& entry = find(id);
   const SchemeFamily& family = scheme_family(family_id);
   const bool primal = family.evaluation == Evaluation::primal;
-  if (degree < 1 || degree > 99 || (primal && degree % 2 == 0))
-    fail(ErrorKind::domain, "prove: need {} degree from 1 to 99, got {}", primal ? "an odd" : "a", degree);
+  if (degree < 1 || degree > largest_degree || (primal && degree % 2 == 0))
+    fail(ErrorKind::domain, "prove: need {} degree from 1 to {}, got {}", primal ? "an odd" : "a", largest_degree,
+         degree);
   Theorem theorem;
   theorem.id = id;
   theorem.degrees = {degree};

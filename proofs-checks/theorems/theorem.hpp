@@ -10,6 +10,9 @@
 
 namespace subcert::theorems {
 
+/// That can be asked for; what holds for every degree is then shown for this one.
+constexpr int largest_degree = 301;
+
 struct Theorem {
   std::string id;
   std::vector<int> degrees;  ///< that it speaks about
@@ -38,9 +41,9 @@ const std::vector<TheoremEntry>& theorem_list();
 /// that of a specification: primal, primal-odd, dual or dual-odd. Errors: throws a domain error for an unknown id.
 Constants stated_constants(const std::string& id, int degree, const std::string& family = "primal");
 
-/// Runs every inequality of the proof with these constants. Domain: 1 <= degree <= 99, odd for the primal families,
-/// whose even degrees have the schemes of degree + 1. Errors: throws a domain error for an unknown id or family and for
-/// a degree beyond. Cost: seconds, for degree 13 a quarter of a minute on one thread.
+/// Runs every inequality of the proof with these constants. Domain: 1 <= degree <= largest_degree, odd for the primal
+/// families, whose even degrees have the schemes of degree + 1. Errors: throws a domain error for an unknown id or
+/// family and for a degree beyond. Cost: seconds, for degree 13 a quarter of a minute on one thread.
 Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1,
               const std::string& family = "primal");
 Theorem prove(const std::string& id, int degree);

@@ -14,6 +14,37 @@
 #include <optional>
 
 namespace subcert::theorems {
+
+/// What the first part of section 7 bounds: what else is in it needs these.
+SymbolConstants state_symbol(Ledger& ledger, const SchemeFamily& family, int degree, int start,
+                             const std::string& end) {
+  const Rational first = family.size(start), half(1, 2);
+  const UniformNumbers& numbers = uniform_numbers(family.evaluation, degree, first);
+  const bool dual = family.evaluation == Evaluation::dual;
+  SymbolConstants result;
+  result.N = exactly(first);
+  result.fewest = dual ? result.N : exactly(first - half);
+  result.most = dual ? result.N : exactly(first + half);
+  const auto above = [&](const char* name, const char* id, const char* meaning, const std::string& formula,
+                         const Ball& number) {
+    return ledger.state(name + end, Side::above, id, meaning, formula, number);
+  };
+  result.H = above("H", "7.3", "N^2 |m(v/N) - khat(v)|/v^(d+1), near 0", "bound of N^2 |m(v/N) - khat(v)|/v^(d+1)",
+                   numbers.difference_disc.bound);
+  result.F = above("F", "7.4", "2 M_- |m(pi - v/M_+)|/v^(d+1), v <= 1", "bound of |M dD_M/dM|/v^(d+1), v <= 1",
+                   numbers.slope_disc.bound);
+  result.E = above("E", "7.5", "2 M_- |m(pi - w)| sin(w)/w", "F and the bound of |M dD_M/dM| sin(w)/w, v >= 1",
+                   max(numbers.slope, result.F));
+  ledger.need(less("7.6", "bound of |m| and |khat| on v >= 2^12 < 1/4", numbers.far.enclosure(),
+                   Enclosure::exactly(Rational(1, 4))));
+  ledger.need(less("7.21", "pi N_1 < 2^12", (Ball::pi(proof_bits) * result.N).enclosure(), Enclosure::exactly(4096)));
+  if (!ledger.holds()) return result;
+  result.B = above("B-1", "7.8", "products of |m| over different shells, without 1",
+                   "bound of products of sup |m| over shells, without 1", numbers.products(result.H).upper_end() - 1) +
+             1;
+  return result;
+}
+
 namespace {
 
 /// For n >= first, as stated: twice the mean is 4 C/N up to 2 K/N^3, ripple and aliases are at most Omega/N^5, and
@@ -43,12 +74,9 @@ Ball product_of(const std::vector<Ball>& values, std::size_t first, std::size_t 
 
 /// The chain of section 7 from N_1 = size(start) on; it ends early where one of its inequalities fails.
 UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, int start) {
-  const Rational first = family.size(start);
-  const UniformNumbers& numbers = uniform_numbers(family.evaluation, degree, first);
-  const bool dual = family.evaluation == Evaluation::dual;
+  const UniformNumbers& numbers = uniform_numbers(family.evaluation, degree, family.size(start));
   const Rational half(1, 2);
-  const Ball pi = Ball::pi(proof_bits), N = exactly(first), one(1, proof_bits);
-  const Ball fewest = dual ? N : exactly(first - half), most = dual ? N : exactly(first + half);
+  const Ball pi = Ball::pi(proof_bits), one(1, proof_bits);
   const std::string end = "_" + text(degree), C = "C" + end;
   const auto above = [&](const char* name, const char* id, const char* meaning, const std::string& formula,
                          const Ball& number, int digits = 4) {
@@ -56,26 +84,17 @@ UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, 
   };
   const Ball limit = limit_ball(degree);
   UniformBounds result;
-  result.N = N;
+  result.N = exactly(family.size(start));
   ledger.state("c-" + end, Side::below, "7.1", "the limit " + C + " of N psi/2, from below", C, limit, 10);
   above("c+", "7.2", "the limit of N psi/2, from above", C, limit, 10);
   result.below = ledger["c-" + end];
   result.above = ledger["c+" + end];
-  const Ball H = above("H", "7.3", "N^2 |m(v/N) - khat(v)|/v^(d+1), near 0", "bound of N^2 |m(v/N) - khat(v)|/v^(d+1)",
-                       numbers.difference_disc.bound);
-  const Ball F = above("F", "7.4", "2 M_- |m(pi - v/M_+)|/v^(d+1), v <= 1", "bound of |M dD_M/dM|/v^(d+1), v <= 1",
-                       numbers.slope_disc.bound);
-  const Ball E = above("E", "7.5", "2 M_- |m(pi - w)| sin(w)/w", "F and the bound of |M dD_M/dM| sin(w)/w, v >= 1",
-                       max(numbers.slope, F));
+  const SymbolConstants symbol = state_symbol(ledger, family, degree, start, end);
+  if (!ledger.holds()) return result;
+  const Ball &N = symbol.N, &fewest = symbol.fewest, &most = symbol.most, &H = symbol.H, &F = symbol.F, &E = symbol.E,
+             &B = symbol.B;
   const Ball A = above("A", "7.7", "product of M sin(w) |D_M(w)| over the first 5 shells",
                        "product of the bounds A_j, j < 5", product_of(numbers.decays, 0, kept_factors));
-  ledger.need(less("7.6", "bound of |m| and |khat| on v >= 2^12 < 1/4", numbers.far.enclosure(),
-                   Enclosure::exactly(Rational(1, 4))));
-  ledger.need(less("7.21", "pi N_1 < 2^12", (pi * N).enclosure(), Enclosure::exactly(4096)));
-  if (!ledger.holds()) return result;
-  const Ball B = above("B-1", "7.8", "products of |m| over different shells, without 1",
-                       "bound of products of sup |m| over shells, without 1", numbers.products(H).upper_end() - 1) +
-                 1;
   result.K = above("K", "7.9", "N^3 times the remainder of the mean",
                    "bound of (2/pi) integral of M L + (1/pi) integral of (s/pi)^2 M^2", numbers.mean(H).upper_end());
   const Ball sigma = above("sigma", "7.10", "sum of u/sin u - 1 over the shells", "sum of u_i/sin u_i - 1",

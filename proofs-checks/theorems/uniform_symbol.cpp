@@ -134,23 +134,23 @@ Ball UniformSymbol::difference_over(const Rational& low, const Rational& high) c
   return abs(sum);
 }
 
-/// By the maximum principle |f(z)| <= (|z|/rho)^(d+1) max |f| on |z| = rho; the best of a few rho >= 1.
+/// By the maximum principle |f(z)| <= (|z|/rho)^order max |f| on |z| = rho; the best of a few rho >= 1.
 template <class Bound>
-UniformSymbol::Disc UniformSymbol::by_maximum_principle(const Bound& bound) const {
+UniformSymbol::Disc UniformSymbol::by_maximum_principle(int order, const Bound& bound) const {
   std::optional<Disc> best;
   for (long rho = 1; rho <= std::max(7, degree_ + 4); ++rho) {
-    const Ball value = bound(Ball(rho, bits_)) / Ball(rho, bits_).pow(degree_ + 1);
+    const Ball value = bound(Ball(rho, bits_)) / Ball(rho, bits_).pow(order);
     if (!best || value.is_less(best->bound)) best = Disc{value, rho};
   }
   return *best;
 }
 
 UniformSymbol::Disc UniformSymbol::disc_difference() const {
-  return by_maximum_principle([this](const Ball& rho) { return difference_on_disc(rho); });
+  return by_maximum_principle(degree_ + 1, [this](const Ball& rho) { return difference_on_disc(rho); });
 }
 
-UniformSymbol::Disc UniformSymbol::disc_slope() const {
-  return by_maximum_principle([this](const Ball& rho) { return slope_on_disc(rho); });
+UniformSymbol::Disc UniformSymbol::disc_slope(int order) const {
+  return by_maximum_principle(order, [this](const Ball& rho) { return slope_on_disc(rho); });
 }
 
 Ball UniformSymbol::difference_on_disc(const Ball& R) const {

@@ -18,14 +18,15 @@ class UniformSymbol {
   /// Domain: degree >= 1, odd for primal schemes; first_N > degree + 1.
   UniformSymbol(Evaluation evaluation, int degree, const Rational& first_N, slong bits);
 
-  /// |f(z)| <= bound |z|^(d+1) for |z| <= radius, radius >= 1.
+  /// |f(z)| <= bound |z|^order for |z| <= radius, radius >= 1; order d + 1 where it is not said.
   struct Disc {
     Ball bound;
     long radius;
   };
   Disc disc_difference() const;  ///< f = N^2 (m(z/N) - khat(z))
-  Disc disc_slope() const;       ///< f = M dD_M(z/M)/dM; dual: f = 2 N Im D(z/N)
-  Ball slope() const;            ///< E: the second f is at most E w/sin w on 0 <= w <= pi/2, where M w >= 1
+  /// f = M dD_M(z/M)/dM; dual: f = 2 N Im D(z/N), which is odd. Domain: f = O(z^order).
+  Disc disc_slope(int order) const;
+  Ball slope() const;  ///< E: the second f is at most E w/sin w on 0 <= w <= pi/2, where M w >= 1
   /// A: M sin(w) |D_M(w)| <= A for 0 < w <= pi/2, M w >= from; dual: N sin(w) |m(w)|.
   Ball decay(const Rational& from) const;
 
@@ -53,7 +54,7 @@ class UniformSymbol {
   Ball slope_over(const Rational& low, const Rational& high) const;
   Ball weight(std::size_t r) const { return end_[r] / M_.pow(static_cast<long>(r)); }
   template <class Bound>
-  Disc by_maximum_principle(const Bound& bound) const;
+  Disc by_maximum_principle(int order, const Bound& bound) const;
   Ball difference_on_disc(const Ball& rho) const;
   Ball slope_on_disc(const Ball& rho) const;
 

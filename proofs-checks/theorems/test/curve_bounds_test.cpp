@@ -1,16 +1,17 @@
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/regularity/frequency/half_symbol.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/proofs-checks/theorems/curve_bounds.hpp>
-#include <subcert/proofs-checks/theorems/symbol_cells.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
 
 using namespace subcert;
 using namespace subcert::theorems;
+using subcert::frequency::HalfSymbol;
 
 namespace {
 

@@ -1,12 +1,16 @@
 #include "theorem_checks.hpp"
 
+#include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/theorems/ledger.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/specification.hpp>
+
+#include <cmath>
 
 using namespace subcert;
 using namespace subcert::theorems;
@@ -35,6 +39,24 @@ TEST_CASE("the theorems agree with exact values on a grid") {
     }
     if (n > 1) CHECK(grid.steepest() * (n * n) < stated_constants("conjecture-7", 1)["s"]);
     before = grid;
+  }
+}
+
+TEST_CASE("exponents that are known otherwise lie within the bounds of the theorems on smoothness") {
+  const Rational C = stated_constants("smoothness", 1)["C"];
+  for (int n = 2; n <= 9; ++n) {
+    CAPTURE(n);
+    const Enclosure s = holder_regularity(make_scheme("primal:n=" + std::to_string(n)).mask, 4, {}).exponent;
+    const double N = 2 * n - 0.5, bound = C.convert_to<double>() * std::pow(N, 1 - std::log2(N) / 2);
+    CHECK(*s.upper <= 2);
+    CHECK((2 - *s.lower).convert_to<double>() < bound);
+    CHECK(exponent_bound("primal:n=" + std::to_string(n)) <= *s.upper);
+  }
+  for (const char* scheme : {"dual:n=2", "dual:n=4", "dual-odd:n=1", "dual-odd:n=3", "primal:n=3,d=3"}) {
+    CAPTURE(scheme);
+    const Enclosure s = holder_regularity(make_scheme(scheme).mask, 4, {}).exponent;
+    CHECK(exponent_bound(scheme) <= *s.upper);
+    CHECK(*s.lower > 2);
   }
 }
 
@@ -102,4 +124,18 @@ TEST_CASE("decimals") {
 TEST_CASE("what holds for every degree can be asked for every degree") {
   CHECK(prove("convergence", 33).decision.is_yes());
   CHECK(prove("conjecture-8-d-large", 97).decision.is_yes());
+  CHECK(prove("convergence", 101).decision.is_yes());
+}
+
+TEST_CASE("all dual schemes of degree 1 are C^2, all primal ones C^1") {
+  for (const char* family : {"dual", "dual-odd"}) {
+    const Theorem theorem = prove("smoothness-dual", 1, stated_constants("smoothness-dual", 1, family), 1, family);
+    CHECK(theorem.decision.is_yes());
+    CHECK(theorem.statement.front().find("all limits are C^2") != std::string::npos);
+  }
+  CHECK(prove("smoothness", 1).decision.is_yes());
+  // A degree for which the bounds do not suffice: what fails is said.
+  const Theorem open = prove("smoothness", 21);
+  CHECK(open.decision.truth == Truth::unknown);
+  CHECK_FALSE(open.missing.empty());
 }

@@ -83,7 +83,8 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
     for (const Check& check : prove(id, 1).checks) run.insert(check.id);
     for (const Check& check : prove(id, 3).checks) run.insert(check.id);
   }
-  for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order"})
+  for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order", "smoothness",
+                         "smoothness-dual"})
     for (const Check& check : prove(id, 1).checks) run.insert(check.id);
   for (int degree : {3, 7})
     for (const Check& check : prove("conjecture-8-d-all", degree).checks) run.insert(check.id);
@@ -149,6 +150,31 @@ TEST_CASE("the tables for section 7 state the constants that the program finds",
       CHECK(decimal(cells[7]) == stated["r_" + std::to_string(degree)]);
       CHECK(decimal(cells[8]) == stated["R_" + std::to_string(degree)]);
     }
+}
+
+TEST_CASE("the text states the constants of the theorems on smoothness") {
+  const std::string text = source();
+  const Constants one = stated_constants("smoothness", 1);
+  CHECK(text.find("C = " + to_decimal(one["C"], 6, Rounding::nearest) + " ,") != std::string::npos);
+  CHECK(text.find("$s>" + to_decimal(one["s"], 6, Rounding::nearest) + "$ for $n\\ge4$") != std::string::npos);
+  for (const auto& [family, degree] :
+       {std::pair{"primal-odd", 1}, {"primal", 3}, {"dual", 1}, {"dual", 2}, {"dual-odd", 1}, {"dual-odd", 2}}) {
+    const std::string d = std::to_string(degree), key = std::string("S:") + family + ":" + d;
+    CAPTURE(key);
+    const Constants stated = stated_constants("smoothness", degree, family);
+    const Theorem theorem = prove("smoothness", degree, stated, 2, family);
+    const std::vector<std::string> cells = row(text, key);
+    const auto bound = [&](std::size_t i) { return theorem.ranges.at(i).first.substr(std::string("n >= ").size()); };
+    CHECK(cells[1] == d);
+    const std::string& statement = theorem.statement.front();  // For all n >= 7 all limits are C^3: ...
+    const std::string first = statement.substr(13, statement.find(' ', 13) - 13),
+                      order = statement.substr(statement.find("C^") + 2, 1);
+    CHECK(cells[2] == "$C^" + order + "$for$n\\ge" + first + "$");
+    CHECK(cells[3] == bound(1));
+    CHECK(cells[4] == bound(2));
+    CHECK(decimal(cells[5]) == stated["r*_" + d + "'"]);
+    CHECK(decimal(cells[6]) == stated["R*_" + d + "'"]);
+  }
 }
 
 TEST_CASE("the source of the text is balanced and uses only macros that exist") {

@@ -81,7 +81,7 @@ TEST_CASE("uniform bounds hold for single schemes at random frequencies") {
     const int degree = one.degree, first = one.first;
     const UniformSymbol symbol(family.evaluation, degree, family.size(first), 128);
     const double slope = upper(symbol.slope());
-    const UniformSymbol::Disc near = symbol.disc_slope(), disc = symbol.disc_difference();
+    const UniformSymbol::Disc near = symbol.disc_slope(degree + 1), disc = symbol.disc_difference();
     for (int n : {first, first + 13, 3 * first}) {
       const Mask mask = scheme_of(one.family, n, degree);
       const double N = number(family.size(n)), fewest = dual ? N : N - 0.5, most = dual ? N : N + 0.5;

@@ -1,6 +1,7 @@
 // Limit constants, the bounds of the degree-1 theorems, and those of single schemes. The counter `digits` stands beside
 // the time.
 
+#include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/proofs-checks/theorems/curve_bounds.hpp>
 #include <subcert/proofs-checks/theorems/degree_one.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
@@ -32,6 +33,19 @@ void BM_limit_constant_quadrature(benchmark::State& state) {
   state.counters["digits"] = static_cast<double>(state.range(1));
 }
 BENCHMARK(BM_limit_constant_quadrature)->ArgsProduct({{1, 9}, {10, 30}})->Unit(benchmark::kMillisecond);
+
+/// A lower end of the exponent of the primal scheme of this n and degree.
+void BM_frequency_bound(benchmark::State& state) {
+  const subcert::Mask mask =
+      subcert::make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1))).mask;
+  for (auto _ : state) benchmark::DoNotOptimize(subcert::frequency_bound(mask));
+}
+BENCHMARK(BM_frequency_bound)
+    ->Args({5, 1})
+    ->Args({20, 3})
+    ->Args({100, 1})
+    ->Args({200, 3})
+    ->Unit(benchmark::kMillisecond);
 
 void BM_degree_one_bounds(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(degree_one_bounds(static_cast<int>(state.range(0))));

@@ -185,7 +185,8 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
     if (!closed) curves.push_back(upper_curve);
     figure.panels.push_back({std::string(family) + " schemes", "n", "", curves, false, "bottom right"});
   }
-  section.finding = exponents_finding(families);
+  section.finding = exponents_finding(families) + for_every_n(theorems::prove("smoothness", 1)) +
+                    for_every_n(theorems::prove("smoothness-dual", 1));
   section.paragraphs.push_back(
       "Tables 1 and 2 print bounds after sixteen levels; a larger scheme needs more levels for "
       "as sharp a bound. " +

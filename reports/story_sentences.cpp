@@ -96,6 +96,10 @@ std::string exponents_finding(const std::vector<BoundsAndExponents>& families) {
   return text;
 }
 
+std::string for_every_n(const theorems::Theorem& theorem) {
+  return theorem.decision.is_yes() ? fmt::format(" {}: {}", theorem.title, theorem.statement.front()) : "";
+}
+
 std::string levels_sentence(const LevelSteps& steps, const Rational& unit) {
   const std::string rise =
       steps.largest_rise > unit

@@ -3,6 +3,7 @@
 /// thing.
 
 #include <subcert/proofs-checks/conjectures/decay.hpp>
+#include <subcert/proofs-checks/theorems/theorem.hpp>
 
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ std::string truncation_sentence(const RecipeFinding& found);
 
 /// Whether the exponents follow the fall of the printed bounds.
 std::string exponents_finding(const std::vector<BoundsAndExponents>& families);
+/// What a theorem says first, behind a blank; empty where it is not proved.
+std::string for_every_n(const theorems::Theorem& theorem);
 
 /// The two halves of Conjecture 7 by the decay of max psi and of max |psi'|, a finding for each degree.
 struct ConjectureDecay {

@@ -27,7 +27,8 @@ const std::vector<TheoremCase>& theorem_cases() {
   static const std::vector<TheoremCase> list{{"conjecture-7", {1, 3, 5, 7, 9}}, {"conjecture-8-n", {1, 3, 5, 7, 9}},
                                              {"conjecture-8-d", {1, 3, 5, 7}},  {"conjecture-8-d-all", {1, 3, 5, 7}},
                                              {"conjecture-8-d-large", {13}},    {"convergence", {1}},
-                                             {"limit-constants-order", {1}}};
+                                             {"limit-constants-order", {1}},    {"smoothness", {1}},
+                                             {"smoothness-dual", {1}}};
   return list;
 }
 
@@ -77,7 +78,7 @@ formats::Figure mean_and_ripple() {
 }  // namespace
 
 formats::Section theorem_section(const ReportOptions& options) {
-  formats::Section section{"theorems", "Conjectures 7 and 8 for every n", {}};
+  formats::Section section{"theorems", "Conjectures 7 and 8, and smoothness, for every n", {}};
   formats::PlainTable table{"theorems",
                             "Theorems, and the inequalities behind them",
                             {"theorem", "degrees", "range", "inequalities", "verdict"},

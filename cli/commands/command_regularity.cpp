@@ -15,6 +15,7 @@ constexpr double sobolev_share = 0.3;  // of the time, at most
 struct RegularityOptions : SearchOptions {
   std::string scheme;
   std::string certificate;
+  std::string method = "radius";
   int levels = 16;
 };
 
@@ -56,7 +57,25 @@ Answer answer(const MultivariateScheme& scheme, const RegularityOptions& options
           regularity.converges, regularity.exact, complete};
 }
 
+/// A lower end alone, within a second also where matrices are far too large.
+ExitCode by_frequency(const RegularityOptions& options) {
+  const std::string where = "--method frequency: ";
+  if (!options.certificate.empty()) fail(ErrorKind::usage, "{}need no --certificate: its bound has none", where);
+  const LinearScheme any = make_linear_scheme(options.scheme);
+  const Scheme* const scheme = std::get_if<Scheme>(&any);
+  if (!scheme || scheme->rounding || !has_frequency_bound(scheme->mask))
+    fail(ErrorKind::usage,
+         "{}need a symmetric binary mask of exact numbers, in one variable, with two sum rules, got {}", where,
+         options.scheme);
+  const Stopwatch watch;
+  const std::optional<FrequencyBound> bound = frequency_bound(scheme->mask);
+  const Facts facts = frequency_facts(*scheme, bound, watch.seconds());
+  options.answer(page_json(facts), page_text(facts, 13));
+  return bound && bound->exponent > 0 ? done : undecided;
+}
+
 ExitCode run(const RegularityOptions& options, const Budget& budget) {
+  if (options.method == "frequency") return by_frequency(options);
   const WantedWidth wanted = wanted_width(options);
   const Answer found = std::visit([&](const auto& scheme) { return answer(scheme, options, wanted, budget); },
                                   make_linear_scheme(options.scheme));
@@ -82,6 +101,13 @@ void add_regularity(Command& app) {
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   add_limits(command, *options);
   add_width(command, *options);
+  command
+      .option(
+          "--method", options->method,
+          "radius: by joint spectral radii; frequency: a lower end alone, at once, for symmetric binary masks of any "
+          "size")
+      .one_of({"radius", "frequency"})
+      .with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme, true);
 }

@@ -8,6 +8,18 @@ TEST_CASE("regularity: more time keeps the product that less time finds") {
                      "upper", "3.5018068"));
 }
 
+TEST_CASE("regularity: by frequencies, at once for large masks, and refused where it does not apply") {
+  const auto large = run_json("regularity primal:n=200 --method frequency");
+  CHECK(large.at("method") == "frequency");
+  CHECK(large.at("converges") == "yes");
+  CHECK(has_digits(large.at("holder"), "lower", "1.99999999999"));
+  CHECK(large.at("holder").at("upper").is_null());
+  CHECK(run("regularity 'mask:[-2,1,6,1,-2]/2' --method frequency").exit_code == 2);
+  for (const char* scheme : {"'mask:[3,4,3,2]/6'", "bspline:degree=2,a=3", "butterfly:w=1/16", "daubechies:n=3"})
+    check_error(std::string("regularity ") + scheme + " --method frequency", 64, "need a symmetric binary mask");
+  check_error("regularity primal:n=3 --method frequency --certificate x.cert", 64, "its bound has none");
+}
+
 TEST_CASE("regularity: the fields of the contract") {
   const auto regularity = run_json("regularity 'dual:n=7' --levels 16 --budget 4", -1);
   CHECK(regularity.at("sum_rules") == 3);

@@ -193,7 +193,7 @@ void describe_convergence(Theorem& t) {
                  "max(|D_{2n-1}|, |D_{2n}|)(xi/2) <= 1.",
                  "So the mean of psi_n is at most (K_{2n-1}(0) + K_{2n}(0))/2, K_M(0) the central weight."};
   const std::string first = std::to_string((degree + 1) / 2);
-  t.ranges = {{"all d, all n", "the proof, with the two numbers (P.1), (P.2)"},
+  t.ranges = {{"all d, all n", "the proof, with the numbers (P.1), (P.2), (P.5) to (P.15)"},
               {"d = " + std::to_string(degree) + ", n >= " + first,
                "for confirmation only: (P.3), (P.4) for the six smallest n"}};
 }

@@ -1,5 +1,6 @@
 #include "work.hpp"
 
+#include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/analysis/regularity/radius/constrained.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
 #include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
@@ -195,6 +196,12 @@ void add_regularity(py::module_& module) {
         return to_list(surface_certificate(evidence.scheme.mask, evidence.regularity));
       });
   module.def("surface_holder", &surface_holder);
+  module.def("frequency_bound", [](const Scheme& scheme, const py::object& progress) -> std::optional<Rational> {
+    require(!scheme.rounding && has_frequency_bound(scheme.mask),
+            "{}: need a symmetric binary mask of exact numbers with two sum rules", scheme.specification);
+    const auto found = interruptible(progress, [&] { return frequency_bound(scheme.mask); });
+    return found && found->exponent > 0 ? std::optional(found->exponent) : std::nullopt;
+  });
   module.def("sobolev", [](const Scheme& scheme, double seconds, const py::object& progress) {
     const auto found = interruptible(progress, [&] { return sobolev_regularity(scheme.mask, Deadline::in(seconds)); });
     return found ? std::optional(found->exponent) : std::nullopt;

@@ -245,6 +245,18 @@ class Scheme(LinearScheme):
         again = Computation("holder", (*arguments, True, None))
         return exponent_of(_core.holder(*arguments, certificate, progress), again)
 
+    def frequency_bound(self, progress: Progress = None) -> Optional[Fraction]:
+        """A proved lower end of the Hoelder exponent by a supersolution in frequency; None where none is found.
+
+        For masks of any size within a second. Raises DomainError for a mask that is not binary, symmetric and exact,
+        with two sum rules.
+
+        >>> import subcert
+        >>> float(subcert.scheme("primal:n=100").frequency_bound()) > 1.9999
+        True
+        """
+        return _core.frequency_bound(self._handle, progress)
+
     def sobolev(self, budget: float = 60, progress: Progress = None) -> Optional[Enclosure]:
         """The Sobolev (L2) exponent; None where it takes longer than that. No upper end: a lower bound."""
         return optional_enclosure(_core.sobolev(self._handle, budget, progress))

@@ -217,4 +217,24 @@ Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegul
   return list;
 }
 
+Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds) {
+  Facts result = named(scheme.specification, scheme.title);
+  const bool positive = bound && bound->exponent > 0;
+  if (bound) result.push_back(plain("sum_rules", "sum rules", bound->sum_rules));
+  result.push_back(converges_fact(positive ? Decision{Truth::yes, "the exponent is positive"}
+                                           : Decision{Truth::unknown, "no supersolution was found"}));
+  const Enclosure exponent = positive ? Enclosure::at_least(bound->exponent) : Enclosure{};
+  result.push_back(exponent_fact(
+      positive ? ">= " + to_decimal(bound->exponent, usual_digits, Rounding::down) : "unknown",
+      positive
+          ? fmt::format("proved by a supersolution on {} cells of each octave of frequencies that grows by a factor "
+                        "of at most 1 + {} a level",
+                        bound->cells, to_decimal(bound->excess, 3, Rounding::up))
+          : "",
+      exponent, usual_digits));
+  result.push_back(member("method", "frequency"));
+  result.push_back(member("seconds", seconds));
+  return result;
+}
+
 }  // namespace subcert::facts

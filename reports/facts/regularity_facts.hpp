@@ -3,6 +3,7 @@
 
 #include "fact.hpp"
 
+#include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
@@ -27,5 +28,8 @@ Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form);
 Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegularity& regularity,
                        const RegularityForm& form);
+
+/// What a supersolution in frequency proves.
+Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds);
 
 }  // namespace subcert::facts

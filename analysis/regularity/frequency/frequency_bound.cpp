@@ -2,6 +2,7 @@
 
 #include "cell_recursion.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
@@ -35,6 +36,13 @@ Rational rounded_up(double excess) {
 }
 
 }  // namespace
+
+bool has_frequency_bound(const Mask& mask) {
+  const LaurentPolynomial& symbol = mask.symbol();
+  for (long i = symbol.lowest(), j = symbol.highest(); i < j; ++i, --j)
+    if (symbol.coefficient(i) != symbol.coefficient(j)) return false;
+  return mask.arity() == 2 && is_affine(mask) && sum_rules(mask) >= 2;
+}
 
 std::optional<FrequencyBound> frequency_bound(const Mask& mask, int cells) {
   require(cells >= 1 && std::has_single_bit(static_cast<unsigned>(cells)),

@@ -15,7 +15,10 @@ struct FrequencyBound {
   int cells;          ///< of each octave of frequencies
 };
 
-/// Nothing where no supersolution on so many cells is found. Domain: symmetric binary mask with two sum rules; cells >=
+/// Whether the mask is in the domain of frequency_bound(): binary, symmetric, with two sum rules.
+bool has_frequency_bound(const Mask& mask);
+
+/// Nothing where no supersolution on so many cells is found. Domain: has_frequency_bound(mask); cells >=
 /// 1, a power of two. Errors: throws a domain error. Error: none, balls decide. Cost: for 200 coefficients and 32
 /// cells a tenth of a second; does not grow with the exponent. Ref: docs/theorems/smoothness.tex, Lemma on exponents.
 std::optional<FrequencyBound> frequency_bound(const Mask& mask, int cells = 32);

@@ -35,8 +35,9 @@ ScaledMaximum scaled_maximum(const PublishedCell& cell) {
   fail(ErrorKind::domain, "need a maximum of psi or of |psi'|, got '{}'", cell.quantity);
 }
 
-Trial proved_theorem(const std::string& theorem, int degree) {
-  const Decision proof = theorems::prove(theorem, degree).decision;
+Trial proved_theorem(const std::string& theorem, int degree, const std::string& family) {
+  const Decision proof =
+      theorems::prove(theorem, degree, theorems::stated_constants(theorem, degree, family), 1, family).decision;
   Trial trial;
   trial.require(proof.is_yes(), proof.reason);
   return trial;

@@ -26,7 +26,7 @@ struct ScaledMaximum {
 ScaledMaximum scaled_maximum(const PublishedCell& cell);
 
 /// Whether every inequality of the theorem for this degree is certified.
-Trial proved_theorem(const std::string& theorem, int degree = 1);
+Trial proved_theorem(const std::string& theorem, int degree = 1, const std::string& family = "primal");
 
 /// Why fits of degree d to m > d nodes are unique.
 inline const std::string few_zeros =

@@ -52,7 +52,7 @@ BENCHMARK(BM_mask)->Args({50, 1})->Args({50, 3})->Args({50, 9})->Unit(benchmark:
 BENCHMARK(BM_mask)->ArgsProduct({{10, 20, 40, 80, 160}, {5}})->Complexity()->Unit(benchmark::kMillisecond);
 
 Mask derived(const std::string& specification) {
-  const Mask mask = make_scheme(specification).mask;
+  const Mask mask = make_scheme(specification).mask.curve();
   return divided_difference_scheme(mask, sum_rules(mask));
 }
 
@@ -147,7 +147,7 @@ const bool polytope_benchmarks = [] {
 
 /// The interpolating schemes with 2 n points: one spectral radius, and the sum of squares of its certificate.
 Mask deslauriers_dubuc(long n) {
-  const Mask mask = make_scheme("dd:n=" + std::to_string(n)).mask;
+  const Mask mask = make_scheme("dd:n=" + std::to_string(n)).mask.curve();
   return divided_difference_scheme(mask, sum_rules(mask));
 }
 
@@ -253,7 +253,7 @@ void BM_sum_of_squares(benchmark::State& state) {
 BENCHMARK(BM_sum_of_squares)->Arg(5)->Arg(20)->Arg(60)->Unit(benchmark::kMillisecond);
 
 void BM_limit_values(benchmark::State& state) {
-  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0))).mask.curve();
   for (auto _ : state) benchmark::DoNotOptimize(limit_values(mask, static_cast<int>(state.range(1))));
   state.SetComplexityN(state.range(0));
 }
@@ -261,7 +261,7 @@ BENCHMARK(BM_limit_values)->ArgsProduct({{5, 10, 20, 40}, {0}})->Complexity()->U
 BENCHMARK(BM_limit_values)->ArgsProduct({{5}, {4, 6, 8, 10}})->Unit(benchmark::kMillisecond);
 
 void BM_variance_grid(benchmark::State& state) {
-  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask;
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask.curve();
   for (auto _ : state) benchmark::DoNotOptimize(variance_grid(mask, 7, true));
 }
 BENCHMARK(BM_variance_grid)->Arg(3)->Arg(7)->Unit(benchmark::kMillisecond);
@@ -269,7 +269,7 @@ BENCHMARK(BM_variance_grid)->Arg(3)->Arg(7)->Unit(benchmark::kMillisecond);
 /// Maximum, minimum and largest slope of psi to a relative width of 1e-6, and the mean.
 void BM_variance_range(benchmark::State& state) {
   const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1)))
-                        .mask;
+                        .mask.curve();
   VarianceRange range;
   for (auto _ : state) range = variance_range(mask);
   state.counters["cells"] = static_cast<double>(range.cells);
@@ -279,14 +279,14 @@ void BM_variance_range(benchmark::State& state) {
 BENCHMARK(BM_variance_range)->ArgsProduct({{5, 20, 40}, {1, 3}})->Unit(benchmark::kMillisecond);
 
 void BM_variance_order(benchmark::State& state) {
-  const Mask first = make_scheme("primal:n=" + std::to_string(state.range(0))).mask;
-  const Mask second = make_scheme("primal:n=" + std::to_string(state.range(0) - 1)).mask;
+  const Mask first = make_scheme("primal:n=" + std::to_string(state.range(0))).mask.curve();
+  const Mask second = make_scheme("primal:n=" + std::to_string(state.range(0) - 1)).mask.curve();
   for (auto _ : state) benchmark::DoNotOptimize(compare_variance(first, second));
 }
 BENCHMARK(BM_variance_order)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
 void BM_limit_range(benchmark::State& state) {
-  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask;
+  const Mask mask = make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=3").mask.curve();
   for (auto _ : state) benchmark::DoNotOptimize(limit_range(mask));
 }
 BENCHMARK(BM_limit_range)->Arg(5)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);

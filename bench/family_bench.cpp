@@ -94,7 +94,7 @@ void BM_daubechies(benchmark::State& state) {
   for (auto _ : state) {
     const Scheme scheme = make_scheme("daubechies:n=" + std::to_string(state.range(0)));
     benchmark::DoNotOptimize(
-        holder_regularity(scheme.mask, 16, {Deadline::in(60)}, HolderProof::shortest, scheme.rounding));
+        holder_regularity(scheme.mask.curve(), 16, {Deadline::in(60)}, HolderProof::shortest, scheme.rounding));
   }
 }
 BENCHMARK(BM_daubechies)->Arg(2)->Arg(10)->Arg(21)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -1,7 +1,7 @@
 // Refinement of data. BM_copy moves the same memory as one level: one read, and one write of `arity` times as much.
 
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/grid_refinement.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
@@ -35,7 +35,7 @@ BENCHMARK(BM_copy)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// One level of a function in double precision: range(0) / 2 points of the stencil, range(1) threads.
 void BM_refine(benchmark::State& state) {
-  const Mask mask = make_scheme("dual:n=" + std::to_string(state.range(0) / 2)).mask;
+  const Mask mask = make_scheme("dual:n=" + std::to_string(state.range(0) / 2)).mask.curve();
   const int threads = static_cast<int>(state.range(1));
   const std::vector<double> data = random_data(points);
   data::AxisRefiner refiner(mask, data::Boundary::regression);
@@ -53,13 +53,10 @@ BENCHMARK(BM_refine)->ArgsProduct({{2, 4, 6, 8, 16}, {1, 2}})->Unit(benchmark::k
 
 /// One level of heights on a grid of 2000 x 2000 points, 4 x 4 data for each output: as a product and as one mask.
 void BM_refine_surface(benchmark::State& state) {
-  const auto scheme = std::get<MultivariateScheme>(
-      make_any_scheme(state.range(0) == 0 ? "tensor:(dual:n=2)x(dual:n=2)" : "grid:points=4x4,d=1"));
+  const auto scheme = make_linear_scheme(state.range(0) == 0 ? "tensor:(dual:n=2)x(dual:n=2)" : "grid:points=4x4,d=1");
   const data::GridData<double> data{random_data(4'000'000), 1, {data::Axis::of(2000), data::Axis::of(2000)}};
   const data::RefineOptions options{1, data::Boundary::regression, 1};
-  for (auto _ : state)
-    benchmark::DoNotOptimize(scheme.factors.empty() ? refine(data, scheme.mask, options)
-                                                    : refine(data, scheme.factors, options));
+  for (auto _ : state) benchmark::DoNotOptimize(refine(data, scheme.mask, options));
   state.counters["points/s"] = benchmark::Counter(static_cast<double>(state.iterations()) * 16'000'000,
                                                   benchmark::Counter::kIsRate);
 }

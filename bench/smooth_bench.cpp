@@ -37,7 +37,7 @@ void BM_smooth(benchmark::State& state) {
   std::vector<Rational> weights;
   if (state.range(1) == 1) weights.assign(count, 1);
   for (std::size_t i = 25; i < weights.size(); i += 50) weights[i] = 0;
-  const data::SchemeSmoother smoother(scheme.mask, {count, weights},
+  const data::SchemeSmoother smoother(scheme.mask.curve(), {count, weights},
                                       {data::Boundary::regression, static_cast<int>(state.range(0)), 0}, scheme.rules);
   for (auto _ : state) benchmark::DoNotOptimize(smoother.apply(data));
   count_outputs(state, smoother.outputs());

@@ -6,7 +6,7 @@
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/radius/similarity.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <benchmark/benchmark.h>
@@ -17,12 +17,10 @@ namespace {
 
 using namespace subcert;
 
-MultivariateMask mask_of(const std::string& scheme) {
-  return std::get<MultivariateScheme>(make_linear_scheme(scheme)).mask;
-}
+LatticeMask mask_of(const std::string& scheme) { return make_linear_scheme(scheme).mask; }
 
 MatrixFamily largest_block(const std::string& scheme, bool symmetric) {
-  const MultivariateMask mask = mask_of(scheme);
+  const LatticeMask mask = mask_of(scheme);
   const DifferenceSpace space = difference_space(mask, polynomial_reproduction(mask).sum_rules);
   BlockTriangular triangular = block_triangularise(space.family, {});
   if (symmetric) triangular = radius::with_symmetries(std::move(triangular), {});
@@ -52,7 +50,7 @@ void BM_surface_form(benchmark::State& state, const std::string& scheme, bool sy
 }
 
 void BM_surface_stability(benchmark::State& state, const std::string& scheme) {
-  const MultivariateMask mask = mask_of(scheme);
+  const LatticeMask mask = mask_of(scheme);
   for (auto _ : state) benchmark::DoNotOptimize(has_stable_shifts(*gram_function(mask)));
 }
 

@@ -54,8 +54,9 @@ BENCHMARK(BM_degree_one_bounds)->Arg(10)->Arg(1000)->Arg(100000)->Unit(benchmark
 
 /// Arguments: n, degree, cells of each shell.
 void BM_curve_bounds(benchmark::State& state) {
-  const subcert::Mask mask =
-      subcert::make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1))).mask;
+  const subcert::Mask mask = subcert::make_scheme("primal:n=" + std::to_string(state.range(0)) +
+                                                  ",d=" + std::to_string(state.range(1)))
+                                 .mask.curve();
   for (auto _ : state) benchmark::DoNotOptimize(curve_bounds(mask, static_cast<int>(state.range(2))));
   state.counters["ripple"] = curve_bounds(mask, static_cast<int>(state.range(2))).ripple.upper->convert_to<double>();
 }

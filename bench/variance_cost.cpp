@@ -77,7 +77,7 @@ int main(int count, char** arguments) {
   for (int degree : degrees)
     for (int n : sizes) {
       const std::string name = "primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree);
-      benchmark::RegisterBenchmark(name.c_str(), [mask = make_scheme(name).mask](benchmark::State& state) {
+      benchmark::RegisterBenchmark(name.c_str(), [mask = make_scheme(name).mask.curve()](benchmark::State& state) {
         VarianceRange range;
         for (auto _ : state) range = variance_range(mask);
         state.counters["cells"] = static_cast<double>(range.cells);

@@ -17,7 +17,7 @@ constexpr double exponent_seconds = 60;  // for the polytope of one scheme
 std::string decimal(const Rational& value, int places) { return to_fixed(value, places, Rounding::nearest); }
 
 VarianceFacts variance_facts(const std::string& specification) {
-  const Mask mask = make_scheme(specification).mask;
+  const Mask mask = make_scheme(specification).mask.curve();
   const VarianceGrid grid = variance_grid(mask, variance_level, proved_smoothness(mask).order >= 1);
   VarianceFacts facts;
   for (std::size_t i = 0; i < grid.values.size(); ++i)
@@ -54,14 +54,14 @@ ComputedQuantities::ComputedQuantities(const ReportOptions& options)
 
 void ComputedQuantities::need_bounds(const std::vector<std::string>& specifications) {
   make_missing(bounds_, specifications, options_,
-               [](const auto& s) { return holder_bounds(make_scheme(s).mask, holder_levels); });
+               [](const auto& s) { return holder_bounds(make_scheme(s).mask.curve(), holder_levels); });
 }
 
 void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications) {
   make_missing(exponents_, specifications, options_, [](const auto& s) {
     const Scheme scheme = make_scheme(s);
-    return holder_regularity(scheme.mask, holder_levels, {Deadline::in(exponent_seconds)}, HolderProof::certificate,
-                             scheme.rounding);
+    return holder_regularity(scheme.mask.curve(), holder_levels, {Deadline::in(exponent_seconds)},
+                             HolderProof::certificate, scheme.rounding);
   });
 }
 
@@ -77,7 +77,7 @@ const statements::dyn_2015::NumericalRecipeSearch& ComputedQuantities::recipes()
   std::map<std::string, int> sizes;
   for (const statements::PublishedCell& cell : table.cells) sizes[cell.scheme] = cell.n.value();
   make_missing(values, schemes_of(table), options_, [&](const std::string& scheme) {
-    return statements::dyn_2015::evaluate_numerical_recipes(make_scheme(scheme).mask, sizes.at(scheme));
+    return statements::dyn_2015::evaluate_numerical_recipes(make_scheme(scheme).mask.curve(), sizes.at(scheme));
   });
   return recipes_.emplace(table, std::move(values));
 }

@@ -65,7 +65,8 @@ struct Suggested {
     recipe.resize(last_n_of_figure_8);
     parallel_tasks(recipe.size(), quantities.jobs(), [&](std::size_t i) {
       const int n = static_cast<int>(i) + 1;
-      const auto values = evaluate_numerical_recipe(best, make_scheme(statements::specification("primal", n)).mask, n);
+      const auto values = evaluate_numerical_recipe(
+          best, make_scheme(statements::specification("primal", n)).mask.curve(), n);
       recipe[i] = {n, n * n * values.slope};
     });
     for (const statements::PublishedCell& cell : quantities.published("table3").cells)

@@ -52,7 +52,7 @@ Report report_daubechies(const ReportOptions& options) {
       const HolderRegularity& regularity = computed.exponent(scheme.specification);
       const Enclosure& exponent = regularity.exponent;
       table.proofs.push_back(row_proof(fmt::format("D{}.cert", 2 * n),
-                                       exponent_certificate(scheme.mask, regularity, scheme.rounding),
+                                       exponent_certificate(scheme.mask.curve(), regularity, scheme.rounding),
                                        options.verified));
       table.proofs.back().scheme = scheme.specification;
       table.row_ids.push_back(fmt::format("daubechies-exponents-D{}", 2 * n));

@@ -19,7 +19,7 @@ namespace {
 formats::ComparisonTable compare_masks(const statements::PublishedTable& table) {
   formats::ComparisonTable result = empty_table(table);
   for (const statements::PublishedCell& cell : table.cells) {
-    const Mask computed = make_scheme(cell.scheme).mask;
+    const Mask computed = make_scheme(cell.scheme).mask.curve();
     // The paper prints no indices with the masks: the coefficients are compared in order.
     const LaurentPolynomial printed = LaurentPolynomial::parse_mask(cell.printed).shifted(computed.symbol().lowest());
     formats::Comparison comparison = compare_text(cell, computed.symbol().to_mask_text(),
@@ -35,7 +35,7 @@ formats::ComparisonTable compare_masks(const statements::PublishedTable& table) 
 formats::ComparisonTable compare_supports(const statements::PublishedTable& table) {
   formats::ComparisonTable result = empty_table(table);
   for (const statements::PublishedCell& cell : table.cells) {
-    const Interval support = limit_support(make_scheme(cell.scheme).mask);
+    const Interval support = limit_support(make_scheme(cell.scheme).mask.curve());
     const std::string computed = "[" + to_text(support.lower) + ", " + to_text(support.upper) + "]";
     result.comparisons.push_back(compare_text(cell, computed, computed == cell.printed ? Truth::yes : Truth::no));
   }
@@ -69,7 +69,8 @@ formats::Figure figure_1() {
         {"S_" + std::to_string(n),
          "x",
          "phi",
-         {{"", curve_points(limit_values(make_scheme(statements::specification("primal", n)).mask, plot_level))}}});
+         {{"",
+           curve_points(limit_values(make_scheme(statements::specification("primal", n)).mask.curve(), plot_level))}}});
   return figure;
 }
 
@@ -170,7 +171,7 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
                                 : to_fixed(low, 4, Rounding::down) + " ... " + to_fixed(high, 4, Rounding::up),
                             to_decimal(high - low, 2, Rounding::up), word, std::to_string(regularity.radius.vertices()),
                             regularity.radius.exact.is_yes() ? "yes" : "unknown"});
-      const Mask mask = make_scheme(statements::specification(family, n)).mask;
+      const Mask mask = make_scheme(statements::specification(family, n)).mask.curve();
       table.proofs.push_back(
           row_proof(fmt::format("{}-{}.cert", family, n), exponent_certificate(mask, regularity), options.verified));
       table.proofs.back().scheme = printed.cells[static_cast<std::size_t>(n) - 2].scheme;

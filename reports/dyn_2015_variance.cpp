@@ -83,8 +83,8 @@ formats::Panel printed_over_certified(const statements::PublishedTable& publishe
 }
 
 formats::Curve variance_curve(int n, int degree, const std::string& label) {
-  const VarianceGrid grid = variance_grid(make_scheme(statements::specification("primal", n, degree)).mask, plot_level,
-                                          false);
+  const VarianceGrid grid = variance_grid(make_scheme(statements::specification("primal", n, degree)).mask.curve(),
+                                          plot_level, false);
   formats::Curve curve{label, {}};
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     curve.points.emplace_back((Rational(i) * grid.step()).convert_to<double>(), grid.values[i].convert_to<double>());

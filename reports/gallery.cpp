@@ -1,6 +1,5 @@
 #include "gallery.hpp"
 
-#include "facts/regularity_facts.hpp"
 #include "formats/data_figure.hpp"
 #include "formats/html.hpp"
 #include "formats/limit_figure.hpp"
@@ -100,17 +99,18 @@ void try_part(Plate& plate, const Deadline& deadline, const std::string& name, P
 }
 
 void add_exponents(Plate& plate, const Scheme& scheme, const PlateOptions& options, const Budget& budget) {
-  plate.sum_rules = sum_rules(scheme.mask);
-  plate.convergence = converges(scheme.mask, {levels_of_norms, budget.deadline.after(sobolev_share)});
+  const Mask& mask = scheme.mask.curve();
+  plate.sum_rules = sum_rules(mask);
+  plate.convergence = converges(mask, {levels_of_norms, budget.deadline.after(sobolev_share)});
   if (plate.convergence.is_no()) return;
   if (!scheme.rounding)
     try_part(plate, {}, "Sobolev exponent", [&] {
-      const auto sobolev = sobolev_if_small(scheme.mask, budget.deadline.after(sobolev_share));
+      const auto sobolev = sobolev_if_small(mask, budget.deadline.after(sobolev_share));
       if (sobolev) plate.sobolev = sobolev->exponent;
     });
   try_part(plate, {}, "Hölder exponent", [&] {
     const HolderRegularity regularity = holder_regularity(
-        scheme.mask, levels_of_norms, budget, options.verified ? HolderProof::certificate : HolderProof::shortest,
+        mask, levels_of_norms, budget, options.verified ? HolderProof::certificate : HolderProof::shortest,
         scheme.rounding);
     if (regularity.converges.truth != Truth::unknown) plate.convergence = regularity.converges;
     plate.stable = regularity.stable;
@@ -118,7 +118,7 @@ void add_exponents(Plate& plate, const Scheme& scheme, const PlateOptions& optio
     plate.holder = regularity.proved_exponent();
     if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
       plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
-                              exponent_certificate(scheme.mask, regularity, scheme.rounding), options.verified);
+                              exponent_certificate(mask, regularity, scheme.rounding), options.verified);
   });
 }
 
@@ -139,7 +139,7 @@ void add_integers(Plate& plate, formats::Panel& panel, const Mask& mask) {
 }
 
 void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
-  const Mask& mask = scheme.mask;
+  const Mask& mask = scheme.mask.curve();
   const Deadline deadline = Deadline::in(options.budget);
   try_part(plate, {}, "picture of the basic limit function", [&] {
     formats::Panel panel = formats::limit_panel(mask, "", formats::DrawnLimit::values);
@@ -179,7 +179,7 @@ void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& option
            [&] { plate.pictures.push_back(polygon_picture(scheme, options.open)); });
 }
 
-void fill(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
+void fill_curve(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
   add_exponents(plate, scheme, options, {Deadline::in(options.budget), options.memory});
   if (plate.convergence.is_yes())
     add_pictures(plate, scheme, options);
@@ -190,9 +190,9 @@ void fill(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
                                  : "Convergence is not decided within the budget: nothing is drawn.");
 }
 
-void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& options) {
+void fill_surface(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
   const Budget budget{Deadline::in(options.budget), options.memory};
-  const MultivariateRegularity regularity = facts::regularity_of(scheme, budget);
+  const MultivariateRegularity regularity = multivariate_regularity(scheme.mask, budget);
   plate.sum_rules = regularity.sum_rules;
   plate.convergence = regularity.converges;
   plate.stable = regularity.stable;
@@ -219,17 +219,9 @@ void fill(Plate& plate, const MultivariateScheme& scheme, const PlateOptions& op
 
 }  // namespace
 
-const std::string& Plate::specification() const {
-  return std::visit([](const auto& one) -> const std::string& { return one.specification; }, scheme);
-}
-
-const std::string& Plate::title() const {
-  return std::visit([](const auto& one) -> const std::string& { return one.title; }, scheme);
-}
-
 Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options) {
   Plate plate(scheme);
-  std::visit([&](const auto& one) { fill(plate, one, options); }, plate.scheme);
+  (plate.scheme.mask.dimension() == 1 ? fill_curve : fill_surface)(plate, plate.scheme, options);
   return plate;
 }
 

@@ -34,7 +34,7 @@ struct PlatePicture {
 struct Plate {
   explicit Plate(const GalleryScheme& drawn) : scheme(make_linear_scheme(drawn.specification)), key(drawn.key) {}
 
-  LinearScheme scheme;
+  Scheme scheme;
   std::string key;  ///< of the reference, or empty
   int sum_rules = 0;
   Decision convergence;
@@ -51,8 +51,8 @@ struct Plate {
   std::optional<formats::RowProof> proof;  ///< of the exponent
   std::vector<std::string> notes;
 
-  const std::string& specification() const;
-  const std::string& title() const;
+  const std::string& specification() const { return scheme.specification; }
+  const std::string& title() const { return scheme.title; }
 };
 
 /// Domain: a scheme of one variable, or of two or three. Errors: throws SpecificationError for what is no linear

@@ -50,7 +50,7 @@ std::string value_html(const Fact& fact) {
          (fact.remark.empty() ? "" : " <span class=why>" + typeset(fact.remark) + "</span>");
 }
 
-std::string mask_html(const MultivariateScheme& scheme) {
+std::string mask_html(const Scheme& scheme) {
   const MultivariatePolynomial& symbol = scheme.mask.symbol();
   const auto low = symbol.lowest(), high = symbol.highest();
   if (scheme.mask.dimension() != 2 || high[0] - low[0] >= largest_grid || high[1] - low[1] >= largest_grid)
@@ -76,10 +76,9 @@ std::string facts_html(const Plate& plate) {
   std::string result = "<dl>\n";
   for (const Fact& fact : plate_facts(plate)) {
     if (fact.label.empty()) continue;
-    const auto* surface = fact.label == "mask" ? std::get_if<MultivariateScheme>(&plate.scheme) : nullptr;
-    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", typeset(fact.label),
-                          fact.label == "mask" && !surface ? " class=mask" : "",
-                          surface ? mask_html(*surface) : value_html(fact));
+    const bool mask = fact.label == "mask", table = mask && plate.scheme.mask.dimension() > 1;
+    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", typeset(fact.label), mask && !table ? " class=mask" : "",
+                          table ? mask_html(plate.scheme) : value_html(fact));
   }
   if (plate.proof && !plate.proof->name.empty())
     result += "<dt>certificate</dt><dd class=proof>" + formats::check_button_inside(*plate.proof) + "</dd>\n";

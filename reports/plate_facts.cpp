@@ -24,8 +24,7 @@ std::string number_text(const Enclosure& enclosure, int digits) {
   return enclosure.is_exact() ? to_text(*enclosure.lower) : formats::fixed_text(enclosure, digits);
 }
 
-std::string short_mask(const Scheme& scheme) {
-  const LaurentPolynomial& symbol = scheme.mask.symbol();
+std::string short_mask(const LaurentPolynomial& symbol) {
   std::string text;
   for (const Rational& coefficient : symbol.coefficients())
     text += (text.empty() ? "" : ",") + to_decimal(coefficient, places, Rounding::nearest);
@@ -35,18 +34,14 @@ std::string short_mask(const Scheme& scheme) {
 /// Of rounded coefficients the algebra says nothing about those that are meant.
 Facts known_of_mask(const Scheme& scheme) {
   Facts list = facts::mask_facts(scheme);
+  const bool curve = scheme.mask.dimension() == 1;
   for (Fact& fact : list)
-    if (fact.label == "mask" && (scheme.rounding || fact.text.size() > longest)) fact.text = short_mask(scheme);
+    if (curve && fact.label == "mask" && (scheme.rounding || fact.text.size() > longest))
+      fact.text = short_mask(scheme.mask.curve().symbol());
   std::erase_if(list, [&](const Fact& fact) {
-    return fact.label == "scheme" || (fact.label != "mask" && fact.text.size() > longest) ||
+    return fact.label == "scheme" || (curve && fact.label != "mask" && fact.text.size() > longest) ||
            (scheme.rounding && (fact.label == "symbol" || fact.label == "symmetry" || fact.label == "polynomials"));
   });
-  return list;
-}
-
-Facts known_of_mask(const MultivariateScheme& scheme) {
-  Facts list = facts::mask_facts(scheme);
-  std::erase_if(list, [&](const Fact& fact) { return fact.label == "scheme"; });
   return list;
 }
 
@@ -75,7 +70,7 @@ Fact mean_fact(const Rational& mean) {
 Facts plate_facts(const Plate& plate) {
   const bool converges = plate.convergence.is_yes();
   Facts list{member("scheme", plate.specification())};
-  append(list, std::visit([](const auto& one) { return known_of_mask(one); }, plate.scheme));
+  append(list, known_of_mask(plate.scheme));
   list.push_back(decided("convergence", "convergence", plate.convergence));
   list.push_back(holder_fact(plate));
   list.push_back(member("exact", plate.exact.is_yes()));

@@ -1,9 +1,7 @@
 #include "surface_facts.hpp"
 
-#include "facts/regularity_facts.hpp"
-
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -44,7 +42,7 @@ std::string support_text(const std::vector<Interval>& support) {
 
 /// The Sobolev exponent r, and the Hoelder exponent between r - s/2 and r (docs/surfaces.md, section 5). Where the
 /// shifts are not stable and the mask is large, a lower end of r.
-MultivariateRegularity sobolev_alone(const MultivariateMask& mask) {
+MultivariateRegularity sobolev_alone(const LatticeMask& mask) {
   MultivariateRegularity result;
   result.exact = {Truth::unknown, "not searched"};
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
@@ -89,12 +87,12 @@ std::vector<SurfaceFacts> surface_facts(const std::vector<std::string>& specific
   std::vector<SurfaceFacts> result(specifications.size());
   parallel_tasks(result.size(), options.jobs, [&](std::size_t i) {
     if (options.progress) options.progress(specifications[i]);
-    const auto scheme = std::get<MultivariateScheme>(make_linear_scheme(specifications[i]));
+    const auto scheme = make_linear_scheme(specifications[i]);
     const Budget budget{Deadline::in(options.budget.value_or(seconds))};
     const bool searched = options.budget || scheme.mask.symbol().count() <= most_searched;
-    result[i] = {
-        scheme.specification, limit_support(scheme.mask),
-        searched || !scheme.factors.empty() ? facts::regularity_of(scheme, budget) : sobolev_alone(scheme.mask)};
+    result[i] = {scheme.specification, limit_support(scheme.mask),
+                 searched || scheme.mask.has_factors() ? multivariate_regularity(scheme.mask, budget)
+                                                       : sobolev_alone(scheme.mask)};
   });
   return result;
 }

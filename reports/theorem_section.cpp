@@ -43,7 +43,7 @@ std::string range(const std::string& id) {
 }
 
 Mask scheme(int n, int degree) {
-  return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask;
+  return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask.curve();
 }
 
 double plain(const Rational& value) { return value.convert_to<double>(); }

@@ -86,7 +86,7 @@ std::vector<Rational> ball_distances(const BallRegression& scheme) {
   return {distances.begin(), distances.end()};
 }
 
-MultivariateMask ball_regression_mask(const BallRegression& scheme) {
+LatticeMask ball_regression_mask(const BallRegression& scheme) {
   require(scheme.degree >= 0 && scheme.degree <= 6, "ball regression: need 0 <= d <= 6, got {}", scheme.degree);
   require(scheme.power >= 0 && scheme.power <= 8, "ball regression: need 0 <= power <= 8, got {}", scheme.power);
   const std::vector<Rational> distances = ball_distances(scheme);

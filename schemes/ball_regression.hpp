@@ -27,6 +27,6 @@ std::vector<Rational> ball_distances(const BallRegression& scheme);
 /// The exact mask. Domain: 1/2 < radius <= 10, 0 <= degree <= 6, 0 <= power <= 8; no weights or as many as distances,
 /// all positive; data that determine the polynomials. Errors: throws Error. Cost: data * degree^2, and linear systems
 /// of the size of the number of monomials.
-MultivariateMask ball_regression_mask(const BallRegression& scheme);
+LatticeMask ball_regression_mask(const BallRegression& scheme);
 
 }  // namespace subcert

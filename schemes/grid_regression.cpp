@@ -53,7 +53,7 @@ std::vector<Rational> grid_regression_weights(const std::vector<std::vector<Rati
   return Products(std::move(terms)).from(0, degree);
 }
 
-MultivariateMask grid_regression_mask(const GridRegression& scheme) {
+LatticeMask grid_regression_mask(const GridRegression& scheme) {
   const std::size_t variables = scheme.points.size();
   if (variables < 2 || variables > 3)
     fail(ErrorKind::domain, "grid_regression_mask: need 2 or 3 numbers of points, got {}", variables);

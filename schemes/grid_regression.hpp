@@ -25,6 +25,6 @@ struct GridRegression {
 
 /// The exact mask. Domain: two or three numbers of points >= 2, degree >= 0, arity >= 2. Errors: throws
 /// a domain error. Ref: [MLZD15, App. B], [MB16, sec. 3].
-MultivariateMask grid_regression_mask(const GridRegression& scheme);
+LatticeMask grid_regression_mask(const GridRegression& scheme);
 
 }  // namespace subcert

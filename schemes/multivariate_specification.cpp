@@ -42,27 +42,27 @@ std::vector<Piece> read_factors(const Piece& body) {
   return factors;
 }
 
-MultivariateScheme make_tensor(const Piece&, const Piece& body, const std::string&) {
-  MultivariateScheme result{"tensor:", "tensor product", {MultivariatePolynomial(2, 1), 2}, {}};
+Scheme make_tensor(const Piece&, const Piece& body, const std::string&) {
+  std::string specification = "tensor:";
+  std::vector<Mask> factors;
   long coefficients = 1;
   for (const Piece& factor : read_factors(body)) {
     try {
       const Scheme scheme = make_scheme(factor.text);
-      result.specification += (result.factors.empty() ? "(" : "x(") + scheme.specification + ")";
-      coefficients *= scheme.mask.symbol().length();
-      result.factors.push_back(scheme.mask);
+      specification += (factors.empty() ? "(" : "x(") + scheme.specification + ")";
+      factors.push_back(scheme.mask.curve());
     } catch (const SpecificationError& error) {
       if (error.position() > factor.at) throw;
       throw SpecificationError(error.token(), factor.at + error.position(), error.expected());
     }
+    coefficients *= factors.back().symbol().length();
     if (coefficients > max_coefficients)
       fail(factor, "factors with at most " + std::to_string(max_coefficients) + " coefficients in all");
   }
-  result.mask = tensor_product(result.factors);
-  return result;
+  return {specification, "tensor product", tensor_product(factors)};
 }
 
-MultivariateScheme make_grid(Fields& fields) {
+Scheme make_grid(Fields& fields) {
   const Piece points_piece = fields.required("points");
   GridRegression scheme;
   std::string points;
@@ -94,8 +94,7 @@ MultivariateScheme make_grid(Fields& fields) {
   return {text,
           points + "-point least squares scheme of total degree " + std::to_string(scheme.degree) +
               (scheme.arity == 2 ? "" : ", arity " + std::to_string(scheme.arity)),
-          grid_regression_mask(scheme),
-          {}};
+          grid_regression_mask(scheme)};
 }
 
 /// What `make` returns; what it says to be needed is what is expected in place of the piece.
@@ -151,7 +150,7 @@ std::string fields_text(const Dilation& dilation) {
 }
 
 /// Refuses masks whose coset sums are not all 1, by a class without coefficients where there is one.
-void require_affine(const Piece& body, const MultivariateMask& mask) {
+void require_affine(const Piece& body, const LatticeMask& mask) {
   const std::vector<Rational> sums = coset_sums(mask);
   std::vector<bool> empty(sums.size(), true);
   for (const auto& term : mask.symbol().terms()) empty[mask.dilation().divide(term.exponents).digit] = false;
@@ -179,7 +178,7 @@ MultivariatePolynomial symbol_of(const text::MaskText& mask) {
 }
 
 template <int variables>
-MultivariateScheme make_mask_of(const Piece& family, const Piece& body, const std::string& usage) {
+Scheme make_mask_of(const Piece& family, const Piece& body, const std::string& usage) {
   auto [parts, fields] = read_mask(family, body, usage, variables, max_mask);
   Integer common = 1;
   for (const Rational& c : parts.coefficients) common = lcm(common, denominator(c));
@@ -189,13 +188,13 @@ MultivariateScheme make_mask_of(const Piece& family, const Piece& body, const st
   const Dilation dilation = read_dilation(fields, variables);
   fields.finish();
   const MultivariatePolynomial symbol = symbol_of(parts);
-  const MultivariateMask mask = checked(body, [&] { return MultivariateMask(symbol, dilation); });
+  const LatticeMask mask = checked(body, [&] { return LatticeMask(symbol, dilation); });
   require_affine(body, mask);
   return {std::string(family.text) + ":" + to_mask_text(mask) + fields_text(dilation), "mask given by its coefficients",
           mask};
 }
 
-MultivariateScheme make_box(const Piece& family, const Piece& body, const std::string& usage) {
+Scheme make_box(const Piece& family, const Piece& body, const std::string& usage) {
   std::vector<Piece> rest = split(body, ',');
   const Piece list = rest.front();
   rest.erase(rest.begin());
@@ -205,13 +204,13 @@ MultivariateScheme make_box(const Piece& family, const Piece& body, const std::s
   Fields fields(family, rest, usage);
   const Dilation dilation = read_dilation(fields, variables);
   fields.finish();
-  const MultivariateMask mask = checked(list, [&] { return box_spline_mask(directions, dilation); });
+  const LatticeMask mask = checked(list, [&] { return box_spline_mask(directions, dilation); });
   require_affine(list, mask);
   return {"box:" + to_text(directions) + fields_text(dilation),
           fmt::format("box spline of {} directions", directions.size()), mask};
 }
 
-MultivariateScheme make_triangular(Fields& fields) {
+Scheme make_triangular(Fields& fields) {
   BallRegression scheme;
   const Piece radius = fields.required("L");
   scheme.radius = read_rational(radius);
@@ -251,33 +250,31 @@ MultivariateScheme make_triangular(Fields& fields) {
       checked(radius, [&] { return ball_regression_mask(scheme); })};
 }
 
-MultivariateScheme make_butterfly(Fields& fields) {
+Scheme make_butterfly(Fields& fields) {
   const Rational w = read_rational(fields.required("w"));
   fields.finish();
   return {"butterfly:w=" + to_text(w), "butterfly scheme with tension " + to_text(w), butterfly_mask(w)};
 }
 
-MultivariateScheme make_kobbelt(Fields& fields) {
+Scheme make_kobbelt(Fields& fields) {
   const Rational w = read_rational(fields.required("w"));
   fields.finish();
-  const std::vector<Mask> factors(2, four_point_mask(w));
   return {"kobbelt:w=" + to_text(w), "Kobbelt's interpolatory scheme for quadrilaterals with tension " + to_text(w),
-          tensor_product(factors), factors};
+          tensor_product({four_point_mask(w), four_point_mask(w)})};
 }
 
-const std::vector<Family<MultivariateScheme>>& multivariate_table();
+const std::vector<Family>& multivariate_table();
 
 /// A scheme without parameters, known by its name: another specification.
-Family<MultivariateScheme> named(const std::string& name, const std::string& meaning, const std::string& definition) {
+Family named(const std::string& name, const std::string& meaning, const std::string& definition) {
   return {{name, name, meaning}, [=](const Piece&, const Piece& body, const std::string&) {
             if (!body.text.empty()) fail(body, "nothing after " + name);
-            MultivariateScheme scheme = *make_one_of(multivariate_table(), definition);
-            return MultivariateScheme{name, meaning, scheme.mask, scheme.factors};
+            return Scheme{name, meaning, make_one_of(multivariate_table(), definition)->mask};
           }};
 }
 
-const std::vector<Family<MultivariateScheme>>& multivariate_table() {
-  static const std::vector<Family<MultivariateScheme>> families{
+const std::vector<Family>& multivariate_table() {
+  static const std::vector<Family> families{
       {{"tensor", "tensor:(primal:n=3)x(dual:n=2)", "tensor product of two or three schemes of one variable"},
        make_tensor},
       {{"grid", "grid:points=4x4,d=3",
@@ -314,7 +311,7 @@ const std::vector<Family<MultivariateScheme>>& multivariate_table() {
   return families;
 }
 
-text::MaskText dense(const MultivariateMask& mask) {
+text::MaskText dense(const LatticeMask& mask) {
   const LatticePoint lowest = mask.symbol().lowest(), size = mask.symbol().highest() - lowest;
   text::MaskText result{{}, {}, lowest};
   std::size_t count = 1;
@@ -334,7 +331,7 @@ text::MaskText dense(const MultivariateMask& mask) {
 
 }  // namespace
 
-LinearScheme make_linear_scheme(std::string_view specification) {
+Scheme make_linear_scheme(std::string_view specification) {
   if (auto scheme = make_one_of(multivariate_table(), specification)) return *std::move(scheme);
   const Piece family = family_of(specification);
   for (const FamilyHelp& help : families())
@@ -347,17 +344,16 @@ LinearScheme make_linear_scheme(std::string_view specification) {
 
 AnyScheme make_any_scheme(std::string_view specification) {
   if (is_l1_specification(specification)) return make_l1_scheme(specification);
-  return std::visit([](auto scheme) -> AnyScheme { return scheme; }, make_linear_scheme(specification));
+  return make_linear_scheme(specification);
 }
 
 const std::string& specification_of(const AnyScheme& scheme) {
   return std::visit([](const auto& one) -> const std::string& { return one.specification; }, scheme);
 }
 
-std::vector<Mask> axis_masks(const AnyScheme& scheme) {
-  if (const auto* univariate = std::get_if<Scheme>(&scheme)) return {univariate->mask};
-  if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme)) return multivariate->factors;
-  return {};
+std::optional<LatticeMask> mask_with_factors(const AnyScheme& scheme) {
+  const auto* linear = std::get_if<Scheme>(&scheme);
+  return linear && linear->mask.has_factors() ? std::optional(linear->mask) : std::nullopt;
 }
 
 const std::vector<FamilyHelp>& multivariate_families() {
@@ -365,6 +361,6 @@ const std::vector<FamilyHelp>& multivariate_families() {
   return help;
 }
 
-std::string to_mask_text(const MultivariateMask& mask) { return text::print_mask_text(dense(mask)); }
+std::string to_mask_text(const LatticeMask& mask) { return text::print_mask_text(dense(mask)); }
 
 }  // namespace subcert

@@ -87,7 +87,7 @@ Scheme make_pseudo_spline(Fields& fields) {
 }
 
 /// One scheme of each family, by the number that takes the place of its letter.
-Family<Scheme> at_numbers(const ClassicalFamily& family) {
+Family at_numbers(const ClassicalFamily& family) {
   return {{family.name, family.name + ":w=" + family.example, family.title + " w"},
           from_fields([&family](Fields& fields) {
             const Rational w = read_rational(fields.required("w"));
@@ -157,9 +157,9 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
           "mask given by its coefficients", mask};
 }
 
-const std::vector<Family<Scheme>>& table() {
-  static const std::vector<Family<Scheme>> families = [] {
-    std::vector<Family<Scheme>> list{
+const std::vector<Family>& table() {
+  static const std::vector<Family> families = [] {
+    std::vector<Family> list{
         {{"primal", "primal:n=3,d=1", "binary primal 2n-point least squares scheme"}, from_fields(make_primal)},
         {{"dual", "dual:n=3,d=1", "binary dual 2n-point least squares scheme"}, from_fields(make_dual)},
         {{"primal-odd", "primal-odd:n=3,d=1", "binary primal (2n+1)-point variant"}, from_fields(make_primal_odd)},

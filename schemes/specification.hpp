@@ -21,22 +21,15 @@ class SpecificationError : public ParseError {
       : ParseError("scheme specification", token, position, expected) {}
 };
 
-/// A scheme of one variable: its canonical specification, a name for people, its exact mask, and the local regressions
-/// that it was made from.
+/// A linear scheme: its canonical specification, a name for people, its exact mask, and the local regressions that it
+/// was made from. `mask` has one factor, curve(), for one variable, those of a tensor product, and no factors for
+/// others.
 struct Scheme {
   std::string specification;
   std::string title;
-  Mask mask;
+  LatticeMask mask;
   std::optional<LocalRegression> rules = std::nullopt;
   std::optional<MaskRounding> rounding = std::nullopt;  ///< where the coefficients that are meant are not rational
-};
-
-/// A scheme of two or three variables.
-struct MultivariateScheme {
-  std::string specification;
-  std::string title;
-  MultivariateMask mask;
-  std::vector<Mask> factors = {};  ///< of a tensor product, first variable first; else none
 };
 
 /// A data-dependent scheme of one to three variables. It has no mask and only acts on data.
@@ -46,16 +39,15 @@ struct DataDependentScheme {
   L1Scheme rules;
 };
 
-using LinearScheme = std::variant<Scheme, MultivariateScheme>;
-using AnyScheme = std::variant<Scheme, MultivariateScheme, DataDependentScheme>;
+using AnyScheme = std::variant<Scheme, DataDependentScheme>;
 
-/// Reads a specification and makes the mask. Domain: at most 30,000 characters. Errors: throws SpecificationError
-/// for an unknown family or key, a missing or repeated key, a malformed value, a value outside its range (sizes are
-/// bounded so that every accepted mask is made in seconds and megabytes), or coset sums other than 1.
+/// Reads a specification of one variable and makes the mask. Domain: at most 30,000 characters. Errors: throws
+/// SpecificationError for an unknown family or key, a missing or repeated key, a malformed value, a value outside its
+/// range (sizes are bounded so that every accepted mask is made in seconds and megabytes), or coset sums other than 1.
 Scheme make_scheme(std::string_view specification);
 
 /// Reads a linear specification of one, two or three variables. Domain and errors: as make_scheme.
-LinearScheme make_linear_scheme(std::string_view specification);
+Scheme make_linear_scheme(std::string_view specification);
 
 /// Whether the text names the family l1.
 bool is_l1_specification(std::string_view specification);
@@ -72,8 +64,8 @@ AnyScheme make_any_scheme(std::string_view specification);
 /// The canonical specification.
 const std::string& specification_of(const AnyScheme& scheme);
 
-/// The masks along the axes: of a scheme of one variable, and of a tensor product; none for others.
-std::vector<Mask> axis_masks(const AnyScheme& scheme);
+/// The mask, where it has factors to be applied along the axes: those of one variable and tensor products.
+std::optional<LatticeMask> mask_with_factors(const AnyScheme& scheme);
 
 /// One line of help for every family: those of one variable, which make_scheme accepts, and the others.
 struct FamilyHelp {
@@ -86,6 +78,6 @@ const std::vector<FamilyHelp>& multivariate_families();
 
 /// The coefficients as nested lists over their common denominator, the last variable outermost, and the first index of
 /// each variable: `[[1,3],[3,1]]/8@-1,0`.
-std::string to_mask_text(const MultivariateMask& mask);
+std::string to_mask_text(const LatticeMask& mask);
 
 }  // namespace subcert

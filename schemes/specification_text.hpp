@@ -182,10 +182,9 @@ MaskAndFields read_mask(const Piece& family, const Piece& body, const std::strin
 Scheme make_algebraic_mask(const Piece& family, const Piece& body);
 
 /// The name of a family, an example with all keys, and how its schemes are made.
-template <class AScheme>
 struct Family {
   FamilyHelp help;
-  std::function<AScheme(const Piece& family, const Piece& body, const std::string& usage)> make;
+  std::function<Scheme(const Piece& family, const Piece& body, const std::string& usage)> make;
 };
 
 template <class Make>
@@ -196,10 +195,9 @@ auto from_fields(Make make) {
   };
 }
 
-template <class AScheme>
-std::vector<FamilyHelp> help_of(const std::vector<Family<AScheme>>& families) {
+inline std::vector<FamilyHelp> help_of(const std::vector<Family>& families) {
   std::vector<FamilyHelp> result;
-  for (const Family<AScheme>& family : families) result.push_back(family.help);
+  for (const Family& family : families) result.push_back(family.help);
   return result;
 }
 
@@ -227,11 +225,10 @@ inline Piece body_of(std::string_view specification) {
 }
 
 /// The scheme, where the specification names one of the families. A family without keys may do without its colon.
-template <class AScheme>
-std::optional<AScheme> make_one_of(const std::vector<Family<AScheme>>& families, std::string_view specification) {
+inline std::optional<Scheme> make_one_of(const std::vector<Family>& families, std::string_view specification) {
   if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
   const Piece family = family_of(specification);
-  for (const Family<AScheme>& candidate : families)
+  for (const Family& candidate : families)
     if (candidate.help.family == family.text) {
       const std::string& usage = candidate.help.usage;
       if (family.text.size() == specification.size() && usage != candidate.help.family) fail(family, usage);

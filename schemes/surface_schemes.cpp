@@ -48,7 +48,7 @@ LaurentPolynomial product_of_ones(const std::vector<long>& numbers) {
 
 }  // namespace
 
-MultivariateMask box_spline_mask(const std::vector<LatticePoint>& directions, const Dilation& dilation) {
+LatticeMask box_spline_mask(const std::vector<LatticePoint>& directions, const Dilation& dilation) {
   const std::size_t variables = dilation.variables();
   require(directions.size() <= most_directions, "box spline: need at most {} directions, got {}", most_directions,
           directions.size());
@@ -90,7 +90,7 @@ MultivariateMask box_spline_mask(const std::vector<LatticePoint>& directions, co
   return {symbol.shifted(shift), dilation};
 }
 
-MultivariateMask butterfly_mask(const Rational& w) {
+LatticeMask butterfly_mask(const Rational& w) {
   // The new point on the edge from (0,0) to (1,0): its ends, the far corners of the triangles on both sides, and those
   // of their other neighbours. Rotation by 60 degrees gives the other edges.
   const Rational half(1, 2);

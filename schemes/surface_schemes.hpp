@@ -12,9 +12,9 @@ namespace subcert {
 /// Domain: directions that span the space and are as many as 64 or fewer; M maps lines of directions to lines of
 /// directions. Errors: throws Error for other directions, and where the mask would pass 10^5 coefficients. Cost: a
 /// product of polynomials for each line of directions. Proof: docs/schemes.md. Ref: [dBHR93].
-MultivariateMask box_spline_mask(const std::vector<LatticePoint>& directions, const Dilation& dilation);
+LatticeMask box_spline_mask(const std::vector<LatticePoint>& directions, const Dilation& dilation);
 
 /// The butterfly scheme with tension w on the triangulation by the directions (1,0), (0,1), (1,1). Ref: [DLG90].
-MultivariateMask butterfly_mask(const Rational& w);
+LatticeMask butterfly_mask(const Rational& w);
 
 }  // namespace subcert

@@ -28,4 +28,11 @@ Rational operator_norm(const Mask& mask) {
   return *std::max_element(sums.begin(), sums.end());
 }
 
+Rational operator_norm(const LatticeMask& mask) {
+  std::vector<Rational> sums(mask.dilation().digits().size(), 0);
+  for (const Monomial& term : mask.symbol().terms())
+    sums[mask.dilation().divide(term.exponents).digit] += abs(term.coefficient);
+  return *std::max_element(sums.begin(), sums.end());
+}
+
 }  // namespace subcert

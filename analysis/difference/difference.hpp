@@ -13,7 +13,8 @@ int sum_rules(const Mask& mask);
 /// Error. Ref: [DL02, sec. 4].
 Mask divided_difference_scheme(const Mask& mask, int order);
 
-/// The maximum norm of the subdivision operator: the largest sum of |a_i| over a coset modulo the arity.
+/// The maximum norm of the subdivision operator: the largest sum of |a_i| over a coset modulo the dilation.
 Rational operator_norm(const Mask& mask);
+Rational operator_norm(const LatticeMask& mask);
 
 }  // namespace subcert

@@ -28,7 +28,7 @@ RationalMatrix moments(const std::vector<LatticePoint>& points, int order) {
 
 }  // namespace
 
-DifferenceSpace difference_space(const MultivariateMask& mask, int order, std::size_t most_points) {
+DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t most_points) {
   require(order >= 1, "difference space: need sum rules of order 1 or more, got {}", order);
   const Dilation& dilation = mask.dilation();
   LatticeWindow window(mask.symbol(), dilation, exponents_up_to(dilation.variables(), order), most_points);

@@ -24,6 +24,6 @@ struct DifferenceSpace {
 /// differences of order `order` of the n-th power of the scheme grows as JSR(family)^n. Proof: docs/surfaces.md.
 /// Domain: sum rules of this order >= 1; at most `most_points` lattice points. Errors: throws Error. Cost: one
 /// elimination, and the dimension times the coefficients for each digit.
-DifferenceSpace difference_space(const MultivariateMask& mask, int order, std::size_t most_points = 4096);
+DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t most_points = 4096);
 
 }  // namespace subcert

@@ -8,12 +8,16 @@
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace subcert {
 namespace {
 
 constexpr long max_integers = 1500;
 constexpr long max_values = 10'000'000;
+constexpr std::size_t most_points = 2000;  // of a lattice, inside the support
+constexpr int most_values = 1'000'000;     // in a LatticeSequence
 
 /// The points of Z / scale in the closed support of phi, times scale.
 IndexRange grid_in_support(const Mask& mask, long scale) {
@@ -38,6 +42,178 @@ LaurentPolynomial values_at_integers(const Mask& mask, const Deadline& deadline)
 
 void require_time(bool enough, int level) {
   if (!enough) fail(ErrorKind::undecided, "the exact values on level {} take more than the budget", level);
+}
+
+void require_few(double count, int level) {
+  if (count > most_values)
+    fail(ErrorKind::size, "limit_values: need at most {} values, got more at level {}", most_values, level);
+}
+
+/// The lattice points of the box that holds the support. Refuses levels on which their number is far too large.
+std::vector<LatticePoint> points_of_support(const LatticeMask& mask, int level) {
+  const std::vector<Interval> box = limit_support(mask);
+  double count = 1, fine = std::pow(static_cast<double>(mask.dilation().classes()), level);
+  LatticePoint low, high;
+  for (const Interval& side : box) {
+    low.push_back(ceil_index(side.lower));
+    high.push_back(floor_index(side.upper));
+    count *= static_cast<double>(high.back() - low.back() + 1);
+    fine *= side.width().convert_to<double>();
+  }
+  if (count > static_cast<double>(most_points))
+    fail(ErrorKind::size, "limit_values: need at most {} lattice points in the support, got {}", most_points, count);
+  require_few(fine / 4, level);
+  return points_of_box(low, high);
+}
+
+/// V(z) -> a(z) a(z^M) ... a(z^(M^(level-1))) V(z): values of a function at lattice points become those at M^-level i.
+LatticeSequence refined(const LatticeMask& mask, LatticeSequence values, int level) {
+  std::vector<MultivariatePolynomial::Monomial> terms = mask.symbol().terms();
+  for (int n = 0; n < level; ++n) {
+    LatticeSequence finer;
+    for (const auto& term : terms)
+      for (const auto& [point, value] : values) finer[point + term.exponents] += term.coefficient * value;
+    require_few(static_cast<double>(finer.size()), n + 1);
+    std::erase_if(finer, [](const auto& entry) { return entry.second == 0; });
+    values = std::move(finer);
+    for (auto& term : terms) term.exponents = mask.dilation() * term.exponents;
+  }
+  return values;
+}
+
+/// C with D^orders[r] (f(M .)) = sum over c of C_{rc} (D^orders[c] f)(M .); `orders` are all of one sum.
+RationalMatrix chain_rule(const Dilation& dilation, const std::vector<LatticePoint>& orders) {
+  const std::size_t variables = dilation.variables();
+  RationalMatrix result(orders.size(), orders.size());
+  for (std::size_t row = 0; row < orders.size(); ++row) {
+    // The derivative by x_v of f(M .) is the sum over r of M_{rv} D_r f.
+    LatticeSequence product{{LatticePoint(variables, 0), 1}};
+    for (std::size_t v = 0; v < variables; ++v)
+      for (long order = 0; order < orders[row][v]; ++order) {
+        LatticeSequence next;
+        for (const auto& [exponents, value] : product)
+          for (std::size_t r = 0; r < variables; ++r) {
+            LatticePoint raised = exponents;
+            ++raised[r];
+            next[raised] += value * dilation.rows()[r][v];
+          }
+        product = std::move(next);
+      }
+    for (std::size_t column = 0; column < orders.size(); ++column) result(row, column) = product[orders[column]];
+  }
+  return result;
+}
+
+/// The polynomial p with simple zeros and p(C^-1) = 0. Domain: diagonalizable.
+LaurentPolynomial annihilator_of_inverse(const RationalMatrix& matrix) {
+  const LaurentPolynomial p = squarefree_part(characteristic_polynomial(matrix)).reversed();
+  return p.shifted(-p.lowest());
+}
+
+/// The digit that is 0.
+std::size_t digit_zero(const Dilation& dilation) {
+  return dilation.divide(LatticePoint(dilation.variables(), 0)).digit;
+}
+
+/// v -> (sum over j of a_{Mk - j} v_j)_k on the window.
+RationalMatrix operator_of_zero(const LatticeMask& mask, const Dilation& dilation, const LatticeWindow& window) {
+  return transition_family(mask.symbol(), dilation, window)[digit_zero(dilation)];
+}
+
+LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rational>& values) {
+  LatticeSequence result;
+  for (std::size_t k = 0; k < window.size(); ++k)
+    if (values[k] != 0) result.emplace(window.points()[k], values[k]);
+  return result;
+}
+
+/// phi(k) = sum over j of a_{Mk - j} phi(j). The level is that of the values which are wanted in the end.
+LatticeSequence values_at_lattice_points(const LatticeMask& mask, const Dilation& dilation, int level) {
+  const LatticeWindow window(mask.symbol(), dilation, points_of_support(mask, level), most_points,
+                             digit_zero(dilation));
+  const auto values = fixed_vector(operator_of_zero(mask, dilation, window));
+  require(values.has_value(), "limit_values: need a scheme that converges, got several fixed vectors or none");
+  return on_points(window, *values);
+}
+
+/// The matrix whose columns are these vectors, of which there is at least one.
+RationalMatrix from_columns(const std::vector<std::vector<Rational>>& columns) {
+  RationalMatrix result(columns.front().size(), columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (std::size_t r = 0; r < result.rows(); ++r) result(r, c) = columns[c][r];
+  return result;
+}
+
+/// The component of x in the kernel of a matrix along its image; nothing where these do not span the space.
+std::optional<std::vector<Rational>> component_in_kernel(const RationalMatrix& matrix, const std::vector<Rational>& x) {
+  const auto right = kernel(matrix), left = kernel(transposed(matrix));
+  if (right.empty()) return std::nullopt;
+  const RationalMatrix basis = from_columns(right), dual = transposed(from_columns(left)), pairing = dual * basis;
+  if (!kernel(pairing).empty()) return std::nullopt;
+  const RationalMatrix combination = solve(pairing, from_columns({dual * x}));
+  std::vector<Rational> weights;
+  for (std::size_t r = 0; r < combination.rows(); ++r) weights.push_back(combination(r, 0));
+  return basis * weights;
+}
+
+/// The values at lattice points that become those of the derivative at M^-level i by refinement.
+LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Dilation& dilation,
+                                              const LatticeSequence& values, int level, const LatticePoint& orders,
+                                              long total) {
+  const std::vector<LatticePoint> all = exponents_of_degree(dilation.variables(), total);
+  const RationalMatrix chain = chain_rule(dilation, all), chains = power(chain, level);
+  const auto row = static_cast<std::size_t>(std::find(all.begin(), all.end(), orders) - all.begin());
+  const std::vector<LatticeSequence> differences = differences_of_delta(dilation.variables(), static_cast<int>(total));
+  LatticeSequence start;
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (const auto& [i, factor] : differences[c])
+      for (const auto& [k, value] : values) start[i + k] += chains(row, c) * factor * value;
+  std::vector<LatticePoint> support;
+  for (const auto& [point, value] : start) support.push_back(point);
+  const auto window = LatticeWindow::closure(mask.symbol(), dilation, support, most_points);
+  std::vector<Rational> entries(window.size(), 0);
+  for (const auto& [point, value] : start) entries[window.place(point)] = value;
+  const RationalMatrix matrix = operator_of_zero(mask, dilation, window);
+  const LaurentPolynomial p = annihilator_of_inverse(chain);
+  RationalMatrix condition = p.coefficient(1) * matrix;  // p(matrix), without products where p is linear
+  if (p.highest() > 1)
+    condition = value_at(p, matrix);
+  else
+    for (std::size_t i = 0; i < condition.rows(); ++i) condition(i, i) += p.coefficient(0);
+  const auto result = component_in_kernel(condition, entries);
+  require(result.has_value(),
+          "limit_values: need limits with continuous derivatives of order {}, whose values the refinement equation "
+          "determines",
+          total);
+  return on_points(window, *result);
+}
+
+LatticeSequence values_of_whole(const LatticeMask& mask, int level, const LatticePoint& orders) {
+  const Dilation dilation(mask.dilation().rows());
+  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
+  LatticeSequence values = values_at_lattice_points(mask, dilation, level);
+  require(total == 0 || dilation.is_isotropic(), "limit_values: need an isotropic dilation for derivatives, got {}",
+          dilation.to_text());
+  if (total > 0) values = derivatives_at_lattice_points(mask, dilation, values, level, orders, total);
+  return refined(mask, std::move(values), level);
+}
+
+LatticeSequence product_of_values(const std::vector<Mask>& factors, int level, const LatticePoint& orders) {
+  LatticeSequence product{{{}, 1}};
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    const LimitValues factor = limit_values(factors[v], level, static_cast<int>(orders[v]));
+    require_few(static_cast<double>(product.size() * factor.values.size()), level);
+    LatticeSequence next;
+    for (const auto& [point, value] : product)
+      for (std::size_t i = 0; i < factor.values.size(); ++i)
+        if (factor.values[i] != 0) {
+          LatticePoint longer = point;
+          longer.push_back(factor.first_index + static_cast<long>(i));
+          next.emplace(std::move(longer), value * factor.values[i]);
+        }
+    product = std::move(next);
+  }
+  return product;
 }
 
 }  // namespace
@@ -85,6 +261,21 @@ LimitValues limit_values(const Mask& mask, int level, int order, const Deadline&
     result.values[static_cast<std::size_t>(index - first)] = values.coefficient(index);
   }
   return result;
+}
+
+LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders) {
+  require(level >= 0, "limit_values: need level >= 0, got {}", level);
+  const auto variables = static_cast<std::size_t>(mask.dimension());
+  require(orders.empty() || orders.size() == variables, "limit_values: need an order for each of {} variables, got {}",
+          variables, orders.size());
+  for (const long order : orders) require(order >= 0, "limit_values: need orders >= 0, got {}", order);
+  const LatticePoint all = orders.empty() ? LatticePoint(variables, 0) : orders;
+  return mask.has_factors() ? product_of_values(mask.factors(), level, all) : values_of_whole(mask, level, all);
+}
+
+LatticeSequence refined_delta(const LatticeMask& mask, int level) {
+  require(level >= 0, "refined_delta: need level >= 0, got {}", level);
+  return refined(mask, {{LatticePoint(mask.dilation().variables(), 0), 1}}, level);
 }
 
 std::vector<Rational> l2_inner_products(const Mask& mask, const Deadline& deadline) {

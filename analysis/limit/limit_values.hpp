@@ -1,12 +1,13 @@
 #pragma once
-/// Exact values of the basic limit function.
+/// Exact values of the basic limit function and of its derivatives.
 
 #include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/transition/lattice_window.hpp>
 
 namespace subcert {
 
-/// values[i] = phi^(order)((first_index + i) / arity^level), for all grid points in the closed support.
+/// Of one variable: values[i] = phi^(order)((first_index + i) / arity^level), for all grid points in the closed
+/// support.
 struct LimitValues {
   int arity;
   int level;
@@ -26,6 +27,20 @@ struct LimitValues {
 /// past the deadline. Cost: one exact solution at the integers, then one product for each level. Ref: [DHHS15,
 /// sec. 2.2].
 LimitValues limit_values(const Mask& mask, int level, int order = 0, const Deadline& deadline = {});
+
+/// i -> (D^orders phi)(M^-level i), where it is not 0; `orders` has the order of the derivative in each variable, and
+/// is empty for phi itself. Domain: a scheme that converges; level >= 0. By factors, whatever their arities: the
+/// divided difference scheme of the order in its variable converges for each; at most 10^6 values. Without factors: for
+/// derivatives an isotropic dilation, and all derivatives of that total order continuous. Errors: throws Error, of kind
+/// domain where the refinement equation does not determine the values, of kind size where more than 2000 lattice points
+/// lie in the support, 4*10^6 points M^-level i in its box, or more than 10^6 values are asked for. Cost: as that of
+/// the factors; without these a linear system as large as the number of lattice points in the support, for derivatives
+/// two more; then coefficients * values. Proof: docs/surfaces.md.
+LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders = {});
+
+/// The coefficients of the power of the scheme: `level` steps applied to the unit sequence, the datum with index i at
+/// M^-level i. Errors: throws Error of kind size for more than 10^6. Cost: coefficients * values.
+LatticeSequence refined_delta(const LatticeMask& mask, int level);
 
 /// [k] = the integral of phi(x) phi(x + k), k = 0, 1, ..., up to the last that is not zero for its support: the values
 /// at the integers of the autocorrelation of phi, which the mask a(z) a(1/z) / arity refines.

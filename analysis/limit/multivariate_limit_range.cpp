@@ -1,8 +1,8 @@
 #include "multivariate_limit_range.hpp"
 
-#include "multivariate_limit_values.hpp"
+#include "limit_values.hpp"
 
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct ScaledNumbers {
 /// What the digits of a mask make of the lattice, and phi on its tiles.
 class Tiling {
  public:
-  explicit Tiling(const MultivariateMask& mask);
+  explicit Tiling(const LatticeMask& mask);
 
   std::size_t window() const { return window_.size(); }
   std::size_t digits() const { return steps_.size(); }
@@ -66,7 +66,7 @@ class Tiling {
     Integer factor;
   };
   Rational scale(int level) const { return power(Rational(denominator_), level); }
-  void find_slopes(const MultivariateMask& mask);
+  void find_slopes(const LatticeMask& mask);
 
   Dilation dilation_;
   LatticeWindow window_;
@@ -88,13 +88,13 @@ std::vector<Rational> values_on_window(const LatticeSequence& values, const Latt
   return result;
 }
 
-MultivariateMask indicator(const Dilation& dilation) {
+LatticeMask indicator(const Dilation& dilation) {
   std::vector<MultivariatePolynomial::Monomial> terms;
   for (const LatticePoint& digit : dilation.digits()) terms.push_back({1, digit});
   return {MultivariatePolynomial(static_cast<int>(dilation.variables()), terms), dilation};
 }
 
-Tiling::Tiling(const MultivariateMask& mask)
+Tiling::Tiling(const LatticeMask& mask)
     : dilation_(mask.dilation().rows()),
       window_(mask.symbol(), dilation_, {LatticePoint(dilation_.variables(), 0)}, most_window_points),
       steps_(dilation_.digits().size()),
@@ -111,7 +111,7 @@ Tiling::Tiling(const MultivariateMask& mask)
   find_slopes(mask);
 }
 
-void Tiling::find_slopes(const MultivariateMask& mask) {
+void Tiling::find_slopes(const LatticeMask& mask) {
   const std::size_t variables = dilation_.variables();
   const Rational count(static_cast<long>(window()));
   RationalMatrix points(window(), variables);  // about their mean
@@ -124,7 +124,7 @@ void Tiling::find_slopes(const MultivariateMask& mask) {
   for (std::size_t k = 0; k < window(); ++k)
     for (std::size_t v = 0; v < variables; ++v) squares[k] += points(k, v) * points(k, v);
   middle_ = static_cast<std::size_t>(std::min_element(squares.begin(), squares.end()) - squares.begin());
-  const MultivariateReproduction polynomials = polynomial_reproduction(mask);
+  const PolynomialReproduction polynomials = polynomial_reproduction(mask);
   const RationalMatrix products = transposed(points) * points;
   if (polynomials.sum_rules < 2 || !kernel(products).empty()) return;
   shift_ = polynomials.parametrization;
@@ -222,7 +222,7 @@ struct Peak {
 
 class RangeSearch {
  public:
-  RangeSearch(const MultivariateMask& mask, const LimitOptions& options)
+  RangeSearch(const LatticeMask& mask, const LimitOptions& options)
       : tiling_(mask), options_(options), tiles_(tiling_.roots()) {}
 
   MultivariateLimitRange run() {
@@ -334,7 +334,7 @@ class RangeSearch {
 
 }  // namespace
 
-MultivariateLimitRange limit_range(const MultivariateMask& mask, const LimitOptions& options) {
+MultivariateLimitRange limit_range(const LatticeMask& mask, const LimitOptions& options) {
   require(options.relative_width > 0, "limit_range: need relative_width > 0, got {}", to_text(options.relative_width));
   return RangeSearch(mask, options).run();
 }

@@ -25,6 +25,6 @@ struct MultivariateLimitRange {
 /// converges, with any dilation. Error: widths at most relative_width times the largest |phi| where `complete`. Errors:
 /// throws Error, as limit_values of several variables. Cost: a few hundred cells a level where phi is C^1 with sum
 /// rules of order 2 and its extremes are isolated, each with a sparse product. Proof: docs/surfaces.md.
-MultivariateLimitRange limit_range(const MultivariateMask& mask, const LimitOptions& options = {});
+MultivariateLimitRange limit_range(const LatticeMask& mask, const LimitOptions& options = {});
 
 }  // namespace subcert

@@ -22,7 +22,7 @@ constexpr std::size_t most_points = 1 << 16, most_orbits = 1200;
 class TransferOperator {
  public:
   /// On a window that holds the support of every word of some length on sequences supported on `start`.
-  TransferOperator(const MultivariateMask& mask, const std::vector<LatticePoint>& start)
+  TransferOperator(const LatticeMask& mask, const std::vector<LatticePoint>& start)
       : symbol_(mask.symbol() * mask.symbol().reversed() *
                 MultivariatePolynomial(mask.dimension(), Rational(1, mask.dilation().classes()))),
         dilation_(mask.dilation().rows()),
@@ -190,7 +190,7 @@ RationalMatrix even_moments(const TransferOperator& transfer, std::size_t variab
 
 }  // namespace
 
-std::optional<LatticeSequence> gram_function(const MultivariateMask& mask, const Deadline& deadline) {
+std::optional<LatticeSequence> gram_function(const LatticeMask& mask, const Deadline& deadline) {
   const std::size_t variables = mask.dilation().variables();
   const TransferOperator transfer(mask, {LatticePoint(variables, 0)});
   RationalMatrix system = transfer.matrix();
@@ -217,7 +217,7 @@ Decision has_stable_shifts(const LatticeSequence& gram, const Deadline& deadline
   return positive;
 }
 
-std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, int sum_rules,
+std::optional<MultivariateSobolev> sobolev_regularity(const LatticeMask& mask, int sum_rules,
                                                       const Deadline& deadline) {
   const Dilation& dilation = mask.dilation();
   require(sum_rules >= 1, "sobolev_regularity: need at least one sum rule, got {}", sum_rules);
@@ -246,7 +246,7 @@ std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& ma
   return sobolev_of(largest_root_modulus(*characteristic).largest, dilation, basis.size());
 }
 
-std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, const LatticeSequence& gram,
+std::optional<MultivariateSobolev> sobolev_regularity(const LatticeMask& mask, const LatticeSequence& gram,
                                                       const Deadline& deadline) {
   constexpr int largest_order = 32;
   const Rational slack = power(Rational(10), -9);

@@ -10,7 +10,7 @@ namespace subcert {
 /// k -> <phi, phi(. - k)>, exact. Nothing where the solution of the refinement equation is not unique, which says that
 /// the scheme does not converge. Domain: coset sums 1. Errors: throws Error where the window has more than 4096 points.
 /// Cost: a linear system as large as the window modulo the symmetries of the autocorrelation. Proof: docs/surfaces.md.
-std::optional<LatticeSequence> gram_function(const MultivariateMask& mask, const Deadline& deadline = {});
+std::optional<LatticeSequence> gram_function(const LatticeMask& mask, const Deadline& deadline = {});
 
 /// Whether the integer shifts of phi are stable: sum over k of <phi, phi(. - k)> e^(i k x) > 0 for all x. `no` names a
 /// zero, `yes` comes from exact bounds on cells. Domain: `gram` is that of a scheme that converges. Proof:
@@ -28,13 +28,13 @@ struct MultivariateSobolev {
 /// where the shifts are stable, otherwise a lower bound of it. Nothing where it would take longer than the deadline.
 /// Domain: sum rules of this order >= 1, isotropic dilation. Errors: throws Error. Error: exponent to 1e-15. Cost: one
 /// characteristic polynomial.
-std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, int sum_rules,
+std::optional<MultivariateSobolev> sobolev_regularity(const LatticeMask& mask, int sum_rules,
                                                       const Deadline& deadline = {});
 
 /// From the words of the transfer operator on the differences of `gram`: the exponent, whether the shifts are stable or
 /// not. Nothing where it would take longer than the deadline. Domain: `gram` is that of the mask, phi continuous.
 /// Errors, Error: as above. Cost: the minimal polynomial of a vector, for each order up to the exponent.
-std::optional<MultivariateSobolev> sobolev_regularity(const MultivariateMask& mask, const LatticeSequence& gram,
+std::optional<MultivariateSobolev> sobolev_regularity(const LatticeMask& mask, const LatticeSequence& gram,
                                                       const Deadline& deadline = {});
 
 }  // namespace subcert

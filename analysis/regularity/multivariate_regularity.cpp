@@ -4,8 +4,8 @@
 #include "sobolev.hpp"
 #include "value_space.hpp"
 
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
@@ -26,7 +26,7 @@ constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of seve
 constexpr std::size_t largest_space = 256;
 
 /// Provided that the scheme converges.
-void decide_stability(const MultivariateMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
+void decide_stability(const LatticeMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
   try {
     result.gram = gram_function(mask, deadline);
   } catch (const Error& error) {
@@ -39,7 +39,7 @@ void decide_stability(const MultivariateMask& mask, const Deadline& deadline, Mu
 }
 
 /// Provided that phi is continuous.
-std::optional<MultivariateSobolev> decide_sobolev(const MultivariateMask& mask, const Deadline& deadline,
+std::optional<MultivariateSobolev> decide_sobolev(const LatticeMask& mask, const Deadline& deadline,
                                                   const MultivariateRegularity& result) {
   auto found = sobolev_regularity(mask, result.sum_rules, deadline);
   if (result.stable.is_yes()) return found;
@@ -51,12 +51,12 @@ std::optional<MultivariateSobolev> decide_sobolev(const MultivariateMask& mask, 
 
 /// The mask, and where the dilation M is no multiple of the identity with the dilations g M for symmetries g of the
 /// mask, which refine the same functions. First those that turn least; of those that symmetries exchange, one.
-std::vector<MultivariateMask> with_turned_dilations(const MultivariateMask& mask) {
-  std::vector<MultivariateMask> result{mask};
+std::vector<LatticeMask> with_turned_dilations(const LatticeMask& mask) {
+  std::vector<LatticeMask> result{mask};
   if (mask.dilation().factor()) return result;
   const auto group = symmetries_along(lattice_symmetries(mask.symbol()), mask.dilation());
   std::vector<std::vector<LatticePoint>> seen{mask.dilation().rows()};
-  std::vector<std::pair<long, MultivariateMask>> turned;
+  std::vector<std::pair<long, LatticeMask>> turned;
   for (const LatticeMap& element : group) {
     const auto rows = times(element.linear, mask.dilation().rows());
     const auto is_like = [&](const std::vector<LatticePoint>& other) {
@@ -67,7 +67,7 @@ std::vector<MultivariateMask> with_turned_dilations(const MultivariateMask& mask
     seen.push_back(rows);
     long trace = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) trace += rows[i][i];
-    turned.emplace_back(trace, MultivariateMask(mask.symbol(), Dilation(rows)));
+    turned.emplace_back(trace, LatticeMask(mask.symbol(), Dilation(rows)));
   }
   std::sort(turned.begin(), turned.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (auto& [trace, other] : turned) result.push_back(std::move(other));
@@ -76,7 +76,7 @@ std::vector<MultivariateMask> with_turned_dilations(const MultivariateMask& mask
 
 /// Where the shifts are not proved stable the differences of phi, as those of the scheme give no upper end. A Sobolev
 /// exponent below 0 is that of no continuous phi.
-DifferenceSpace space_of_differences(const MultivariateMask& mask, const MultivariateRegularity& result,
+DifferenceSpace space_of_differences(const LatticeMask& mask, const MultivariateRegularity& result,
                                      const std::optional<MultivariateSobolev>& sobolev) {
   if (!result.stable.is_yes() && sobolev && sobolev->exponent.upper && *sobolev->exponent.upper >= 0) {
     // The exponent is at most the Sobolev exponent.
@@ -87,7 +87,7 @@ DifferenceSpace space_of_differences(const MultivariateMask& mask, const Multiva
 }
 
 /// Differences of the first order, or of that of the sum rules.
-std::optional<ShrinkingDifferences> shrinking_differences(const MultivariateMask& mask, int sum_rules,
+std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mask, int sum_rules,
                                                           const Budget& budget) {
   const Rational target = 1 - power(Rational(2), -20);
   for (const int order : sum_rules > 1 ? std::vector{1, sum_rules} : std::vector{1}) {
@@ -108,7 +108,7 @@ std::optional<ShrinkingDifferences> shrinking_differences(const MultivariateMask
 }
 
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
-Decision prove_convergence(const MultivariateMask& mask, const Budget& budget, int sum_rules,
+Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
   const Deadline end = Deadline::in(budget.deadline.remaining() + convergence_grace);
   Decision decision = converges(mask, {levels, end.after(0.5)});
@@ -126,10 +126,10 @@ Decision prove_convergence(const MultivariateMask& mask, const Budget& budget, i
 }
 
 /// Fills in what the differences tell: by the dilation with which a polytope closes, in slices of time that grow.
-void search_radius(const MultivariateMask& mask, const std::optional<MultivariateSobolev>& sobolev,
-                   const Budget& budget, MultivariateRegularity& result) {
+void search_radius(const LatticeMask& mask, const std::optional<MultivariateSobolev>& sobolev, const Budget& budget,
+                   MultivariateRegularity& result) {
   result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
-  const std::vector<MultivariateMask> masks = with_turned_dilations(mask);
+  const std::vector<LatticeMask> masks = with_turned_dilations(mask);
   std::vector<DifferenceSpace> spaces;  // of the masks that had their turn
   for (double slice = masks.size() > 1 ? first_slice : budget.deadline.remaining();; slice *= slice_factor) {
     for (std::size_t k = 0; k < masks.size(); ++k) {
@@ -162,7 +162,7 @@ struct Along {
   JointSpectralRadius radius;
   Enclosure exponent;
 };
-std::optional<Along> exponent_along(const MultivariateMask& mask, const IsotropicSubspace& subspace, int first_order,
+std::optional<Along> exponent_along(const LatticeMask& mask, const IsotropicSubspace& subspace, int first_order,
                                     const Budget& budget, int bits) {
   constexpr int most_orders = 4;
   std::optional<Along> result;
@@ -182,8 +182,7 @@ std::optional<Along> exponent_along(const MultivariateMask& mask, const Isotropi
 }
 
 /// Fills in the smallest of the exponents along the subspaces.
-void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, int bits,
-                            MultivariateRegularity& result) {
+void search_along_subspaces(const LatticeMask& mask, const Budget& budget, int bits, MultivariateRegularity& result) {
   result.exact = {Truth::unknown, "no space of differences along a subspace was found"};
   std::optional<Along> roughest;
   Enclosure exponent;
@@ -210,18 +209,8 @@ void search_along_subspaces(const MultivariateMask& mask, const Budget& budget, 
   result.radius = std::move(roughest->radius);
 }
 
-}  // namespace
-
-Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension, int bits) {
-  const auto root = static_cast<long>(dimension);
-  const int base = static_cast<int>(classes);
-  Enclosure result;
-  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, root), base, bits).upper;
-  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, root), base, bits).lower;
-  return result;
-}
-
-MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget, int bits) {
+/// Domain: coset sums 1.
+MultivariateRegularity regularity_of_whole(const LatticeMask& mask, const Budget& budget, int bits) {
   const Dilation& dilation = mask.dilation();
   require(!dilation.isotropic_subspaces().empty(),
           "regularity: need a dilation without Jordan blocks whose conjugate eigenvalues have one modulus, or a tensor "
@@ -229,11 +218,6 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
           dilation.to_text());
   MultivariateRegularity result;
   result.stable = {Truth::unknown, "the scheme is not proved to converge"};
-  const auto sums = coset_sums(mask);
-  if (!std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; })) {
-    result.converges = converges(mask);
-    return result;
-  }
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
   decide_stability(mask, budget.deadline.after(stability_share), result);
   const Budget searching{budget.deadline.after(search_share), budget.memory};
@@ -260,8 +244,8 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   if (continuous && !of_values)
     result.converges = {Truth::yes, "the exponent is positive"};
   else if (of_values)  // the same limits, with the digits of the space
-    result.converges = prove_convergence(MultivariateMask(mask.symbol(), result.space->dilation), budget,
-                                         result.sum_rules, &result.shrinking);
+    result.converges = prove_convergence(LatticeMask(mask.symbol(), result.space->dilation), budget, result.sum_rules,
+                                         &result.shrinking);
   else
     result.converges = prove_convergence(mask, budget, result.sum_rules);
   if (!continuous && !result.converges.is_yes()) {
@@ -288,13 +272,8 @@ MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, con
   return result;
 }
 
-bool MultivariateRegularity::is_closed() const {
-  if (radius) return radius->is_closed();
-  return exponent.is_bounded() && *exponent.upper - *exponent.lower < power(Rational(10), -12);
-}
-
-MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget, int bits) {
-  require(!factors.empty(), "tensor_product_regularity: need at least one factor, got none");
+/// The smallest of the exponents of the factors. Domain: coset sums 1.
+MultivariateRegularity regularity_by_factors(const std::vector<Mask>& factors, const Budget& budget, int bits) {
   MultivariateRegularity result;
   result.converges = {Truth::yes, "every factor converges"};
   result.stable = {Truth::yes, "the shifts of every factor are stable"};
@@ -325,6 +304,34 @@ MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factor
     if (one.exponent.upper && (!result.exponent.upper || *one.exponent.upper < *result.exponent.upper))
       result.exponent.upper = one.exponent.upper;
   return result;
+}
+
+}  // namespace
+
+Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t dimension, int bits) {
+  const auto root = static_cast<long>(dimension);
+  const int base = static_cast<int>(classes);
+  Enclosure result;
+  if (radius.upper && *radius.upper > 0) result.lower = -*log_ratio(power(*radius.upper, root), base, bits).upper;
+  if (radius.lower && *radius.lower > 0) result.upper = -*log_ratio(power(*radius.lower, root), base, bits).lower;
+  return result;
+}
+
+MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Budget& budget, int bits) {
+  const std::vector<Rational> sums = coset_sums(mask);
+  if (!std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; })) {
+    MultivariateRegularity result;
+    result.stable = {Truth::unknown, "the scheme is not proved to converge"};
+    result.converges = converges(mask);
+    return result;
+  }
+  return mask.has_factors() ? regularity_by_factors(mask.factors(), budget, bits)
+                            : regularity_of_whole(mask, budget, bits);
+}
+
+bool MultivariateRegularity::is_closed() const {
+  if (radius) return radius->is_closed();
+  return exponent.is_bounded() && *exponent.upper - *exponent.lower < power(Rational(10), -12);
 }
 
 }  // namespace subcert

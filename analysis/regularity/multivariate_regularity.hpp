@@ -41,16 +41,11 @@ struct MultivariateRegularity {
   bool is_closed() const;
 };
 
-/// Where the dilation is not isotropic the smallest of the exponents along its isotropic subspaces, whose space and
-/// radius are given. Domain: any mask with a dilation that has such subspaces. Errors: throws Error otherwise. Error:
-/// none, both ends are proved. Cost: as joint_spectral_radius on the space of differences. Proof: docs/surfaces.md.
-/// Ref: [Jia98], [Jia99], [CP19].
-MultivariateRegularity multivariate_regularity(const MultivariateMask& mask, const Budget& budget,
-                                               int bits = default_bits);
-
-/// The same for a tensor product, by its factors, whatever their arities: the exponent is the smallest of theirs.
-/// Without space, radius and inner products. Domain: two or three masks with coset sums 1.
-MultivariateRegularity tensor_product_regularity(const std::vector<Mask>& factors, const Budget& budget,
-                                                 int bits = default_bits);
+/// By factors, whatever their arities, the smallest of their exponents, without space, radius and inner products. Else,
+/// where the dilation is not isotropic, the smallest of the exponents along its isotropic subspaces, whose space and
+/// radius are given. Domain: any mask with factors, or with a dilation that has such subspaces. Errors: throws Error
+/// otherwise. Error: none, both ends are proved. Cost: as joint_spectral_radius on the space of differences. Proof:
+/// docs/surfaces.md. Ref: [Jia98], [Jia99], [CP19].
+MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Budget& budget, int bits = default_bits);
 
 }  // namespace subcert

@@ -2,7 +2,7 @@
 
 #include "radius/modular_meataxe.hpp"
 
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ LatticeSequence convolution(const LatticeSequence& a, const LatticeSequence& b) 
 }
 
 /// The span of the words modulo the prime, recognised over the rationals.
-std::optional<SequenceSpace> recognised_space(const MultivariateMask& mask, const std::vector<LatticeSequence>& starts,
+std::optional<SequenceSpace> recognised_space(const LatticeMask& mask, const std::vector<LatticeSequence>& starts,
                                               const std::vector<LatticePoint>& support, std::size_t most_points) {
   const auto closure = LatticeWindow::closure(mask.symbol(), mask.dilation(), support, most_points);
   const auto family = radius::modulo_prime(transition_family(mask.symbol(), mask.dilation(), closure));
@@ -72,7 +72,7 @@ std::optional<SequenceSpace> recognised_space(const MultivariateMask& mask, cons
 }
 
 /// Whether all words of some length lead the sequences into the space, which is invariant.
-bool leads_into(const MultivariateMask& mask, const SequenceSpace& space, const std::vector<LatticeSequence>& starts) {
+bool leads_into(const LatticeMask& mask, const SequenceSpace& space, const std::vector<LatticeSequence>& starts) {
   constexpr int most_rounds = 64;
   const auto add_rest = [&space](SequenceSpace& rest, const LatticeSequence& x) {
     LatticeSequence reduced = rest.reduced(space.reduced(x));
@@ -100,13 +100,13 @@ Dilation with_zero_first(const Dilation& dilation) {
 
 }  // namespace
 
-std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points) {
+std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order, std::size_t most_points) {
   return value_space(mask, order, exponents_of_degree(mask.dilation().variables(), 1), most_points);
 }
 
-std::optional<DifferenceSpace> value_space(const MultivariateMask& original, int order,
+std::optional<DifferenceSpace> value_space(const LatticeMask& original, int order,
                                            const std::vector<LatticePoint>& directions, std::size_t most_points) {
-  const MultivariateMask mask(original.symbol(), with_zero_first(original.dilation()));
+  const LatticeMask mask(original.symbol(), with_zero_first(original.dilation()));
   const Dilation& dilation = mask.dilation();
   LatticeSequence values;
   try {

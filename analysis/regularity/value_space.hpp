@@ -12,10 +12,10 @@ namespace subcert {
 /// Domain: coset sums 1, isotropic dilation, order >= 1. Errors: throws Error where more than `most_points` of them are
 /// needed.
 /// Cost: eliminations modulo a prime, and exact ones of what differs from the space. Proof: docs/surfaces.md.
-std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order, std::size_t most_points = 1024);
+std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order, std::size_t most_points = 1024);
 
 /// The same for differences along the vectors of a basis of an isotropic subspace: how smooth phi is along it.
-std::optional<DifferenceSpace> value_space(const MultivariateMask& mask, int order,
+std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order,
                                            const std::vector<LatticePoint>& directions, std::size_t most_points = 1024);
 
 }  // namespace subcert

@@ -3,25 +3,36 @@
 
 #include <subcert/analysis/symbol/parametric_mask.hpp>
 
+#include <vector>
+
 namespace subcert {
 
-/// For convergent schemes. The degrees are exact where the symbol has no zeros that the roots of unity turn into each
-/// other (so for all with stable shifts); for others they are lower bounds. Ref: [DHSS08], [CH11].
+/// For convergent schemes; degrees are total degrees. They are exact where the symbol has no zeros that the roots of
+/// unity turn into each other (so for all with stable shifts); for others they are lower bounds. Ref: [DHSS08], [CH11].
 struct PolynomialReproduction {
-  /// Limits of polynomial data of this degree are polynomials of this degree: number of sum rules minus one.
-  int generation_degree;
+  /// The order of the sum rules: moments of total degree below it are the same over all cosets.
+  int sum_rules;
+  /// The multiplicity of 1 + z_i + ... + z_i^(arity-1) in the symbol, for each variable; none where the dilation is
+  /// neither a multiple of the identity nor that of a tensor product.
+  std::vector<int> factors;
   /// Polynomials of this degree are reproduced, with the datum f_j attached to j + parametrization; -1 where not even
   /// constants are.
   int reproduction_degree;
-  /// The shift in units of the data spacing: 0 for odd symmetric masks, -1/(2 (arity-1)) for even ones centred at -1/2.
-  /// It is tau / (arity - 1) with tau = a'(1) / arity, the only shift with which linear polynomials can be reproduced.
-  Rational parametrization;
+  /// The shift in units of the data spacing, the only one with which linear polynomials can be reproduced: the t with
+  /// M t = t + (the mean of the indices). Of curves 0 for odd symmetric masks, -1/(2 (arity-1)) for even ones centred
+  /// at -1/2.
+  std::vector<Rational> parametrization;
+
+  /// Limits of polynomial data of this degree are polynomials of this degree.
+  int generation_degree() const { return sum_rules - 1; }
   /// The limit from samples of a smooth function at spacing h is within O(h^order); docs/reproduction.md shows when
   /// that is sharp.
   int approximation_order() const { return reproduction_degree + 1; }
 };
 
-PolynomialReproduction polynomial_reproduction(const Mask& mask);
+/// Cost: the terms of the mask times the number of moments; by factors quasi-linear in the terms for each degree.
+/// Proof: docs/reproduction.md.
+PolynomialReproduction polynomial_reproduction(const LatticeMask& mask);
 
 /// The same for all values of a parameter.
 struct ParametricReproduction {

@@ -121,7 +121,7 @@ TEST_CASE("equal blocks, nilpotent families and what is reducible over the reals
 
 TEST_CASE("transition matrices: irreducible ones, and masks with further factors") {
   const auto blocks_of = [](const std::string& text) {
-    const Mask mask = make_scheme(text).mask;
+    const Mask mask = make_scheme(text).mask.curve();
     const Family family = transition_matrices(divided_difference_scheme(mask, sum_rules(mask)));
     const BlockTriangular blocks = block_triangularise(family, Deadline::in(20));
     check_triangular(family, blocks);

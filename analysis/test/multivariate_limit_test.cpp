@@ -2,8 +2,7 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/limit/multivariate_limit_range.hpp>
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 
@@ -12,12 +11,10 @@ using subcert::testing::mask_of;
 
 namespace {
 
-MultivariateScheme surface(const std::string& specification) {
-  return std::get<MultivariateScheme>(make_linear_scheme(specification));
-}
+Scheme surface(const std::string& specification) { return make_linear_scheme(specification); }
 
 /// The box spline of these directions with its support from 0 on.
-MultivariateMask box_spline(const std::vector<LatticePoint>& directions) {
+LatticeMask box_spline(const std::vector<LatticePoint>& directions) {
   MultivariatePolynomial symbol(2, power(Rational(2), 2 - static_cast<long>(directions.size())));
   for (const LatticePoint& direction : directions)
     symbol *= MultivariatePolynomial(2, std::vector<MultivariatePolynomial::Monomial>{{1, {0, 0}}, {1, direction}});
@@ -43,7 +40,7 @@ LatticeSequence sum(LatticeSequence a, const LatticeSequence& b, const Rational&
 }
 
 /// The scheme of `steps` steps at a time, which has the same limits.
-MultivariateMask power_of(const MultivariateMask& mask, int steps) {
+LatticeMask power_of(const LatticeMask& mask, int steps) {
   std::vector<MultivariatePolynomial::Monomial> terms;
   for (const auto& [point, value] : refined_delta(mask, steps)) terms.push_back({value, point});
   std::vector<LatticePoint> rows = mask.dilation().rows();
@@ -56,7 +53,7 @@ MultivariateMask power_of(const MultivariateMask& mask, int steps) {
 TEST_CASE("derivatives of box splines are differences of box splines") {
   const LatticePoint x{1, 0}, y{0, 1}, d{1, 1};
   const int level = 2;
-  const MultivariateMask loop = box_spline({x, x, y, y, d, d});
+  const LatticeMask loop = box_spline({x, x, y, y, d, d});
   const LatticeSequence without_x = limit_values(box_spline({x, y, y, d, d}), level);
   CHECK(limit_values(loop, level, {1, 0}) == difference(without_x, x, level));
   const LatticeSequence without_xy = limit_values(box_spline({x, y, d, d}), level);
@@ -69,8 +66,7 @@ TEST_CASE("derivatives of box splines are differences of box splines") {
 
 TEST_CASE("derivatives do not depend on the dilation, nor on the number of steps taken at a time") {
   // The 4-8 scheme and its box spline with the dilation 2; tiles of [1,-2;2,1], no power of which is diagonal.
-  const MultivariateMask once = surface("four-eight:").mask,
-                         twice = surface("box:[1,0;1,0;0,1;0,1;1,1;1,1;1,-1;1,-1]").mask;
+  const LatticeMask once = surface("four-eight:").mask, twice = surface("box:[1,0;1,0;0,1;0,1;1,1;1,1;1,-1;1,-1]").mask;
   for (const LatticePoint& orders : {LatticePoint{0, 0}, {1, 0}, {1, 1}, {0, 2}, {2, 1}, {3, 1}}) {
     const LatticeSequence a = limit_values(once, 0, orders), b = limit_values(twice, 0, orders);
     REQUIRE(a.size() == b.size());
@@ -82,8 +78,8 @@ TEST_CASE("derivatives do not depend on the dilation, nor on the number of steps
   for (const LatticePoint& digit : turned.digits())
     tile += MultivariatePolynomial(2, std::vector<MultivariatePolynomial::Monomial>{{1, digit}});
   for (int n = 0; n < 4; ++n) symbol *= tile;
-  for (const MultivariateMask& mask : {surface("sqrt3:").mask, MultivariateMask(symbol, turned)}) {
-    const MultivariateMask two = power_of(mask, 2);
+  for (const LatticeMask& mask : {surface("sqrt3:").mask, LatticeMask(symbol, turned)}) {
+    const LatticeMask two = power_of(mask, 2);
     for (const LatticePoint& orders : {LatticePoint{0, 0}, {1, 0}, {0, 1}}) {
       CHECK(limit_values(mask, 2, orders) == limit_values(two, 1, orders));
       CHECK(limit_values(mask, 1, orders).size() > limit_values(mask, 0, orders).size());
@@ -96,7 +92,7 @@ TEST_CASE("derivatives are what difference quotients tend to") {
   for (const auto& [specification, level] :
        {std::pair("sqrt3:", 6), std::pair("four-eight:", 10), std::pair("butterfly:w=1/16", 5)}) {
     INFO(specification);
-    const MultivariateMask mask = surface(specification).mask;
+    const LatticeMask mask = surface(specification).mask;
     const LatticeSequence values = limit_values(mask, level);
     const auto value_at_point = [&values = values](const LatticePoint& point) {
       const auto found = values.find(point);
@@ -118,24 +114,24 @@ TEST_CASE("derivatives are what difference quotients tend to") {
 }
 
 TEST_CASE("values of tensor products are products") {
-  const MultivariateScheme equal = surface("tensor:(bspline:degree=3)x(dd:n=2)");
-  CHECK(tensor_product_limit_values(equal.factors, 2) == limit_values(equal.mask, 2));
-  CHECK(tensor_product_limit_values(equal.factors, 2, {1, 0}) == limit_values(equal.mask, 2, {1, 0}));
+  const Scheme equal = surface("tensor:(bspline:degree=3)x(dd:n=2)");
+  CHECK(limit_values(equal.mask, 2) == limit_values(equal.mask.without_factors(), 2));
+  CHECK(limit_values(equal.mask, 2, {1, 0}) == limit_values(equal.mask.without_factors(), 2, {1, 0}));
   // The four-point scheme is C^1 alone, but D_xy of the product is continuous.
   const LimitValues slope = limit_values(mask_of("dd:n=2"), 3, 1);
-  const LatticeSequence mixed = tensor_product_limit_values({mask_of("dd:n=2"), mask_of("dd:n=2")}, 3, {1, 1});
+  const LatticeSequence mixed = limit_values(tensor_product({mask_of("dd:n=2"), mask_of("dd:n=2")}), 3, {1, 1});
   for (const auto& [point, value] : mixed) CHECK(value == slope.at(point[0]) * slope.at(point[1]));
-  CHECK(tensor_product_limit_values({mask_of("bspline:degree=2,a=3"), mask_of("dd:n=2")}, 1).at({2, 3}) ==
+  CHECK(limit_values(tensor_product({mask_of("bspline:degree=2,a=3"), mask_of("dd:n=2")}), 1).at({2, 3}) ==
         limit_values(mask_of("bspline:degree=2,a=3"), 1).at(2) * limit_values(mask_of("dd:n=2"), 1).at(3));
 }
 
 TEST_CASE("orders and levels are checked") {
-  const MultivariateMask loop = surface("loop:").mask;
+  const LatticeMask loop = surface("loop:").mask;
   CHECK_THROWS_WITH(limit_values(loop, 0, {1}), Catch::Contains("an order for each of 2 variables"));
   CHECK_THROWS_WITH(limit_values(loop, 0, {1, -1}), Catch::Contains("orders >= 0"));
   CHECK_THROWS_WITH(limit_values(loop, -1), Catch::Contains("level >= 0"));
   CHECK_THROWS_WITH(limit_values(loop, 12), Catch::Contains("at most 1000000 values"));
-  CHECK_THROWS_WITH(limit_values(surface("tensor:(bspline:degree=3,a=3)x(dd:n=2)").mask, 0, {1, 0}),
+  CHECK_THROWS_WITH(limit_values(surface("tensor:(bspline:degree=3,a=3)x(dd:n=2)").mask.without_factors(), 0, {1, 0}),
                     Catch::Contains("need an isotropic dilation"));
 }
 
@@ -144,7 +140,7 @@ TEST_CASE("extremes of surfaces enclose all values") {
        {"loop:", "quincunx:", "sqrt3:", "zwart-powell:", "butterfly:w=1/16", "grid:points=3x3,d=2",
         "grid:points=2x2,d=1", "tensor:(bspline:degree=2,a=3)x(dd:n=2)", "box:[1,0;0,1;1,1]"}) {
     INFO(specification);
-    const MultivariateMask mask = surface(specification).mask;
+    const LatticeMask mask = surface(specification).mask.without_factors();
     const MultivariateLimitRange range = limit_range(mask, {Rational(1, 1000), {Deadline::in(100)}});
     CHECK(range.complete);
     const Enclosure &maximum = range.maximum.value, &minimum = range.minimum.value;

@@ -1,6 +1,5 @@
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -25,20 +24,20 @@ const std::vector<Mask> binary{read_mask("[1,3,3,1]/4@-2"),
 TEST_CASE("tensor products have the smaller of the degrees, the factors their multiplicities") {
   for (const Mask& a : binary)
     for (const Mask& b : binary) {
-      const MultivariateReproduction p = polynomial_reproduction(tensor_product({a, b}));
+      const PolynomialReproduction p = polynomial_reproduction(tensor_product({a, b}).without_factors());
       const PolynomialReproduction pa = polynomial_reproduction(a), pb = polynomial_reproduction(b);
       CHECK(p.sum_rules == std::min(sum_rules(a), sum_rules(b)));
-      CHECK(p.generation_degree() == std::min(pa.generation_degree, pb.generation_degree));
+      CHECK(p.generation_degree() == std::min(pa.generation_degree(), pb.generation_degree()));
       CHECK(p.reproduction_degree == std::min(pa.reproduction_degree, pb.reproduction_degree));
       CHECK(p.factors == std::vector<int>{sum_rules(a), sum_rules(b)});
-      CHECK(p.parametrization == std::vector<Rational>{pa.parametrization, pb.parametrization});
-      const MultivariateReproduction by_factors = tensor_product_reproduction({a, b});
+      CHECK(p.parametrization == std::vector<Rational>{pa.parametrization.front(), pb.parametrization.front()});
+      const PolynomialReproduction by_factors = polynomial_reproduction(tensor_product({a, b}));
       CHECK(by_factors.sum_rules == p.sum_rules);
       CHECK(by_factors.factors == p.factors);
       CHECK(by_factors.reproduction_degree == p.reproduction_degree);
       CHECK(by_factors.parametrization == p.parametrization);
     }
-  const MultivariateReproduction cube = polynomial_reproduction(tensor_product({binary[2], binary[3], binary[4]}));
+  const PolynomialReproduction cube = polynomial_reproduction(tensor_product({binary[2], binary[3], binary[4]}));
   CHECK(cube.sum_rules == 3);
   CHECK(cube.reproduction_degree == 1);
   const auto box = limit_support(tensor_product({binary[0], binary[2]}));
@@ -54,8 +53,8 @@ TEST_CASE("the degrees mean what they say") {
     const Mask& b = binary[static_cast<std::size_t>(random.integer(0, 4))];
     // Mixed with another scheme, so that the symbol is no product.
     const MultivariatePolynomial mixed = tensor_product({a, b}).symbol() + tensor_product({b, a}).symbol();
-    const MultivariateMask mask(mixed * MultivariatePolynomial(2, Rational(1, 2)), 2);
-    const MultivariateReproduction p = polynomial_reproduction(mask);
+    const LatticeMask mask(mixed * MultivariatePolynomial(2, Rational(1, 2)), 2);
+    const PolynomialReproduction p = polynomial_reproduction(mask);
     bool all = true;
     for (long degree = 0; degree <= p.reproduction_degree + 1; ++degree)
       for (long ex = 0; ex <= degree; ++ex)
@@ -85,26 +84,27 @@ TEST_CASE("the degrees mean what they say") {
 TEST_CASE("convergence of products follows the factors") {
   for (const Mask& a : binary)
     for (const Mask& b : binary) {
-      const Decision product = tensor_product_converges({a, b}), symbol = converges(tensor_product({a, b}));
+      const Decision product = converges(tensor_product({a, b})),
+                     symbol = converges(tensor_product({a, b}).without_factors());
       CHECK(product.truth == (converges(a).is_yes() && converges(b).is_yes() ? Truth::yes : Truth::no));
       CHECK(symbol.truth == product.truth);
     }
-  CHECK(converges(tensor_product({binary[2], binary[2], binary[3]})).is_yes());
+  CHECK(converges(tensor_product({binary[2], binary[2], binary[3]}).without_factors()).is_yes());
 }
 
 TEST_CASE("what does not converge and what is not decided") {
   const MultivariatePolynomial one(2, 1);
-  CHECK(converges(MultivariateMask(one, 2)).is_no());
+  CHECK(converges(LatticeMask(one, 2)).is_no());
   const auto linear = tensor_product({binary[1], binary[1]});
-  CHECK(converges(MultivariateMask(linear.symbol() * MultivariatePolynomial(2, 2), 2)).is_no());
+  CHECK(converges(LatticeMask(linear.symbol() * MultivariatePolynomial(2, 2), 2)).is_no());
   // The three-direction box spline of degree 1 has the factor 1 + x y in place of squares.
   const auto box = MultivariatePolynomial::parse("1/2*x^-1*y^-1 + 1/2*x^-1 + 1/2*y^-1 + 1 + 1/2*x + 1/2*y + 1/2*x*y",
                                                  2);
-  const MultivariateReproduction p = polynomial_reproduction(MultivariateMask(box, 2));
+  const PolynomialReproduction p = polynomial_reproduction(LatticeMask(box, 2));
   CHECK(p.sum_rules == 2);
   CHECK(p.reproduction_degree == 1);
   CHECK(p.factors == std::vector<int>{1, 1});
-  CHECK(converges(MultivariateMask(box, 2)).is_yes());
+  CHECK(converges(LatticeMask(box, 2)).is_yes());
 }
 
 TEST_CASE("norms of the operator") {

@@ -1,13 +1,11 @@
 // Schemes of curves, by the code for several variables and by that for one: two ways to the same numbers.
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/limit/multivariate_limit_range.hpp>
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -40,7 +38,7 @@ void check_no_contradiction(const Decision& a, const Decision& b) {
   CHECK_FALSE((a.is_no() && b.is_yes()));
 }
 
-void check_values(const Mask& mask, const MultivariateMask& general, int order) {
+void check_values(const Mask& mask, const LatticeMask& general, int order) {
   const LimitValues values = limit_values(mask, 2, order);
   LatticeSequence others = limit_values(general, 2, {order});
   for (std::size_t i = 0; i < values.values.size(); ++i) {
@@ -52,7 +50,7 @@ void check_values(const Mask& mask, const MultivariateMask& general, int order) 
   CHECK(others.empty());
 }
 
-void check_ranges(const Mask& mask, const MultivariateMask& general) {
+void check_ranges(const Mask& mask, const LatticeMask& general) {
   std::optional<LimitRange> range;
   try {
     range = limit_range(mask, {Rational(1, 1000), Budget{Deadline::in(2)}});
@@ -72,16 +70,16 @@ TEST_CASE("one variable as a case of several: sum rules, reproduction, values, r
   for (const auto round : rounds(40)) {
     const Mask mask = mask_of_curve(random);
     CAPTURE(mask.symbol().to_text(), mask.arity());
-    const MultivariateMask general = tensor_product({mask});
+    const LatticeMask general = LatticeMask(mask).without_factors();
     CHECK(general.dimension() == 1);
     CHECK(coset_sums(general) == coset_sums(mask));
     CHECK(operator_norm(general) == operator_norm(mask));
     const PolynomialReproduction one = polynomial_reproduction(mask);
-    const MultivariateReproduction several = polynomial_reproduction(general);
+    const PolynomialReproduction several = polynomial_reproduction(general);
     CHECK(several.sum_rules == sum_rules(mask));
     CHECK(several.factors == std::vector<int>{sum_rules(mask)});
     CHECK(several.reproduction_degree == one.reproduction_degree);
-    CHECK(several.parametrization == std::vector<Rational>{one.parametrization});
+    CHECK(several.parametrization == one.parametrization);
     check_no_contradiction(converges(mask), converges(general));
     if (!is_affine(mask)) continue;
     const Budget budget{Deadline::in(3)};

@@ -25,11 +25,11 @@ TEST_CASE("masks with two parameters") {
   const BiparametricMask turned = make_biparametric_mask(six_points, 't', 'w');
   const Rational w(1, 16), t(1, 50);
   CHECK(mask.at(w, t) == turned.at(t, w));
-  CHECK(mask.at(w, t) == make_scheme("six-point:w=1/50").mask);
-  CHECK(mask.at(w, 0) == make_scheme("four-point:w=1/16").mask);
+  CHECK(mask.at(w, t) == make_scheme("six-point:w=1/50").mask.curve());
+  CHECK(mask.at(w, 0) == make_scheme("four-point:w=1/16").mask.curve());
   const BiparametricMask products = make_biparametric_mask("mask:[w*t,1-w*t,1-w*t,w*t]/1@-2,arity=2", 'w', 't');
   CHECK(products.columns == 2);
-  CHECK(products.at(Rational(1, 2), Rational(1, 2)) == make_scheme("corner-cutting:w=1/4").mask);
+  CHECK(products.at(Rational(1, 2), Rational(1, 2)) == make_scheme("corner-cutting:w=1/4").mask.curve());
   for (const char* bad : {"four-point:w", "mask:[w,1-v]", "mask:[w,t", "mask:[w,1-w,t]", "mask:[1/w,1,1-1/w]",
                           "mask:[w^13,1,1-w^13]", "mask:[(w),1,1-w]", "mask:[w,1,1-w]@x", "mask:", ""})
     CHECK_THROWS_AS(make_biparametric_mask(bad, 'w', 't'), SpecificationError);
@@ -92,12 +92,12 @@ TEST_CASE("maps that make no sense are refused") {
 }
 
 TEST_CASE("stability of all masks nearby") {
-  const Mask four = make_scheme("four-point:w=1/16").mask;
+  const Mask four = make_scheme("four-point:w=1/16").mask.curve();
   // The zeros of the even part stay: only errors elsewhere count.
   const Rational e(1, 100);
   CHECK(has_stable_shifts(four, std::vector<Rational>{e, 0, e, 0, e, 0, e}).is_yes());
   CHECK_FALSE(has_stable_shifts(four, Rational(1, 2)).is_yes());
   CHECK(has_stable_shifts(four, power(Rational(10), -12)).is_yes());
-  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,1,1,1]/2").mask, power(Rational(10), -12)).is_yes());
-  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,0,0,1]").mask, power(Rational(10), -12)).is_yes());
+  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,1,1,1]/2").mask.curve(), power(Rational(10), -12)).is_yes());
+  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,0,0,1]").mask.curve(), power(Rational(10), -12)).is_yes());
 }

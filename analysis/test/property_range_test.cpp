@@ -100,7 +100,7 @@ TEST_CASE("ranges agree with schemes at single values") {
                                       [&](const RangePiece& p) { return p.low <= w && w <= p.high; });
       REQUIRE(piece != range.pieces.end());
       const Enclosure exponent =
-          holder_regularity(make_scheme("four-point:w=" + to_text(w)).mask, 8, {Deadline::in(10)}).exponent;
+          holder_regularity(make_scheme("four-point:w=" + to_text(w)).mask.curve(), 8, {Deadline::in(10)}).exponent;
       CAPTURE(property, to_text(w));
       if (piece->holds == Truth::yes) CHECK(*exponent.lower > asked.order);
       if (piece->holds == Truth::no) CHECK_FALSE(*exponent.lower > asked.order);

@@ -104,7 +104,7 @@ TEST_CASE("letters are kept only by the best product") {
 }
 
 TEST_CASE("the search for a form ends at its target") {
-  const Mask mask = make_scheme("primal:n=6,d=3").mask;
+  const Mask mask = make_scheme("primal:n=6,d=3").mask.curve();
   const MatrixFamily family = transition_matrices(divided_difference_scheme(mask, 4));
   const auto rough = prove_by_quadratic_forms(family, 2, {Deadline::in(60)});
   REQUIRE(rough);
@@ -147,7 +147,7 @@ TEST_CASE("forms that doubles do not hold") {
 }
 
 TEST_CASE("forms of contexts and of a cycle are nearer than one form") {
-  const Mask mask = make_scheme("primal:n=4,d=3").mask;
+  const Mask mask = make_scheme("primal:n=4,d=3").mask.curve();
   const MatrixFamily family = transition_matrices(divided_difference_scheme(mask, 4));
   const polytope::SearchFamily search = radius::to_search_family(family);
   const auto one = quadratic::ellipsoidal_coordinates(search, 0, Deadline::in(60));

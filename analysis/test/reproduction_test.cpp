@@ -38,11 +38,11 @@ TEST_CASE("reproduction degrees and parametrizations, checked on samples") {
                {"four-point:w=1/20", 1, 1, 0}};
   for (const auto& [specification, generation, reproduction, shift] : known) {
     CAPTURE(specification);
-    const Mask mask = make_scheme(specification).mask;
+    const Mask mask = make_scheme(specification).mask.curve();
     const PolynomialReproduction result = polynomial_reproduction(mask);
-    CHECK(result.generation_degree >= generation);
+    CHECK(result.generation_degree() >= generation);
     CHECK(result.reproduction_degree == reproduction);
-    CHECK(result.parametrization == shift);
+    CHECK(result.parametrization == std::vector<Rational>{shift});
     CHECK(result.approximation_order() == reproduction + 1);
     for (int k = 0; k <= reproduction; ++k) CHECK(step_keeps(mask, k, shift));
     CHECK_FALSE(step_keeps(mask, reproduction + 1, shift));

@@ -85,7 +85,7 @@ TEST_CASE("the largest coefficient is the central one where the symbol is non-ne
 }
 
 TEST_CASE("without time the letter still has the radius that it attains") {
-  const HolderRegularity spline = holder_regularity(make_scheme("bspline:degree=40").mask, 2,
+  const HolderRegularity spline = holder_regularity(make_scheme("bspline:degree=40").mask.curve(), 2,
                                                     {Deadline::in(0), 1 << 20});
   CHECK(spline.radius.exact.is_yes());
   CHECK(spline.radius.product.radius.contains(2));

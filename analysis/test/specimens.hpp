@@ -8,7 +8,7 @@
 
 namespace subcert::testing {
 
-inline Mask mask_of(const std::string& specification) { return make_scheme(specification).mask; }
+inline Mask mask_of(const std::string& specification) { return make_scheme(specification).mask.curve(); }
 
 inline const std::vector<std::string>& specimens() {
   static const std::vector<std::string> list{"primal:n=1",

@@ -1,7 +1,7 @@
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/value_space.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
 #include <subcert/analysis/symbol/torus.hpp>
@@ -14,12 +14,10 @@ using namespace subcert;
 
 namespace {
 
-MultivariateScheme surface(const std::string& specification) {
-  return std::get<MultivariateScheme>(make_linear_scheme(specification));
-}
+Scheme surface(const std::string& specification) { return make_linear_scheme(specification); }
 
 MultivariateRegularity regularity(const std::string& specification) {
-  return multivariate_regularity(surface(specification).mask, {Deadline::in(100)});
+  return multivariate_regularity(surface(specification).mask.without_factors(), {Deadline::in(100)});
 }
 
 bool encloses(const Enclosure& enclosure, double value, double width) {
@@ -96,7 +94,7 @@ TEST_CASE("where shifts are unstable the differences of the limit tell the expon
 TEST_CASE("where shifts are stable the differences of the scheme and of the limit shrink alike") {
   for (const char* specification : {"quincunx:", "loop:", "grid:points=3x3,d=2"}) {
     INFO(specification);
-    const MultivariateMask mask = surface(specification).mask;
+    const LatticeMask mask = surface(specification).mask;
     const int order = polynomial_reproduction(mask).sum_rules;
     const auto space = value_space(mask, order);
     REQUIRE(space);
@@ -117,10 +115,10 @@ TEST_CASE("another dilation of the same limits closes where the first does not")
 TEST_CASE("tensor products by their factors and by their masks agree") {
   for (const char* specification : {"tensor:(bspline:degree=2)x(bspline:degree=3)", "kobbelt:w=1/16"}) {
     INFO(specification);
-    const MultivariateScheme scheme = surface(specification);
-    REQUIRE(!scheme.factors.empty());
-    const MultivariateRegularity by_mask = multivariate_regularity(scheme.mask, {Deadline::in(100)}),
-                                 by_factors = tensor_product_regularity(scheme.factors, {Deadline::in(100)});
+    const Scheme scheme = surface(specification);
+    REQUIRE(scheme.mask.has_factors());
+    const MultivariateRegularity by_mask = multivariate_regularity(scheme.mask.without_factors(), {Deadline::in(100)}),
+                                 by_factors = multivariate_regularity(scheme.mask, {Deadline::in(100)});
     CHECK(by_mask.exact.is_yes());
     CHECK(by_factors.exact.is_yes());
     CHECK(by_mask.sum_rules == by_factors.sum_rules);
@@ -134,11 +132,11 @@ TEST_CASE("tensor products by their factors and by their masks agree") {
 
 TEST_CASE("dilations that are not isotropic have an exponent along each subspace") {
   // Ternary along y, and the same in another basis of the lattice.
-  const MultivariateMask mixed = surface("tensor:(bspline:degree=3)x(bspline:degree=2,a=3)").mask;
+  const LatticeMask mixed = surface("tensor:(bspline:degree=3)x(bspline:degree=2,a=3)").mask.without_factors();
   std::vector<MultivariatePolynomial::Monomial> terms = mixed.symbol().terms();
   for (auto& term : terms) term.exponents[0] += term.exponents[1];
-  const MultivariateMask sheared(MultivariatePolynomial(2, terms), Dilation({{2, 1}, {0, 3}}));
-  for (const MultivariateMask& mask : {mixed, sheared}) {
+  const LatticeMask sheared(MultivariatePolynomial(2, terms), Dilation({{2, 1}, {0, 3}}));
+  for (const LatticeMask& mask : {mixed, sheared}) {
     INFO(mask.dilation().to_text());
     const MultivariateRegularity result = multivariate_regularity(mask, {Deadline::in(100)});
     CHECK(encloses(result.exponent, 2, 1e-10));
@@ -148,18 +146,18 @@ TEST_CASE("dilations that are not isotropic have an exponent along each subspace
 }
 
 TEST_CASE("masks that do not converge are told so") {
-  const MultivariateMask shifted(surface("loop:").mask.symbol() * MultivariatePolynomial(2, 2), 2);
+  const LatticeMask shifted(surface("loop:").mask.symbol() * MultivariatePolynomial(2, 2), 2);
   CHECK(multivariate_regularity(shifted, {Deadline::in(1)}).converges.is_no());
   // Shifts that are not stable, and no continuous limit whose values could be told apart.
   CHECK(regularity("mask2:[[0,0,9,9],[-7,-7,9,9],[-7,-7,0,0]]/2").converges.is_no());
-  const MultivariateMask shearing(surface("loop:").mask.symbol(), Dilation({{2, 1}, {0, 2}}));
+  const LatticeMask shearing(surface("loop:").mask.symbol(), Dilation({{2, 1}, {0, 2}}));
   CHECK_THROWS_AS(multivariate_regularity(shearing, {Deadline::in(1)}), Error);
 }
 
 TEST_CASE("difference spaces are invariant and hold the differences after some steps") {
   for (const char* specification : {"quincunx:", "loop:", "grid:points=3x3,d=2"}) {
     INFO(specification);
-    const MultivariateMask mask = surface(specification).mask;
+    const LatticeMask mask = surface(specification).mask;
     const DifferenceSpace space = difference_space(mask, polynomial_reproduction(mask).sum_rules);
     const auto is_inside = [&](LatticeSequence v) {
       for (std::size_t c = 0; c < space.basis.size(); ++c) {
@@ -197,7 +195,7 @@ TEST_CASE("inner products of shifts belong to the box spline one order higher") 
 TEST_CASE("values of limits solve the refinement equation and sum to 1") {
   for (const char* specification : {"quincunx:", "loop:", "butterfly:w=1/16", "grid:points=3x3,d=2"}) {
     INFO(specification);
-    const MultivariateMask mask = surface(specification).mask;
+    const LatticeMask mask = surface(specification).mask;
     const LatticeSequence values = limit_values(mask, 0), finer = limit_values(mask, 2);
     Rational sum = 0;
     for (const auto& [point, value] : values) {
@@ -216,7 +214,7 @@ TEST_CASE("values of limits solve the refinement equation and sum to 1") {
 
 TEST_CASE("symmetries of masks and what the dilation leaves of them") {
   const auto count = [](const char* specification) {
-    const MultivariateMask mask = surface(specification).mask;
+    const LatticeMask mask = surface(specification).mask;
     const auto group = lattice_symmetries(mask.symbol());
     return std::pair(group.size(), symmetries_along(group, mask.dilation()).size());
   };

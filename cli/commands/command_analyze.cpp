@@ -21,10 +21,10 @@ struct AnalyzeOptions : CommonOptions {
 };
 
 /// Prints the page, and says whether the scheme converges.
-Decision analyze(const LinearScheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
+Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
   const facts::AnalysisOptions limits{
       {options.levels, deadline}, options.grid_level, [&](const std::string& next) { options.progress(next); }};
-  const facts::Analysis known = std::visit([&](const auto& one) { return facts::analysis(one, limits); }, scheme);
+  const facts::Analysis known = facts::analysis(scheme, limits);
   options.end_progress();
   const facts::Facts list = facts::scheme_facts(scheme, known);
   options.answer(list, 14);
@@ -41,7 +41,7 @@ ExitCode run(const AnalyzeOptions& options) {
     return done;
   }
   const Deadline deadline = Deadline::in(options.budget);
-  const LinearScheme scheme = make_linear_scheme(options.scheme);
+  const Scheme scheme = make_linear_scheme(options.scheme);
   require_drawable(options.plot, scheme);
   if (!options.html.empty())
     runtime::write_file(options.html, reports::gallery_html({reports::make_plate(

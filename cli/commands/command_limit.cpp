@@ -53,32 +53,24 @@ ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders
 }
 
 /// Prints why values are not to be had; nothing where they are.
-std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
-  if (orders.front() > 0) {
-    const SmoothnessProof smoothness = proved_smoothness(scheme.mask, {proof_levels, deadline});
-    if (smoothness.order >= orders.front()) return std::nullopt;
-    return refuse_derivative(scheme.specification, orders, smoothness.obstacle);
+std::optional<ExitCode> refused_derivative(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
+  const std::vector<Mask>& factors = scheme.mask.factors();
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    const SmoothnessProof smoothness = proved_smoothness(factors[v], {proof_levels, deadline});
+    if (smoothness.order < orders[v])
+      return refuse_derivative(
+          scheme.specification, orders,
+          (factors.size() == 1 ? "" : "factor " + std::to_string(v + 1) + ": ") + smoothness.obstacle);
   }
-  const Decision convergence = converges(scheme.mask, {proof_levels, deadline});
-  if (convergence.is_yes()) return std::nullopt;
-  return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
+  return std::nullopt;
 }
 
-std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticePoint& orders,
-                                const Deadline& deadline) {
-  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
-  if (total > 0 && !scheme.factors.empty()) {
-    for (std::size_t v = 0; v < scheme.factors.size(); ++v) {
-      const SmoothnessProof smoothness = proved_smoothness(scheme.factors[v], {proof_levels, deadline});
-      if (smoothness.order < orders[v])
-        return refuse_derivative(scheme.specification, orders,
-                                 "factor " + std::to_string(v + 1) + ": " + smoothness.obstacle);
-    }
-    return std::nullopt;
-  }
+/// The same by the exponent, for derivatives and for values alone.
+std::optional<ExitCode> refused_by_exponent(const Scheme& scheme, const LatticePoint& orders, long total,
+                                            const Deadline& deadline) {
   MultivariateRegularity regularity;
   for (const double share : {0.2, 1.0}) {  // most need little of the time
-    regularity = regularity_of(scheme, {deadline.after(share)});
+    regularity = multivariate_regularity(scheme.mask, {deadline.after(share)});
     const Decision& convergence = regularity.converges;
     const auto& exponent = regularity.exponent.lower;
     if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;
@@ -91,22 +83,26 @@ std::optional<ExitCode> refused(const MultivariateScheme& scheme, const LatticeP
                                ", and has to be above " + std::to_string(total));
 }
 
+std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
+  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
+  if (total > 0 && scheme.mask.has_factors()) return refused_derivative(scheme, orders, deadline);
+  if (scheme.mask.dimension() > 1) return refused_by_exponent(scheme, orders, total, deadline);
+  const Decision convergence = converges(scheme.mask, {proof_levels, deadline});
+  if (convergence.is_yes()) return std::nullopt;
+  return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
+}
+
 ExitCode run(LimitCommandOptions options) {
-  const LinearScheme scheme = make_linear_scheme(options.scheme);
-  const auto* multivariate = std::get_if<MultivariateScheme>(&scheme);
-  const LatticePoint orders = derivative_orders(
-      options.derivative, multivariate ? static_cast<std::size_t>(multivariate->mask.dimension()) : 1);
+  const Scheme scheme = make_linear_scheme(options.scheme);
+  const int dimension = scheme.mask.dimension();
+  const LatticePoint orders = derivative_orders(options.derivative, static_cast<std::size_t>(dimension));
   if (options.range && (!options.derivative.empty() || options.level >= 0))
     fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
-  if (options.level < 0) options.level = multivariate ? usual_level_of_surfaces : usual_level;
+  if (options.level < 0) options.level = dimension > 1 ? usual_level_of_surfaces : usual_level;
   const Deadline deadline = Deadline::in(options.budget);
-  return std::visit(
-      [&](const auto& one) {
-        if (const auto code = refused(one, orders, deadline)) return *code;
-        return options.range ? print_limit_range(one, options, deadline)
-                             : print_limit_values(one, orders, options, deadline);
-      },
-      scheme);
+  if (const auto code = refused(scheme, orders, deadline)) return *code;
+  return options.range ? print_limit_range(scheme, options, deadline)
+                       : print_limit_values(scheme, orders, options, deadline);
 }
 
 }  // namespace

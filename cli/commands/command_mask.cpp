@@ -7,19 +7,6 @@ namespace subcert::cli {
 namespace {
 
 void print(const Scheme& scheme, const CommonOptions& options) {
-  const LaurentPolynomial& symbol = scheme.mask.symbol();
-  if (!options.json) {
-    options.answer(symbol.to_mask_text() + "\n");
-    return;
-  }
-  options.answer(Json{{"scheme", scheme.specification},
-                      {"arity", scheme.mask.arity()},
-                      {"first_index", symbol.lowest()},
-                      {"coefficients", numbers_json(symbol.coefficients())},
-                      {"support", interval_json(limit_support(scheme.mask))}});
-}
-
-void print(const MultivariateScheme& scheme, const CommonOptions& options) {
   const Dilation& dilation = scheme.mask.dilation();
   const bool multiple = dilation.factor().value_or(0) > 0;
   if (!options.json) {
@@ -35,7 +22,7 @@ void print(const MultivariateScheme& scheme, const CommonOptions& options) {
     json["dilation"] = dilation.rows();
     json["digits"] = dilation.digits();
   }
-  json["first_index"] = scheme.mask.symbol().lowest();
+  json["first_index"] = first_index_json(scheme.mask);
   json["coefficients"] = coefficients_json(scheme.mask);
   json["support"] = limit_support_json(scheme.mask);
   options.answer(json);
@@ -47,7 +34,7 @@ void add_mask(Command& app) {
   auto options = std::make_shared<CommonOptions>();
   auto specification = std::make_shared<std::string>();
   Command command = add_command(app, "mask", "The exact mask of a scheme", "subcert mask primal:n=3", options, [=] {
-    std::visit([&](const auto& scheme) { print(scheme, *options); }, make_linear_scheme(*specification));
+    print(make_linear_scheme(*specification), *options);
     return done;
   });
   add_scheme(command, *specification, true);

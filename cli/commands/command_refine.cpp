@@ -1,6 +1,6 @@
 // subcert refine SCHEME DATA
 
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/data_file.hpp>
@@ -26,11 +26,11 @@ struct RefineCommand : CommonOptions {
 
 /// The code to leave with where limits are not proved to exist.
 ExitCode check_convergence(const AnyScheme& scheme) {
-  const std::vector<Mask> masks = axis_masks(scheme);
-  if (masks.empty())
+  const std::optional<LatticeMask> mask = mask_with_factors(scheme);
+  if (!mask)
     fail(ErrorKind::usage, "--limit: {}: limits are of schemes of one variable and their tensor products",
          specification_of(scheme));
-  const Decision decision = tensor_product_converges(masks);
+  const Decision decision = converges(*mask);
   return decision.is_yes() ? done : refuse_unproved(specification_of(scheme), "no limit to evaluate", decision);
 }
 
@@ -93,7 +93,7 @@ ExitCode run(const RefineCommand& options) {
   check_data(file, options.data, name, fewest);
   require_drawable(options.plot, file.data);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
-  const data::GridData<double> refined = options.limit ? limit_of_data(file.data, axis_masks(scheme), how)
+  const data::GridData<double> refined = options.limit ? limit_of_data(file.data, *mask_with_factors(scheme), how)
                                                        : refine(file.data, scheme, how);
   if (!options.plot.empty()) draw_refined(options.plot, name, file.table, file.data, refined);
   if (options.json)

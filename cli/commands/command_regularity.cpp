@@ -26,32 +26,36 @@ struct Answer {
   bool complete;
 };
 
-Answer answer(const Scheme& scheme, const RegularityOptions& options, const WantedWidth& wanted, const Budget& budget) {
+Answer curve_answer(const Scheme& scheme, const RegularityOptions& options, const WantedWidth& wanted,
+                    const Budget& budget) {
+  const Mask& mask = scheme.mask.curve();
   const Stopwatch watch;
   options.progress("norms, products and polytopes");
   std::optional<SobolevRegularity> sobolev;
-  if (is_affine(scheme.mask) && !scheme.rounding)  // otherwise holder_regularity says so
-    sobolev = sobolev_if_small(scheme.mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
+  if (is_affine(mask) && !scheme.rounding)  // otherwise holder_regularity says so
+    sobolev = sobolev_if_small(mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  const HolderRegularity regularity = holder_regularity(scheme.mask, options.levels, budget, proof, scheme.rounding,
+  const HolderRegularity regularity = holder_regularity(mask, options.levels, budget, proof, scheme.rounding,
                                                         wanted.bits);
   const JointSpectralRadius& deciding = regularity.deciding().radius;
   const bool complete = deciding.is_closed() && wanted.holds(regularity.proved_exponent());
   return {regularity_facts(scheme, regularity, sobolev, {watch.seconds(), wanted.digits, complete}),
-          [=] { return exponent_certificate(scheme.mask, regularity, scheme.rounding); }, regularity.converges,
+          [=] { return exponent_certificate(scheme.mask.curve(), regularity, scheme.rounding); }, regularity.converges,
           deciding.exact, complete};
 }
 
-Answer answer(const MultivariateScheme& scheme, const RegularityOptions& options, const WantedWidth& wanted,
-              const Budget& budget) {
+Answer surface_answer(const Scheme& scheme, const RegularityOptions& options, const WantedWidth& wanted,
+                      const Budget& budget) {
   const Stopwatch watch;
   options.progress("products and polytopes");
-  const MultivariateRegularity regularity = regularity_of(scheme, budget, wanted.bits);
+  const MultivariateRegularity regularity = multivariate_regularity(scheme.mask, budget, wanted.bits);
   const bool complete = regularity.is_closed() && wanted.holds(regularity.exponent);
   // A certificate is about the mask, also of a tensor product.
   const auto certificate = [=] {
-    return surface_certificate(
-        scheme.mask, scheme.factors.empty() ? regularity : multivariate_regularity(scheme.mask, budget, wanted.bits));
+    return surface_certificate(scheme.mask,
+                               scheme.mask.has_factors()
+                                   ? multivariate_regularity(scheme.mask.without_factors(), budget, wanted.bits)
+                                   : regularity);
   };
   return {regularity_facts(scheme, regularity, {watch.seconds(), wanted.digits, complete}), certificate,
           regularity.converges, regularity.exact, complete};
@@ -77,8 +81,8 @@ ExitCode by_frequency(const RegularityOptions& options) {
 ExitCode run(const RegularityOptions& options, const Budget& budget) {
   if (options.method == "frequency") return by_frequency(options);
   const WantedWidth wanted = wanted_width(options);
-  const Answer found = std::visit([&](const auto& scheme) { return answer(scheme, options, wanted, budget); },
-                                  make_linear_scheme(options.scheme));
+  const Scheme scheme = make_linear_scheme(options.scheme);
+  const Answer found = (scheme.mask.dimension() == 1 ? curve_answer : surface_answer)(scheme, options, wanted, budget);
   const WrittenCertificate certificate = write_certificate(options.certificate, found.certificate);
   options.end_progress();
   Json json = page_json(found.facts);

@@ -28,7 +28,7 @@ ExitCode run(const Options& options) {
   if (!convergence.is_yes()) return refuse_unproved(scheme.specification, "no variance curve", convergence);
   VarianceRange range;
   try {
-    range = variance_range(scheme.mask, {*width, {deadline}});
+    range = variance_range(scheme.mask.curve(), {*width, {deadline}});
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain) throw;
     return refuse_unproved(scheme.specification, "no variance curve", {convergence.truth, error.what()});

@@ -1,7 +1,6 @@
 #include "limit_page.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
@@ -19,13 +18,29 @@ LimitOptions limit_options(const LimitPageOptions& options, const Deadline& dead
   return {*width, {deadline}};
 }
 
-}  // namespace
+void add_line(std::ostream& text, const std::string& point, int width, const Rational& value) {
+  text << std::setw(width) << point << "  " << std::setw(20) << to_decimal(value, 15, Rounding::nearest) << "  "
+       << to_text(value) << "\n";
+}
 
-ExitCode print_limit_values(const MultivariateScheme& scheme, const LatticePoint& orders,
-                            const LimitPageOptions& options, const Deadline&) {
-  const LatticeSequence values = scheme.factors.empty()
-                                     ? limit_values(scheme.mask, options.level, orders)
-                                     : tensor_product_limit_values(scheme.factors, options.level, orders);
+void print_curve_values(const Scheme& scheme, int order, const LimitPageOptions& options, const Deadline& deadline) {
+  const LimitValues values = limit_values(scheme.mask.curve(), options.level, order, deadline);
+  if (options.json) {
+    options.answer(Json{{"scheme", scheme.specification},
+                        {"arity", values.arity},
+                        {"level", values.level},
+                        {"derivative", values.order},
+                        {"first_index", values.first_index},
+                        {"values", numbers_json(values.values)}});
+    return;
+  }
+  std::ostringstream text;
+  for (std::size_t i = 0; i < values.values.size(); ++i) add_line(text, to_text(values.point(i)), 12, values.values[i]);
+  options.answer(text.str());
+}
+
+void print_surface_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {
+  const LatticeSequence values = limit_values(scheme.mask, options.level, orders);
   if (options.json) {
     Json points = Json::array(), numbers = Json::array();
     for (const auto& [point, value] : values) {
@@ -38,49 +53,37 @@ ExitCode print_limit_values(const MultivariateScheme& scheme, const LatticePoint
                         {"derivative", orders},
                         {"indices", std::move(points)},
                         {"values", std::move(numbers)}});
-    return done;
+    return;
   }
   std::ostringstream text;
   for (const auto& [index, value] : values) {
     std::vector<Rational> point(index.begin(), index.end());
     for (int n = 0; n < options.level; ++n) point = scheme.mask.dilation().inverse_times(point);
-    text << std::setw(20) << coordinates_text(point) << "  " << std::setw(20)
-         << to_decimal(value, 15, Rounding::nearest) << "  " << to_text(value) << "\n";
+    add_line(text, coordinates_text(point), 20, value);
   }
   options.answer(text.str());
-  return done;
 }
+
+}  // namespace
 
 ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options,
                             const Deadline& deadline) {
-  const LimitValues values = limit_values(scheme.mask, options.level, static_cast<int>(orders.front()), deadline);
-  if (options.json) {
-    options.answer(Json{{"scheme", scheme.specification},
-                        {"arity", values.arity},
-                        {"level", values.level},
-                        {"derivative", values.order},
-                        {"first_index", values.first_index},
-                        {"values", numbers_json(values.values)}});
-    return done;
-  }
-  std::ostringstream text;
-  for (std::size_t i = 0; i < values.values.size(); ++i)
-    text << std::setw(12) << to_text(values.point(i)) << "  " << std::setw(20)
-         << to_decimal(values.values[i], 15, Rounding::nearest) << "  " << to_text(values.values[i]) << "\n";
-  options.answer(text.str());
+  if (scheme.mask.dimension() == 1)
+    print_curve_values(scheme, static_cast<int>(orders.front()), options, deadline);
+  else
+    print_surface_values(scheme, orders, options);
   return done;
 }
 
-ExitCode print_limit_range(const MultivariateScheme& scheme, const LimitPageOptions& options,
-                           const Deadline& deadline) {
-  const MultivariateLimitRange range = limit_range(scheme.mask, limit_options(options, deadline));
-  return print_range(scheme, limit_facts(range), range.complete, 13, options);
-}
-
 ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options, const Deadline& deadline) {
+  const LimitOptions wanted = limit_options(options, deadline);
+  if (scheme.mask.dimension() > 1) {
+    const MultivariateLimitRange range = limit_range(scheme.mask, wanted);
+    return print_range(scheme, limit_facts(range), range.complete, 13, options);
+  }
   LimitRange range;
   try {
-    range = limit_range(scheme.mask, limit_options(options, deadline));
+    range = limit_range(scheme.mask.curve(), wanted);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain) throw;
     return refuse_unproved(scheme.specification, "no bounds of the limit function", {Truth::unknown, error.what()});

@@ -14,12 +14,9 @@ struct LimitPageOptions : CommonOptions {
 /// Domain: level >= 0; an order for each variable, such that the derivative is continuous.
 ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options,
                             const Deadline& deadline);
-ExitCode print_limit_values(const MultivariateScheme& scheme, const LatticePoint& orders,
-                            const LimitPageOptions& options, const Deadline& deadline);
 
 /// Domain: schemes that converge; of one variable by contraction, else the answer is a refusal. Errors: throws a usage
 /// error for a width that is no positive number.
 ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options, const Deadline& deadline);
-ExitCode print_limit_range(const MultivariateScheme& scheme, const LimitPageOptions& options, const Deadline& deadline);
 
 }  // namespace subcert::cli

@@ -19,19 +19,18 @@ Json curves_json(const reports::Plate& plate) {
 }
 
 Json mask_json(const Scheme& scheme) {
-  return {{"arity", scheme.mask.arity()},
-          {"first_index", scheme.mask.symbol().lowest()},
-          {"coefficients", numbers_json(scheme.mask.symbol().coefficients())}};
-}
-
-Json mask_json(const MultivariateScheme& scheme) {
-  return {{"dilation", scheme.mask.dilation().rows()}, {"mask", to_mask_text(scheme.mask)}};
+  if (scheme.mask.dimension() > 1)
+    return {{"dilation", scheme.mask.dilation().rows()}, {"mask", to_mask_text(scheme.mask)}};
+  const Mask& mask = scheme.mask.curve();
+  return {{"arity", mask.arity()},
+          {"first_index", mask.symbol().lowest()},
+          {"coefficients", numbers_json(mask.symbol().coefficients())}};
 }
 
 Json plate_json(const reports::Plate& plate) {
   Json json = page_json(reports::plate_facts(plate));
   json["reference"] = plate.key.empty() ? Json() : Json(plate.key);
-  json["mask"] = std::visit([](const auto& one) { return mask_json(one); }, plate.scheme);
+  json["mask"] = mask_json(plate.scheme);
   json["notes"] = plate.notes;
   json["curves"] = curves_json(plate);
   return json;

@@ -54,23 +54,20 @@ void draw_refined(const std::string& plot, const std::string& scheme, const data
   formats::draw_file({"refined", scheme, "", 1, {panel}}, plot);
 }
 
-void require_drawable(const std::string& plot, const LinearScheme& scheme) {
-  const auto* multivariate = std::get_if<MultivariateScheme>(&scheme);
-  if (!plot.empty() && multivariate && multivariate->mask.dimension() > 2)
+void require_drawable(const std::string& plot, const Scheme& scheme) {
+  if (!plot.empty() && scheme.mask.dimension() > 2)
     fail(ErrorKind::usage, "--plot {}: pictures are of functions of one or two variables; {} has {}", plot,
-         multivariate->specification, multivariate->mask.dimension());
+         scheme.specification, scheme.mask.dimension());
 }
 
-void draw_limit(const std::string& plot, const LinearScheme& scheme, const Decision& convergence) {
+void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& convergence) {
   const formats::DrawnLimit what = convergence.is_yes() ? formats::DrawnLimit::values
                                                         : formats::DrawnLimit::refined_delta;
-  if (const auto* multivariate = std::get_if<MultivariateScheme>(&scheme)) {
-    formats::draw_surfaces({formats::limit_surface(multivariate->mask, multivariate->specification, what)}, plot);
-    return;
-  }
-  const auto& curve = std::get<Scheme>(scheme);
-  formats::draw_file(
-      {"limit", curve.specification, "", 1, {formats::limit_panel(curve.mask, curve.specification, what)}}, plot);
+  const std::string& name = scheme.specification;
+  if (scheme.mask.dimension() > 1)
+    formats::draw_surfaces({formats::limit_surface(scheme.mask, name, what)}, plot);
+  else
+    formats::draw_file({"limit", name, "", 1, {formats::limit_panel(scheme.mask.curve(), name, what)}}, plot);
 }
 
 }  // namespace subcert::cli

@@ -22,10 +22,10 @@ void draw_refined(const std::string& plot, const std::string& scheme, const data
                   const data::GridData<double>& data, const data::GridData<double>& refined);
 
 /// Throws a usage error for a picture of a limit function of three variables.
-void require_drawable(const std::string& plot, const LinearScheme& scheme);
+void require_drawable(const std::string& plot, const Scheme& scheme);
 
 /// The basic limit function by exact values, or, where convergence is not proved, the unit sequence after some steps.
 /// Domain: as require_drawable(). Errors: throws missing_file.
-void draw_limit(const std::string& plot, const LinearScheme& scheme, const Decision& convergence);
+void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& convergence);
 
 }  // namespace subcert::cli

@@ -5,7 +5,7 @@
 
 int main() {
   using namespace subcert;
-  const HolderBounds bounds = holder_bounds(make_scheme("dual:n=2").mask, 16);
+  const HolderBounds bounds = holder_bounds(make_scheme("dual:n=2").mask.curve(), 16);
   for (const HolderBound& bound : bounds.levels)
     if (bound.levels == 1 || bound.levels == 4 || bound.levels == 5 || bound.levels == 16)
       std::cout << bound.levels << " levels: at least " << bound.exponent.lower_text(8) << "\n";

@@ -6,7 +6,7 @@
 
 int main() {
   using namespace subcert;
-  const Mask mask = make_scheme("primal:n=2").mask;
+  const Mask mask = make_scheme("primal:n=2").mask.curve();
   const LimitValues phi = limit_values(mask, 0);
   for (std::size_t i = 0; i < phi.values.size(); ++i)
     std::cout << "phi(" << phi.point(i) << ") = " << phi.values[i] << "\n";

@@ -6,7 +6,7 @@
 
 int main() {
   using namespace subcert;
-  const Mask mask = make_scheme("dual:n=2").mask;
+  const Mask mask = make_scheme("dual:n=2").mask.curve();
   const data::GridData<Rational> line = data::curve_data<Rational>({1, 3, 5, 7, 9, 11});
   const data::GridData<Rational> finer = refine(line, mask, {1, data::Boundary::regression, 1});
   for (std::size_t i = 0; i < 3; ++i)

@@ -9,7 +9,7 @@
 int main() {
   using namespace subcert;
   const Scheme scheme = make_scheme("primal:n=2");
-  const data::SchemeSmoother smoother(scheme.mask, 9, {data::Boundary::regression});
+  const data::SchemeSmoother smoother(scheme.mask.curve(), 9, {data::Boundary::regression});
   for (const std::size_t i : {0, 4}) {
     const data::SmoothingRow row = smoother.row(i);
     std::cout << "s(" << i << ") =";

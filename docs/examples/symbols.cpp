@@ -17,7 +17,7 @@ int main() {
   std::cout << "coset sums: " << coset_sums(mask)[0] << " " << coset_sums(mask)[1] << "\n";
   std::cout << "centre of symmetry: " << symmetry(mask).centre << "\n";
 
-  const MultivariateMask surface = tensor_product({mask, mask});
+  const LatticeMask surface = tensor_product({mask, mask});
   std::cout << "tensor product: " << surface.symbol().count() << " terms, corner "
             << surface.symbol().coefficient({-2, -2}) << "\n";
 }

@@ -493,7 +493,7 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   });
 }
 
-Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity) {
+Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity) {
   require(regularity.radius && regularity.space,
           "certificate: need a joint spectral radius, got none (of a tensor product, certify the factors)");
   const JointSpectralRadius& radius = *regularity.radius;

@@ -44,7 +44,7 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
 
 /// The same in several variables; without an upper end where the shifts are not proved stable. Domain: `regularity` is
 /// that of the mask. Errors: throws Error where nothing positive is proved from below.
-Certificate surface_certificate(const MultivariateMask& mask, const MultivariateRegularity& regularity);
+Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity);
 
 /// Of one piece of a range: for all values of the parameter from `low` to `high` the property holds, or for none.
 struct RangeCertificate {

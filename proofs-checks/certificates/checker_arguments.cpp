@@ -45,13 +45,12 @@ std::vector<std::string> subject_arguments(const std::string& subject) {
     return {"--mask", family.mask.to_text(family.parameter), "--arity", std::to_string(family.mask.arity()), "--for",
             values};
   }
-  const LinearScheme scheme = make_linear_scheme(subject);
-  if (const auto* surface = std::get_if<MultivariateScheme>(&scheme))
-    return {"--surface", to_mask_text(surface->mask), "--dilation", surface->mask.dilation().to_text()};
-  const Scheme& one = std::get<Scheme>(scheme);
-  if (one.rounding)
+  const Scheme scheme = make_linear_scheme(subject);
+  if (scheme.mask.dimension() > 1)
+    return {"--surface", to_mask_text(scheme.mask), "--dilation", scheme.mask.dilation().to_text()};
+  if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
-  return {"--mask", one.mask.symbol().to_mask_text(), "--arity", std::to_string(one.mask.arity())};
+  return {"--mask", to_mask_text(scheme.mask), "--arity", std::to_string(scheme.mask.arity())};
 }
 
 }  // namespace

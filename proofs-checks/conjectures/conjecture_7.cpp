@@ -17,7 +17,7 @@ Json computed_row(const PrimalScheme& scheme, const CaseBudget& budget) {
   VarianceOptions options;
   options.relative_width = Rational(budget.relative_width);
   options.budget.deadline = Deadline::in(budget.seconds);
-  const VarianceRange range = variance_range(make_scheme(scheme.specification()).mask, options);
+  const VarianceRange range = variance_range(make_scheme(scheme.specification()).mask.curve(), options);
   return {{"sup", sweeps::exact_json(range.maximum)},
           {"derivative_sup", range.slope ? sweeps::exact_json(*range.slope) : Json()},
           {"derivative_reason", range.slope_reason},

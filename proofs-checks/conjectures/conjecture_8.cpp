@@ -15,8 +15,8 @@ using sweeps::Json;
 Json computed_comparison(const VariancePair& pair, const CaseBudget& budget) {
   VarianceOrderOptions options;
   options.deadline = Deadline::in(budget.seconds);
-  const VarianceOrder order = compare_variance(make_scheme(pair.smaller.specification()).mask,
-                                               make_scheme(pair.larger.specification()).mask, options);
+  const VarianceOrder order = compare_variance(make_scheme(pair.smaller.specification()).mask.curve(),
+                                               make_scheme(pair.larger.specification()).mask.curve(), options);
   // The conjecture allows equality: curves that touch do not refute it.
   if (order.below == Truth::no && order.difference == 0)
     return {{"verdict", to_text(Truth::unknown)}, {"reason", "the curves touch at x = " + to_text(order.witness)}};

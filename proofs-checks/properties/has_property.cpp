@@ -6,7 +6,6 @@
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -37,42 +36,23 @@ Decision rounded_coefficients() { return {Truth::unknown, "the coefficients are 
 
 /// For all masks that are meant.
 HolderRegularity regularity_of(const Scheme& scheme, double seconds) {
-  return holder_regularity(scheme.mask, levels, {Deadline::in(seconds)}, HolderProof::shortest, scheme.rounding);
+  return holder_regularity(scheme.mask.curve(), levels, {Deadline::in(seconds)}, HolderProof::shortest,
+                           scheme.rounding);
 }
 
-MultivariateRegularity regularity_of(const MultivariateScheme& scheme, double seconds) {
-  const Budget budget{Deadline::in(seconds)};
-  return scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget)
-                                : tensor_product_regularity(scheme.factors, budget);
+MultivariateRegularity surface_regularity(const Scheme& scheme, double seconds) {
+  return multivariate_regularity(scheme.mask, {Deadline::in(seconds)});
 }
-
-struct Degrees {
-  long sum_rules, generates, reproduces;
-};
-
-Degrees degrees_of(const Scheme& scheme) {
-  const PolynomialReproduction found = polynomial_reproduction(scheme.mask);
-  return {sum_rules(scheme.mask), found.generation_degree, found.reproduction_degree};
-}
-
-Degrees degrees_of(const MultivariateScheme& scheme) {
-  const MultivariateReproduction found = scheme.factors.empty() ? polynomial_reproduction(scheme.mask)
-                                                                : tensor_product_reproduction(scheme.factors);
-  return {found.sum_rules, found.generation_degree(), found.reproduction_degree};
-}
-
-bool is_rounded(const Scheme& scheme) { return scheme.rounding.has_value(); }
-bool is_rounded(const MultivariateScheme&) { return false; }
 
 Decision convergent(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  if (!scheme.rounding) return matches(convergence_of(scheme.mask, seconds), expectation.yes);
+  if (!scheme.rounding) return matches(convergence_of(scheme.mask.curve(), seconds), expectation.yes);
   const bool converges = *regularity_of(scheme, seconds).exponent.lower > 0;
   return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
                  expectation.yes);
 }
 
 Decision smoothness(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const Mask& mask = scheme.mask;
+  const Mask& mask = scheme.mask.curve();
   if (scheme.rounding) {
     const HolderRegularity regularity = regularity_of(scheme, seconds);
     if (*regularity.exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
@@ -92,7 +72,7 @@ Decision smoothness(const Scheme& scheme, const Expectation& expectation, double
 }
 
 Decision holder(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  if (!scheme.rounding && !is_affine(scheme.mask))
+  if (!scheme.rounding && !is_affine(scheme.mask.curve()))
     return decided(false, "a coset sum is not 1, so the scheme does not converge");
   const HolderRegularity regularity = regularity_of(scheme, seconds);
   Enclosure exponent = regularity.exponent;
@@ -104,7 +84,7 @@ Decision holder(const Scheme& scheme, const Expectation& expectation, double sec
 
 Decision sobolev(const Scheme& scheme, const Expectation& expectation, double seconds) {
   if (scheme.rounding) return rounded_coefficients();
-  const Mask& mask = scheme.mask;
+  const Mask& mask = scheme.mask.curve();
   const Decision convergence = convergence_of(mask, seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   const auto found = sobolev_regularity(mask, Deadline::in(seconds));
@@ -114,7 +94,7 @@ Decision sobolev(const Scheme& scheme, const Expectation& expectation, double se
 
 Decision variance(const Scheme& scheme, const Expectation& expectation, double seconds) {
   if (scheme.rounding) return rounded_coefficients();
-  const Mask& mask = scheme.mask;
+  const Mask& mask = scheme.mask.curve();
   const Decision convergence = convergence_of(mask, seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   try {
@@ -128,14 +108,12 @@ Decision variance(const Scheme& scheme, const Expectation& expectation, double s
 
 std::string word_of(Symmetry kind) { return kind == Symmetry::odd ? "odd" : kind == Symmetry::even ? "even" : "none"; }
 
-bool is_interpolatory(const Mask& mask) { return mask.symbol().coset(mask.arity(), 0) == LaurentPolynomial(1); }
-
 Decision whole_number(long value, const Expectation& expectation) {
   return decided(compare(Rational(value), expectation.relation, expectation.number), "it is " + std::to_string(value));
 }
 
 /// Whether the old values are kept: of the indices in M Z^s only 0 has a coefficient, which is 1.
-bool is_interpolatory(const MultivariateMask& mask) {
+bool is_interpolatory(const LatticeMask& mask) {
   const LatticePoint zero(mask.dilation().variables(), 0);
   const std::size_t digit = mask.dilation().divide(zero).digit;
   for (const auto& term : mask.symbol().terms())
@@ -144,31 +122,32 @@ bool is_interpolatory(const MultivariateMask& mask) {
 }
 
 Decision stable(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  if (scheme.rounding) return matches(has_stable_shifts(scheme.mask, scheme.rounding->distance), expectation.yes);
-  const Decision convergence = convergence_of(scheme.mask, seconds);
+  if (scheme.rounding)
+    return matches(has_stable_shifts(scheme.mask.curve(), scheme.rounding->distance), expectation.yes);
+  const Decision convergence = convergence_of(scheme.mask.curve(), seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
-  return matches(has_stable_shifts(scheme.mask), expectation.yes);
+  return matches(has_stable_shifts(scheme.mask.curve()), expectation.yes);
 }
 
 Decision symmetry_of(const Scheme& scheme, const Expectation& expectation, double) {
-  const std::string found = word_of(symmetry(scheme.mask).kind);
+  const std::string found = word_of(symmetry(scheme.mask.curve()).kind);
   return decided(found == expectation.word, "it is " + found);
 }
 
 Decision support_of(const Scheme& scheme, const Expectation& expectation, double) {
-  const Interval found = limit_support(scheme.mask);
+  const Interval found = limit_support(scheme.mask.curve());
   return decided(found == *expectation.ends,
                  "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
 }
 
-Decision holder_of_surface(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
-  const MultivariateRegularity regularity = regularity_of(scheme, seconds);
+Decision holder_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const MultivariateRegularity regularity = surface_regularity(scheme, seconds);
   if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
   return compare(regularity.exponent, expectation, "the exponent");
 }
 
-Decision sobolev_of_surface(const MultivariateScheme& scheme, const Expectation& expectation, double seconds) {
-  const MultivariateRegularity regularity = regularity_of(scheme, seconds);
+Decision sobolev_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const MultivariateRegularity regularity = surface_regularity(scheme, seconds);
   if (!regularity.sobolev) return {Truth::unknown, "the spectral radius was not computed in time"};
   return compare(*regularity.sobolev, expectation, "the exponent");
 }
@@ -178,23 +157,25 @@ Decision sobolev_of_surface(const MultivariateScheme& scheme, const Expectation&
 const std::vector<Property>& known_properties() {
   using Kind = RangeProperty::Kind;
   using E = const Expectation&;
-  using Surface = const MultivariateScheme&;
+  using S = const Scheme&;
   const char* answer = "true or false";
   const char* whole = "an integer or a comparison";
   const char* comparison = "\">= X\", \"<= X\", \"> X\" or \"< X\"";
-  constexpr auto rules = [](const auto& s, E e, double) { return whole_number(degrees_of(s).sum_rules, e); };
-  constexpr auto generates = [](const auto& s, E e, double) { return whole_number(degrees_of(s).generates, e); };
-  constexpr auto reproduces = [](const auto& s, E e, double) {
-    return is_rounded(s) ? rounded_coefficients() : whole_number(degrees_of(s).reproduces, e);
+  constexpr auto rules = [](S s, E e, double) { return whole_number(polynomial_reproduction(s.mask).sum_rules, e); };
+  constexpr auto generates = [](S s, E e, double) {
+    return whole_number(polynomial_reproduction(s.mask).generation_degree(), e);
   };
-  constexpr auto interpolatory = [](const auto& s, E e, double) {
+  constexpr auto reproduces = [](S s, E e, double) {
+    return s.rounding ? rounded_coefficients() : whole_number(polynomial_reproduction(s.mask).reproduction_degree, e);
+  };
+  constexpr auto interpolatory = [](S s, E e, double) {
     return matches({is_interpolatory(s.mask) ? Truth::yes : Truth::no, ""}, e.yes);
   };
   static const std::vector<Property> all{
       {"convergent", answer, "uniform convergence for all bounded data", Expects::answer, convergent,
-       [](Surface s, E e, double time) { return matches(regularity_of(s, time).converges, e.yes); }, Kind::convergent},
+       [](S s, E e, double time) { return matches(surface_regularity(s, time).converges, e.yes); }, Kind::convergent},
       {"smoothness", "\">= K\"", "C^K limits", Expects::order, smoothness,
-       [](Surface s, E e, double time) { return smoothness(regularity_of(s, time), e); }, Kind::smooth},
+       [](S s, E e, double time) { return smoothness(surface_regularity(s, time), e); }, Kind::smooth},
       {"holder", comparison, "the Hoelder exponent", Expects::comparison, holder, holder_of_surface, Kind::holder},
       {"sobolev", comparison, "the Sobolev exponent", Expects::comparison, sobolev, sobolev_of_surface, Kind::sobolev},
       {"sum_rules", whole, "the number of sum rules", Expects::whole_number, rules, rules},
@@ -206,7 +187,7 @@ const std::vector<Property>& known_properties() {
        nullptr},
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
       {"stable", answer, "stability of the integer shifts", Expects::answer, stable,
-       [](Surface s, E e, double time) { return matches(regularity_of(s, time).stable, e.yes); }, Kind::stable},
+       [](S s, E e, double time) { return matches(surface_regularity(s, time).stable, e.yes); }, Kind::stable},
       {"interpolatory", answer, "whether old values are kept", Expects::answer, interpolatory, interpolatory},
       {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", Expects::comparison,
        variance, nullptr}};
@@ -222,11 +203,7 @@ const Property* find_property(std::string_view name) {
 namespace {
 
 Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation, double seconds) {
-  return property.of_curve(scheme, expectation, seconds);
-}
-
-Decision property_of(const MultivariateScheme& scheme, const Property& property, const Expectation& expectation,
-                     double seconds) {
+  if (scheme.mask.dimension() == 1) return property.of_curve(scheme, expectation, seconds);
   if (!property.of_surface)
     fail(ErrorKind::domain, "has_property: need a property of surfaces, got '{}'", property.name);
   return property.of_surface(scheme, expectation, seconds);

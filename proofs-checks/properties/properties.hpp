@@ -36,7 +36,7 @@ struct SchemeRange {
 struct ExpectedScheme {
   std::string name;  ///< the specification where the file gives none
   std::string specification;
-  std::variant<Scheme, MultivariateScheme, SchemeRange> scheme;
+  std::variant<Scheme, SchemeRange> scheme;
   std::vector<Expectation> expectations;
 };
 
@@ -51,7 +51,7 @@ struct Property {
   std::string meaning;
   Expects expects;
   Decision (*of_curve)(const Scheme& scheme, const Expectation& expectation, double seconds);
-  Decision (*of_surface)(const MultivariateScheme& scheme, const Expectation& expectation, double seconds);
+  Decision (*of_surface)(const Scheme& scheme, const Expectation& expectation, double seconds);
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
 };
 const std::vector<Property>& known_properties();

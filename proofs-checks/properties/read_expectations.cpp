@@ -97,11 +97,9 @@ SchemeRange read_range(const toml::node& node, ParametricScheme family) {
   return {std::move(family), *values};
 }
 
-std::variant<Scheme, MultivariateScheme, SchemeRange> read_subject(const toml::table& table,
-                                                                   const std::string& specification) {
+std::variant<Scheme, SchemeRange> read_subject(const toml::table& table, const std::string& specification) {
   if (const toml::node* range = table.get("for")) return read_range(*range, make_parametric_scheme(specification));
-  return std::visit([](auto one) -> std::variant<Scheme, MultivariateScheme, SchemeRange> { return one; },
-                    make_linear_scheme(specification));
+  return make_linear_scheme(specification);
 }
 
 struct SpecificationOf {
@@ -121,14 +119,14 @@ ExpectedScheme read_scheme(const toml::table& table) {
   if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
   if (!mask->is_string()) throw FileError(place_of(*mask), "'mask' takes a scheme specification in quotes");
   const std::string& specification = mask->as_string()->get();
-  std::optional<std::variant<Scheme, MultivariateScheme, SchemeRange>> scheme;
+  std::optional<std::variant<Scheme, SchemeRange>> scheme;
   try {
     scheme = read_subject(table, specification);
   } catch (const Error& error) {
     throw FileError(place_of(*mask), error.what());
   }
-  const bool surface = std::holds_alternative<MultivariateScheme>(*scheme),
-             range = std::holds_alternative<SchemeRange>(*scheme);
+  const auto* single = std::get_if<Scheme>(&*scheme);
+  const bool surface = single && single->mask.dimension() > 1, range = !single;
   ExpectedScheme result{printable(specification), std::visit(SpecificationOf{}, *scheme), std::move(*scheme), {}};
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());

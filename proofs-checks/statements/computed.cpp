@@ -29,7 +29,7 @@ const Value& remembered(const std::string& key, const Make& make) {
 }  // namespace
 
 const Mask& mask_of(const std::string& scheme) {
-  return remembered<Mask>(scheme, [&] { return make_scheme(scheme).mask; });
+  return remembered<Mask>(scheme, [&] { return make_scheme(scheme).mask.curve(); });
 }
 
 const VarianceRange& variance_of(const std::string& scheme) {

@@ -26,7 +26,8 @@ namespace {
 Rational q(const char* text) { return *parse_rational(text); }
 
 HolderRegularity regularity_of(const std::string& specification, int levels = 8) {
-  return holder_regularity(make_scheme(specification).mask, levels, {Deadline::in(60)}, HolderProof::certificate);
+  return holder_regularity(make_scheme(specification).mask.curve(), levels, {Deadline::in(60)},
+                           HolderProof::certificate);
 }
 
 /// Whether the checker proves this claim from the certificate.
@@ -46,7 +47,7 @@ std::string subject_of(const Mask& mask) {
   return "--mask '" + mask.symbol().to_mask_text() + "' --arity " + std::to_string(mask.arity());
 }
 
-std::string subject_of(const MultivariateMask& mask) {
+std::string subject_of(const LatticeMask& mask) {
   return "--surface '" + to_mask_text(mask) + "' --dilation '" + mask.dilation().to_text() + "'";
 }
 
@@ -55,7 +56,7 @@ MultivariatePolynomial one_plus(const LatticePoint& direction) {
                                 {{1, LatticePoint(direction.size(), 0)}, {1, direction}});
 }
 
-MultivariateMask box_spline(const std::vector<LatticePoint>& directions) {
+LatticeMask box_spline(const std::vector<LatticePoint>& directions) {
   const int variables = static_cast<int>(directions.front().size());
   MultivariatePolynomial symbol(variables, power(Rational(2), variables - static_cast<long>(directions.size())));
   for (const LatticePoint& direction : directions) symbol = symbol * one_plus(direction);
@@ -63,8 +64,8 @@ MultivariateMask box_spline(const std::vector<LatticePoint>& directions) {
 }
 
 /// The centre, and the coefficients of the first and of the second ring about it.
-MultivariateMask rings(const Rational& centre, const std::vector<LatticePoint>& first, const Rational& at_first,
-                       const std::vector<LatticePoint>& second, const Rational& at_second, Dilation dilation) {
+LatticeMask rings(const Rational& centre, const std::vector<LatticePoint>& first, const Rational& at_first,
+                  const std::vector<LatticePoint>& second, const Rational& at_second, Dilation dilation) {
   std::vector<MultivariatePolynomial::Monomial> terms{{centre, LatticePoint(2, 0)}};
   for (const LatticePoint& point : first) terms.push_back({at_first, point});
   for (const LatticePoint& point : second) terms.push_back({at_second, point});
@@ -130,7 +131,7 @@ TEST_CASE("shifts that are not stable: the exponent and the certificate of the r
     const HolderRegularity regularity = regularity_of(c.mask);
     CHECK(regularity.stable.is_no());
     REQUIRE(regularity.reduced);
-    const Mask mask = make_scheme(c.mask).mask;
+    const Mask mask = make_scheme(c.mask).mask.curve();
     const ReducedMask& other = regularity.reduced->mask;
     CHECK(other.factor.to_text() == c.factor);
     CHECK(mask.symbol() * other.factor == other.factor.dilated(mask.arity()) * other.mask.symbol());
@@ -153,7 +154,7 @@ TEST_CASE("shifts that are not stable: the exponent and the certificate of the r
 TEST_CASE("with stable shifts an upper end is never absent, and divergence is proved by products") {
   // Beside the 4-point scheme: doubles tell no radius from 1.
   const std::string w = "1000000000000000000000000000016/16000000000000000000000000000000";
-  const Mask mask = make_scheme("four-point:w=" + w).mask;
+  const Mask mask = make_scheme("four-point:w=" + w).mask.curve();
   const HolderRegularity near = holder_regularity(mask, 8, {Deadline::in(2)}, HolderProof::certificate);
   REQUIRE(near.exponent.upper.has_value());
   CHECK(*near.exponent.upper <= 2);
@@ -175,7 +176,7 @@ TEST_CASE("certificates of the program are proved by the checker, false claims a
        {"primal:n=2", "primal:n=3", "primal:n=5", "primal-odd:n=1", "dual:n=2", "dual-odd:n=2", "dd:n=2", "dd:n=3",
         "four-point:w=1/20", "ary:a=3,points=4,d=3", "bspline:degree=2"}) {
     CAPTURE(specification);
-    const Mask mask = make_scheme(specification).mask;
+    const Mask mask = make_scheme(specification).mask.curve();
     const HolderRegularity regularity = regularity_of(specification);
     CHECK(regularity.radius.is_closed());
     const Certificate certificate = exponent_certificate(mask, regularity);
@@ -196,11 +197,11 @@ TEST_CASE("certificates of surfaces and volumes are proved by the checker, false
   const std::vector<LatticePoint> triangle{{1, 0}, {0, 1}, {1, 1}};
   std::vector<LatticePoint> twice = triangle;
   twice.insert(twice.end(), triangle.begin(), triangle.end());
-  const MultivariateMask quincunx = rings(1, {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, q("1/4"), {}, 0,
-                                          Dilation({{1, -1}, {1, 1}}));
-  MultivariateMask butterfly = rings(1, {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}, q("1/2"),
-                                     {{1, 2}, {2, 1}, {1, -1}, {-1, 1}, {-1, -2}, {-2, -1}}, q("1/8"),
-                                     Dilation::multiple(2, 2));
+  const LatticeMask quincunx = rings(1, {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, q("1/4"), {}, 0,
+                                     Dilation({{1, -1}, {1, 1}}));
+  LatticeMask butterfly = rings(1, {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}, q("1/2"),
+                                {{1, 2}, {2, 1}, {1, -1}, {-1, 1}, {-1, -2}, {-2, -1}}, q("1/8"),
+                                Dilation::multiple(2, 2));
   std::vector<MultivariatePolynomial::Monomial> outer = butterfly.symbol().terms();
   for (const LatticePoint& point : std::vector<LatticePoint>{
            {3, 1}, {3, 2}, {2, 3}, {1, 3}, {-1, 2}, {-2, 1}, {-3, -1}, {-3, -2}, {-2, -3}, {-1, -3}, {1, -2}, {2, -1}})
@@ -208,7 +209,7 @@ TEST_CASE("certificates of surfaces and volumes are proved by the checker, false
   butterfly = {MultivariatePolynomial(2, outer), 2};
   const struct {
     const char* name;
-    MultivariateMask mask;
+    LatticeMask mask;
     Rational exponent;  // to 1e-13
   } known[] = {{"three directions", box_spline(triangle), 1},
                {"Loop", box_spline(twice), 3},
@@ -231,14 +232,14 @@ TEST_CASE("certificates of surfaces and volumes are proved by the checker, false
     CHECK_FALSE(proves(subject_of(box_spline({{1, 0}, {0, 1}})), lower, "", text));
   }
   // Without stable shifts by the differences of the limit.
-  const MultivariateMask zwart_powell = box_spline({{1, 0}, {0, 1}, {1, 1}, {1, -1}});
+  const LatticeMask zwart_powell = box_spline({{1, 0}, {0, 1}, {1, 1}, {1, -1}});
   const Certificate unstable = surface_certificate(zwart_powell,
                                                    multivariate_regularity(zwart_powell, {Deadline::in(60)}));
   CHECK((unstable.claim.lower == "2" && unstable.claim.upper == "2"));
   CHECK(proves(subject_of(zwart_powell), "2", "2", unstable.text));
   CHECK_FALSE(proves(subject_of(zwart_powell), to_text(2 + tiny), "", unstable.text));
   CHECK_FALSE(proves(subject_of(zwart_powell), "2", to_text(2 - tiny), unstable.text));
-  const MultivariateMask haar = box_spline({{1, 0}, {0, 1}});
+  const LatticeMask haar = box_spline({{1, 0}, {0, 1}});
   CHECK_THROWS_AS(surface_certificate(haar, multivariate_regularity(haar, {Deadline::in(5)})), Error);
 }
 
@@ -271,7 +272,7 @@ TEST_CASE("a complex leading pair") {
     for (const WeightedVertex& term : terms)
       CHECK(term.modulus * term.modulus >= term.weight * term.weight + term.imaginary * term.imaginary);
   // The certificate of a scheme with such a pair.
-  const Mask mask = make_scheme("dual:n=3").mask;
+  const Mask mask = make_scheme("dual:n=3").mask.curve();
   const HolderRegularity regularity = regularity_of("dual:n=3");
   CHECK(regularity.radius.is_closed());
   const Certificate certificate = exponent_certificate(mask, regularity);
@@ -290,7 +291,7 @@ TEST_CASE("one spectral radius: the exponent, what it is, and the modulus of con
         Case{"bspline:degree=3,a=3", 0}, Case{"mask:[-5,-7,35,105,105,35,-7,-5]/128", 0}, Case{"bspline:degree=1", 0},
         Case{"pseudo-spline:m=4,l=2", 0}, Case{"mask:[-1,0,9,16,9,0,-1]/16", 1}, Case{"mask:[1,2,2,2,1]/4", 0}}) {
     CAPTURE(specification);
-    const Mask mask = make_scheme(specification).mask;
+    const Mask mask = make_scheme(specification).mask.curve();
     const HolderRegularity regularity = regularity_of(specification);
     CHECK(regularity.deciding().radius.method() == JsrMethod::single_spectral_radius);
     const Certificate certificate = exponent_certificate(mask, regularity);
@@ -304,7 +305,8 @@ TEST_CASE("one spectral radius: the exponent, what it is, and the modulus of con
     CHECK(proves(subject_of(mask), *lower, *upper, certificate.of_bounds().text));
   }
   // Where polytopes prove it.
-  const Certificate polytopes = exponent_certificate(make_scheme("primal:n=5").mask, regularity_of("primal:n=5"));
+  const Certificate polytopes = exponent_certificate(make_scheme("primal:n=5").mask.curve(),
+                                                     regularity_of("primal:n=5"));
   CHECK(polytopes.claim.logarithm == 0);
 }
 
@@ -329,7 +331,7 @@ TEST_CASE("certificates say what an exponent or a radius is") {
   for (const char* specification :
        {"primal:n=2", "primal:n=4", "primal:n=5", "dual:n=3", "dd:n=2", "four-point:w=1/20"}) {
     CAPTURE(specification);
-    const Mask mask = make_scheme(specification).mask;
+    const Mask mask = make_scheme(specification).mask.curve();
     CHECK(proves_exactly(subject_of(mask), exponent_certificate(mask, regularity_of(specification))));
   }
   // A cone, diagonal blocks, and several variables.
@@ -344,7 +346,7 @@ TEST_CASE("certificates say what an exponent or a radius is") {
     CHECK(proves_exactly("--matrices " + file.string(), certificate));
   }
   fs::remove(file);
-  const auto surface = std::get<MultivariateScheme>(make_linear_scheme("grid:points=3x3,d=1"));
+  const auto surface = make_linear_scheme("grid:points=3x3,d=1");
   const MultivariateRegularity regularity = multivariate_regularity(surface.mask, {Deadline::in(60)});
   const Certificate certificate = surface_certificate(surface.mask, regularity);
   CHECK(proves_exactly(subject_of(surface.mask), certificate));
@@ -363,7 +365,7 @@ TEST_CASE("certificates of letters that a product keeps") {
     return result;
   };
   // A complex pair.
-  const Mask mask = make_scheme("primal:n=3,d=3").mask;
+  const Mask mask = make_scheme("primal:n=3,d=3").mask.curve();
   HolderRegularity regularity = regularity_of("primal:n=3,d=3");
   regularity.radius = by_graph(transition_matrices(divided_difference_scheme(mask, regularity.bounds.sum_rules)),
                                regularity.radius.product.word);
@@ -373,7 +375,7 @@ TEST_CASE("certificates of letters that a product keeps") {
   std::ofstream(file, std::ios::binary) << matrices_text(golden);
   CHECK(proves_exactly("--matrices " + file.string(), radius_certificate(golden, by_graph(golden, {0, 1}))));
   // By the search, where no polytope closes: letters of equal matrices, and a power of two taken out.
-  const Mask open = make_scheme("primal:n=6,d=5").mask;
+  const Mask open = make_scheme("primal:n=6,d=5").mask.curve();
   const MatrixFamily pair = Rational(1, 1000) * transition_matrices(divided_difference_scheme(open, 6));
   const MatrixFamily family({pair[0], pair[1], pair[0], pair[1]});
   const JointSpectralRadius radius = joint_spectral_radius(family, {Deadline::in(10)});
@@ -388,7 +390,7 @@ TEST_CASE("equal input has equal certificates") {
   // Of the second one the search goes on with wider looks for products, and both sides take turns.
   for (const char* specification : {"primal:n=4", "dual:n=6,d=3"}) {
     const auto text = [&] {
-      return exponent_certificate(make_scheme(specification).mask, regularity_of(specification)).text;
+      return exponent_certificate(make_scheme(specification).mask.curve(), regularity_of(specification)).text;
     };
     CHECK(text() == text());
   }
@@ -402,7 +404,7 @@ TEST_CASE("certificates by quadratic forms") {
     return result;
   };
   // With the flip, and without.
-  const Mask mask = make_scheme("primal:n=3,d=3").mask;
+  const Mask mask = make_scheme("primal:n=3,d=3").mask.curve();
   const int rules = holder_bounds(mask, 4, Deadline::in(10)).sum_rules;
   HolderRegularity regularity = regularity_of("primal:n=3,d=3");
   regularity.radius = by_form(transition_matrices(divided_difference_scheme(mask, rules)));
@@ -414,7 +416,7 @@ TEST_CASE("certificates by quadratic forms") {
   const fs::path file = fs::temp_directory_path() / ("subcert-forms-test-" + std::to_string(getpid()) + ".matrices");
   RationalMatrix up(2, 2), down(2, 2);
   up(0, 0) = up(0, 1) = up(1, 1) = down(0, 0) = down(1, 0) = down(1, 1) = q("1/3");
-  const auto surface = std::get<MultivariateScheme>(make_linear_scheme("grid:points=3x3,d=2"));
+  const auto surface = make_linear_scheme("grid:points=3x3,d=2");
   const BlockTriangular blocks = radius::with_symmetries(
       block_triangularise(difference_space(surface.mask, 3).family, Deadline::in(60)), Deadline::in(60));
   REQUIRE(blocks.block(0).group().size() == 8);
@@ -492,7 +494,7 @@ TEST_CASE("reducible families: radii and certificates by blocks") {
   check(twice, coupled);
 
   // The same for an irrational radius.
-  const Mask scheme = make_scheme("four-point:w=1/20").mask;
+  const Mask scheme = make_scheme("four-point:w=1/20").mask.curve();
   const auto small = transition_matrices(divided_difference_scheme(scheme, 2));
   const std::size_t n = small.front().rows();
   std::vector<RationalMatrix> irrational(2, RationalMatrix(2 * n, 2 * n));
@@ -789,7 +791,7 @@ TEST_CASE("near a bound the work ends with what is proved") {
 
 TEST_CASE("the four-point scheme with a tension beyond doubles") {
   const std::string tension = "1" + std::string(200, '0');
-  const Mask mask = make_scheme("four-point:w=" + tension).mask;
+  const Mask mask = make_scheme("four-point:w=" + tension).mask.curve();
   const HolderRegularity regularity = holder_regularity(mask, 6, {Deadline::in(20)});
   CHECK(regularity.exponent.lower.has_value());
   CHECK(*regularity.exponent.lower < 0);
@@ -861,7 +863,7 @@ TEST_CASE("rounded masks: certificates for all masks nearby") {
         "dual:n=4,d=3", "ary:a=3,points=4,d=1", "cdf:n=2,m=4", "mask:[1,0,1,1,0,1]/2", "mask:[5,-1,4,7,-1,2]/8"}) {
     CAPTURE(specification);
     const Scheme scheme = make_scheme(specification);
-    const Mask& mask = scheme.mask;
+    const Mask& mask = scheme.mask.curve();
     const MaskRounding rounding = scheme.rounding.value_or(MaskRounding{near, sum_rules(mask)});
     const HolderRegularity regularity = holder_regularity(mask, 8, {Deadline::in(60)}, HolderProof::certificate,
                                                           rounding);
@@ -884,7 +886,7 @@ TEST_CASE("rounded masks: the exponents of masks nearby are enclosed") {
   subcert::testing::Random random;
   for (const char* specification : {"mask:[273205,473205,126795,-73205]/400000", "primal:n=4", "daubechies:n=4"}) {
     CAPTURE(specification);
-    const Mask mask = make_scheme(specification).mask;
+    const Mask mask = make_scheme(specification).mask.curve();
     const int rules = sum_rules(mask);
     const LaurentPolynomial smooth = LaurentPolynomial({q("1/2"), q("1/2")}, 0).pow(rules);
     const LaurentPolynomial rest = *mask.symbol().exact_quotient(smooth);
@@ -912,8 +914,8 @@ TEST_CASE("rounded masks: the exponents of masks nearby are enclosed") {
 
 TEST_CASE("the exponent of D4 is 2 - log2(1 + sqrt 3)") {
   const Scheme scheme = make_scheme("daubechies:n=2");
-  const HolderRegularity regularity = holder_regularity(scheme.mask, 6, {Deadline::in(60)}, HolderProof::shortest,
-                                                        scheme.rounding);
+  const HolderRegularity regularity = holder_regularity(scheme.mask.curve(), 6, {Deadline::in(60)},
+                                                        HolderProof::shortest, scheme.rounding);
   const Rational digits = power(Rational(10), 80);
   Enclosure root = root_enclosure(3 * digits * digits, 2);
   root = {*root.lower / digits, *root.upper / digits};

@@ -16,7 +16,9 @@ inline std::string text(int n) { return std::to_string(n); }
 inline std::string at(int n) { return " at n = " + text(n); }
 
 /// S_n^d.
-inline Mask primal_mask(int n, int degree) { return make_scheme(scheme_family("primal").scheme(n, degree)).mask; }
+inline Mask primal_mask(int n, int degree) {
+  return make_scheme(scheme_family("primal").scheme(n, degree)).mask.curve();
+}
 
 /// C_d to 40 digits, kept for the next call.
 const Ball& limit_ball(int degree);

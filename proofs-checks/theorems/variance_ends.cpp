@@ -40,7 +40,7 @@ void narrow_by_grid(VarianceEnds& ends, const Mask& mask) {
 }
 
 VarianceEnds compute_ends(const std::string& scheme) {
-  const Mask mask = make_scheme(scheme).mask;
+  const Mask mask = make_scheme(scheme).mask.curve();
   const CurveBounds bounds = curve_bounds(mask, cells_per_shell);
   VarianceEnds ends{bounds.mean, bounds.mean, bounds.slope};
   if (!bounds.ripple.upper) return {Enclosure::at_least(0), Enclosure::at_least(0), bounds.slope};

@@ -1,7 +1,7 @@
 #include "arrays.hpp"
 #include "work.hpp"
 
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
@@ -57,15 +57,15 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
   const data::RefineOptions options{levels, boundary, jobs};
   data::GridData<double> refined = interruptible(progress, [&] {
     if (!limit) return data::refine(grid, scheme, options);
-    const std::vector<Mask> masks = axis_masks(scheme);
-    if (masks.empty())
+    const std::optional<LatticeMask> mask = mask_with_factors(scheme);
+    if (!mask)
       fail(ErrorKind::domain, "limit: {}: limits are of schemes of one variable and their tensor products",
            specification);
-    const Decision decision = tensor_product_converges(masks);
+    const Decision decision = converges(*mask);
     if (!decision.is_yes())
       fail(ErrorKind::undecided, "limit: {}: no limit to evaluate; convergence: {} ({})", specification,
            to_text(decision.truth), decision.reason);
-    return data::limit_of_data(grid, masks, options);
+    return data::limit_of_data(grid, *mask, options);
   });
   std::vector<std::size_t> shape;
   py::list parameters;

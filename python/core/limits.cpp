@@ -4,7 +4,6 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -33,20 +32,19 @@ LimitValues values_of(const Scheme& scheme, int level, int order, const py::obje
   require(level >= 0 && order >= 0, "limit: need level >= 0 and derivative >= 0, got {} and {}", level, order);
   return interruptible(progress, [&] {
     require_derivatives(scheme, order);
-    return limit_values(scheme.mask, level, order);
+    return limit_values(scheme.mask.curve(), level, order);
   });
 }
 
 /// The points M^-level i and the values there, where they are not 0.
-std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_values_of(const MultivariateScheme& scheme,
-                                                                                       int level, double budget) {
+std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_values_of(const Scheme& scheme, int level,
+                                                                                       double budget) {
   require(level >= 0, "limit: need level >= 0, got {}", level);
   const Budget limits{Deadline::in(budget)};
-  const Decision convergence = facts::regularity_of(scheme, limits).converges;
+  const Decision convergence = multivariate_regularity(scheme.mask, limits).converges;
   require_convergence(scheme.specification, convergence);
   std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> result;
-  for (const auto& [index, value] :
-       scheme.factors.empty() ? limit_values(scheme.mask, level) : tensor_product_limit_values(scheme.factors, level)) {
+  for (const auto& [index, value] : limit_values(scheme.mask, level)) {
     std::vector<Rational>& point = result.first.emplace_back(index.begin(), index.end());
     for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
     result.second.push_back(value);
@@ -70,14 +68,13 @@ void add_limits(py::module_& module) {
     }
     return py::make_tuple(array_of(std::move(x)), array_of(std::move(y)));
   });
-  module.def("surface_limit_values",
-             [](const MultivariateScheme& scheme, int level, double budget, const py::object& progress) {
-               return interruptible(progress, [&] { return surface_values_of(scheme, level, budget); });
-             });
+  module.def("surface_limit_values", [](const Scheme& scheme, int level, double budget, const py::object& progress) {
+    return interruptible(progress, [&] { return surface_values_of(scheme, level, budget); });
+  });
   module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
     const LimitRange range = interruptible(progress, [&] {
       require_derivatives(scheme, 0);
-      return limit_range(scheme.mask, {width, {Deadline::in(budget)}});
+      return limit_range(scheme.mask.curve(), {width, {Deadline::in(budget)}});
     });
     return py::dict("maximum"_a = range.maximum, "minimum"_a = range.minimum, "sup_norm"_a = range.sup_norm,
                     "slope"_a = range.slope, "slope_reason"_a = range.slope_reason, "l1_norm"_a = range.l1_norm,
@@ -87,7 +84,7 @@ void add_limits(py::module_& module) {
     require(level >= 0, "variance: need level >= 0, got {}", level);
     const VarianceGrid grid = interruptible(progress, [&] {
       require_derivatives(scheme, 0);
-      return variance_grid(scheme.mask, level, false);
+      return variance_grid(scheme.mask.curve(), level, false);
     });
     return grid.values;
   });
@@ -95,7 +92,7 @@ void add_limits(py::module_& module) {
       "variance_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
         const VarianceRange range = interruptible(progress, [&] {
           require_derivatives(scheme, 0);
-          return variance_range(scheme.mask, {width, {Deadline::in(budget)}});
+          return variance_range(scheme.mask.curve(), {width, {Deadline::in(budget)}});
         });
         return py::dict("maximum"_a = range.maximum, "minimum"_a = range.minimum, "slope"_a = range.slope,
                         "slope_reason"_a = range.slope_reason, "mean"_a = range.mean, "complete"_a = range.complete);

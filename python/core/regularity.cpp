@@ -45,7 +45,7 @@ std::shared_ptr<HolderEvidence> holder(const Scheme& scheme, int levels, double 
   return interruptible(progress, [&] {
     return std::make_shared<HolderEvidence>(HolderEvidence{
         scheme,
-        holder_regularity(scheme.mask, levels, budget_of(seconds, memory),
+        holder_regularity(scheme.mask.curve(), levels, budget_of(seconds, memory),
                           certificate ? HolderProof::certificate : HolderProof::shortest, scheme.rounding, bits)});
   });
 }
@@ -64,21 +64,20 @@ py::dict holder_dict(const HolderEvidence& evidence) {
 
 py::object holder_certificate(const HolderEvidence& evidence) {
   const HolderRegularity& regularity = evidence.regularity;
-  return to_list(exponent_certificate(evidence.scheme.mask, regularity, evidence.scheme.rounding));
+  return to_list(exponent_certificate(evidence.scheme.mask.curve(), regularity, evidence.scheme.rounding));
 }
 
 struct SurfaceEvidence {
-  MultivariateScheme scheme;
+  Scheme scheme;
   MultivariateRegularity regularity;
 };
 
-std::shared_ptr<SurfaceEvidence> surface_holder(const MultivariateScheme& scheme, double seconds, std::size_t memory,
-                                                int bits, bool certificate, const py::object& progress) {
+std::shared_ptr<SurfaceEvidence> surface_holder(const Scheme& scheme, double seconds, std::size_t memory, int bits,
+                                                bool certificate, const py::object& progress) {
   return interruptible(progress, [&] {
     const Budget budget = budget_of(seconds, memory);
-    return std::make_shared<SurfaceEvidence>(
-        SurfaceEvidence{scheme, certificate ? multivariate_regularity(scheme.mask, budget, bits)
-                                            : facts::regularity_of(scheme, budget, bits)});
+    return std::make_shared<SurfaceEvidence>(SurfaceEvidence{
+        scheme, multivariate_regularity(certificate ? scheme.mask.without_factors() : scheme.mask, budget, bits)});
   });
 }
 
@@ -203,7 +202,8 @@ void add_regularity(py::module_& module) {
     return found && found->exponent > 0 ? std::optional(found->exponent) : std::nullopt;
   });
   module.def("sobolev", [](const Scheme& scheme, double seconds, const py::object& progress) {
-    const auto found = interruptible(progress, [&] { return sobolev_regularity(scheme.mask, Deadline::in(seconds)); });
+    const auto found = interruptible(progress,
+                                     [&] { return sobolev_regularity(scheme.mask.curve(), Deadline::in(seconds)); });
     return found ? std::optional(found->exponent) : std::nullopt;
   });
   py::class_<RadiusEvidence, std::shared_ptr<RadiusEvidence>>(module, "RadiusEvidence")

@@ -10,13 +10,9 @@ namespace subcert::python {
 namespace {
 
 /// JSON, as the command line has it.
-template <class Kind>
-std::string facts_of(const Kind& scheme) {
-  return page_json(facts::mask_facts(scheme)).dump();
-}
+std::string facts_of(const Scheme& scheme) { return page_json(facts::mask_facts(scheme)).dump(); }
 
-template <class Kind>
-std::string analysis_of(const Kind& scheme, int levels, double budget, const py::object& progress) {
+std::string analysis_of(const Scheme& scheme, int levels, double budget, const py::object& progress) {
   return interruptible(progress, [&] {
     const facts::Analysis known = facts::analysis(scheme, {{levels, Deadline::in(budget)}});
     return page_json(facts::scheme_facts(scheme, known)).dump();
@@ -24,11 +20,11 @@ std::string analysis_of(const Kind& scheme, int levels, double budget, const py:
 }
 
 LaurentPolynomial remaining_factor(const Scheme& scheme) {
-  const Mask& mask = scheme.mask;
+  const Mask& mask = scheme.mask.curve();
   return *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(sum_rules(mask)));
 }
 
-std::vector<std::pair<LatticePoint, Rational>> terms_of(const MultivariateScheme& scheme) {
+std::vector<std::pair<LatticePoint, Rational>> terms_of(const Scheme& scheme) {
   std::vector<std::pair<LatticePoint, Rational>> result;
   for (const Monomial& term : scheme.mask.symbol().terms()) result.emplace_back(term.exponents, term.coefficient);
   return result;
@@ -40,33 +36,22 @@ std::vector<std::tuple<std::string, std::string, std::string>> help_of(const std
   return result;
 }
 
-/// Schemes are what their specification says.
-template <class Kind>
-auto by_specification() {
-  return py::pickle(
-      [](const Kind& scheme) { return py::make_tuple(scheme.specification); },
-      [](const py::tuple& state) { return std::get<Kind>(make_any_scheme(state[0].cast<std::string>())); });
-}
-
 }  // namespace
 
 void add_schemes(py::module_& module) {
   py::class_<Scheme>(module, "Scheme")
-      .def(by_specification<Scheme>())
+      .def(py::pickle([](const Scheme& scheme) { return py::make_tuple(scheme.specification); },
+                      [](const py::tuple& state) { return make_linear_scheme(state[0].cast<std::string>()); }))
       .def_readonly("specification", &Scheme::specification)
       .def_readonly("title", &Scheme::title)
+      .def_property_readonly("dimension", [](const Scheme& scheme) { return scheme.mask.dimension(); })
+      .def_property_readonly("dilation", [](const Scheme& scheme) { return scheme.mask.dilation().rows(); })
+      .def_property_readonly("terms", &terms_of)
       .def_property_readonly("arity", [](const Scheme& scheme) { return scheme.mask.arity(); })
-      .def_property_readonly("symbol", [](const Scheme& scheme) { return scheme.mask.symbol(); })
+      .def_property_readonly("symbol", [](const Scheme& scheme) { return scheme.mask.curve().symbol(); })
       .def_property_readonly("rounding", [](const Scheme& scheme) {
         return scheme.rounding ? std::optional(scheme.rounding->distance) : std::nullopt;
       });
-  py::class_<MultivariateScheme>(module, "MultivariateScheme")
-      .def(by_specification<MultivariateScheme>())
-      .def_readonly("specification", &MultivariateScheme::specification)
-      .def_readonly("title", &MultivariateScheme::title)
-      .def_property_readonly("dimension", [](const MultivariateScheme& scheme) { return scheme.mask.dimension(); })
-      .def_property_readonly("dilation", [](const MultivariateScheme& scheme) { return scheme.mask.dilation().rows(); })
-      .def_property_readonly("terms", &terms_of);
   py::class_<DataDependentScheme>(module, "DataDependentScheme")
       .def_readonly("specification", &DataDependentScheme::specification)
       .def_readonly("title", &DataDependentScheme::title)
@@ -74,14 +59,12 @@ void add_schemes(py::module_& module) {
   module.def("make_any_scheme", [](const std::string& specification) { return make_any_scheme(specification); });
   module.def("families", [] { return help_of(families()); });
   module.def("multivariate_families", [] { return help_of(multivariate_families()); });
-  module.def("facts", &facts_of<Scheme>);
-  module.def("facts", &facts_of<MultivariateScheme>);
-  module.def("analyze", &analysis_of<Scheme>);
-  module.def("analyze", &analysis_of<MultivariateScheme>);
+  module.def("facts", &facts_of);
+  module.def("analyze", &analysis_of);
   module.def("remaining_factor", &remaining_factor);
   module.def("symbol_text", [](const LaurentPolynomial& symbol) { return symbol.to_text(); });
   module.def("symbol_latex", [](const LaurentPolynomial& symbol) { return symbol.to_latex(); });
-  module.def("stable", [](const Scheme& scheme) { return has_stable_shifts(scheme.mask); });
+  module.def("stable", [](const Scheme& scheme) { return has_stable_shifts(scheme.mask.curve()); });
   module.def("converges", [](const Scheme& scheme, int levels, double budget, const py::object& progress) {
     return interruptible(progress, [&] { return converges(scheme.mask, {levels, Deadline::in(budget)}); });
   });

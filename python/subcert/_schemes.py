@@ -412,8 +412,9 @@ def scheme(specification: Union[str, Named]) -> Any:
     if not isinstance(specification, str):
         raise TypeError(f"scheme: expected a text, as 'primal:n=3', or a scheme, got {type(specification).__name__}")
     core = _core.make_any_scheme(specification)
-    kinds = {_core.Scheme: Scheme, _core.MultivariateScheme: MultivariateScheme}
-    return kinds.get(type(core), DataDependentScheme)(core)
+    if isinstance(core, _core.DataDependentScheme):
+        return DataDependentScheme(core)
+    return (Scheme if core.dimension == 1 else MultivariateScheme)(core)
 
 
 def mask(

@@ -18,10 +18,10 @@ std::vector<double> DenseMatrix::operator*(const std::vector<double>& data) cons
 
 DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Boundary extension, int level) {
   const Scheme scheme = make_scheme(specification);
-  const data::SchemeSmoother smoother(scheme.mask, count, {extension, level, 0});
+  const data::SchemeSmoother smoother(scheme.mask.curve(), count, {extension, level, 0});
   // Wrapped data: the outputs past the last datum are those before datum 1 of the data turned by one place.
   std::size_t scale = 1;
-  for (int l = 0; l < level; ++l) scale *= static_cast<std::size_t>(scheme.mask.arity());
+  for (int l = 0; l < level; ++l) scale *= static_cast<std::size_t>(scheme.mask.curve().arity());
   const std::size_t outputs = extension == data::Boundary::periodic ? count * scale : smoother.outputs();
   DenseMatrix result(outputs, count);
   const auto rows = smoother.rounded_rows();

@@ -3,7 +3,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/grid_refinement.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
+#include "limit_facts.hpp"
 #include "scheme_facts.hpp"
 
-#include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 
 #include <fmt/format.h>
@@ -22,7 +21,25 @@ Fact symmetry_fact(const SymmetryReport& report) {
           kind};
 }
 
-Facts symbol_facts(const Mask& mask, int rules) {
+bool is_curve(const LatticeMask& mask) { return mask.dimension() == 1; }
+
+/// What of several variables has one entry for each.
+Json entries(const LatticeMask& mask, Json list) { return is_curve(mask) ? list.front() : list; }
+
+Facts index_facts(const LatticeMask& mask) {
+  Facts list;
+  if (!is_curve(mask)) list.push_back(member("variables", mask.dimension()));
+  list.push_back(member("arity", optional_json(mask.dilation().factor())));
+  if (!is_curve(mask)) list.push_back(member("dilation", mask.dilation().rows()));
+  append(list, {member("first_index", first_index_json(mask)), member("coefficients", coefficients_json(mask))});
+  return list;
+}
+
+Facts symbol_facts(const LatticeMask& lattice, int rules) {
+  if (const long count = lattice.symbol().count(); !is_curve(lattice))
+    return {{"", "mask",
+             count <= most_printed ? to_mask_text(lattice) : fmt::format("{} coefficients, see subcert mask", count)}};
+  const Mask& mask = lattice.curve();
   const LaurentPolynomial ones = LaurentPolynomial::all_ones(mask.arity());
   const std::string symbol = mask.symbol().to_text(), rest = mask.symbol().exact_quotient(ones.pow(rules))->to_text();
   return {
@@ -30,28 +47,51 @@ Facts symbol_facts(const Mask& mask, int rules) {
       {"symbol", "symbol",
        fmt::format("{}\n= ({}){} * ({})", symbol, ones.to_text(), rules == 1 ? "" : fmt::format("^{}", rules), rest),
        "", symbol},
-      member("remaining_factor", rest)};
+      member("remaining_factor", rest),
+      symmetry_fact(symmetry(mask))};
 }
 
-Facts support_facts(const Mask& mask) {
-  const IndexRange range = support(mask);
-  const Interval limit = limit_support(mask);
-  return {{"support", "support",
-           fmt::format("mask {} ... {}, basic limit function {}", range.first, range.last, in_brackets(limit)), "",
-           interval_json(limit)}};
+Fact support_fact(const LatticeMask& mask) {
+  std::string text;
+  if (is_curve(mask))
+    text = fmt::format("mask {} ... {}, basic limit function ", mask.symbol().lowest().front(),
+                       mask.symbol().highest().front());
+  else
+    text = "basic limit function in ";
+  std::vector<std::string> sides;
+  for (const Interval& side : limit_support(mask)) sides.push_back(in_brackets(side));
+  return {"support", "support", fmt::format("{}{}", text, fmt::join(sides, " x ")), "", limit_support_json(mask)};
 }
 
-Facts polynomial_facts(const PolynomialReproduction& polynomials) {
-  const Rational& shift = polynomials.parametrization;
-  return {{"", "polynomials",
-           fmt::format("generates degree {}, reproduces degree {} with f_j at j{}; approximation order {}",
-                       polynomials.generation_degree, polynomials.reproduction_degree,
-                       shift == 0 ? "" : (shift > 0 ? " + " : " - ") + to_text(abs(shift)),
-                       polynomials.approximation_order())},
-          member("generation_degree", polynomials.generation_degree),
-          member("reproduction_degree", polynomials.reproduction_degree),
-          member("parametrization", to_text(shift)),
-          member("approximation_order", polynomials.approximation_order())};
+/// Of surfaces `2; factors (1 + x)^2, (1 + y)^1`.
+Facts sum_rules_facts(const LatticeMask& mask, const PolynomialReproduction& polynomials) {
+  if (is_curve(mask)) return {plain("sum_rules", "sum rules", polynomials.sum_rules)};
+  const int arity = mask.dilation().factor().value_or(0);
+  std::string text = std::to_string(polynomials.sum_rules);
+  for (std::size_t v = 0; v < polynomials.factors.size(); ++v)
+    text += fmt::format("{}(1 + {}{}{})^{}", v ? ", " : "; factors ", arity == 2 ? "" : "... + ", variables[v],
+                        arity > 2 ? fmt::format("^{}", arity - 1) : "", polynomials.factors[v]);
+  return {{"sum_rules", "sum rules", text, "", polynomials.sum_rules}, member("factors", polynomials.factors)};
+}
+
+std::string polynomials_text(const LatticeMask& mask, const PolynomialReproduction& polynomials) {
+  const char* total = is_curve(mask) ? "" : "total ";
+  const std::string degrees = fmt::format("generates {0}degree {1}, reproduces {0}degree {2} with f_j at j", total,
+                                          polynomials.generation_degree(), polynomials.reproduction_degree);
+  if (!is_curve(mask)) return fmt::format("{} + ({})", degrees, coordinates_text(polynomials.parametrization));
+  const Rational& shift = polynomials.parametrization.front();
+  return fmt::format("{}{}; approximation order {}", degrees,
+                     shift == 0 ? "" : (shift > 0 ? " + " : " - ") + to_text(abs(shift)),
+                     polynomials.approximation_order());
+}
+
+Facts polynomial_facts(const LatticeMask& mask, const PolynomialReproduction& polynomials) {
+  Facts list{{"", "polynomials", polynomials_text(mask, polynomials)},
+             member("generation_degree", polynomials.generation_degree()),
+             member("reproduction_degree", polynomials.reproduction_degree),
+             member("parametrization", entries(mask, numbers_json(polynomials.parametrization)))};
+  if (is_curve(mask)) list.push_back(member("approximation_order", polynomials.approximation_order()));
+  return list;
 }
 
 Json nested(const MultivariatePolynomial& symbol, MultivariatePolynomial::Exponents& at, std::size_t variable) {
@@ -62,80 +102,30 @@ Json nested(const MultivariatePolynomial& symbol, MultivariatePolynomial::Expone
   return list;
 }
 
-/// `2; factors (1 + x)^2, (1 + y)^1`.
-std::string sum_rules_text(const MultivariateReproduction& polynomials, int arity) {
-  std::string text = std::to_string(polynomials.sum_rules);
-  for (std::size_t v = 0; v < polynomials.factors.size(); ++v)
-    text += fmt::format("{}(1 + {}{}{})^{}", v ? ", " : "; factors ", arity == 2 ? "" : "... + ", variables[v],
-                        arity > 2 ? fmt::format("^{}", arity - 1) : "", polynomials.factors[v]);
-  return text;
-}
-
-Facts polynomial_facts(const MultivariateReproduction& polynomials) {
-  std::string at;
-  for (const Rational& shift : polynomials.parametrization) at += (at.empty() ? "" : ", ") + to_text(shift);
-  return {{"", "polynomials",
-           fmt::format("generates total degree {}, reproduces total degree {} with f_j at j + ({})",
-                       polynomials.generation_degree(), polynomials.reproduction_degree, at)},
-          member("generation_degree", polynomials.generation_degree()),
-          member("reproduction_degree", polynomials.reproduction_degree),
-          member("parametrization", numbers_json(polynomials.parametrization))};
-}
-
-std::string limit_support_text(const MultivariateMask& mask) {
-  std::string text;
-  for (const Interval& side : limit_support(mask)) text += (text.empty() ? "" : " x ") + in_brackets(side);
-  return text;
-}
-
 }  // namespace
 
-Json coefficients_json(const MultivariateMask& mask) {
+Json first_index_json(const LatticeMask& mask) { return entries(mask, mask.symbol().lowest()); }
+
+Json coefficients_json(const LatticeMask& mask) {
   MultivariatePolynomial::Exponents at = mask.symbol().lowest();
   return nested(mask.symbol(), at, at.size() - 1);
 }
 
-Json limit_support_json(const MultivariateMask& mask) {
+Json limit_support_json(const LatticeMask& mask) {
   Json list = Json::array();
   for (const Interval& side : limit_support(mask)) list.push_back(interval_json(side));
-  return list;
+  return entries(mask, list);
 }
 
 Facts mask_facts(const Scheme& scheme) {
-  const Mask& mask = scheme.mask;
-  const int rules = sum_rules(mask);
+  const LatticeMask& mask = scheme.mask;
+  const PolynomialReproduction polynomials = polynomial_reproduction(mask);
   Facts list = named(scheme.specification, scheme.title);
-  list.push_back(member("arity", mask.arity()));
-  list.push_back(member("first_index", mask.symbol().lowest()));
-  list.push_back(member("coefficients", numbers_json(mask.symbol().coefficients())));
-  append(list, symbol_facts(mask, rules));
-  list.push_back(symmetry_fact(symmetry(mask)));
-  append(list, support_facts(mask));
-  list.push_back(plain("sum_rules", "sum rules", rules));
-  append(list, polynomial_facts(polynomial_reproduction(mask)));
-  return list;
-}
-
-Facts mask_facts(const MultivariateScheme& scheme) {
-  const MultivariateMask& mask = scheme.mask;
-  const MultivariateReproduction polynomials = scheme.factors.empty() ? polynomial_reproduction(mask)
-                                                                      : tensor_product_reproduction(scheme.factors);
-  const long count = mask.symbol().count();
-  Facts list = named(scheme.specification, scheme.title);
-  list.push_back(member("variables", mask.dimension()));
-  list.push_back(member("arity", optional_json(mask.dilation().factor())));
-  list.push_back(member("dilation", mask.dilation().rows()));
-  list.push_back(member("first_index", mask.symbol().lowest()));
-  list.push_back(member("coefficients", coefficients_json(mask)));
-  list.push_back(
-      {"", "mask",
-       count <= most_printed ? to_mask_text(mask) : fmt::format("{} coefficients, see subcert mask", count)});
-  list.push_back(
-      {"support", "support", "basic limit function in " + limit_support_text(mask), "", limit_support_json(mask)});
-  list.push_back({"sum_rules", "sum rules", sum_rules_text(polynomials, mask.dilation().factor().value_or(0)), "",
-                  polynomials.sum_rules});
-  list.push_back(member("factors", polynomials.factors));
-  append(list, polynomial_facts(polynomials));
+  append(list, index_facts(mask));
+  append(list, symbol_facts(mask, polynomials.sum_rules));
+  list.push_back(support_fact(mask));
+  append(list, sum_rules_facts(mask, polynomials));
+  append(list, polynomial_facts(mask, polynomials));
   return list;
 }
 

@@ -161,11 +161,6 @@ Fact surface_bound_fact(const std::optional<HolderBound>& bound) {
 
 }  // namespace
 
-MultivariateRegularity regularity_of(const MultivariateScheme& scheme, const Budget& budget, int bits) {
-  return scheme.factors.empty() ? multivariate_regularity(scheme.mask, budget, bits)
-                                : tensor_product_regularity(scheme.factors, budget, bits);
-}
-
 Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form) {
   const Enclosure holder = regularity.proved_exponent();
@@ -189,8 +184,7 @@ Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
   return list;
 }
 
-Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegularity& regularity,
-                       const RegularityForm& form) {
+Facts regularity_facts(const Scheme& scheme, const MultivariateRegularity& regularity, const RegularityForm& form) {
   const Dilation& dilation = scheme.mask.dilation();
   const auto& radius = regularity.radius;
   Facts list = named(scheme.specification, scheme.title);
@@ -209,7 +203,7 @@ Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegul
                   member("method", "factors of a tensor product"), member("vertices", nullptr)});
   append(list, exact_facts(regularity.exact, regularity.is_closed()));
   append(list, stable_facts(regularity.stable, true));
-  list.push_back(exponent_fact(regularity, !scheme.factors.empty() && !radius, form.digits));
+  list.push_back(exponent_fact(regularity, scheme.mask.has_factors() && !radius, form.digits));
   list.push_back(sobolev_fact(regularity.sobolev, regularity.stable));
   if (!regularity.is_closed() && !regularity.converges.is_no())
     list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});

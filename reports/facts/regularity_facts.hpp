@@ -13,10 +13,6 @@
 
 namespace subcert::facts {
 
-/// By the factors of a tensor product, otherwise by the mask. Domain and errors: those of multivariate_regularity() and
-/// tensor_product_regularity().
-MultivariateRegularity regularity_of(const MultivariateScheme& scheme, const Budget& budget, int bits = default_bits);
-
 /// How an answer is printed.
 struct RegularityForm {
   double seconds = 0;    ///< that the work took
@@ -26,8 +22,7 @@ struct RegularityForm {
 
 Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form);
-Facts regularity_facts(const MultivariateScheme& scheme, const MultivariateRegularity& regularity,
-                       const RegularityForm& form);
+Facts regularity_facts(const Scheme& scheme, const MultivariateRegularity& regularity, const RegularityForm& form);
 
 /// What a supersolution in frequency proves.
 Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds);

@@ -2,7 +2,7 @@
 
 #include "exponents.hpp"
 
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
@@ -65,51 +65,39 @@ Fact variance_fact(const Mask& mask, const VarianceGrid& grid, const Rational& m
 }  // namespace
 
 Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
-  const Mask& mask = scheme.mask;
+  const LatticeMask& mask = scheme.mask;
   const auto next = [&](const char* what) {
     if (options.progress) options.progress(what);
   };
   Analysis known;
   next("convergence");
-  known.convergence = converges(mask, options.limits);
-  if (!known.convergence.is_yes()) return known;
-  known.smoothness = proved_smoothness(mask, options.limits);
-  next("norms of the difference scheme");
-  const Deadline& deadline = options.limits.deadline;
-  known.bound = holder_bounds(mask, options.limits.levels, deadline.after(norm_share)).last();
-  known.stable = has_stable_shifts(mask);
-  known.sobolev = sobolev_if_small(mask, deadline);
-  next("limit values");
-  add_values(known, mask, options);
-  return known;
-}
-
-Analysis analysis(const MultivariateScheme& scheme, const AnalysisOptions& options) {
-  Analysis known;
-  if (scheme.factors.empty() && !scheme.mask.dilation().isotropic_subspaces().empty()) {
-    const MultivariateRegularity regularity = multivariate_regularity(scheme.mask, {options.limits.deadline});
+  if (!mask.has_factors() && !mask.dilation().isotropic_subspaces().empty()) {
+    const MultivariateRegularity regularity = multivariate_regularity(mask, {options.limits.deadline});
     known.convergence = regularity.converges;
     known.stable = regularity.stable;
     known.exponent = regularity.exponent;
     known.surface_sobolev = regularity.sobolev;
     return known;
   }
-  if (scheme.factors.empty()) {
-    known.convergence = converges(scheme.mask, options.limits);
-    return known;
-  }
-  known.convergence = tensor_product_converges(scheme.factors, options.limits);
-  for (const Mask& factor : scheme.factors) {
-    const SmoothnessProof proof = proved_smoothness(factor, options.limits);
-    if (!known.smoothness || proof.order < known.smoothness->order) known.smoothness = proof;
-  }
+  known.convergence = converges(mask, options.limits);
+  if (!known.convergence.is_yes() || !mask.has_factors()) return known;
+  known.smoothness = proved_smoothness(mask, options.limits);
+  if (mask.dimension() > 1) return known;
+  next("norms of the difference scheme");
+  const Mask& curve = mask.curve();
+  const Deadline& deadline = options.limits.deadline;
+  known.bound = holder_bounds(curve, options.limits.levels, deadline.after(norm_share)).last();
+  known.stable = has_stable_shifts(curve);
+  known.sobolev = sobolev_if_small(curve, deadline);
+  next("limit values");
+  add_values(known, curve, options);
   return known;
 }
 
-Facts scheme_facts(const LinearScheme& scheme, const Analysis& known) {
-  const Scheme* curve = std::get_if<Scheme>(&scheme);
+Facts scheme_facts(const Scheme& scheme, const Analysis& known) {
+  const bool curve = scheme.mask.dimension() == 1;
   const bool converges = known.convergence.is_yes();
-  Facts list = std::visit([](const auto& one) { return mask_facts(one); }, scheme);
+  Facts list = mask_facts(scheme);
   list.push_back(decided("convergence", "convergence", known.convergence));
   if (known.smoothness && converges) list.push_back(smoothness_fact(*known.smoothness, !curve));
   if (known.bound) list.push_back(bound_fact("Hoelder", *known.bound));
@@ -133,7 +121,7 @@ Facts scheme_facts(const LinearScheme& scheme, const Analysis& known) {
          integers_text(*integers),
          "",
          {{"level", 0}, {"first_index", integers->first_index}, {"values", numbers_json(integers->values)}}});
-  if (curve && known.grid && known.mean) list.push_back(variance_fact(curve->mask, *known.grid, *known.mean));
+  if (curve && known.grid && known.mean) list.push_back(variance_fact(scheme.mask.curve(), *known.grid, *known.mean));
   return list;
 }
 

@@ -16,13 +16,13 @@
 namespace subcert::facts {
 
 /// Nested arrays of exact numbers, the last variable outermost.
-Json coefficients_json(const MultivariateMask& mask);
-/// One {"lower", "upper"} for each variable.
-Json limit_support_json(const MultivariateMask& mask);
+Json coefficients_json(const LatticeMask& mask);
+/// For each variable, of one alone without the list.
+Json first_index_json(const LatticeMask& mask);
+Json limit_support_json(const LatticeMask& mask);  ///< {"lower", "upper"}
 
 /// What follows from the mask alone, exactly. Cost: that of polynomial_reproduction().
 Facts mask_facts(const Scheme& scheme);
-Facts mask_facts(const MultivariateScheme& scheme);
 
 /// What takes time to find out; what was not asked or is not known is absent.
 struct Analysis {
@@ -48,9 +48,8 @@ struct AnalysisOptions {
 /// Errors: what has no proof within the limits is absent; else those of the parts. Cost: the time of the limits, and
 /// half a second more for exact values.
 Analysis analysis(const Scheme& scheme, const AnalysisOptions& options);
-Analysis analysis(const MultivariateScheme& scheme, const AnalysisOptions& options);
 
 /// The mask's facts, and those found out.
-Facts scheme_facts(const LinearScheme& scheme, const Analysis& known);
+Facts scheme_facts(const Scheme& scheme, const Analysis& known);
 
 }  // namespace subcert::facts

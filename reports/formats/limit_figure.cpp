@@ -1,8 +1,7 @@
 #include "limit_figure.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/limit/multivariate_limit_values.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -39,7 +38,7 @@ bool keeps_axes(const std::vector<LatticePoint>& rows) {
   });
 }
 
-int level_of_surface(const MultivariateMask& mask) {
+int level_of_surface(const LatticeMask& mask) {
   double area = 1;
   for (const Interval& side : limit_support(mask)) area *= std::max(1.0, side.width().convert_to<double>());
   const Dilation& dilation = mask.dilation();
@@ -73,7 +72,7 @@ LimitValues refined_delta(const Mask& mask, int level) {
 
 }  // namespace
 
-DrawnSurface limit_surface(const MultivariateMask& mask, const std::string& title, DrawnLimit what) {
+DrawnSurface limit_surface(const LatticeMask& mask, const std::string& title, DrawnLimit what) {
   require(mask.dimension() == 2, "limit_surface: need two variables, got {}", mask.dimension());
   const int level = level_of_surface(mask);
   const LatticeSequence values = drawn_values(

@@ -16,8 +16,7 @@ enum class DrawnLimit { values, refined_delta };
 /// points in the box of the support allow, and among the last ones one for which M^k keeps the axes, if there is one.
 /// Where exact values would take too much memory, the unit sequence is drawn instead; the title says so. Domain: two
 /// variables; for values a scheme that converges. Errors: throws Error, as limit_values. Cost: 20,000 * coefficients.
-DrawnSurface limit_surface(const MultivariateMask& mask, const std::string& title,
-                           DrawnLimit what = DrawnLimit::values);
+DrawnSurface limit_surface(const LatticeMask& mask, const std::string& title, DrawnLimit what = DrawnLimit::values);
 
 /// The same for a curve, with some 2,000 points; or its derivative of this order, where that is continuous.
 Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what = DrawnLimit::values, int order = 0);

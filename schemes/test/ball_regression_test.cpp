@@ -1,4 +1,4 @@
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/ball_regression.hpp>
@@ -10,12 +10,10 @@ using namespace subcert;
 
 namespace {
 
-MultivariateScheme triangular(const std::string& fields) {
-  return std::get<MultivariateScheme>(make_linear_scheme("triangular:" + fields));
-}
+Scheme triangular(const std::string& fields) { return make_linear_scheme("triangular:" + fields); }
 
 /// How many coefficients of the rule of the new point m / 2 have which value.
-std::map<Rational, int> rule(const MultivariateMask& mask, const LatticePoint& m) {
+std::map<Rational, int> rule(const LatticeMask& mask, const LatticePoint& m) {
   std::map<Rational, int> counts;
   for (const auto& term : mask.symbol().terms())
     if (mask.dilation().divide(term.exponents).digit == mask.dilation().divide(m).digit) ++counts[term.coefficient];
@@ -29,18 +27,18 @@ const std::vector<LatticePoint> edges{{1, 0}, {0, 1}, {1, 1}};
 TEST_CASE("least squares on triangular grids: stencils and coefficients of degree 1") {
   // [CLY25, sec. 5, figures]: 7 data for vertices and 10 for edges on the equilateral grid with 3/2 < L < sqrt(3); 9, 8
   // and 12 on the rectangular one. All coefficients of a rule agree for the weight function 1.
-  const MultivariateMask equilateral = triangular("L=8/5,d=1").mask;
+  const LatticeMask equilateral = triangular("L=8/5,d=1").mask;
   CHECK(rule(equilateral, {0, 0}) == std::map<Rational, int>{{Rational(1, 7), 7}});
   for (const LatticePoint& edge : edges)
     CHECK(rule(equilateral, edge) == std::map<Rational, int>{{Rational(1, 10), 10}});
   CHECK(equilateral == triangular("d=1,L=16/10").mask);
-  const MultivariateMask rectangular = triangular("L=8/5,grid=rectangular").mask;
+  const LatticeMask rectangular = triangular("L=8/5,grid=rectangular").mask;
   CHECK(rule(rectangular, {0, 0}) == std::map<Rational, int>{{Rational(1, 9), 9}});
   CHECK(rule(rectangular, {1, 0}) == std::map<Rational, int>{{Rational(1, 8), 8}});
   CHECK(rule(rectangular, {0, 1}) == std::map<Rational, int>{{Rational(1, 8), 8}});
   CHECK(rule(rectangular, {1, 1}) == std::map<Rational, int>{{Rational(1, 12), 12}});
   // Weights divided by their sums: 1 - (r/L)^2 = 1 - 25/64 r^2.
-  const MultivariateMask weighted = triangular("L=8/5,power=1").mask;
+  const LatticeMask weighted = triangular("L=8/5,power=1").mask;
   CHECK(rule(weighted, {0, 0}) == std::map<Rational, int>{{Rational(64, 298), 1}, {Rational(39, 298), 6}});
   for (const LatticePoint& edge : edges)
     CHECK(rule(weighted, edge) ==
@@ -50,7 +48,7 @@ TEST_CASE("least squares on triangular grids: stencils and coefficients of degre
   CHECK(ball_distances({Rational(8, 5)}) ==
         std::vector<Rational>{0, Rational(1, 4), Rational(3, 4), 1, Rational(7, 4), Rational(9, 4)});
   // Means of the ends of the edges: the linear box spline.
-  CHECK(triangular("L=3/5,d=0").mask == std::get<MultivariateScheme>(make_linear_scheme("box:[1,0;0,1;1,-1]")).mask);
+  CHECK(triangular("L=3/5,d=0").mask == make_linear_scheme("box:[1,0;0,1;1,-1]").mask);
 }
 
 TEST_CASE("least squares on triangular grids reproduce the degree, and the weights are polynomials") {
@@ -59,15 +57,15 @@ TEST_CASE("least squares on triangular grids reproduce the degree, and the weigh
       for (const char* weight : {"", ",power=2"}) {
         const std::string text = "L=7/2,d=" + std::to_string(degree) + grid + weight;
         CAPTURE(text);
-        const MultivariateMask mask = triangular(text).mask;
-        const MultivariateReproduction polynomials = polynomial_reproduction(mask);
+        const LatticeMask mask = triangular(text).mask;
+        const PolynomialReproduction polynomials = polynomial_reproduction(mask);
         CHECK(polynomials.reproduction_degree == degree / 2 * 2 + 1);  // even and odd degrees agree
         CHECK(polynomials.parametrization == std::vector<Rational>{0, 0});
         CHECK(mask.symbol().reversed() == mask.symbol());
       }
   // On the equilateral grid rotations by 60 degrees keep the mask, and the coefficients of degree 2 divided by the
   // weights are a linear function of the squared distance.
-  const MultivariateMask mask = triangular("L=5/2,d=2,power=1").mask;
+  const LatticeMask mask = triangular("L=5/2,d=2,power=1").mask;
   std::map<Rational, Rational> ratio;
   for (const auto& term : mask.symbol().terms()) {
     const long i = term.exponents[0], j = term.exponents[1];

@@ -74,11 +74,9 @@ std::vector<Rational> range(long first, long last) {
   return result;
 }
 
-MultivariateScheme surface(const std::string& text) { return std::get<MultivariateScheme>(make_any_scheme(text)); }
+Scheme surface(const std::string& text) { return make_linear_scheme(text); }
 
-Rational coefficient(const MultivariateScheme& scheme, long i, long j) {
-  return scheme.mask.symbol().coefficient({i, j});
-}
+Rational coefficient(const Scheme& scheme, long i, long j) { return scheme.mask.symbol().coefficient({i, j}); }
 
 }  // namespace
 
@@ -102,7 +100,7 @@ TEST_CASE("products of orthogonal polynomials and normal equations give the same
 
 TEST_CASE("the closed forms of degree 1 on 2n x 2n and (2n+1) x (2n+1) grids") {
   for (long n = 1; n <= 6; ++n) {  // [MLZD15, App. B.2]
-    const MultivariateScheme even = surface("grid:points=" + std::to_string(2 * n) + "x" + std::to_string(2 * n));
+    const Scheme even = surface("grid:points=" + std::to_string(2 * n) + "x" + std::to_string(2 * n));
     const Rational xi = Rational(1, 2 * n * n * (4 * n * n - 1));
     for (long r = -n + 1; r <= n; ++r)
       for (long s = -n + 1; s <= n; ++s) {
@@ -111,8 +109,7 @@ TEST_CASE("the closed forms of degree 1 on 2n x 2n and (2n+1) x (2n+1) grids") {
         CHECK(coefficient(even, -2 * r, 1 - 2 * s) == xi / 4 * (8 * n * n - 6 * r + 6 * s - 2));
         CHECK(coefficient(even, 1 - 2 * r, 1 - 2 * s) == xi / 4 * (8 * n * n + 6 * r + 6 * s - 8));
       }
-    const MultivariateScheme odd = surface("grid:points=" + std::to_string(2 * n + 1) + "x" +
-                                           std::to_string(2 * n + 1));
+    const Scheme odd = surface("grid:points=" + std::to_string(2 * n + 1) + "x" + std::to_string(2 * n + 1));
     const Rational scale = Rational(1, (2 * n + 1) * (2 * n + 1)), slope = Rational(3, 4 * n * (n + 1));
     for (long r = -n; r <= n; ++r)
       for (long s = -n; s <= n; ++s) {
@@ -180,7 +177,7 @@ TEST_CASE("the printed coefficients of degree 3 on 4 x 4 data") {
   };
   const auto b7 = [](long r) { return 1050 * (2 * r - 1) * (5 * r * r - 5 * r - 9); };
   const auto b8 = [](long r, long s) { return 1890 * (2 * s - 1) * (r * r - r - 1); };
-  const MultivariateScheme scheme = surface("grid:points=4x4,d=3");
+  const Scheme scheme = surface("grid:points=4x4,d=3");
   for (long p = 0; p < 2; ++p)
     for (long q = 0; q < 2; ++q)
       for (long r = -1; r <= 2; ++r)
@@ -204,7 +201,7 @@ TEST_CASE("specifications of two and three variables are read and printed back")
   CHECK(specification_of(make_any_scheme("grid:points=04x2")) == "grid:points=4x2,d=1");
   const auto product = surface("tensor:(mask:[1,2,1]/2)x(mask:[1,1])");
   CHECK(to_mask_text(product.mask) == "[[1,2,1],[1,2,1]]/2@-1,-1");
-  CHECK(product.factors.size() == 2);
+  CHECK(product.mask.factors().size() == 2);
   CHECK(to_mask_text(surface("grid:points=2x2").mask) == "[[0,1,1,0],[1,2,2,1],[1,2,2,1],[0,1,1,0]]/4@-2,-2");
 
   const auto error = [](std::string_view text) {

@@ -1,5 +1,5 @@
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/classical.hpp>
@@ -12,9 +12,7 @@ using subcert::testing::rounds;
 
 namespace {
 
-MultivariateScheme surface_scheme(const std::string& text) {
-  return std::get<MultivariateScheme>(make_linear_scheme(text));
-}
+Scheme surface_scheme(const std::string& text) { return make_linear_scheme(text); }
 
 MultivariatePolynomial polynomial(const std::string& text) { return MultivariatePolynomial::parse(text, 2); }
 
@@ -36,7 +34,7 @@ int reproduction(const std::string& text) {
 }
 
 /// What the vertices and the new points read where coarse points are at M j: datum number and weight, by fine index.
-Rational weight(const MultivariateMask& mask, const LatticePoint& output, const LatticePoint& datum) {
+Rational weight(const LatticeMask& mask, const LatticePoint& output, const LatticePoint& datum) {
   return mask.symbol().coefficient(output - mask.dilation() * datum);
 }
 
@@ -72,7 +70,7 @@ TEST_CASE("canonical texts of surface and volume schemes read as themselves") {
     CHECK(surface_scheme(text).specification == text);
     CHECK(!surface_scheme(text).title.empty());
     for (const Rational& sum : coset_sums(surface_scheme(text).mask)) CHECK(sum == 1);
-    const MultivariateMask& mask = surface_scheme(text).mask;
+    const LatticeMask& mask = surface_scheme(text).mask;
     std::string by_coefficients = "mask" + std::to_string(mask.dimension()) + ":" + to_mask_text(mask) +
                                   ",dilation=" + mask.dilation().to_text() +
                                   ",digits=" + to_text(mask.dilation().digits());
@@ -100,7 +98,7 @@ TEST_CASE("canonical texts of surface and volume schemes read as themselves") {
     std::vector<Rational> missing(dilation.digits().size(), 1);
     for (const Monomial& term : terms) missing[dilation.divide(term.exponents).digit] -= term.coefficient;
     for (std::size_t d = 0; d < missing.size(); ++d) terms.push_back({missing[d], dilation.digits()[d]});
-    const MultivariateMask mask(MultivariatePolynomial(2, terms), dilation);
+    const LatticeMask mask(MultivariatePolynomial(2, terms), dilation);
     CAPTURE(to_mask_text(mask));
     CHECK(surface_scheme("mask2:" + to_mask_text(mask) + ",dilation=" + dilation.to_text()).mask == mask);
   }
@@ -221,7 +219,7 @@ TEST_CASE("box splines are products of their factors, and tensor products where 
       CHECK(directions == "1,0;0,1;1,-1");
       continue;
     }
-    const MultivariateMask mask = surface_scheme(text).mask;
+    const LatticeMask mask = surface_scheme(text).mask;
     const int variables = mask.dimension();
     MultivariatePolynomial above(variables, 1), below(variables, 1);
     std::string rest = directions + ";";
@@ -246,7 +244,7 @@ TEST_CASE("box splines are products of their factors, and tensor products where 
 
 TEST_CASE("Loop's rules") {
   // [Loo87]: new points 3/8, 3/8, 1/8, 1/8; vertices 5/8 and 1/16 for each of six neighbours.
-  const MultivariateMask mask = surface_scheme("loop").mask;
+  const LatticeMask mask = surface_scheme("loop").mask;
   for (const LatticePoint& e : std::vector<LatticePoint>{{1, 0}, {0, 1}, {1, 1}}) {
     CHECK(weight(mask, e, {0, 0}) == Rational(3, 8));
     CHECK(weight(mask, e, e) == Rational(3, 8));
@@ -283,7 +281,7 @@ TEST_CASE("the butterfly scheme as printed") {
 TEST_CASE("Kobbelt's sqrt(3) scheme from its rules") {
   // [Kob00]: a new point is the mean of the corners of its triangle, and a vertex of valence n moves by alpha_n =
   // (4 - 2 cos(2 pi / n)) / 9 towards the mean of its neighbours.
-  const MultivariateMask mask = surface_scheme("sqrt3").mask;
+  const LatticeMask mask = surface_scheme("sqrt3").mask;
   CHECK(mask.dilation() == Dilation({{1, 2}, {-2, -1}}));
   const Rational alpha(1, 3);
   MultivariatePolynomial expected(2, 1 - alpha);
@@ -301,7 +299,7 @@ TEST_CASE("Kobbelt's sqrt(3) scheme from its rules") {
 }
 
 TEST_CASE("schemes on quadrilaterals from their rules") {
-  const MultivariateMask quincunx = surface_scheme("quincunx").mask;
+  const LatticeMask quincunx = surface_scheme("quincunx").mask;
   CHECK(weight(quincunx, {0, 0}, {0, 0}) == 1);
   // The point (0,1) is the centre of a face; its corners are those lattice points whose images are its neighbours.
   Rational corners = 0;
@@ -317,7 +315,7 @@ TEST_CASE("schemes on quadrilaterals from their rules") {
 
   // [VZ01]: a new point is the mean of the corners of its face; a vertex the mean of itself and of the mean of its four
   // neighbours along edges.
-  const MultivariateMask four_eight = surface_scheme("four-eight").mask;
+  const LatticeMask four_eight = surface_scheme("four-eight").mask;
   CHECK(to_mask_text(four_eight) == "[[1,2,1],[2,4,2],[1,2,1]]/8@-1,-1");
   CHECK(weight(four_eight, {0, 0}, {0, 0}) == Rational(1, 2));
   for (const LatticePoint& j : std::vector<LatticePoint>{{1, 0}, {0, 1}, {-1, 0}, {0, -1}})
@@ -334,7 +332,7 @@ TEST_CASE("schemes on quadrilaterals from their rules") {
   CHECK(two_steps == surface_scheme("box:[1,0;1,0;0,1;0,1;1,1;1,1;1,-1;1,-1]").mask.symbol());
 
   // [PR97]: the midpoints of edges.
-  const MultivariateMask midedge = surface_scheme("midedge").mask;
+  const LatticeMask midedge = surface_scheme("midedge").mask;
   CHECK(to_mask_text(midedge) == "[[1,1],[1,1]]/2@-1,-1");
   for (const LatticePoint& i : std::vector<LatticePoint>{{0, 0}, {1, 0}, {0, 1}, {7, -2}}) {
     std::vector<LatticePoint> ends;
@@ -356,8 +354,8 @@ TEST_CASE("schemes on quadrilaterals from their rules") {
   CHECK(to_mask_text(surface_scheme("catmull-clark").mask) ==
         "[[1,4,6,4,1],[4,16,24,16,4],[6,24,36,24,6],[4,16,24,16,4],[1,4,6,4,1]]/64@-2,-2");
   CHECK(to_mask_text(surface_scheme("doo-sabin").mask) == "[[1,3,3,1],[3,9,9,3],[3,9,9,3],[1,3,3,1]]/16@-2,-2");
-  CHECK(surface_scheme("catmull-clark").factors.size() == 2);
-  const MultivariateMask kobbelt = surface_scheme("kobbelt:w=1/16").mask;
+  CHECK(surface_scheme("catmull-clark").mask.factors().size() == 2);
+  const LatticeMask kobbelt = surface_scheme("kobbelt:w=1/16").mask;
   CHECK(weight(kobbelt, {1, 1}, {0, 0}) == Rational(81, 256));
   CHECK(weight(kobbelt, {1, 1}, {-1, 2}) == Rational(1, 256));
   CHECK(kobbelt.symbol().coset(2, {0, 0}) == polynomial("1"));

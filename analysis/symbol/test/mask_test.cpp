@@ -26,11 +26,52 @@ TEST_CASE("what a mask knows about itself") {
 
   CHECK_THROWS_AS(Mask(LaurentPolynomial(), 2), Error);
   CHECK_THROWS_AS(Mask(LaurentPolynomial(1), 1), Error);
-  const MultivariateMask surface = tensor_product({chaikin, chaikin});
+  const LatticeMask surface = tensor_product({chaikin, chaikin});
   CHECK(surface.dimension() == 2);
   CHECK(surface.symbol().coefficient({0, 1}) == Rational(3, 16));
-  const MultivariateMask mixed = tensor_product({chaikin, ternary});
+  const LatticeMask mixed = tensor_product({chaikin, ternary});
   CHECK(mixed.dilation() == Dilation({{2, 0}, {0, 3}}));
   CHECK(coset_sums(mixed) == std::vector<Rational>(6, 1));
   CHECK_THROWS_AS(mixed.arity(), Error);
+}
+
+TEST_CASE("masks of a lattice know their factors, and a mask of one variable is its own") {
+  const Mask chaikin(LaurentPolynomial::parse_mask("[1,3,3,1]/4@-2"), 2);
+  const Mask ternary(LaurentPolynomial::parse_mask("[1,2,3,2,1]/3@-2"), 3);
+  const LatticeMask curve = chaikin;
+  CHECK(curve.dimension() == 1);
+  CHECK(curve.arity() == 2);
+  CHECK(curve.curve() == chaikin);
+  CHECK(coset_sums(curve) == coset_sums(chaikin));
+  CHECK(curve.without_factors() == curve);
+  CHECK_FALSE(curve.without_factors().has_factors());
+  CHECK_THROWS_AS(curve.without_factors().curve(), Error);
+  const LatticeMask product = tensor_product({chaikin, ternary, chaikin});
+  CHECK(product.factors() == std::vector<Mask>{chaikin, ternary, chaikin});
+  CHECK_THROWS_AS(product.curve(), Error);
+  CHECK_THROWS_AS(tensor_product({}), Error);
+  CHECK_THROWS_AS(tensor_product({chaikin, chaikin, chaikin, chaikin}), Error);
+  for (const LatticeMask& mask : {curve, product}) {
+    const std::vector<Interval> box = limit_support(mask);
+    for (std::size_t v = 0; v < box.size(); ++v) {
+      CHECK(box[v].lower == limit_support(mask.factors()[v]).lower);
+      CHECK(box[v].upper == limit_support(mask.factors()[v]).upper);
+    }
+  }
+}
+
+TEST_CASE("factors of a product are scaled so that it has coset sums 1 where they have") {
+  const auto times = [](const Rational& factor, const Mask& mask) {
+    return Mask(mask.symbol() * LaurentPolynomial(factor), mask.arity());
+  };
+  const Mask chaikin(LaurentPolynomial::parse_mask("[1,3,3,1]/4@-2"), 2);
+  const LatticeMask product = tensor_product({times(Rational(2, 3), chaikin), chaikin, times(Rational(3, 2), chaikin)});
+  CHECK(coset_sums(product) == std::vector<Rational>(8, 1));
+  CHECK(product.factors() == std::vector<Mask>(3, chaikin));
+  CHECK(product == tensor_product({chaikin, chaikin, chaikin}));
+  const LatticeMask twice = tensor_product({chaikin, times(2, chaikin)});
+  CHECK(twice.factors() == std::vector<Mask>{times(2, chaikin), chaikin});
+  CHECK(twice.symbol().coefficient({0, 0}) == Rational(9, 8));
+  const Mask vanishing(LaurentPolynomial::parse_mask("[1,-1]"), 2);
+  CHECK(tensor_product({chaikin, vanishing}).factors() == std::vector<Mask>{chaikin, vanishing});
 }

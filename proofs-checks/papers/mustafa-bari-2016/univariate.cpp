@@ -210,7 +210,7 @@ Outcome support(const Context& context, const std::string& id, bool even_points)
     for (int a = 2; a <= arities; ++a) {
       const Mask mask = regression_mask(ary(a, even_points ? 2 * n : 2 * n + 1, 3));
       const Interval derived = limit_support(mask);
-      const Rational shift = polynomial_reproduction(mask).parametrization;
+      const Rational shift = polynomial_reproduction(mask).parametrization.front();
       const Values where{{"n", n}, {"a", a}};
       trial.equal(width(where), derived.upper - derived.lower, to_text(where) + ", width");
       trial.equal(-end(where), derived.lower - shift, to_text(where) + ", left end");

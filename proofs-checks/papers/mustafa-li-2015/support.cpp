@@ -22,7 +22,7 @@ Outcome proposition_1(const Context& context) {
   for (int n = 1; n <= most && !trial.failed(); ++n) {
     const Mask mask = regression_mask(dual(n, 1));
     const Interval derived = limit_support(mask);
-    const Rational shift = polynomial_reproduction(mask).parametrization;
+    const Rational shift = polynomial_reproduction(mask).parametrization.front();
     const Values where{{"n", n}};
     trial.equal(length(where), mask.symbol().length(), at("n", n) + ", length of the mask");
     trial.equal(left(where), -support(mask).first, at("n", n) + ", left of the vertex");

@@ -20,7 +20,7 @@ Trial least_squares(const Context& context, const std::string& id, bool even, Fo
     trial.follow(grid_fit({weight, {-1, even ? 1 : 0}, {1, 0}, xs.at(k), ys.at(k), 1, 1, {}}, most));
     for (int n = 1; n <= most && !trial.failed(); ++n) {
       const int points = even ? 2 * n : 2 * n + 1;
-      const MultivariateMask mask = grid_regression_mask({{points, points}, 1, 2});
+      const LatticeMask mask = grid_regression_mask({{points, points}, 1, 2});
       // The library numbers the two outputs about a datum -1 and 0.
       const long first_output = ary(2, points, 1).first_output;
       const long along_x = first_output + static_cast<long>(k % 2), along_y = first_output + static_cast<long>(k / 2);

@@ -33,7 +33,7 @@ double modulus(const Mask& mask, double w) {
 TEST_CASE("suprema of a symbol hold at random frequencies and are near") {
   testing::Random random;
   for (const char* name : {"primal:n=3,d=3", "primal-odd:n=9,d=5", "dual:n=12,d=4", "dual-odd:n=2,d=1"}) {
-    const Mask mask = make_scheme(name).mask;
+    const Mask mask = make_scheme(name).mask.curve();
     const HalfSymbol symbol(mask, 128);
     for (const auto round : testing::rounds(10)) {
       const double low = 1e-3 * static_cast<double>(random.integer(0, 2000)), width = 0.4;
@@ -62,7 +62,7 @@ TEST_CASE("exact means, values and slopes lie within the bounds of a scheme") {
   for (const char* name : {"primal:n=2,d=3", "primal:n=4,d=7", "primal:n=9,d=5", "primal-odd:n=2,d=3", "dual:n=1",
                            "dual:n=5,d=2", "dual-odd:n=3,d=4", "primal:n=18,d=5", "dual:n=17,d=3"}) {
     CAPTURE(name);
-    const Mask mask = make_scheme(name).mask;
+    const Mask mask = make_scheme(name).mask.curve();
     const VarianceGrid grid = variance_grid(mask, 4, true);
     const Rational mean = squared_l2_norm(mask);
     Rational before = -1;
@@ -82,8 +82,8 @@ TEST_CASE("exact means, values and slopes lie within the bounds of a scheme") {
 }
 
 TEST_CASE("schemes without the hypothesis have no bounds, and wrong masks are refused") {
-  CHECK_FALSE(curve_bounds(make_scheme("primal:n=1").mask, 16).slope.upper);
-  CHECK_FAILS(curve_bounds(make_scheme("mask:[3,4,3,2]/6").mask, 16), domain);
-  CHECK_FAILS(curve_bounds(make_scheme("bspline:degree=2,a=3").mask, 16), domain);
-  CHECK_FAILS(curve_bounds(make_scheme("primal:n=2").mask, 12), domain);
+  CHECK_FALSE(curve_bounds(make_scheme("primal:n=1").mask.curve(), 16).slope.upper);
+  CHECK_FAILS(curve_bounds(make_scheme("mask:[3,4,3,2]/6").mask.curve(), 16), domain);
+  CHECK_FAILS(curve_bounds(make_scheme("bspline:degree=2,a=3").mask.curve(), 16), domain);
+  CHECK_FAILS(curve_bounds(make_scheme("primal:n=2").mask.curve(), 12), domain);
 }

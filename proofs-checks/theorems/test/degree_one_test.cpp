@@ -14,7 +14,7 @@ using namespace subcert::theorems;
 
 namespace {
 
-Mask scheme(int n) { return make_scheme("primal:n=" + std::to_string(n)).mask; }
+Mask scheme(int n) { return make_scheme("primal:n=" + std::to_string(n)).mask.curve(); }
 Rational absolute(const Rational& x) { return x < 0 ? Rational(-x) : x; }
 
 double symbol_half(int n, double w) {

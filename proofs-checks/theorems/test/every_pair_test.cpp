@@ -10,7 +10,7 @@ using namespace subcert::theorems;
 namespace {
 
 Mask least_squares(int n, int degree) {
-  return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask;
+  return make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask.curve();
 }
 
 }  // namespace

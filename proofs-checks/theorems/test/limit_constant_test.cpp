@@ -121,7 +121,7 @@ TEST_CASE("N times the exact mean tends to twice the constant like 1/N^2") {
     for (int n : {10, 20, 40}) {
       CAPTURE(degree, n);
       const Rational mean = squared_l2_norm(
-          make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask);
+          make_scheme("primal:n=" + std::to_string(n) + ",d=" + std::to_string(degree)).mask.curve());
       const Rational N(4 * n - 1, 2), distance = N * mean - twice;
       CHECK(distance > 0);
       if (before) CHECK(distance < *before * Rational(3, 10));

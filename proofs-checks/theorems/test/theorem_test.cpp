@@ -29,7 +29,7 @@ TEST_CASE("the theorems agree with exact values on a grid") {
   const Rational c = *limit_constant(1, 30).lower;
   VarianceGrid before;
   for (int n = 1; n <= 12; ++n) {
-    const VarianceGrid grid = variance_grid(make_scheme("primal:n=" + std::to_string(n)).mask, 4, n > 1);
+    const VarianceGrid grid = variance_grid(make_scheme("primal:n=" + std::to_string(n)).mask.curve(), 4, n > 1);
     const Rational bound = stated_constants("conjecture-7", 1)[n == 1 ? "beta" : "beta_2"] / (n * n);
     for (std::size_t i = 0; i < grid.values.size(); ++i) {
       const Rational deviation = grid.values[i] * Rational(4 * n - 1, 4) / c - 1;

@@ -17,7 +17,7 @@ double number(const Rational& x) { return x.convert_to<double>(); }
 double upper(const Ball& x) { return number(*x.enclosure().upper); }
 
 Mask scheme_of(const char* family, int n, int degree) {
-  return make_scheme(scheme_family(family).scheme(n, degree)).mask;
+  return make_scheme(scheme_family(family).scheme(n, degree)).mask.curve();
 }
 
 /// Half the symbol without its phase, from the centre of a symmetric mask.

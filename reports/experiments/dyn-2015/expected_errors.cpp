@@ -29,7 +29,7 @@ Rational value(const Case& c, const Rational& position) { return runge((position
 
 void evaluate(Case& c, const Run& run, std::uint64_t salt) {
   const Scheme scheme = make_scheme(c.scheme);
-  const data::SchemeSmoother smoother(scheme.mask, data_points, {data::Boundary::regression, 2, 0});
+  const data::SchemeSmoother smoother(scheme.mask.curve(), data_points, {data::Boundary::regression, 2, 0});
   std::vector<Rational> samples;
   std::vector<double> rounded;
   for (std::size_t i = 0; i < data_points; ++i) {

@@ -34,7 +34,8 @@ std::vector<Fit> all_fits() { return {cubic, splines[0], splines[1], four_point}
 /// Values at the multiples of 2^-at_level of the spacing.
 std::vector<Rational> values(const Fit& method, int at_level) {
   if (!method.specification.empty())
-    return data::limit_of_data(data::curve_data(car), {make_scheme(method.specification).mask}, {at_level}).values;
+    return data::limit_of_data(data::curve_data(car), {make_scheme(method.specification).mask.curve()}, {at_level})
+        .values;
   std::vector<Rational> nodes, result;
   for (std::size_t i = 0; i < car.size(); ++i) nodes.emplace_back(i);
   const std::size_t scale = std::size_t{1} << at_level;
@@ -73,7 +74,9 @@ double to_double(const Rational& value) { return value.convert_to<double>(); }
 LaurentPolynomial limit_at_data(const std::string& specification) {
   std::vector<Rational> impulse(17, 0);
   impulse[8] = 1;
-  return {data::limit_of_data(data::curve_data(impulse, 1, true), {make_scheme(specification).mask}, {0}).values, -8};
+  return {
+      data::limit_of_data(data::curve_data(impulse, 1, true), {make_scheme(specification).mask.curve()}, {0}).values,
+      -8};
 }
 
 /// Whether for each closed polygon the limit of the scheme is at most as far from the vertices, in the root mean

@@ -20,8 +20,8 @@ struct Centred {
 
   explicit Centred(const FourPointScheme& one)
       : scheme(one.scheme()),
-        shift(polynomial_reproduction(scheme.mask).parametrization),
-        support(limit_support(scheme.mask)) {
+        shift(polynomial_reproduction(scheme.mask).parametrization.front()),
+        support(limit_support(scheme.mask.curve())) {
     support = {support.lower - shift, support.upper - shift};
   }
   Rational width() const { return support.upper - support.lower; }
@@ -33,14 +33,14 @@ std::string text(const Interval& interval) {
 
 /// The exact value of the centred function at the integer k.
 Rational centred_value(const Centred& centred, long k) {
-  const ShiftedValues values = limit_values_at(centred.scheme.mask, centred.shift);
+  const ShiftedValues values = limit_values_at(centred.scheme.mask.curve(), centred.shift);
   const long i = k - values.first;
   return i < 0 || i >= static_cast<long>(values.values.size()) ? Rational(0)
                                                                : values.values[static_cast<std::size_t>(i)];
 }
 
 formats::Panel drawn_function(const FourPointScheme& one, const Centred& centred) {
-  const LimitValues values = limit_values(centred.scheme.mask, one.drawn_level);
+  const LimitValues values = limit_values(centred.scheme.mask.curve(), one.drawn_level);
   Points drawn;
   for (std::size_t i = 0; i < values.values.size(); ++i)
     drawn.emplace_back(Rational(values.point(i) - centred.shift).convert_to<double>(),
@@ -49,9 +49,9 @@ formats::Panel drawn_function(const FourPointScheme& one, const Centred& centred
 }
 
 std::vector<std::string> table_row(const FourPointScheme& one, const Centred& centred) {
-  const LimitRange range = limit_range(centred.scheme.mask);
+  const LimitRange range = limit_range(centred.scheme.mask.curve());
   const SmoothnessProof smooth = proved_smoothness(centred.scheme.mask);
-  std::vector<std::string> row{std::to_string(one.arity),   centred.scheme.mask.symbol().to_mask_text(),
+  std::vector<std::string> row{std::to_string(one.arity),   centred.scheme.mask.curve().symbol().to_mask_text(),
                                text(centred.support),       range.maximum.lower_text(6),
                                range.minimum.lower_text(6), "C^" + std::to_string(smooth.order)};
   for (long k = 0; k <= 2; ++k) row.push_back(to_text(centred_value(centred, k)));

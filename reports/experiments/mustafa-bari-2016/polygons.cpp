@@ -32,7 +32,7 @@ struct Refined {
 };
 
 Refined refinements_of(const Polygon& polygon, const FourPointScheme& one) {
-  const Mask mask = one.scheme().mask;
+  const Mask mask = one.scheme().mask.curve();
   return {rounded(refine(polygon.data, mask, {1})), rounded(refine(polygon.data, mask, {seen_level})),
           rounded(data::limit_of_data(polygon.data, {mask}, {one.limit_level}))};
 }

@@ -2,12 +2,12 @@
 
 #include "parts.hpp"
 
-#include <subcert/analysis/difference/multivariate_convergence.hpp>
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/reports/experiments/refined_data.hpp>
 #include <subcert/reports/formats/limit_figure.hpp>
-#include <subcert/schemes/data/refine/grid_refinement.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ bool is_product(const MultivariatePolynomial& symbol) {
 }
 
 /// The numbers of data that the four rules combine, without repetition.
-std::vector<long> data_of_rules(const MultivariateMask& mask) {
+std::vector<long> data_of_rules(const LatticeMask& mask) {
   std::vector<long> result;
   for (const long i : {0, 1})
     for (const long j : {0, 1}) {
@@ -88,7 +88,7 @@ double distance_between(const data::GridData<double>& mesh, const data::GridData
 }
 
 /// Whether the scheme converges is one of them, and the answer.
-Decision find_exact_facts(Measured& measured, int side, const MultivariateMask& mask) {
+Decision find_exact_facts(Measured& measured, int side, const LatticeMask& mask) {
   const bool product = is_product(mask.symbol());
   measured.add_fact("product", "", !product, product ? "a product" : "no product");
   std::string counts;
@@ -101,8 +101,7 @@ Decision find_exact_facts(Measured& measured, int side, const MultivariateMask& 
   return decision;
 }
 
-formats::SurfaceFigure limit_function_figure(const std::string& id, const std::string& points,
-                                             const MultivariateScheme& scheme) {
+formats::SurfaceFigure limit_function_figure(const std::string& id, const std::string& points, const Scheme& scheme) {
   return {id + "-limit-function",
           "The basic limit function of the " + points + "-point scheme",
           "Exact values, rounded for the picture, over the support.",
@@ -112,7 +111,7 @@ formats::SurfaceFigure limit_function_figure(const std::string& id, const std::s
 
 Measured measured_surface(const MeshExperiment& experiment, const Run& run) {
   const std::string side = std::to_string(experiment.points), id = run.experiment.id;
-  const auto scheme = std::get<MultivariateScheme>(make_any_scheme("grid:points=" + side + "x" + side + ",d=3"));
+  const auto scheme = make_linear_scheme("grid:points=" + side + "x" + side + ",d=3");
   Measured result;
   const Decision convergence = find_exact_facts(result, experiment.points, scheme.mask);
   const data::GridData<double> mesh = points_of_mesh(experiment.mesh), limit = refine(mesh, scheme.mask, {limit_level});

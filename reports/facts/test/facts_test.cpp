@@ -74,9 +74,9 @@ TEST_CASE("facts: curves and surfaces, with proofs and without") {
        {"dd:n=2", "mask:[1,1]", "four-point:w=3/4", "mask:[1,2,2,2,1]/4", "daubechies:n=2", "bspline:degree=2,a=3",
         "loop:", "quincunx:", "tensor:(dd:n=1)x(bspline:degree=1)", "mask2:[[1,1],[1,1]]"}) {
     CAPTURE(specification);
-    const LinearScheme scheme = make_linear_scheme(specification);
-    const Facts of_mask = std::visit([](const auto& one) { return mask_facts(one); }, scheme);
-    const Analysis known = std::visit([](const auto& one) { return analysis(one, {{8, Deadline::in(2)}, 2}); }, scheme);
+    const Scheme scheme = make_linear_scheme(specification);
+    const Facts of_mask = mask_facts(scheme);
+    const Analysis known = analysis(scheme, {{8, Deadline::in(2)}, 2});
     const Facts list = scheme_facts(scheme, known);
     check_list(list);
     REQUIRE(list.size() > of_mask.size());
@@ -97,13 +97,12 @@ TEST_CASE("facts: exponents have the fields of the contract, whatever was found"
   for (const char* specification : {"dd:n=2", "mask:[1,1]", "four-point:w=3/4", "mask:[1,2,2,2,1]/4",
                                     "loop:", "zwart-powell:", "tensor:(dd:n=1)x(dd:n=2)"}) {
     CAPTURE(specification);
-    const LinearScheme scheme = make_linear_scheme(specification);
+    const Scheme scheme = make_linear_scheme(specification);
     Facts list;
-    if (const auto* curve = std::get_if<Scheme>(&scheme))
-      list = regularity_facts(*curve, holder_regularity(curve->mask, 4, budget), std::nullopt, {});
+    if (scheme.mask.dimension() == 1)
+      list = regularity_facts(scheme, holder_regularity(scheme.mask.curve(), 4, budget), std::nullopt, {});
     else
-      list = regularity_facts(std::get<MultivariateScheme>(scheme),
-                              regularity_of(std::get<MultivariateScheme>(scheme), budget), {});
+      list = regularity_facts(scheme, multivariate_regularity(scheme.mask, budget), {});
     check_list(list);
     const Json json = page_json(list);
     for (const char* key :

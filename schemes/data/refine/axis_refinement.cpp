@@ -20,7 +20,8 @@ AxisStencils axis_stencils(const Mask& mask) {
     const LaurentPolynomial coset = mask.symbol().coset(mask.arity(), residue);
     classes.push_back({residue + mask.arity() * coset.lowest(), residue + mask.arity() * coset.highest()});
   }
-  return {std::move(classes), polynomials.parametrization * (mask.arity() - 1), polynomials.reproduction_degree};
+  return {std::move(classes), polynomials.parametrization.front() * (mask.arity() - 1),
+          polynomials.reproduction_degree};
 }
 
 AxisRefiner::AxisRefiner(const Mask& mask, Boundary boundary) : boundary_(boundary), stencils_(axis_stencils(mask)) {

@@ -3,7 +3,7 @@
 #include "axis_refinement.hpp"
 #include "weighted_sum.hpp"
 
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
@@ -16,8 +16,8 @@
 namespace subcert::data {
 namespace {
 
-std::vector<AxisStencils> stencils_of(const MultivariateMask& mask) {
-  const MultivariateReproduction polynomials = polynomial_reproduction(mask);
+std::vector<AxisStencils> stencils_of(const LatticeMask& mask) {
+  const PolynomialReproduction polynomials = polynomial_reproduction(mask);
   require(polynomials.sum_rules >= 1, "refine: need coset sums 1");
   const long arity = mask.arity();
   std::vector<AxisStencils> result;
@@ -95,7 +95,7 @@ Box<Number> numbers(const std::vector<Rational>& weights) {
 template <class Number>
 class Level {
  public:
-  Level(const GridData<Number>& data, const MultivariateMask& mask, const std::vector<AxisStencils>& stencils,
+  Level(const GridData<Number>& data, const LatticeMask& mask, const std::vector<AxisStencils>& stencils,
         Boundary boundary)
       : data_(data), mask_(mask), stencils_(stencils) {
     for (std::size_t v = 0; v < stencils.size(); ++v) lines_.push_back(make_line(stencils[v], data.axes[v], boundary));
@@ -277,7 +277,7 @@ class Level {
   }
 
   const GridData<Number>& data_;
-  const MultivariateMask& mask_;
+  const LatticeMask& mask_;
   const std::vector<AxisStencils>& stencils_;
   std::vector<Line> lines_;
   std::vector<Box<Number>> rules_;
@@ -287,14 +287,7 @@ class Level {
 }  // namespace
 
 template <class Number>
-GridData<Number> refine(const GridData<Number>& data, const MultivariateMask& mask, const RefineOptions& options) {
-  require(data.is_canonical(), "refine: need as many values as points times coordinates");
-  require(static_cast<std::size_t>(mask.dimension()) == data.axes.size(),
-          "refine: need as many axes as variables, got {} for {}", data.axes.size(), mask.dimension());
-  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  long growth = 1;
-  for (int v = 0; v < mask.dimension(); ++v) growth *= mask.arity();
-  require_refinable(data.values.size(), growth, options.levels);
+GridData<Number> refined_on_grid(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
   const std::vector<AxisStencils> stencils = stencils_of(mask);
   GridData<Number> result = data;
   for (int level = 0; level < options.levels; ++level)
@@ -302,13 +295,14 @@ GridData<Number> refine(const GridData<Number>& data, const MultivariateMask& ma
   return result;
 }
 
-std::vector<std::size_t> windows(const MultivariateMask& mask) {
+std::vector<std::size_t> windows(const LatticeMask& mask) {
   std::vector<std::size_t> result;
   for (const AxisStencils& axis : stencils_of(mask)) result.push_back(axis.window());
   return result;
 }
 
-template GridData<double> refine<double>(const GridData<double>&, const MultivariateMask&, const RefineOptions&);
-template GridData<Rational> refine<Rational>(const GridData<Rational>&, const MultivariateMask&, const RefineOptions&);
+template GridData<double> refined_on_grid<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);
+template GridData<Rational> refined_on_grid<Rational>(const GridData<Rational>&, const LatticeMask&,
+                                                      const RefineOptions&);
 
 }  // namespace subcert::data

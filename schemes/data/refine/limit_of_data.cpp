@@ -87,7 +87,7 @@ class LimitRows {
       : mask_(mask), axis_(axis), boundary_(boundary), stride_(stride) {
     // The datum j stands at j + offset; the limit at y takes it with phi(y - j + shift).
     offset_ = axis.first / axis.step;
-    shift_ = polynomial_reproduction(mask).parametrization - offset_;
+    shift_ = polynomial_reproduction(mask).parametrization.front() - offset_;
     const ShiftedValues values = limit_values_at(mask, shift_);
     weights_.assign(values.values.rbegin(), values.values.rend());
     last_ = -values.first;  // the last datum in the closed support at y = 0
@@ -172,7 +172,7 @@ class LimitRows {
 /// within the data, and the rows of end_functional() too.
 int extra_levels(const Mask& mask) {
   const Interval support = limit_support(mask);
-  const Rational shift = abs(polynomial_reproduction(mask).parametrization);
+  const Rational shift = abs(polynomial_reproduction(mask).parametrization.front());
   const Rational reach = std::max(Rational(abs(support.lower)), Rational(abs(support.upper))) + shift + 2;
   int levels = 0;
   for (Rational power_of_arity = 1;
@@ -185,9 +185,9 @@ int extra_levels(const Mask& mask) {
 }  // namespace
 
 template <class Number>
-GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<Mask>& masks,
-                               const RefineOptions& options) {
-  require(masks.size() == data.axes.size(), "limit_of_data: need one mask for each axis, got {} for {}", masks.size(),
+GridData<Number> limit_of_data(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
+  const std::vector<Mask>& masks = mask.factors();
+  require(masks.size() == data.axes.size(), "limit_of_data: need one factor for each axis, got {} for {}", masks.size(),
           data.axes.size());
   GridData<Number> result = data;
   for (std::size_t k = 0; k < masks.size(); ++k) {
@@ -207,9 +207,8 @@ GridData<Number> limit_of_data(const GridData<Number>& data, const std::vector<M
   return result;
 }
 
-template GridData<double> limit_of_data<double>(const GridData<double>&, const std::vector<Mask>&,
-                                                const RefineOptions&);
-template GridData<Rational> limit_of_data<Rational>(const GridData<Rational>&, const std::vector<Mask>&,
+template GridData<double> limit_of_data<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);
+template GridData<Rational> limit_of_data<Rational>(const GridData<Rational>&, const LatticeMask&,
                                                     const RefineOptions&);
 
 }  // namespace subcert::data

@@ -1,6 +1,7 @@
 #include "refine.hpp"
 
 #include "axis_refinement.hpp"
+#include "grid_refinement.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 
@@ -16,6 +17,17 @@ std::string estimate_text(double decimal_logarithm) {
   return "10^" + std::to_string(std::llround(decimal_logarithm));
 }
 
+template <class Number>
+GridData<Number> refined_along_axes(GridData<Number> data, const std::vector<Mask>& masks,
+                                    const RefineOptions& options) {
+  std::vector<AxisRefiner> refiners;
+  for (const Mask& mask : masks) refiners.emplace_back(mask, options.boundary);
+  for (int level = 0; level < options.levels; ++level)
+    for (std::size_t k = 0; k < masks.size(); ++k)
+      data = apply_along(data, k, refiners[k].step(data.axes[k]), options.threads);
+  return data;
+}
+
 }  // namespace
 
 void require_refinable(std::size_t numbers, long growth, long levels) {
@@ -26,26 +38,23 @@ void require_refinable(std::size_t numbers, long growth, long levels) {
 }
 
 template <class Number>
-GridData<Number> refine(const GridData<Number>& data, const std::vector<Mask>& masks, const RefineOptions& options) {
+GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
   require(data.is_canonical(), "refine: need as many values as points times coordinates");
-  require(masks.size() == data.axes.size(), "refine: need one mask for each axis, got {} for {}", masks.size(),
-          data.axes.size());
+  require(static_cast<std::size_t>(mask.dimension()) == data.axes.size(),
+          "refine: need as many axes as variables, got {} for {}", data.axes.size(), mask.dimension());
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  std::vector<AxisRefiner> refiners;
-  long growth = 1;
-  for (const Mask& mask : masks) {
-    refiners.emplace_back(mask, options.boundary);
-    growth *= mask.arity();
-  }
-  require_refinable(data.values.size(), growth, options.levels);
-  GridData<Number> result = data;
-  for (int level = 0; level < options.levels; ++level)
-    for (std::size_t k = 0; k < masks.size(); ++k)
-      result = apply_along(result, k, refiners[k].step(result.axes[k]), options.threads);
-  return result;
+  require_refinable(data.values.size(), mask.dilation().classes(), options.levels);
+  return mask.has_factors() ? refined_along_axes(data, mask.factors(), options) : refined_on_grid(data, mask, options);
 }
 
-template GridData<double> refine<double>(const GridData<double>&, const std::vector<Mask>&, const RefineOptions&);
-template GridData<Rational> refine<Rational>(const GridData<Rational>&, const std::vector<Mask>&, const RefineOptions&);
+std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary) {
+  if (!mask.has_factors()) return windows(mask);
+  std::vector<std::size_t> fewest;
+  for (const Mask& factor : mask.factors()) fewest.push_back(AxisRefiner(factor, boundary).window());
+  return fewest;
+}
+
+template GridData<double> refine<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);
+template GridData<Rational> refine<Rational>(const GridData<Rational>&, const LatticeMask&, const RefineOptions&);
 
 }  // namespace subcert::data

@@ -19,19 +19,19 @@ struct RefineOptions {
 /// Numbers (points times coordinates) that a refinement may make.
 constexpr double most_refined_numbers = 1e8;
 
-/// Applies masks[k] along axis k, `levels` times. The output axes keep the domain of the data; docs/data.md says which
-/// points are made and how rules at the ends read. Polynomials of each mask's reproduction degree are refined exactly,
-/// up to the ends with `regression` and `shrink`. Domain: one mask with coset sums 1 for each axis, levels >= 0; at
-/// least as many points as the stencils along each axis. Errors: throws a domain error that names the
-/// inequality, a size error with an estimate where the result would pass most_refined_numbers. Cost: linear in the
-/// output.
+/// Applies the mask `levels` times. The output axes keep the domain of the data; docs/data.md says which points are
+/// made and how rules at the ends read. Factors are applied axis by axis; polynomials of the reproduction degree of
+/// each are refined exactly, up to the ends with `regression` and `shrink`. Of masks without factors `regression` takes
+/// for an output whose box of data passes an end the least squares polynomial of the reproduced total degree on the
+/// nearest complete box; polynomials of this total degree are refined exactly. Domain: as many axes as variables, coset
+/// sums 1, levels >= 0; without factors a dilation that is a multiple of the identity; at least fewest_points() along
+/// each axis. Errors: throws a domain error that names the inequality, a size error with an estimate where the result
+/// would pass most_refined_numbers. Cost: linear in the output times the size of the stencils.
 template <class Number>
-GridData<Number> refine(const GridData<Number>& data, const std::vector<Mask>& masks, const RefineOptions& options);
+GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options);
 
-template <class Number>
-GridData<Number> refine(const GridData<Number>& data, const Mask& mask, const RefineOptions& options) {
-  return refine(data, std::vector<Mask>{mask}, options);
-}
+/// The number of points that each axis must have at least.
+std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary);
 
 /// Throws a size error where `levels` refinements by the factor `growth` of `numbers` numbers would pass
 /// most_refined_numbers. Domain: growth >= 2.

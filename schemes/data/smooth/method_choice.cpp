@@ -84,7 +84,7 @@ std::vector<SmoothingCandidate> rank_schemes(const Samples& samples, const std::
   for (const int degree : {1, 3, 5})
     for (int n = (degree + 1) / 2; n <= max_n && 4 * static_cast<std::size_t>(n) <= count; ++n) {
       const Scheme scheme = make_scheme(fmt::format("primal:n={},d={}", n, degree));
-      const SchemeSmoother smoother(scheme.mask, samples.sites(), at_data(options), scheme.rules);
+      const SchemeSmoother smoother(scheme.mask.curve(), samples.sites(), at_data(options), scheme.rules);
       add_candidate(candidates, {2 * static_cast<std::size_t>(n), degree, scheme.specification, {}}, smoother, samples,
                     noise);
     }

@@ -53,7 +53,7 @@ SmoothingKernel::SmoothingKernel(const Mask& mask, const std::optional<LocalRegr
     : mask_(mask),
       rules_(checked_rules(rules, first_fit)),
       reproduction_degree_(checked_reproduction(mask).reproduction_degree),
-      shift_(checked_reproduction(mask).parametrization),
+      shift_(checked_reproduction(mask).parametrization.front()),
       phi_(checked_values(mask, shift_, options)),
       fine_(first_fit ? mask.arity() : 1),
       factor_(power(Rational(fine_), options.derivative)),

@@ -52,7 +52,7 @@ std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const Smoo
                                               const SmoothingOptions& options) {
   if (const auto* scheme = std::get_if<Scheme>(&method)) {
     require_limits(*scheme, options.derivative);
-    return std::make_unique<SchemeSmoother>(scheme->mask, samples.sites(), options, scheme->rules);
+    return std::make_unique<SchemeSmoother>(scheme->mask.curve(), samples.sites(), options, scheme->rules);
   }
   const auto* local = std::get_if<LocalPolynomial>(&method);
   require(local != nullptr, "smoothing: {} is not linear", to_text(method));

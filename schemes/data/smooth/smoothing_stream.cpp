@@ -17,7 +17,7 @@ SmoothingStream::SmoothingStream(Samples head, SmoothingMethod method, const Smo
   if (options.at_data) options_.level = 0;
   if (const auto* scheme = std::get_if<Scheme>(&method_)) {
     require_limits(*scheme, options.derivative);
-    kernel_ = std::make_shared<SmoothingKernel>(scheme->mask, scheme->rules, options_, weighted);
+    kernel_ = std::make_shared<SmoothingKernel>(scheme->mask.curve(), scheme->rules, options_, weighted);
     end_window_ = kernel_->extension(options.boundary).window;
   } else if (auto* local = std::get_if<LocalPolynomial>(&method_)) {
     require(local->is_complete(), "a stream needs points or a width for {}", to_text(*local));

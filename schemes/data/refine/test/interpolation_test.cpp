@@ -2,7 +2,6 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/grid_refinement.hpp>
 #include <subcert/schemes/data/refine/interpolation.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
@@ -37,7 +36,7 @@ TEST_CASE("a scheme of any family refines data") {
   const auto values = [&](const GridData<double>& data, const char* text) {
     return refine(data, make_any_scheme(text), options).values;
   };
-  CHECK(values(curve, "dual:n=2") == refine(curve, make_scheme("dual:n=2").mask, options).values);
+  CHECK(values(curve, "dual:n=2") == refine(curve, make_scheme("dual:n=2").mask.curve(), options).values);
   CHECK(values(curve, "l1:points=6") == refine(curve, make_l1_scheme("l1:points=6").rules, options).values);
   CHECK(values(surface, "grid:points=4x4").size() == 16 * 20);
   CHECK(values(surface, "tensor:(dd:n=2)x(primal:n=1)").size() == 17 * 21);

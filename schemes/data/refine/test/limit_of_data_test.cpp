@@ -45,7 +45,7 @@ TEST_CASE("limits are what refinement tends to, up to the ends") {
   for (const std::string& text : schemes_with_limits)
     for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::shrink})
       for (const int levels : {0, 2}) {
-        const Mask mask = make_scheme(text).mask;
+        const Mask mask = make_scheme(text).mask.curve();
         std::vector<double> data;
         for (std::size_t i = 0; i < AxisRefiner(mask, boundary).window() + 12; ++i)
           data.push_back(static_cast<double>(random.integer(-8, 8)) / 8);
@@ -65,7 +65,7 @@ TEST_CASE("limits are what refinement tends to, up to the ends") {
 TEST_CASE("polynomials are their own limits, exactly") {
   Random random;
   for (const std::string& text : schemes_with_limits) {
-    const Mask mask = make_scheme(text).mask;
+    const Mask mask = make_scheme(text).mask.curve();
     const int degree = polynomial_reproduction(mask).reproduction_degree;
     const auto p = [&](const Rational& x) {
       Rational product = 1;
@@ -86,7 +86,7 @@ TEST_CASE("polynomials are their own limits, exactly") {
 TEST_CASE("levels agree where their points do") {
   Random random;
   for (const std::string& text : schemes_with_limits) {
-    const Mask mask = make_scheme(text).mask;
+    const Mask mask = make_scheme(text).mask.curve();
     std::vector<Rational> data;
     for (std::size_t i = 0; i < AxisRefiner(mask, Boundary::regression).window() + 3; ++i)
       data.push_back(random.rational());
@@ -102,10 +102,10 @@ TEST_CASE("levels agree where their points do") {
 
 TEST_CASE("limits on surfaces, and interpolation") {
   Random random;
-  const std::vector<Mask> masks{make_scheme("dual:n=2").mask, make_scheme("dd:n=2").mask};
+  const std::vector<Mask> masks{make_scheme("dual:n=2").mask.curve(), make_scheme("dd:n=2").mask.curve()};
   GridData<Rational> data{{}, 2, {Axis::of(7), Axis::of(6, true)}};
   for (std::size_t i = 0; i < 2 * data.points(); ++i) data.values.push_back(random.integer(-5, 5));
-  const auto limit = limit_of_data(data, masks, {0, Boundary::regression, 2});
+  const auto limit = limit_of_data(data, tensor_product(masks), {0, Boundary::regression, 2});
   REQUIRE(limit.points() == data.points());
   // Along the second axis the scheme interpolates, so each of its rows is the limit of that row.
   for (std::size_t j = 0; j < 6; ++j) {

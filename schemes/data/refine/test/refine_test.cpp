@@ -1,10 +1,8 @@
-#include <subcert/analysis/reproduction/multivariate_reproduction.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/grid_refinement.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -76,7 +74,7 @@ TEST_CASE("polynomials of the reproduction degree are refined exactly, up to the
   for (const std::string& text : schemes)
     for (const Boundary boundary : {Boundary::regression, Boundary::shrink})
       for (const std::size_t dimension : {1, 2, 3}) {
-        const Mask mask = make_scheme(text).mask;
+        const Mask mask = make_scheme(text).mask.curve();
         const std::size_t count = AxisRefiner(mask, boundary).window() +
                                   (boundary == Boundary::shrink ? 12 : random.integer(0, 9));
         std::vector<std::vector<Rational>> polynomials;
@@ -113,9 +111,9 @@ TEST_CASE("polynomials of the reproduction degree are refined exactly, up to the
 TEST_CASE("the definition of a step, with data repeated or mirrored by hand") {
   Random random;
   for (const std::string& text : schemes) {
-    const Mask mask = make_scheme(text).mask;
+    const Mask mask = make_scheme(text).mask.curve();
     const long arity = mask.arity();
-    const Rational tau = polynomial_reproduction(mask).parametrization * (arity - 1);
+    const Rational tau = polynomial_reproduction(mask).parametrization.front() * (arity - 1);
     for (const auto round : rounds(3)) {
       const long count = static_cast<long>(AxisRefiner(mask, Boundary::shrink).window()) + random.integer(1, 7);
       std::vector<Rational> data;
@@ -159,7 +157,7 @@ TEST_CASE("mirrored data stay mirrored over several levels") {
   Random random;
   for (const char* text :
        {"primal:n=2", "dual:n=2", "ary:a=3,points=4,d=1", "ary:a=3,points=3,d=1", "bspline:degree=3"}) {
-    const Mask mask = make_scheme(text).mask;
+    const Mask mask = make_scheme(text).mask.curve();
     std::vector<Rational> half, whole;
     for (int j = 0; j < 9; ++j) half.push_back(random.rational());
     for (int j = 0; j < 16; ++j) whole.push_back(half[static_cast<std::size_t>(j < 9 ? j : 16 - j)]);
@@ -173,7 +171,7 @@ TEST_CASE("mirrored data stay mirrored over several levels") {
 
 TEST_CASE("interpolatory schemes keep the data, at the ends too") {
   Random random;
-  const Mask mask = make_scheme("dd:n=3").mask;
+  const Mask mask = make_scheme("dd:n=3").mask.curve();
   std::vector<Rational> data;
   for (int j = 0; j < 11; ++j) data.push_back(random.rational());
   for (const Boundary boundary : {Boundary::regression, Boundary::reflect}) {
@@ -187,7 +185,7 @@ TEST_CASE("threads and blocks do not change a bit") {
   Random random;
   for (const char* text : {"primal:n=3", "dual:n=6", "ary:a=3,points=5,d=1", "ary:a=5,points=4,d=1"})
     for (const std::size_t dimension : {1, 2, 3, 5, 300}) {
-      const Mask mask = make_scheme(text).mask;
+      const Mask mask = make_scheme(text).mask.curve();
       const std::size_t count = 200000 / dimension + 17;
       std::vector<double> data;
       for (std::size_t i = 0; i < count * dimension; ++i)
@@ -216,7 +214,7 @@ TEST_CASE("tensor products on grids reproduce products of polynomials") {
       std::vector<std::vector<Rational>> polynomials;
       std::size_t points = 1;
       for (const std::string& text : texts) {
-        masks.push_back(make_scheme(text).mask);
+        masks.push_back(make_scheme(text).mask.curve());
         axes.push_back(Axis::of(6 + static_cast<std::size_t>(random.integer(0, 3))));
         points *= axes.back().count;
         polynomials.push_back(random_polynomial(random, polynomial_reproduction(masks.back()).reproduction_degree));
@@ -233,8 +231,8 @@ TEST_CASE("tensor products on grids reproduce products of polynomials") {
       for (std::size_t i = 0; i < points; ++i)
         for (std::size_t c = 0; c < dimension; ++c) data.values.push_back(value_at(axes, i) * (1 + Rational(c)));
       const GridData<double> rounded{doubles(data.values), dimension, axes};
-      const auto exact = refine(data, masks, {2, Boundary::regression, 1});
-      const auto approximate = refine(rounded, masks, {2, Boundary::regression, 2});
+      const auto exact = refine(data, tensor_product(masks), {2, Boundary::regression, 1});
+      const auto approximate = refine(rounded, tensor_product(masks), {2, Boundary::regression, 2});
       REQUIRE(exact.is_canonical());
       REQUIRE(approximate.values.size() == exact.values.size());
       double scale = 0;
@@ -261,7 +259,7 @@ TEST_CASE("fits on grids reproduce polynomials of their total degree, up to the 
   for (const Case& one : cases)
     for (const Boundary boundary : {Boundary::regression, Boundary::shrink})
       for (const std::size_t dimension : {1, 3}) {
-        const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(one.scheme));
+        const Scheme scheme = make_linear_scheme(one.scheme);
         const int degree = polynomial_reproduction(scheme.mask).reproduction_degree;
         std::vector<Axis> axes;
         for (const std::size_t count : one.counts)
@@ -307,15 +305,15 @@ TEST_CASE("a product is refined the same by its factors and by its mask") {
                            "tensor:(dual:n=1)x(dual:n=1)x(primal:n=1)"})
     for (const Boundary boundary : {Boundary::reflect, Boundary::periodic, Boundary::shrink})
       for (const bool closed : {false, true}) {
-        const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(text));
+        const Scheme scheme = make_linear_scheme(text);
         std::vector<Axis> axes;
-        for (std::size_t v = 0; v < scheme.factors.size(); ++v)
+        for (std::size_t v = 0; v < scheme.mask.factors().size(); ++v)
           axes.push_back(Axis::of(6 + static_cast<std::size_t>(random.integer(0, 2)), closed && v == 0));
         GridData<Rational> data{{}, 2, axes};
         for (std::size_t i = 0; i < 2 * data.points(); ++i) data.values.push_back(random.rational());
         CAPTURE(text, to_text(boundary), closed);
-        const auto by_factors = refine(data, scheme.factors, {2, boundary, 1});
-        const auto by_mask = refine(data, scheme.mask, {2, boundary, 1});
+        const auto by_factors = refine(data, scheme.mask, {2, boundary, 1});
+        const auto by_mask = refine(data, scheme.mask.without_factors(), {2, boundary, 1});
         CHECK(by_factors.values == by_mask.values);
         for (std::size_t v = 0; v < axes.size(); ++v) {
           CHECK(by_factors.axes[v].first == by_mask.axes[v].first);
@@ -327,7 +325,7 @@ TEST_CASE("a product is refined the same by its factors and by its mask") {
 TEST_CASE("doubles and exact numbers agree on closed grids, for any number of threads") {
   Random random;
   for (const char* text : {"grid:points=4x4,d=3", "grid:points=3x3,d=1,a=3", "grid:points=2x3x2,d=1"}) {
-    const MultivariateScheme scheme = std::get<MultivariateScheme>(make_any_scheme(text));
+    const Scheme scheme = make_linear_scheme(text);
     std::vector<Axis> axes{Axis::of(9, true), Axis::of(6, false)};
     if (scheme.mask.dimension() == 3) axes.push_back(Axis::of(4, true));
     GridData<Rational> data{{}, 3, axes};
@@ -345,13 +343,13 @@ TEST_CASE("doubles and exact numbers agree on closed grids, for any number of th
 }
 
 TEST_CASE("questions without an answer are refused") {
-  const Mask mask = make_scheme("primal:n=3").mask;
+  const Mask mask = make_scheme("primal:n=3").mask.curve();
   const std::vector<double> data{1, 2, 3, 4, 5, 6};
   CHECK_FAILS(refine(curve_data(data), mask, {100000000, Boundary::regression, 1}), size);
   CHECK_FAILS(refine(curve_data(data), mask, {-1, Boundary::regression, 1}), domain);
   CHECK_FAILS(refine(curve_data(std::vector<double>{1, 2, 3, 4, 5}), mask, {1, Boundary::regression, 1}), domain);
   CHECK_FAILS(refine(GridData<double>{data, 4, {Axis::of(2)}}, mask, {1, Boundary::regression, 1}), domain);
-  CHECK_FAILS(refine(curve_data(data), std::vector<Mask>{mask, mask}, {1, Boundary::regression, 1}), domain);
+  CHECK_FAILS(refine(curve_data(data), tensor_product({mask, mask}), {1, Boundary::regression, 1}), domain);
   CHECK_FAILS(refine(curve_data(data), Mask(LaurentPolynomial({1, 1, 1}, 0), 2), {1, Boundary::regression, 1}), domain);
   CHECK(refine(curve_data(data), mask, {0, Boundary::regression, 1}).values == data);
   CHECK(refine(curve_data(data), mask, {1, Boundary::shrink, 1}).values.size() == 3);

@@ -14,9 +14,9 @@ TEST_CASE("away from the ends the expected squared error is eq. (16)") {
   for (int i = 0; i < 41; ++i) samples.push_back(f(i * h));
   for (const char* text : {"primal:n=2", "primal:n=4", "primal:n=3,d=3"}) {
     const Scheme scheme = make_scheme(text);
-    const SchemeSmoother smoother(scheme.mask, samples.size(), {Boundary::reflect, 2, 0});
-    const LimitValues phi = limit_values(scheme.mask, 2);
-    const VarianceGrid psi = variance_grid(scheme.mask, 2, false);
+    const SchemeSmoother smoother(scheme.mask.curve(), samples.size(), {Boundary::reflect, 2, 0});
+    const LimitValues phi = limit_values(scheme.mask.curve(), 2);
+    const VarianceGrid psi = variance_grid(scheme.mask.curve(), 2, false);
     for (std::size_t o = 80; o < 84; ++o) {
       Rational limit = 0;
       for (long j = 0; j < 41; ++j)
@@ -39,7 +39,7 @@ TEST_CASE("simulation agrees with the exact expected error, also at the ends") {
     rounded.push_back(i * i / 40.0);
   }
   for (const Boundary kind : {Boundary::regression, Boundary::nearest}) {
-    const SchemeSmoother smoother(scheme.mask, samples.size(), {kind, 1, 0});
+    const SchemeSmoother smoother(scheme.mask.curve(), samples.size(), {kind, 1, 0});
     for (const std::size_t o : {0u, 1u, 5u, 19u, 38u}) {
       const Rational x = smoother.position(o), truth = x * x / 40;
       const SmoothingRow row = smoother.row(o);
@@ -50,7 +50,7 @@ TEST_CASE("simulation agrees with the exact expected error, also at the ends") {
       CHECK(simulated.upper - simulated.lower < 0.12 * exact);
     }
   }
-  const SchemeSmoother smoother(scheme.mask, samples.size(), {});
+  const SchemeSmoother smoother(scheme.mask.curve(), samples.size(), {});
   CHECK_THROWS_WITH(expected_error(smoother.row(38), {1, 2}, 0, 1), Catch::Matchers::Contains("got 2"));
   CHECK_THROWS_WITH(simulated_error(smoother.row(0), rounded, 0, 1, 1, 1), Catch::Matchers::Contains("runs >= 2"));
 }

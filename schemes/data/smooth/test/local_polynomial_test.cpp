@@ -118,14 +118,14 @@ TEST_CASE("a first fit at positions: on uniform ones the same limit, elsewhere p
         data.push_back(static_cast<double>((i * 7919) % 13));
       }
       const SmoothingOptions options{boundary, 1};
-      const auto plain = SchemeSmoother(scheme.mask, count, options).apply(data).values;
-      const SchemeSmoother placed(scheme.mask, {count, {}, places}, options, scheme.rules);
+      const auto plain = SchemeSmoother(scheme.mask.curve(), count, options).apply(data).values;
+      const SchemeSmoother placed(scheme.mask.curve(), {count, {}, places}, options, scheme.rules);
       const auto same = placed.apply(data).values;
       REQUIRE(same.size() == plain.size());
       for (std::size_t o = 0; o < plain.size(); ++o) CHECK(same[o] == Approx(plain[o]).margin(1e-11));
 
       const DataSites sites{count, {}, scattered(count)};
-      const SchemeSmoother moved(scheme.mask, sites, options, scheme.rules);
+      const SchemeSmoother moved(scheme.mask.curve(), sites, options, scheme.rules);
       const auto rounded = moved.rounded_rows();
       for (std::size_t o = 0; o < moved.outputs(); o += 5) {
         const SmoothingRow row = moved.row(o);

@@ -60,7 +60,8 @@ TEST_CASE("the estimated risk is unbiased for data with known mean") {
   for (std::size_t i = 0; i < count; i += 4) weights[i] = 0.5;
   std::vector<Rational> exact(weights.begin(), weights.end());
   for (const bool weighted : {false, true}) {
-    const SchemeSmoother smoother(scheme.mask, {count, weighted ? exact : std::vector<Rational>{}}, {}, scheme.rules);
+    const SchemeSmoother smoother(scheme.mask.curve(), {count, weighted ? exact : std::vector<Rational>{}}, {},
+                                  scheme.rules);
     const std::vector<double> w = weighted ? weights : std::vector<double>{};
     const auto truth = sampled(count, 0.5, 0, 1);
     const auto clean = smoother.apply(truth);

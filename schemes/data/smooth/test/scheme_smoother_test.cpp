@@ -41,7 +41,7 @@ TEST_CASE("regression reproduces the polynomials of the scheme up to the ends, e
                                      {"ary:a=3,points=5,d=1", 1}}) {
     const Scheme scheme = make_scheme(text);
     for (const std::size_t count : {std::size_t{9}, std::size_t{25}}) {
-      const SchemeSmoother smoother(scheme.mask, count, {Boundary::regression, 1, 0});
+      const SchemeSmoother smoother(scheme.mask.curve(), count, {Boundary::regression, 1, 0});
       for (int q = 0; q <= degree; ++q) {
         const auto data = polynomial_data(count, q);
         for (std::size_t o = 0; o < smoother.outputs(); ++o)
@@ -56,7 +56,7 @@ TEST_CASE("every boundary keeps constants, but for constant, and sums up varianc
   for (const Boundary kind :
        {Boundary::regression, Boundary::reflect, Boundary::nearest, Boundary::constant, Boundary::periodic})
     for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{20}}) {
-      const SchemeSmoother smoother(scheme.mask, count, {kind, 1, 0});
+      const SchemeSmoother smoother(scheme.mask.curve(), count, {kind, 1, 0});
       for (std::size_t o = 0; o < smoother.outputs(); ++o) {
         const SmoothingRow row = smoother.row(o);
         Rational sum = row.outside, squares = 0;
@@ -74,8 +74,8 @@ TEST_CASE("every boundary keeps constants, but for constant, and sums up varianc
 TEST_CASE("away from the ends the variance is psi, exactly") {
   for (const char* text : {"primal:n=3", "primal:n=2,d=3", "dual:n=3", "ary:a=3,points=3,d=1"}) {
     const Scheme scheme = make_scheme(text);
-    const SchemeSmoother smoother(scheme.mask, 41, {Boundary::reflect, 2, 0});
-    const VarianceGrid psi = variance_grid(scheme.mask, 2, false);
+    const SchemeSmoother smoother(scheme.mask.curve(), 41, {Boundary::reflect, 2, 0});
+    const VarianceGrid psi = variance_grid(scheme.mask.curve(), 2, false);
     const auto scale = psi.values.size() - 1;
     const bool shifted = std::string(text).starts_with("dual");  // by half a spacing
     for (std::size_t t = 0; t < scale; ++t)
@@ -89,7 +89,8 @@ TEST_CASE("the rows agree with many refinements of the extended data") {
   std::vector<Rational> data;
   for (int i = 0; i < 12; ++i) data.push_back(random.rational());
   for (const Boundary kind : {Boundary::regression, Boundary::reflect, Boundary::nearest, Boundary::periodic}) {
-    const ExtendedData extended(SmoothingKernel(scheme.mask, scheme.rules, {}, false).extension(kind), data.size());
+    const ExtendedData extended(SmoothingKernel(scheme.mask.curve(), scheme.rules, {}, false).extension(kind),
+                                data.size());
     LaurentPolynomial values;  // sum of f_j z^j
     for (long j = -14; j < 26; ++j) {
       const Combination combination = extended.at(j);
@@ -98,9 +99,9 @@ TEST_CASE("the rows agree with many refinements of the extended data") {
       values += LaurentPolynomial::monomial(value, j);
     }
     const int levels = 7;
-    for (int k = 0; k < levels; ++k) values = scheme.mask.symbol() * values.dilated(2);
+    for (int k = 0; k < levels; ++k) values = scheme.mask.curve().symbol() * values.dilated(2);
     // The datum with index i of level k stands at (i + 1/2) / 2^k - 1/2 in the parameter, data index + parameter shift.
-    const SchemeSmoother smoother(scheme.mask, data.size(), {kind, 1, 0});
+    const SchemeSmoother smoother(scheme.mask.curve(), data.size(), {kind, 1, 0});
     for (std::size_t o = 0; o < smoother.outputs(); ++o) {
       const Rational parameter = smoother.position(o) - Rational(1, 2);
       const long index = numerator(Rational(parameter * 128)).convert_to<long>();
@@ -124,7 +125,7 @@ TEST_CASE("the mirror, nearest and periodic data are those of the names") {
 
 TEST_CASE("derivatives are those of the limit") {
   const Scheme scheme = make_scheme("primal:n=3,d=3");
-  const SchemeSmoother smoother(scheme.mask, 15, {Boundary::regression, 2, 1});
+  const SchemeSmoother smoother(scheme.mask.curve(), 15, {Boundary::regression, 2, 1});
   const auto data = polynomial_data(15, 3);
   for (std::size_t o = 0; o < smoother.outputs(); ++o) {
     const Rational x = smoother.position(o);
@@ -138,8 +139,8 @@ TEST_CASE("equal prior weights change nothing; missing data leave polynomials al
     const std::size_t count = 18;
     for (const int derivative : {0, 1}) {
       const SmoothingOptions options{Boundary::regression, 1, derivative};
-      const SchemeSmoother plain(scheme.mask, count, options);
-      const SchemeSmoother equal(scheme.mask, {count, std::vector<Rational>(count, 3)}, options, scheme.rules);
+      const SchemeSmoother plain(scheme.mask.curve(), count, options);
+      const SchemeSmoother equal(scheme.mask.curve(), {count, std::vector<Rational>(count, 3)}, options, scheme.rules);
       for (std::size_t o = 0; o < plain.outputs(); ++o) {
         const SmoothingRow a = plain.row(o), b = equal.row(o);
         CHECK(3 * b.variance == a.variance);
@@ -154,7 +155,7 @@ TEST_CASE("equal prior weights change nothing; missing data leave polynomials al
     weights[7] = 0;
     weights[8] = Rational(1, 2);
     weights[17] = 0;
-    const SchemeSmoother gaps(scheme.mask, {count, weights}, {Boundary::regression, 1, 0}, scheme.rules);
+    const SchemeSmoother gaps(scheme.mask.curve(), {count, weights}, {Boundary::regression, 1, 0}, scheme.rules);
     for (int q = 0; q <= scheme.rules->degree; ++q) {
       const auto data = polynomial_data(count, q);
       for (std::size_t o = 0; o < gaps.outputs(); ++o) {
@@ -179,7 +180,7 @@ TEST_CASE("double precision agrees with the exact rows") {
        {"primal:n=1", "dual:n=1", "dual:n=3", "primal:n=4,d=3", "primal:n=12", "ary:a=3,points=3,d=1"})
     for (const Boundary kind : {Boundary::regression, Boundary::reflect, Boundary::constant}) {
       const Scheme scheme = make_scheme(text);
-      const SchemeSmoother smoother(scheme.mask, data.size(), {kind, 2, 0, 2.5});
+      const SchemeSmoother smoother(scheme.mask.curve(), data.size(), {kind, 2, 0, 2.5});
       const auto smoothed = smoother.apply(data);
       REQUIRE(smoothed.values.size() == smoother.outputs());
       REQUIRE(smoothed.leverages.size() == data.size());
@@ -212,7 +213,7 @@ TEST_CASE("fits with prior weights in double precision agree with the exact ones
       data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
       exact.emplace_back(data.back());
     }
-    const SchemeSmoother smoother(scheme.mask, {data.size(), weights}, {boundary, 1, 0, 2.5}, scheme.rules);
+    const SchemeSmoother smoother(scheme.mask.curve(), {data.size(), weights}, {boundary, 1, 0, 2.5}, scheme.rules);
     const auto smoothed = smoother.apply(data);
     for (std::size_t o = 0; o < smoother.outputs(); ++o) {
       const SmoothingRow row = smoother.row(o);
@@ -236,7 +237,7 @@ TEST_CASE("rows that are translates of each other are the exact ones, in every r
       data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
       exact.emplace_back(data.back());
     }
-    const SchemeSmoother smoother(scheme.mask, {count, weights}, {Boundary::regression, 1, 0}, scheme.rules);
+    const SchemeSmoother smoother(scheme.mask.curve(), {count, weights}, {Boundary::regression, 1, 0}, scheme.rules);
     const auto smoothed = smoother.apply(data);
     const auto rows = smoother.rounded_rows();
     for (std::size_t o = 0; o < smoother.outputs(); ++o) {
@@ -253,7 +254,7 @@ TEST_CASE("rows that are translates of each other are the exact ones, in every r
   constexpr std::size_t count = 1300;
   std::vector<double> data;
   for (std::size_t i = 0; i < count; ++i) data.push_back(static_cast<double>(random.integer(-1000, 1000)) / 64);
-  const SchemeSmoother smoother(scheme.mask, count, {Boundary::reflect, 1, 0});
+  const SchemeSmoother smoother(scheme.mask.curve(), count, {Boundary::reflect, 1, 0});
   const auto smoothed = smoother.apply(data);
   for (std::size_t o = 0; o < smoother.outputs(); o += 7) {
     const SmoothingRow row = smoother.row(o);
@@ -267,16 +268,16 @@ TEST_CASE("rows that are translates of each other are the exact ones, in every r
 TEST_CASE("smoothers that do not exist say why") {
   const auto contains = [](const std::string& part) { return Catch::Matchers::Contains(part); };
   const Scheme scheme = make_scheme("primal:n=3"), spline = make_scheme("bspline:degree=3");
-  CHECK_THROWS_WITH(SchemeSmoother(make_scheme("ary:a=3,points=4").mask, 10, {}), contains("no 3-adic number"));
-  CHECK_THROWS_WITH(SchemeSmoother(spline.mask, {3, {1, 1, 1}}, {}), contains("scheme of local regressions"));
-  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask, {3, {1, 1}}, {}, scheme.rules), contains("got 2 for 3"));
-  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask, 0, {}), contains("count >= 1"));
-  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask, 2'000'001, {Boundary::regression, 1}),
+  CHECK_THROWS_WITH(SchemeSmoother(make_scheme("ary:a=3,points=4").mask.curve(), 10, {}), contains("no 3-adic number"));
+  CHECK_THROWS_WITH(SchemeSmoother(spline.mask.curve(), {3, {1, 1, 1}}, {}), contains("scheme of local regressions"));
+  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask.curve(), {3, {1, 1}}, {}, scheme.rules), contains("got 2 for 3"));
+  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask.curve(), 0, {}), contains("count >= 1"));
+  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask.curve(), 2'000'001, {Boundary::regression, 1}),
                     contains("at most 4000000 outputs"));
-  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask, 9, {Boundary::shrink}), contains("got shrink"));
+  CHECK_THROWS_WITH(SchemeSmoother(scheme.mask.curve(), 9, {Boundary::shrink}), contains("got shrink"));
   CHECK_NOTHROW(count_outputs(0, std::size_t{1} << 40));
   std::vector<Rational> weights(20, 0);
   weights[0] = weights[19] = 1;
-  const SchemeSmoother gap(scheme.mask, {20, weights}, {}, scheme.rules);
+  const SchemeSmoother gap(scheme.mask.curve(), {20, weights}, {}, scheme.rules);
   CHECK_THROWS_WITH(gap.row(10), contains("a fit of degree 1 needs 2"));
 }

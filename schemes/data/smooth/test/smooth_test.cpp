@@ -27,7 +27,7 @@ TEST_CASE("columns are smoothed with deviations, bands and derivatives in units 
   const SmoothedSamples limit = smooth(waves(), scheme, {Boundary::regression, 1});
   REQUIRE(limit.positions.size() == 79);
   CHECK(limit.positions[3] == 2.15);
-  const SchemeSmoother smoother(scheme.mask, 40, {Boundary::regression, 1});
+  const SchemeSmoother smoother(scheme.mask.curve(), 40, {Boundary::regression, 1});
   CHECK(limit.columns[0].values == smoother.apply(waves().columns[0]).values);
   const NoiseEstimate noise = estimate_noise(waves().columns[0]);
   for (std::size_t o = 0; o < 79; ++o) {
@@ -71,7 +71,7 @@ TEST_CASE("the path of simultaneous bands is that of the rows, one after another
           if (kind > 0)
             for (int i = 0; i < 60; ++i) prior.push_back(kind == 1 ? (i < 25 ? 1 : 3) : i == 20 ? 0 : 1);
           for (std::size_t i = 0; i < prior.size(); ++i) rounded[i] = static_cast<double>(prior[i]);
-          const SchemeSmoother smoother(scheme.mask, {60, prior}, {boundary, level}, scheme.rules);
+          const SchemeSmoother smoother(scheme.mask.curve(), {60, prior}, {boundary, level}, scheme.rules);
           CHECK(smoother.apply(std::vector<double>(60, 1)).path == Approx(angles(smoother, rounded)).epsilon(1e-6));
         }
 }
@@ -85,7 +85,7 @@ TEST_CASE("simultaneous bands cover all expected values at once at least as ofte
   CHECK_FAILS(simultaneous_band_factor(0.9, known, -1), domain);
 
   const Scheme scheme = make_scheme("primal:n=4");
-  const SchemeSmoother smoother(scheme.mask, 80, {Boundary::regression, 2});
+  const SchemeSmoother smoother(scheme.mask.curve(), 80, {Boundary::regression, 2});
   std::mt19937_64 generator(1986);
   std::normal_distribution<double> normal;
   std::vector<double> data(80);

@@ -30,8 +30,7 @@ RationalMatrix moments(const std::vector<LatticePoint>& points, int order) {
 
 DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t most_points) {
   require(order >= 1, "difference space: need sum rules of order 1 or more, got {}", order);
-  const Dilation& dilation = mask.dilation();
-  LatticeWindow window(mask.symbol(), dilation, exponents_up_to(dilation.variables(), order), most_points);
+  LatticeWindow window(mask, exponents_up_to(mask.dilation().variables(), order), most_points);
   const std::vector<std::vector<Rational>> vectors = kernel(moments(window.points(), order));
   require(!vectors.empty(), "difference space: no sequence on the {} points of the window annihilates polynomials",
           window.size());
@@ -41,8 +40,8 @@ DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t
       if (vectors[c][k] != 0) basis[c].emplace(window.points()[k], vectors[c][k]);
   std::vector<LatticePoint> pivots;
   for (const std::size_t column : free_columns(vectors)) pivots.push_back(window.points()[column]);
-  MatrixFamily family = transition_family(mask.symbol(), dilation, basis, pivots);
-  return {order, dilation, std::move(window), std::move(basis), std::move(pivots), std::move(family)};
+  MatrixFamily family = transition_family(mask, basis, pivots);
+  return {order, mask.dilation(), std::move(window), std::move(basis), std::move(pivots), std::move(family)};
 }
 
 }  // namespace subcert

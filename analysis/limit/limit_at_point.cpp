@@ -29,11 +29,11 @@ RationalMatrix step(const Mask& mask, const Interval& support, const Rational& x
 
 }  // namespace
 
-ShiftedValues limit_values_at(const Mask& mask, const Rational& x) {
+ShiftedValues limit_values_at(const Mask& mask, const Rational& x, const Deadline& deadline) {
   const Interval support = limit_support(mask);
   const IndexRange integers = shifts(support, 0);
   if (integers.last - integers.first >= most_integers)
-    fail(ErrorKind::size, "limit_values_at: need at most {} integers in the support, got {}", most_integers,
+    fail(ErrorKind::size, "limit_values: need at most {} integers in the support, got {}", most_integers,
          integers.last - integers.first + 1);
   std::vector<Rational> orbit{x - Rational(floor_of(x))};
   std::size_t cycle = 0;  // orbit[cycle], ... repeat
@@ -46,7 +46,7 @@ ShiftedValues limit_values_at(const Mask& mask, const Rational& x) {
       break;
     }
     if (orbit.size() == longest_orbit)
-      fail(ErrorKind::size, "limit_values_at: need a point with a cycle of at most {} points, got {}", longest_orbit,
+      fail(ErrorKind::size, "limit_values: need a point with a cycle of at most {} points, got {}", longest_orbit,
            to_text(x));
     orbit.push_back(next);
   }
@@ -54,8 +54,11 @@ ShiftedValues limit_values_at(const Mask& mask, const Rational& x) {
   RationalMatrix product = step(mask, support, orbit[cycle], following(cycle));
   for (std::size_t i = cycle + 1; i < orbit.size(); ++i)
     product = product * step(mask, support, orbit[i], following(i));
-  auto values = fixed_vector(std::move(product));
-  require(values.has_value(), "limit_values_at: the refinement equation does not determine the values");
+  auto values = fixed_vector(std::move(product), 1, deadline);
+  require(
+      values.has_value(),
+      "limit_values: the values are not determined by the refinement equation; the scheme, or the divided difference "
+      "scheme of this order, does not converge");
   for (std::size_t i = cycle; i-- > 0;) *values = step(mask, support, orbit[i], orbit[i + 1]) * *values;
   return {shifts(support, orbit[0]).first - floor_of(x).convert_to<long>(), std::move(*values)};
 }

@@ -1,6 +1,7 @@
 #include "limit_values.hpp"
 
 #include "fixed_vector.hpp"
+#include "limit_at_point.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
@@ -23,21 +24,6 @@ constexpr int most_values = 1'000'000;     // in a LatticeSequence
 IndexRange grid_in_support(const Mask& mask, long scale) {
   const Interval support = limit_support(mask);
   return {ceil_index(support.lower * scale), floor_index(support.upper * scale)};
-}
-
-/// sum over the integers k of phi(k) z^k.
-LaurentPolynomial values_at_integers(const Mask& mask, const Deadline& deadline) {
-  const IndexRange integers = grid_in_support(mask, 1);
-  const long size = integers.last - integers.first + 1;
-  if (size > max_integers)
-    fail(ErrorKind::size, "limit_values: need at most {} integers in the support, got {}", max_integers, size);
-  require(size >= 1, "limit_values: the support contains no integer");
-  // phi(k) = sum over j of a_{arity*k - j} phi(j).
-  const auto values = fixed_vector(transition_block(mask.symbol(), mask.arity(), 0, integers, integers), 1, deadline);
-  require(values.has_value(),
-          "limit_values: the values at the integers are not determined by the refinement equation; "
-          "the divided difference scheme of this order does not converge");
-  return {*values, integers.first};
 }
 
 void require_time(bool enough, int level) {
@@ -116,8 +102,8 @@ std::size_t digit_zero(const Dilation& dilation) {
 }
 
 /// v -> (sum over j of a_{Mk - j} v_j)_k on the window.
-RationalMatrix operator_of_zero(const LatticeMask& mask, const Dilation& dilation, const LatticeWindow& window) {
-  return transition_family(mask.symbol(), dilation, window)[digit_zero(dilation)];
+RationalMatrix operator_of_zero(const LatticeMask& mask, const LatticeWindow& window) {
+  return transition_family(mask, window)[digit_zero(mask.dilation())];
 }
 
 LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rational>& values) {
@@ -127,11 +113,11 @@ LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rationa
   return result;
 }
 
-/// phi(k) = sum over j of a_{Mk - j} phi(j). The level is that of the values which are wanted in the end.
-LatticeSequence values_at_lattice_points(const LatticeMask& mask, const Dilation& dilation, int level) {
-  const LatticeWindow window(mask.symbol(), dilation, points_of_support(mask, level), most_points,
-                             digit_zero(dilation));
-  const auto values = fixed_vector(operator_of_zero(mask, dilation, window));
+/// phi(k) = sum over j of a_{Mk - j} phi(j). Domain: 0 is a digit. The level is that of the values which are wanted in
+/// the end.
+LatticeSequence values_at_lattice_points(const LatticeMask& mask, int level) {
+  const LatticeWindow window(mask, points_of_support(mask, level), most_points, digit_zero(mask.dilation()));
+  const auto values = fixed_vector(operator_of_zero(mask, window));
   require(values.has_value(), "limit_values: need a scheme that converges, got several fixed vectors or none");
   return on_points(window, *values);
 }
@@ -157,9 +143,9 @@ std::optional<std::vector<Rational>> component_in_kernel(const RationalMatrix& m
 }
 
 /// The values at lattice points that become those of the derivative at M^-level i by refinement.
-LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Dilation& dilation,
-                                              const LatticeSequence& values, int level, const LatticePoint& orders,
-                                              long total) {
+LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const LatticeSequence& values, int level,
+                                              const LatticePoint& orders, long total) {
+  const Dilation& dilation = mask.dilation();
   const std::vector<LatticePoint> all = exponents_of_degree(dilation.variables(), total);
   const RationalMatrix chain = chain_rule(dilation, all), chains = power(chain, level);
   const auto row = static_cast<std::size_t>(std::find(all.begin(), all.end(), orders) - all.begin());
@@ -170,10 +156,10 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Dil
       for (const auto& [k, value] : values) start[i + k] += chains(row, c) * factor * value;
   std::vector<LatticePoint> support;
   for (const auto& [point, value] : start) support.push_back(point);
-  const auto window = LatticeWindow::closure(mask.symbol(), dilation, support, most_points);
+  const auto window = LatticeWindow::closure(mask, support, most_points);
   std::vector<Rational> entries(window.size(), 0);
   for (const auto& [point, value] : start) entries[window.place(point)] = value;
-  const RationalMatrix matrix = operator_of_zero(mask, dilation, window);
+  const RationalMatrix matrix = operator_of_zero(mask, window);
   const LaurentPolynomial p = annihilator_of_inverse(chain);
   RationalMatrix condition = p.coefficient(1) * matrix;  // p(matrix), without products where p is linear
   if (p.highest() > 1)
@@ -188,13 +174,13 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Dil
   return on_points(window, *result);
 }
 
-LatticeSequence values_of_whole(const LatticeMask& mask, int level, const LatticePoint& orders) {
-  const Dilation dilation(mask.dilation().rows());
+LatticeSequence values_of_whole(const LatticeMask& given, int level, const LatticePoint& orders) {
+  const LatticeMask mask(given.symbol(), Dilation(given.dilation().rows()));
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
-  LatticeSequence values = values_at_lattice_points(mask, dilation, level);
-  require(total == 0 || dilation.is_isotropic(), "limit_values: need an isotropic dilation for derivatives, got {}",
-          dilation.to_text());
-  if (total > 0) values = derivatives_at_lattice_points(mask, dilation, values, level, orders, total);
+  LatticeSequence values = values_at_lattice_points(mask, level);
+  require(total == 0 || mask.dilation().is_isotropic(),
+          "limit_values: need an isotropic dilation for derivatives, got {}", mask.dilation().to_text());
+  if (total > 0) values = derivatives_at_lattice_points(mask, values, level, orders, total);
   return refined(mask, std::move(values), level);
 }
 
@@ -239,7 +225,8 @@ LimitValues limit_values(const Mask& mask, int level, int order, const Deadline&
   }
   const Mask derived = divided_difference_scheme(mask, order);
   // V_{k+1}(z) = a(z^(arity^k)) V_k(z), where V_k holds the values at level k.
-  LaurentPolynomial values = values_at_integers(derived, deadline);
+  const ShiftedValues integers = limit_values_at(derived, 0, deadline);
+  LaurentPolynomial values(integers.values, integers.first);
   long factor = 1;
   double seconds = 0;  // of the level before, of which a level takes the arity as many
   for (int k = 0; k < level; ++k, factor *= mask.arity()) {

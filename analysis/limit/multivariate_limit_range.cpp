@@ -43,6 +43,7 @@ struct ScaledNumbers {
 /// What the digits of a mask make of the lattice, and phi on its tiles.
 class Tiling {
  public:
+  /// Domain: the digits in M [0, 1)^s.
   explicit Tiling(const LatticeMask& mask);
 
   std::size_t window() const { return window_.size(); }
@@ -95,15 +96,15 @@ LatticeMask indicator(const Dilation& dilation) {
 }
 
 Tiling::Tiling(const LatticeMask& mask)
-    : dilation_(mask.dilation().rows()),
-      window_(mask.symbol(), dilation_, {LatticePoint(dilation_.variables(), 0)}, most_window_points),
+    : dilation_(mask.dilation()),
+      window_(mask, {LatticePoint(dilation_.variables(), 0)}, most_window_points),
       steps_(dilation_.digits().size()),
       corner_(values_on_window(limit_values(mask, 0), window_)),
       tile_box_(limit_support(indicator(dilation_))) {
   for (const auto& term : mask.symbol().terms())
     denominator_ = lcm(denominator_, subcert::denominator(term.coefficient));
   for (std::size_t k = 0; k < window_.size(); ++k) {
-    const auto images = transitions(mask.symbol(), dilation_, {{window_.points()[k], 1}});
+    const auto images = transitions(mask, {{window_.points()[k], 1}});
     for (std::size_t d = 0; d < images.size(); ++d)
       for (const auto& [point, value] : images[d])
         steps_[d].push_back({window_.place(point), k, numerator(value * denominator_)});
@@ -223,7 +224,9 @@ struct Peak {
 class RangeSearch {
  public:
   RangeSearch(const LatticeMask& mask, const LimitOptions& options)
-      : tiling_(mask), options_(options), tiles_(tiling_.roots()) {}
+      : tiling_(mask.has_factors() ? mask : LatticeMask(mask.symbol(), Dilation(mask.dilation().rows()))),
+        options_(options),
+        tiles_(tiling_.roots()) {}
 
   MultivariateLimitRange run() {
     attain();

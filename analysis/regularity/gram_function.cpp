@@ -23,12 +23,12 @@ class TransferOperator {
  public:
   /// On a window that holds the support of every word of some length on sequences supported on `start`.
   TransferOperator(const LatticeMask& mask, const std::vector<LatticePoint>& start)
-      : symbol_(mask.symbol() * mask.symbol().reversed() *
-                MultivariatePolynomial(mask.dimension(), Rational(1, mask.dilation().classes()))),
-        dilation_(mask.dilation().rows()),
-        group_(symmetries_along(lattice_symmetries(symbol_), dilation_)),
-        zero_(dilation_.divide(LatticePoint(dilation_.variables(), 0)).digit),
-        window_(symbol_, dilation_, closed(start), most_points, zero_) {
+      : mask_(mask.symbol() * mask.symbol().reversed() *
+                  MultivariatePolynomial(mask.dimension(), Rational(1, mask.dilation().classes())),
+              Dilation(mask.dilation().rows())),
+        group_(symmetries_along(lattice_symmetries(mask_.symbol()), mask_.dilation())),
+        zero_(mask_.dilation().divide(LatticePoint(mask_.dilation().variables(), 0)).digit),
+        window_(mask_, closed(start), most_points, zero_) {
     for (std::size_t place = 0; place < window_.size(); ++place) {
       const LatticePoint first = representative(window_.points()[place]);
       const auto [at, inserted] = orbit_of_.emplace(first, orbits_.size());
@@ -46,10 +46,10 @@ class TransferOperator {
   /// On the values of the orbits.
   RationalMatrix matrix() const {
     std::map<LatticePoint, Rational> coefficients;
-    for (const auto& term : symbol_.terms()) coefficients.emplace(term.exponents, term.coefficient);
+    for (const auto& term : mask_.symbol().terms()) coefficients.emplace(term.exponents, term.coefficient);
     RationalMatrix result(size(), size());
     for (std::size_t row = 0; row < size(); ++row) {
-      const LatticePoint image = dilation_ * orbits_[row].front();
+      const LatticePoint image = mask_.dilation() * orbits_[row].front();
       for (const auto& [exponents, coefficient] : coefficients)
         if (const auto column = orbit_of_.find(representative(image - exponents)); column != orbit_of_.end())
           result(row, column->second) += coefficient;
@@ -60,14 +60,14 @@ class TransferOperator {
   /// The images of the unit vectors under the symmetries.
   std::set<LatticePoint> unit_directions() const {
     std::set<LatticePoint> result;
-    for (const LatticePoint& unit : exponents_of_degree(dilation_.variables(), 1))
+    for (const LatticePoint& unit : exponents_of_degree(mask_.dilation().variables(), 1))
       for (const LatticeMap& map : group_) result.insert(map(unit));
     return result;
   }
   /// The values on the orbits of T^n g, for the least n that leads sequences on `start` into the window. Domain: g
   /// constant on orbits.
   std::vector<Rational> led_in(LatticeSequence g) const {
-    for (int step = 0; step < window_.steps(); ++step) g = transitions(symbol_, dilation_, g)[zero_];
+    for (int step = 0; step < window_.steps(); ++step) g = transitions(mask_, g)[zero_];
     std::vector<Rational> result(size());
     for (std::size_t k = 0; k < size(); ++k)
       if (const auto at = g.find(orbits_[k].front()); at != g.end()) result[k] = at->second;
@@ -87,8 +87,7 @@ class TransferOperator {
     return result;
   }
 
-  MultivariatePolynomial symbol_;
-  Dilation dilation_;
+  LatticeMask mask_;  // c
   std::vector<LatticeMap> group_;
   std::size_t zero_;  // the digit
   LatticeWindow window_;

@@ -50,8 +50,8 @@ LatticeSequence convolution(const LatticeSequence& a, const LatticeSequence& b) 
 /// The span of the words modulo the prime, recognised over the rationals.
 std::optional<SequenceSpace> recognised_space(const LatticeMask& mask, const std::vector<LatticeSequence>& starts,
                                               const std::vector<LatticePoint>& support, std::size_t most_points) {
-  const auto closure = LatticeWindow::closure(mask.symbol(), mask.dilation(), support, most_points);
-  const auto family = radius::modulo_prime(transition_family(mask.symbol(), mask.dilation(), closure));
+  const auto closure = LatticeWindow::closure(mask, support, most_points);
+  const auto family = radius::modulo_prime(transition_family(mask, closure));
   if (!family) return std::nullopt;
   std::vector<radius::ModVector> vectors;
   for (const LatticeSequence& start : starts) {
@@ -83,7 +83,7 @@ bool leads_into(const LatticeMask& mask, const SequenceSpace& space, const std::
   for (int round = 0; !rest.is_empty() && round < most_rounds; ++round) {
     SequenceSpace next;
     for (const auto& [pivot, row] : rest.rows())
-      for (const LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), row)) add_rest(next, image);
+      for (const LatticeSequence& image : transitions(mask, row)) add_rest(next, image);
     rest = std::move(next);
   }
   return rest.is_empty();
@@ -126,15 +126,15 @@ std::optional<DifferenceSpace> value_space(const LatticeMask& original, int orde
   std::vector<LatticeSequence> basis;
   std::vector<LatticePoint> pivots;
   for (const auto& [pivot, row] : space->rows()) {
-    for (const LatticeSequence& image : transitions(mask.symbol(), dilation, row))
+    for (const LatticeSequence& image : transitions(mask, row))
       if (!space->holds(image)) return std::nullopt;
     pivots.push_back(pivot);
     basis.push_back(row);
   }
-  MatrixFamily family = transition_family(mask.symbol(), dilation, basis, pivots);
+  MatrixFamily family = transition_family(mask, basis, pivots);
   return DifferenceSpace{order,
                          dilation,
-                         LatticeWindow(mask.symbol(), dilation, support, most_points),
+                         LatticeWindow(mask, support, most_points),
                          std::move(basis),
                          std::move(pivots),
                          std::move(family),

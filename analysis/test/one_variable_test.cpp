@@ -1,4 +1,5 @@
-// Schemes of curves, by the code for several variables and by that for one: two ways to the same numbers.
+// Schemes of curves, by the code for several variables and by that for one, and products, by their factors and as a
+// whole: two ways to the same numbers.
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -7,6 +8,7 @@
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
@@ -36,6 +38,20 @@ void check_overlap(const Enclosure& a, const Enclosure& b) {
 void check_no_contradiction(const Decision& a, const Decision& b) {
   CHECK_FALSE((a.is_yes() && b.is_no()));
   CHECK_FALSE((a.is_no() && b.is_yes()));
+}
+
+void check_operators(const Mask& mask, const LatticeMask& general) {
+  const LatticeMask from_zero(general.symbol().shifted({-mask.symbol().lowest()}), general.dilation());
+  const std::vector<RationalMatrix> matrices = transition_matrices(mask);
+  std::vector<LatticeSequence> deltas;
+  std::vector<LatticePoint> points;
+  for (long k = 0; k < static_cast<long>(matrices.front().rows()); ++k) {
+    points.push_back({k});
+    deltas.push_back({{points.back(), 1}});
+  }
+  const MatrixFamily family = transition_family(from_zero, deltas, points);
+  REQUIRE(family.count() == matrices.size());
+  for (std::size_t t = 0; t < matrices.size(); ++t) CHECK(family[t] == matrices[t]);
 }
 
 void check_values(const Mask& mask, const LatticeMask& general, int order) {
@@ -74,6 +90,7 @@ TEST_CASE("one variable as a case of several: sum rules, reproduction, values, r
     CHECK(general.dimension() == 1);
     CHECK(coset_sums(general) == coset_sums(mask));
     CHECK(operator_norm(general) == operator_norm(mask));
+    check_operators(mask, general);
     const PolynomialReproduction one = polynomial_reproduction(mask);
     const PolynomialReproduction several = polynomial_reproduction(general);
     CHECK(several.sum_rules == sum_rules(mask));
@@ -98,4 +115,37 @@ TEST_CASE("one variable as a case of several: sum rules, reproduction, values, r
   }
   CHECK(converging > 0);
   CHECK(exact > 0);
+}
+
+TEST_CASE("two variables: products by their factors and as a whole") {
+  Random random;
+  int converging = 0;
+  for (const auto round : rounds(20)) {
+    Mask first = mask_of_curve(random), second = mask_of_curve(random);
+    if (random.chance(40)) {  // the product stays the same
+      const Rational factor(random.integer(1, 3), random.integer(1, 3));
+      first = {first.symbol() * LaurentPolynomial(factor), first.arity()};
+      second = {second.symbol() * LaurentPolynomial(1 / factor), second.arity()};
+    }
+    CAPTURE(first.symbol().to_text(), first.arity(), second.symbol().to_text(), second.arity());
+    const LatticeMask product = tensor_product({first, second}), whole = product.without_factors();
+    CHECK(operator_norm(product) == operator_norm(first) * operator_norm(second));
+    const PolynomialReproduction by_factors = polynomial_reproduction(product),
+                                 by_mask = polynomial_reproduction(whole);
+    const Decision convergence = converges(product);
+    check_no_contradiction(convergence, converges(whole));
+    const std::vector<Rational> sums = coset_sums(product);
+    if (!std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; })) {
+      CHECK(convergence.is_no());
+      continue;
+    }
+    CHECK(by_factors.sum_rules == by_mask.sum_rules);
+    CHECK(by_factors.reproduction_degree == by_mask.reproduction_degree);
+    CHECK(by_factors.parametrization == by_mask.parametrization);
+    if (first.arity() == second.arity()) CHECK(by_factors.factors == by_mask.factors);
+    if (!convergence.is_yes()) continue;
+    ++converging;
+    CHECK(limit_values(product, 1) == limit_values(whole, 1));
+  }
+  CHECK(converging > 0);
 }

@@ -170,12 +170,12 @@ TEST_CASE("difference spaces are invariant and hold the differences after some s
       return v.empty();
     };
     for (const LatticeSequence& vector : space.basis)
-      for (const LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), vector)) CHECK(is_inside(image));
+      for (const LatticeSequence& image : transitions(mask, vector)) CHECK(is_inside(image));
     std::vector<LatticeSequence> moved = differences_of_delta(2, space.order);
     for (int step = 0; step < space.window.steps(); ++step) {
       std::vector<LatticeSequence> next;
       for (const LatticeSequence& v : moved)
-        for (LatticeSequence& image : transitions(mask.symbol(), mask.dilation(), v)) next.push_back(std::move(image));
+        for (LatticeSequence& image : transitions(mask, v)) next.push_back(std::move(image));
       moved = std::move(next);
     }
     for (const LatticeSequence& v : moved) CHECK(is_inside(v));

@@ -46,9 +46,9 @@ std::set<LatticePoint> images(const std::vector<LatticePoint>& support, const Di
   return result;
 }
 
-std::vector<LatticePoint> support_of(const MultivariatePolynomial& symbol) {
+std::vector<LatticePoint> support_of(const LatticeMask& mask) {
   std::vector<LatticePoint> support;
-  for (const auto& term : symbol.terms()) support.push_back(term.exponents);
+  for (const auto& term : mask.symbol().terms()) support.push_back(term.exponents);
   return support;
 }
 
@@ -70,23 +70,23 @@ std::set<LatticePoint> reached_from(const std::vector<LatticePoint>& support, co
 
 }  // namespace
 
-LatticeWindow::LatticeWindow(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                             const std::vector<LatticePoint>& start, std::size_t most_points,
+LatticeWindow::LatticeWindow(const LatticeMask& mask, const std::vector<LatticePoint>& start, std::size_t most_points,
                              std::optional<std::size_t> digit) {
-  const std::vector<LatticePoint> support = support_of(symbol);
-  std::set<LatticePoint> reached = reached_from(support, dilation, start, most_points, digit);
+  const std::vector<LatticePoint> support = support_of(mask);
+  std::set<LatticePoint> reached = reached_from(support, mask.dilation(), start, most_points, digit);
   // A point without predecessor is left behind after one step.
   for (;; ++steps_) {
-    std::set<LatticePoint> kept = images(support, dilation, reached, digit);
+    std::set<LatticePoint> kept = images(support, mask.dilation(), reached, digit);
     if (kept.size() == reached.size()) break;
     reached = std::move(kept);
   }
   points_.assign(reached.begin(), reached.end());
 }
 
-LatticeWindow LatticeWindow::closure(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                                     const std::vector<LatticePoint>& start, std::size_t most_points) {
-  const std::set<LatticePoint> reached = reached_from(support_of(symbol), dilation, start, most_points, std::nullopt);
+LatticeWindow LatticeWindow::closure(const LatticeMask& mask, const std::vector<LatticePoint>& start,
+                                     std::size_t most_points) {
+  const std::set<LatticePoint> reached = reached_from(support_of(mask), mask.dilation(), start, most_points,
+                                                      std::nullopt);
   LatticeWindow result;
   result.points_.assign(reached.begin(), reached.end());
   return result;
@@ -97,10 +97,10 @@ std::size_t LatticeWindow::place(const LatticePoint& point) const {
   return at != points_.end() && *at == point ? static_cast<std::size_t>(at - points_.begin()) : size();
 }
 
-std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                                         const LatticeSequence& v) {
+std::vector<LatticeSequence> transitions(const LatticeMask& mask, const LatticeSequence& v) {
+  const Dilation& dilation = mask.dilation();
   std::vector<LatticeSequence> result(dilation.digits().size());
-  for (const auto& term : symbol.terms())
+  for (const auto& term : mask.symbol().terms())
     for (const auto& [k, value] : v) {
       const Dilation::Division at = dilation.divide(term.exponents + k);
       result[at.digit][at.quotient] += term.coefficient * value;
@@ -109,20 +109,19 @@ std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, c
   return result;
 }
 
-MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                               const LatticeWindow& window) {
+MatrixFamily transition_family(const LatticeMask& mask, const LatticeWindow& window) {
   std::vector<LatticeSequence> deltas;
   for (const LatticePoint& point : window.points()) deltas.push_back({{point, 1}});
-  return transition_family(symbol, dilation, deltas, window.points());
+  return transition_family(mask, deltas, window.points());
 }
 
-MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                               const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots) {
+MatrixFamily transition_family(const LatticeMask& mask, const std::vector<LatticeSequence>& basis,
+                               const std::vector<LatticePoint>& pivots) {
   std::map<LatticePoint, std::size_t> row_of;
   for (std::size_t c = 0; c < pivots.size(); ++c) row_of.emplace(pivots[c], c);
-  std::vector<RationalMatrix> matrices(dilation.digits().size(), RationalMatrix(basis.size(), basis.size()));
+  std::vector<RationalMatrix> matrices(mask.dilation().digits().size(), RationalMatrix(basis.size(), basis.size()));
   for (std::size_t c = 0; c < basis.size(); ++c) {
-    const std::vector<LatticeSequence> moved = transitions(symbol, dilation, basis[c]);
+    const std::vector<LatticeSequence> moved = transitions(mask, basis[c]);
     for (std::size_t d = 0; d < moved.size(); ++d)
       for (const auto& [point, value] : moved[d])
         if (const auto row = row_of.find(point); row != row_of.end()) matrices[d](row->second, c) = value;

@@ -1,6 +1,7 @@
 #pragma once
-/// Finite sets of lattice points on which the transition operators of a mask of several variables act,
-/// (T_d v)_j = sum over k of a_{Mj + d - k} v_k for the digits d.
+/// The transition operators of a mask on a lattice, (T_d v)_j = sum over k of a_{Mj + d - k} v_k for the digits d, and
+/// the finite sets of lattice points on which they act. Coefficients meet sequences in transitions() alone: windows,
+/// spaces and families of matrices only ask for it and for the support. One variable has kernels in transition.hpp.
 
 #include <subcert/analysis/symbol/mask.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
@@ -13,17 +14,17 @@ namespace subcert {
 /// A sequence of finite support. Canonical: no value is 0.
 using LatticeSequence = std::map<LatticePoint, Rational>;
 
-/// The indices that matter for a symbol and a dilation: every T_d v is supported there where v is.
+/// The indices that matter for a mask: every T_d v is supported there where v is.
 class LatticeWindow {
  public:
   /// The points that words of `steps()` letters or more reach from `start`: those that shorter words alone reach are
   /// left out. With `digit` for words of that digit alone. Domain: start not empty. Errors: throws Error where that
   /// takes more than `most_points` points. Cost: points * coefficients.
-  LatticeWindow(const MultivariatePolynomial& symbol, const Dilation& dilation, const std::vector<LatticePoint>& start,
-                std::size_t most_points, std::optional<std::size_t> digit = std::nullopt);
+  LatticeWindow(const LatticeMask& mask, const std::vector<LatticePoint>& start, std::size_t most_points,
+                std::optional<std::size_t> digit = std::nullopt);
   /// All points that words reach from `start`, those of `start` among them.
-  static LatticeWindow closure(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                               const std::vector<LatticePoint>& start, std::size_t most_points);
+  static LatticeWindow closure(const LatticeMask& mask, const std::vector<LatticePoint>& start,
+                               std::size_t most_points);
 
   const std::vector<LatticePoint>& points() const { return points_; }
   std::size_t size() const { return points_.size(); }
@@ -39,16 +40,14 @@ class LatticeWindow {
 };
 
 /// T_d v for every digit d. Cost: the length of v times the number of coefficients.
-std::vector<LatticeSequence> transitions(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                                         const LatticeSequence& v);
+std::vector<LatticeSequence> transitions(const LatticeMask& mask, const LatticeSequence& v);
 
 /// T_d on all sequences on a window; what they lead out of it is dropped.
-MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                               const LatticeWindow& window);
+MatrixFamily transition_family(const LatticeMask& mask, const LatticeWindow& window);
 
 /// T_d on the span of sequences, of which number c is 1 at pivots[c], where all others are 0. Domain: invariant.
-MatrixFamily transition_family(const MultivariatePolynomial& symbol, const Dilation& dilation,
-                               const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots);
+MatrixFamily transition_family(const LatticeMask& mask, const std::vector<LatticeSequence>& basis,
+                               const std::vector<LatticePoint>& pivots);
 
 /// The differences nabla^mu delta of total order |mu| = order along these directions, in the order of
 /// exponents_of_degree; along the axes.

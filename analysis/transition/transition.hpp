@@ -1,11 +1,9 @@
 #pragma once
-/// The transition operators of a mask: the one place where they are applied.
+/// The transition operators of a mask of one variable, in several kinds of numbers and without maps of indices:
 ///
 ///   (T_t)_{jk} = b_{arity*j + t - k} ,   0 <= t < arity ,   0 <= j, k < width .
 ///
-/// In several variables j and k are multi-indices of a finite set K, the dilation matrix M stands for the arity, and t
-/// runs over a set of digits: (T_t)_{jk} = b_{Mj + t - k}. What changes is the map of the indices alone, that is
-/// TransitionWindow: width becomes the number of elements of K, columns() the k of K with Mj + t - k in the support.
+/// They are those of lattice_window.hpp for s = 1 and the digits 0, ..., arity - 1.
 
 #include <subcert/analysis/symbol/mask.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>

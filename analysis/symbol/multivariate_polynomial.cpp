@@ -154,8 +154,9 @@ MultivariatePolynomial::MultivariatePolynomial(int variables, const std::vector<
 
 MultivariatePolynomial MultivariatePolynomial::tensor_product(const std::vector<LaurentPolynomial>& factors) {
   const int variables = static_cast<int>(factors.size());
-  MultivariatePolynomial result(variables, 1);
-  for (int v = 0; v < variables; ++v) result *= in_variable(variables, v, factors[static_cast<std::size_t>(v)]);
+  require_variables(variables);
+  MultivariatePolynomial result = in_variable(variables, 0, factors.front());
+  for (int v = 1; v < variables; ++v) result *= in_variable(variables, v, factors[static_cast<std::size_t>(v)]);
   return result;
 }
 

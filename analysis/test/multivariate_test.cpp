@@ -1,6 +1,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
@@ -90,6 +91,23 @@ TEST_CASE("convergence of products follows the factors") {
       CHECK(symbol.truth == product.truth);
     }
   CHECK(converges(tensor_product({binary[2], binary[2], binary[3]}).without_factors()).is_yes());
+  // Not decided by one level: ||S_q|| = 11/10.
+  const Mask slow = read_mask("[-3,0,8,10,8,0,-3]/10@-3"), diverging = read_mask("[2,2]@0");
+  for (const auto& [factors, truth] :
+       {std::pair(std::vector{slow, binary[3]}, Truth::unknown),
+        std::pair(std::vector{binary[3], slow}, Truth::unknown), std::pair(std::vector{slow, diverging}, Truth::no),
+        std::pair(std::vector{binary[3], binary[3], slow}, Truth::unknown)})
+    CHECK(converges(tensor_product(factors), {1, Deadline::in(20)}).truth == truth);
+}
+
+TEST_CASE("the smoothness of a product is that of its roughest factor") {
+  const Mask &hat = binary[1], &cubic = binary[3];
+  CHECK(proved_smoothness(hat).order == 0);
+  CHECK(proved_smoothness(cubic).order == 2);
+  for (const LatticeMask& product : {tensor_product({hat, cubic}), tensor_product({cubic, hat, cubic})})
+    CHECK(proved_smoothness(product).order == 0);
+  CHECK(proved_smoothness(tensor_product({cubic, cubic})).order == 2);
+  CHECK_THROWS_AS(proved_smoothness(tensor_product({cubic, cubic}).without_factors()), Error);
 }
 
 TEST_CASE("what does not converge and what is not decided") {

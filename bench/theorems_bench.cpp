@@ -36,8 +36,9 @@ BENCHMARK(BM_limit_constant_quadrature)->ArgsProduct({{1, 9}, {10, 30}})->Unit(b
 
 /// A lower end of the exponent of the primal scheme of this n and degree.
 void BM_frequency_bound(benchmark::State& state) {
-  const subcert::Mask mask =
-      subcert::make_scheme("primal:n=" + std::to_string(state.range(0)) + ",d=" + std::to_string(state.range(1))).mask;
+  const subcert::Mask mask = subcert::make_scheme("primal:n=" + std::to_string(state.range(0)) +
+                                                  ",d=" + std::to_string(state.range(1)))
+                                 .mask.curve();
   for (auto _ : state) benchmark::DoNotOptimize(subcert::frequency_bound(mask));
 }
 BENCHMARK(BM_frequency_bound)

@@ -15,7 +15,7 @@ TEST_CASE(
   for (const char* name : {"primal:n=2", "primal:n=3,d=3", "dual:n=2", "dual-odd:n=2,d=2", "four-point:w=1/16",
                            "dd:n=3", "bspline:degree=3", "mask:[1,4,6,4,1]/8", "mask:[-1,0,9,16,9,0,-1]/16"}) {
     CAPTURE(name);
-    const Mask mask = make_scheme(name).mask;
+    const Mask mask = make_scheme(name).mask.curve();
     const Enclosure exponent = holder_regularity(mask, 4, {}).exponent;
     Rational before = -100;
     for (int cells : {8, 32, 128}) {
@@ -57,8 +57,8 @@ TEST_CASE("random symmetric masks: the bound is below the exponent, the ratio at
 }
 
 TEST_CASE("what has no bound by frequencies, and what is refused") {
-  CHECK_FALSE(frequency_bound(make_scheme("mask:[-2,1,6,1,-2]/2").mask, 32));  // diverges
-  CHECK_FAILS(frequency_bound(make_scheme("mask:[3,4,3,2]/6").mask, 32), domain);
-  CHECK_FAILS(frequency_bound(make_scheme("bspline:degree=2,a=3").mask, 32), domain);
-  CHECK_FAILS(frequency_bound(make_scheme("primal:n=2").mask, 12), domain);
+  CHECK_FALSE(frequency_bound(make_scheme("mask:[-2,1,6,1,-2]/2").mask.curve(), 32));  // diverges
+  CHECK_FAILS(frequency_bound(make_scheme("mask:[3,4,3,2]/6").mask.curve(), 32), domain);
+  CHECK_FAILS(frequency_bound(make_scheme("bspline:degree=2,a=3").mask.curve(), 32), domain);
+  CHECK_FAILS(frequency_bound(make_scheme("primal:n=2").mask.curve(), 12), domain);
 }

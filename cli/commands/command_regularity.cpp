@@ -65,15 +65,14 @@ Answer surface_answer(const Scheme& scheme, const RegularityOptions& options, co
 ExitCode by_frequency(const RegularityOptions& options) {
   const std::string where = "--method frequency: ";
   if (!options.certificate.empty()) fail(ErrorKind::usage, "{}need no --certificate: its bound has none", where);
-  const LinearScheme any = make_linear_scheme(options.scheme);
-  const Scheme* const scheme = std::get_if<Scheme>(&any);
-  if (!scheme || scheme->rounding || !has_frequency_bound(scheme->mask))
+  const Scheme scheme = make_linear_scheme(options.scheme);
+  if (scheme.mask.dimension() != 1 || scheme.rounding || !has_frequency_bound(scheme.mask.curve()))
     fail(ErrorKind::usage,
          "{}need a symmetric binary mask of exact numbers, in one variable, with two sum rules, got {}", where,
          options.scheme);
   const Stopwatch watch;
-  const std::optional<FrequencyBound> bound = frequency_bound(scheme->mask);
-  const Facts facts = frequency_facts(*scheme, bound, watch.seconds());
+  const std::optional<FrequencyBound> bound = frequency_bound(scheme.mask.curve());
+  const Facts facts = frequency_facts(scheme, bound, watch.seconds());
   options.answer(page_json(facts), page_text(facts, 13));
   return bound && bound->exponent > 0 ? done : undecided;
 }

@@ -21,7 +21,7 @@ namespace {
 // Single schemes.
 
 std::optional<FrequencyBound> bound_of(const std::string& scheme) {
-  const Mask mask = make_scheme(scheme).mask;
+  const Mask mask = make_scheme(scheme).mask.curve();
   std::optional<FrequencyBound> best;
   // More cells where an integer is near.
   for (int cells : {32, 128}) {

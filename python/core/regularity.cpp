@@ -196,9 +196,9 @@ void add_regularity(py::module_& module) {
       });
   module.def("surface_holder", &surface_holder);
   module.def("frequency_bound", [](const Scheme& scheme, const py::object& progress) -> std::optional<Rational> {
-    require(!scheme.rounding && has_frequency_bound(scheme.mask),
+    require(!scheme.rounding && has_frequency_bound(scheme.mask.curve()),
             "{}: need a symmetric binary mask of exact numbers with two sum rules", scheme.specification);
-    const auto found = interruptible(progress, [&] { return frequency_bound(scheme.mask); });
+    const auto found = interruptible(progress, [&] { return frequency_bound(scheme.mask.curve()); });
     return found && found->exponent > 0 ? std::optional(found->exponent) : std::nullopt;
   });
   module.def("sobolev", [](const Scheme& scheme, double seconds, const py::object& progress) {

@@ -98,7 +98,7 @@ std::vector<std::string> groups(const std::string& text, const std::string& patt
   return result;
 }
 
-Rational value_at_zero(const std::string& scheme) { return limit_values(make_scheme(scheme).mask, 0).at(0); }
+Rational value_at_zero(const std::string& scheme) { return limit_values(make_scheme(scheme).mask.curve(), 0).at(0); }
 
 /// "76 and 151".
 std::string others(const std::string& id, const std::string& choice) {
@@ -154,7 +154,7 @@ TEST_CASE("docs quote what the experiments find on curves and surfaces of [DHHS1
     quote_experiments(fmt::format("{:.4f} for {}", data::nearest_double(value), name));
   }
   // cos(2 pi x/24) becomes this many times itself.
-  const LimitValues phi = limit_values(make_scheme("primal:n=5").mask, 0);
+  const LimitValues phi = limit_values(make_scheme("primal:n=5").mask.curve(), 0);
   double factor = 0;
   for (std::size_t i = 0; i < phi.values.size(); ++i)
     factor += data::nearest_double(phi.values[i]) *

@@ -46,7 +46,7 @@ TEST_CASE("exponents that are known otherwise lie within the bounds of the theor
   const Rational C = stated_constants("smoothness", 1)["C"];
   for (int n = 2; n <= 9; ++n) {
     CAPTURE(n);
-    const Enclosure s = holder_regularity(make_scheme("primal:n=" + std::to_string(n)).mask, 4, {}).exponent;
+    const Enclosure s = holder_regularity(make_scheme("primal:n=" + std::to_string(n)).mask.curve(), 4, {}).exponent;
     const double N = 2 * n - 0.5, bound = C.convert_to<double>() * std::pow(N, 1 - std::log2(N) / 2);
     CHECK(*s.upper <= 2);
     CHECK((2 - *s.lower).convert_to<double>() < bound);
@@ -54,7 +54,7 @@ TEST_CASE("exponents that are known otherwise lie within the bounds of the theor
   }
   for (const char* scheme : {"dual:n=2", "dual:n=4", "dual-odd:n=1", "dual-odd:n=3", "primal:n=3,d=3"}) {
     CAPTURE(scheme);
-    const Enclosure s = holder_regularity(make_scheme(scheme).mask, 4, {}).exponent;
+    const Enclosure s = holder_regularity(make_scheme(scheme).mask.curve(), 4, {}).exponent;
     CHECK(exponent_bound(scheme) <= *s.upper);
     CHECK(*s.lower > 2);
   }

@@ -78,7 +78,7 @@ double roundness(const TrialSample& s) {
 void add_values_at_zero(Measured& result, const std::vector<std::string>& schemes) {
   for (const std::string& scheme : schemes)
     result.numbers["phi(0) of " + scheme_name(scheme)] = data::nearest_double(
-        limit_values(make_scheme(scheme).mask, 0).at(0));
+        limit_values(make_scheme(scheme).mask.curve(), 0).at(0));
 }
 
 }  // namespace

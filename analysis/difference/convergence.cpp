@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/term_text.hpp>
+#include <subcert/analysis/symbol/timed_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <fmt/format.h>
@@ -44,12 +45,13 @@ Decision contracts(const Mask& mask, const ProofLimits& limits) {
     if (small &&
         (levels == 4 || reached < levels))  // cheap, and often the true answer where four levels did not contract
       for (const RationalMatrix& transition : transition_matrices(derived)) {
-        const Stopwatch watch;
         const auto scaled = characteristic_polynomial(transition, limits.deadline);
-        if (!scaled || limits.deadline.remaining() < watch.seconds()) break;  // its zeros take as long again
+        if (!scaled) break;
         const Rational arity(mask.arity());
         const bool on_circle = (*scaled)(arity) == 0 || (*scaled)(-arity) == 0;
-        if (on_circle || *largest_root_modulus(*scaled).largest.lower >= arity)
+        const auto modulus = on_circle ? std::nullopt : largest_root_modulus(*scaled, 64, limits.deadline);
+        if (!on_circle && !modulus) break;
+        if (on_circle || *modulus->largest.lower >= arity)
           return {Truth::no, "a transition matrix of the difference scheme has an eigenvalue of modulus " +
                                  std::string(on_circle ? "1" : "above 1")};
       }

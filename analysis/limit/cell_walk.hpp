@@ -13,7 +13,7 @@
 namespace subcert {
 
 /// Of what is solved exactly before and after a walk, without which there is no answer: half a second more.
-inline Deadline exact_deadline(const Budget& budget) { return Deadline::in(budget.deadline.remaining() + 0.5); }
+inline Deadline exact_deadline(const Budget& budget) { return budget.deadline.later(0.5); }
 
 /// A lower bound that some point attains, and an upper bound over the cells that were put aside.
 /// Canonical: neither is below the start.

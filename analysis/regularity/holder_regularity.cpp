@@ -62,7 +62,7 @@ GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regulari
   }
   GrowthPower growth;
   if (regularity.radius.growth.at_most) growth.at_most = *regularity.radius.growth.at_most + (exponent < rules ? 1 : 0);
-  const LevelNorms norms = level_norms(scheme, 6, Deadline::in(std::max(deadline.remaining(), 0.5)));
+  const LevelNorms norms = level_norms(scheme, 6, deadline.later(0.5));
   if (std::any_of(norms.norms.begin(), norms.norms.end(), [](const Rational& norm) { return norm <= 1; }))
     growth.at_most = 0;
   else if (scheme.symbol().length() <= 64 * (mask.arity() - 1))

@@ -110,7 +110,7 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
 Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
-  const Deadline end = Deadline::in(budget.deadline.remaining() + convergence_grace);
+  const Deadline end = budget.deadline.later(convergence_grace);
   Decision decision = converges(mask, {levels, end.after(0.5)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {

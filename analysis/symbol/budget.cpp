@@ -13,7 +13,8 @@ namespace {
 using Nanoseconds = Meter::Nanoseconds;
 
 constexpr double per_second = 1e9;
-constexpr double endless = 1e9;  // seconds
+constexpr double endless = 1e9;                         // seconds
+constexpr double overtime = 0.5, overtime_share = 0.1;  // seconds, and of the time
 constexpr auto look = std::chrono::milliseconds(1);
 
 Nanoseconds processor_time() {
@@ -96,7 +97,21 @@ Deadline Deadline::at_most(double seconds) const {
   this_thread().enter();
   result.task_ = TaskScope::current();
   result.end_ = result.task_->time() + std::llround(left * per_second);
-  if (task_) result.outer_ = task_ == result.task_ ? outer_ : std::make_shared<Deadline>(*this);
+  result.last_ = result.end_ + std::llround((overtime + overtime_share * left) * per_second);
+  if (!task_) return result;
+  result.last_ = result.task_->time() + last_ - task_->time();
+  result.outer_ = task_ == result.task_ ? outer_ : std::make_shared<Deadline>(*this);
+  return result;
+}
+
+Deadline Deadline::later(double seconds) const {
+  if (!task_) return *this;
+  this_thread().enter();
+  Deadline result = *this;
+  const double most = static_cast<double>(last_ - end_) / per_second;
+  const Nanoseconds more = std::llround(std::min(seconds, most) * per_second);
+  result.end_ = std::min(last_, std::max(end_, task_->time()) + more);
+  if (outer_) result.outer_ = std::make_shared<Deadline>(outer_->later(seconds));
   return result;
 }
 

@@ -93,12 +93,16 @@ class Deadline {
   Deadline after(double share) const { return at_most(share * remaining()); }
   /// The earlier of this and `seconds` from now, of the task that asks.
   Deadline at_most(double seconds) const;
+  /// `seconds` after this one, or after now where it has expired, to prove what was found. However often and by however
+  /// many steps of the same work that is asked, all end half a second and a tenth of its time after the whole of it.
+  Deadline later(double seconds) const;
 
  private:
   bool is_stopped() const { return stop_ != nullptr && stop_->is_set(); }
 
   std::shared_ptr<const Meter> task_;  ///< none: no end
   Meter::Nanoseconds end_ = 0;
+  Meter::Nanoseconds last_ = 0;            ///< for later ones
   std::shared_ptr<const Deadline> outer_;  ///< of another task, which ends this one as well
   const StopFlag* stop_;
 };

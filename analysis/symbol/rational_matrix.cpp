@@ -1,7 +1,7 @@
 #include "rational_matrix.hpp"
 
-#include "balls.hpp"
 #include "error.hpp"
+#include "timed_roots.hpp"
 
 #include <flint/fmpz_lll.h>
 #include <flint/nmod_mat.h>
@@ -387,16 +387,19 @@ LaurentPolynomial squarefree_part(const LaurentPolynomial& p) {
   return *q.exact_quotient(gcd(q, q.derivative()));
 }
 
-RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
-  require(!p.is_zero(), "largest_root_modulus: need a non-zero polynomial, got 0");
+namespace {
+
+constexpr slong spare_bits = 8;  // of zeros, for their moduli
+
+/// Of those of a polynomial without multiple zeros.
+RootModulus largest_modulus(const LaurentPolynomial& squarefree, const std::vector<ComplexBall>& zeros, int bits) {
   RootModulus result;
   result.largest = Enclosure::exactly(0);
-  if (p.length() == 1) return result;
-  const LaurentPolynomial squarefree = squarefree_part(p);
+  if (zeros.empty()) return result;
   result.has_root_plus_or_minus_one = squarefree(1) == 0 || squarefree(-1) == 0;
   // The radius, not the width, is held to these bits.
   std::vector<Enclosure> moduli;
-  for (const ComplexBall& root : complex_roots(squarefree, bits + 8)) {
+  for (const ComplexBall& root : zeros) {
     moduli.push_back(abs(ComplexBall(root.get(), bits + 32)).enclosure(bits + 192));
     result.largest.lower = std::max(*result.largest.lower, *moduli.back().lower);
     result.largest.upper = std::max(*result.largest.upper, *moduli.back().upper);
@@ -408,6 +411,21 @@ RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
     if (squarefree(root) == 0) --others;
   if (others == 0) result.largest = Enclosure::exactly(number);
   return result;
+}
+
+}  // namespace
+
+RootModulus largest_root_modulus(const LaurentPolynomial& p, int bits) {
+  require(!p.is_zero(), "largest_root_modulus: need a non-zero polynomial, got 0");
+  const LaurentPolynomial squarefree = squarefree_part(p);
+  return largest_modulus(squarefree, complex_roots(squarefree, bits + spare_bits), bits);
+}
+
+std::optional<RootModulus> largest_root_modulus(const LaurentPolynomial& p, int bits, const Deadline& deadline) {
+  require(!p.is_zero(), "largest_root_modulus: need a non-zero polynomial, got 0");
+  const LaurentPolynomial squarefree = squarefree_part(p);
+  const auto zeros = complex_roots(squarefree, bits + spare_bits, deadline);
+  return zeros ? std::optional(largest_modulus(squarefree, *zeros, bits)) : std::nullopt;
 }
 
 }  // namespace subcert

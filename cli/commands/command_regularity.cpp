@@ -33,7 +33,7 @@ Answer curve_answer(const Scheme& scheme, const RegularityOptions& options, cons
   options.progress("norms, products and polytopes");
   std::optional<SobolevRegularity> sobolev;
   if (is_affine(mask) && !scheme.rounding)  // otherwise holder_regularity says so
-    sobolev = sobolev_if_small(mask, Deadline::in(sobolev_share * budget.deadline.remaining() + 1));
+    sobolev = sobolev_if_small(mask, budget.deadline.after(sobolev_share).later(1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
   const HolderRegularity regularity = holder_regularity(mask, options.levels, budget, proof, scheme.rounding,
                                                         wanted.bits);

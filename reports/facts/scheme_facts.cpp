@@ -18,7 +18,7 @@ constexpr double exact_grace = 0.5;  // seconds more for exact values
 
 void add_values(Analysis& known, const Mask& mask, const AnalysisOptions& options) {
   try {
-    const Deadline exact = Deadline::in(options.limits.deadline.remaining() + exact_grace);
+    const Deadline exact = options.limits.deadline.later(exact_grace);
     known.integers = limit_values(mask, 0, 0, exact);
     known.grid = variance_grid(mask, options.grid_level, known.smoothness->order >= 1, exact);
     known.mean = squared_l2_norm(mask, exact);

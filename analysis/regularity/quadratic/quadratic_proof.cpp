@@ -207,7 +207,7 @@ class Search {
   /// Of two numbers of digits, the larger first if that may be in time.
   template <class Prove>
   auto with_bits(int bits, const Prove& prove) const {
-    const Deadline end = Deadline::in(remaining() + grace);
+    const Deadline end = budget_.deadline.later(grace);
     auto proof = bits > quadratic::double_bits ? prove(bits, end.after(fine_share)) : decltype(prove(bits, end))();
     return proof ? std::move(proof) : prove(quadratic::double_bits, end);
   }

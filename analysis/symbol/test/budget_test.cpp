@@ -102,6 +102,34 @@ TEST_CASE("deadlines without time, and without end") {
   CHECK(is_near(Deadline::in(7).at_most(100).remaining(), 6.99));
 }
 
+TEST_CASE("later deadlines end together, however many there are") {
+  CHECK(Deadline().later(1).remaining() == std::numeric_limits<double>::infinity());
+  CHECK(is_near(Deadline::in(100).later(7).remaining(), 106.99));
+  CHECK(is_near(Deadline::in(100).after(0.25).later(7).remaining(), 31.99));
+  CHECK(is_near(Deadline::in(100).later(1000).remaining(), 110.49));
+  CHECK(is_near(Deadline::in(100).later(8).later(8).remaining(), 110.49));
+  const Deadline whole = Deadline::in(0.1);
+  const Stopwatch watch;
+  for (int k = 0; k < 8; ++k) work_until(whole.after(0.5).later(0.2));
+  CHECK(is_near(watch.seconds(), 0.61));
+  CHECK(whole.later(1e300).expired());
+  CHECK(whole.at_most(5).later(5).expired());
+
+  const Deadline outside = Deadline::in(0.1);
+  parallel_tasks(2, 2, [&](std::size_t) {
+    const Deadline own = outside.at_most(50);
+    for (int k = 0; k < 4; ++k) work_until(own.later(0.2));
+    CHECK(own.later(1).expired());
+  });
+  CHECK(outside.later(1).expired());
+
+  StopFlag flag;
+  const StopScope scope(&flag);
+  const Deadline stopped = Deadline::in(10);
+  flag.set();
+  CHECK(stopped.later(1).expired());
+}
+
 TEST_CASE("threads that work for one task use its time up together") {
   const Deadline deadline = Deadline::in(0.3);
   const Stopwatch watch;

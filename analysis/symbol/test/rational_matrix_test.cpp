@@ -1,6 +1,7 @@
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/timed_roots.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
@@ -124,4 +125,36 @@ TEST_CASE("characteristic polynomials that can be interrupted are the same") {
     for (std::size_t i = 0; i < n; ++i) m(i, (3 * i) % n) *= power(Rational(7), 150);
     CHECK(characteristic_polynomial(m, Deadline()) == characteristic_polynomial(m));
   }
+}
+
+TEST_CASE("moduli of zeros with a deadline are the same, or none") {
+  Random random;
+  std::vector<LaurentPolynomial> polynomials{LaurentPolynomial({5}, 2), LaurentPolynomial({9, -6, 1}, 0),
+                                             LaurentPolynomial({4, 0, 1}, 3), LaurentPolynomial({-4, 0, 9}, 0),
+                                             LaurentPolynomial({1, 0, 0, 1}, 0)};
+  for ([[maybe_unused]] const auto round : rounds(12))
+    polynomials.push_back(characteristic_polynomial(
+        power(Rational(10), random.integer(-40, 40)) *
+        random_matrix(random, 3 + static_cast<std::size_t>(round) / 2, 3 + static_cast<std::size_t>(round) / 2)));
+  for (const LaurentPolynomial& p : polynomials)
+    for (const int bits : {20, 200}) {
+      CAPTURE(p.to_text(), bits);
+      const RootModulus plain = largest_root_modulus(p, bits);
+      const auto timed = largest_root_modulus(p, bits, Deadline());
+      REQUIRE(timed);
+      CHECK(timed->has_root_plus_or_minus_one == plain.has_root_plus_or_minus_one);
+      if (bits > 100) CHECK(timed->largest.is_exact() == plain.largest.is_exact());
+      CHECK(*timed->largest.lower <= *plain.largest.upper);
+      CHECK(*timed->largest.upper >= *plain.largest.lower);
+      CHECK(*timed->largest.upper - *timed->largest.lower <= *plain.largest.upper * power(Rational(2), -bits));
+      if (p.length() > 1) CHECK_FALSE(largest_root_modulus(p, bits, Deadline::in(0)));
+    }
+  CHECK_THROWS_AS(largest_root_modulus(LaurentPolynomial(), 64, Deadline()), Error);
+  // Small zeros near each other beside a large one ask for many bits.
+  LaurentPolynomial slow({-power(Rational(10), 80), 1}, 0);
+  for (long k = 1; k <= 20; ++k) slow = slow * LaurentPolynomial({-power(Rational(10), -40) - k, 1}, 0);
+  const Stopwatch watch;
+  const auto found = largest_root_modulus(slow, 64, Deadline::in(0.02));
+  CHECK((!found || found->largest.contains(power(Rational(10), 80))));
+  CHECK(watch.seconds() < 1);
 }

@@ -1,6 +1,8 @@
 // Joint spectral radii whose answer is known without a search, and families on which searches once lost their footing.
 #include <subcert/analysis/regularity/radius/closed_orbit.hpp>
+#include <subcert/analysis/regularity/radius/cost.hpp>
 #include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/regularity/radius/one_block.hpp>
 #include <subcert/analysis/regularity/radius/p_radius.hpp>
 #include <subcert/analysis/regularity/radius/scaling.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -145,6 +147,74 @@ TEST_CASE("the radius of one matrix, of special kinds") {
               {Rational(21767, 1000000), Rational(897103, 1000000)}}),
   };
   for (const RationalMatrix& m : matrices) check_exact({m}, spectral_radius(m));
+}
+
+TEST_CASE("the radius of one matrix needs no budget") {
+  Random random;
+  const auto check = [&](const MatrixFamily& family) {
+    const JointSpectralRadius found = joint_spectral_radius(family, {Deadline::in(0)});
+    const Enclosure expected = spectral_radius(family[0]);
+    CHECK(found.exact.is_yes());
+    CHECK(*found.radius.lower <= *expected.upper);
+    CHECK(*found.radius.upper >= *expected.lower);
+    CHECK(*found.radius.upper - *found.radius.lower <= *expected.upper * power(Rational(10), -15));
+  };
+  for (const std::size_t n : {2, 9, 27}) {
+    const RationalMatrix small = random_matrix(random, n, 9);
+    RationalMatrix large = power(Rational(10), 40) * small, mixed = small;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        large(i, j) += random.integer(-99, 99);
+        if (random.chance(50)) mixed(i, j) = small(i, j) * power(Rational(10), -40);
+      }
+    for (const RationalMatrix& m : {small, large, mixed}) {
+      check({m});
+      check({m, Rational(-1) * m, m});
+    }
+  }
+  // Blocks of equal radii, turned by a matrix of determinant 1.
+  const RationalMatrix blocks = matrix({{0, -1, 2, 3}, {1, 1, 4, 5}, {0, 0, 0, 1}, {0, 0, -1, 0}}),
+                       turn = matrix({{1, 2, 0, 1}, {0, 1, 3, 0}, {0, 0, 1, 2}, {0, 0, 0, 1}});
+  check({turn * blocks * solve(turn, RationalMatrix::identity(4))});
+  check({matrix({{0, 1}, {0, 0}})});
+}
+
+TEST_CASE("times of zeros grow with their number, their digits and what is between them") {
+  const auto with_zeros = [](long count, const Rational& least, const Rational& most) {
+    LaurentPolynomial p({-most, 1}, 0);
+    for (long k = 1; k < count; ++k) p = p * LaurentPolynomial({-least * k, 1}, 0);
+    return p;
+  };
+  const Rational large = power(Rational(10), 60);
+  const Deadline second = Deadline::in(1);
+  CHECK(radius::has_time_for_roots(with_zeros(15, 1, 20), second));
+  CHECK_FALSE(radius::has_time_for_roots(with_zeros(150, 1, 200), second));
+  // The same digits, but zeros that are all as large, and zeros that are not.
+  CHECK(radius::has_time_for_roots(with_zeros(15, large, 20 * large), second));
+  CHECK_FALSE(radius::has_time_for_roots(with_zeros(15, 1 / large, 20 * large), second));
+  CHECK_FALSE(radius::has_time_for_roots(with_zeros(15, 1 / large, 20 * large).reversed().shifted(15), second));
+  CHECK(radius::has_time_for_roots(with_zeros(15, 1 / large, 20 * large), Deadline()));
+  CHECK(radius::has_time_for_roots(LaurentPolynomial({5}, 3), second));
+}
+
+TEST_CASE("what is proved of a product stays with a better bound from elsewhere") {
+  const MatrixFamily family{matrix({{2, 0}, {0, 1}}), matrix({{0, 1}, {1, 0}})};
+  JointSpectralRadius by_product, by_bound;
+  by_product.product = prove_product(family, {0}, Deadline());
+  by_product.radius = {*by_product.product.radius.lower, Rational(5)};
+  by_product.proof = NormProof{1, 5};
+  by_bound.product = prove_product(family, {1}, Deadline());
+  by_bound.radius = {*by_bound.product.radius.lower, Rational(3)};
+  by_bound.proof = NormProof{1, 3};
+  for (const auto& both : {radius::better_of(by_product, by_bound), radius::better_of(by_bound, by_product)}) {
+    CHECK(both.product.word == std::vector{0});
+    CHECK(both.radius.lower == by_product.radius.lower);
+    CHECK(both.radius.upper == 3);
+    CHECK(both.proved_upper() == 3);
+  }
+  by_product.exact = {Truth::yes, "known"};
+  CHECK(radius::better_of(by_bound, by_product).proved_upper() == 5);
+  CHECK(radius::better_of(by_product, by_bound).proved_upper() == 5);
 }
 
 TEST_CASE("families that commute have the largest of their spectral radii") {

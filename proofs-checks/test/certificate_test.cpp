@@ -771,6 +771,15 @@ TEST_CASE("families whose entries differ in size") {
   CHECK(proves({tiny, flat}, radius_certificate({tiny, flat}, near)));
 }
 
+TEST_CASE("norms of a family with opposite matrices have lengths that the checker goes through") {
+  const RationalMatrix m = matrix_of(3, {"1", "5", "-2", "0", "-1", "7", "3", "1", "1"});
+  const MatrixFamily family{m, Rational(-1) * m};
+  CHECK(norm_of_products({m}, {}, 2).level <= 9);
+  const JointSpectralRadius found = joint_spectral_radius(family, {Deadline::in(0.001)});
+  CHECK(found.exact.is_yes());
+  CHECK(proves(family, radius_certificate(family, found)));
+}
+
 TEST_CASE("near a bound the work ends with what is proved") {
   subcert::testing::Random random;
   std::vector<RationalMatrix> large(2, RationalMatrix(48, 48));

@@ -8,6 +8,7 @@
 #include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
 #include <subcert/analysis/regularity/quadratic/long_products.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/timed_roots.hpp>
 
 #include <algorithm>
 
@@ -69,9 +70,9 @@ class BlockSearch {
         lower_by_quadratic_form(k, {end.at_most(slice), budget_.memory});
         if (is_settled(k)) break;
       }
-      JointSpectralRadius found = radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory},
-                                                              norms_[k], target_);
-      if (found.exact.is_yes() || found.proved_upper() < radii_[k].proved_upper()) radii_[k] = std::move(found);
+      radii_[k] = radius::better_of(
+          std::move(radii_[k]),
+          radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory}, norms_[k], target_));
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (radii_[k].is_closed()) break;
     }
@@ -157,7 +158,7 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   result.radius = {*leader.radius.lower, Rational(0)};
   for (const JointSpectralRadius& block : result.by_blocks()->blocks)
     result.radius.upper = std::max(*result.radius.upper, *block.radius.upper);
-  const Deadline proving = Deadline::in(budget.deadline.remaining() + 0.5);
+  const Deadline proving = budget.deadline.later(0.5);
   settle_exactness(result, family, search.families(), proving);
   if (result.is_closed() || result.exact.is_yes() || (target && result.proved_upper() <= *target)) return result;
   const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
@@ -167,7 +168,27 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   whole.radius = {*whole.product.radius.lower, norms.bound()};
   whole.exact = {Truth::unknown, "no polytope closed"};
   whole.proof = norms;
-  return whole;
+  return *whole.radius.lower < *result.radius.lower ? result : whole;
+}
+
+/// Where there is one matrix, up to signs, and the search left its radius open: by all of its eigenvalues.
+void settle_one_matrix(JointSpectralRadius& radius, const MatrixFamily& family, const Budget& budget) {
+  const Deadline& deadline = budget.deadline;
+  const RationalMatrix &first = family[0], opposite = Rational(-1) * first;
+  if (radius.exact.is_yes() ||
+      std::ranges::any_of(family, [&](const RationalMatrix& m) { return m != first && m != opposite; }))
+    return;
+  const auto characteristic = characteristic_polynomial(first, deadline);
+  const auto found = characteristic ? largest_root_modulus(*characteristic, default_bits, deadline) : std::nullopt;
+  if (!found) return;
+  const Enclosure& largest = found->largest;
+  if (*radius.product.radius.lower < *largest.lower * (1 - 1000 * rounding)) {
+    radius.product = prove_product(family, {0}, deadline);
+    // The product of blocks is one of the leading block.
+    if (radius.by_blocks()) radius.proof = norm_of_products(family, budget);
+  }
+  radius.radius = radius.product.exact ? Enclosure::exactly(*radius.product.exact) : largest;
+  radius.exact = {Truth::yes, "the only matrix, up to its sign, has this spectral radius"};
 }
 
 /// That of factor times the matrices.
@@ -306,9 +327,11 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
       radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share)),
                        budget.deadline.after(symmetries_share)),
       budget.deadline.after(symmetries_share));
-  if (triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size()))
-    return radius::radius_of_one_block(family, budget, known, target);
-  return radius_by_blocks(family, std::move(triangular), budget, known, target);
+  const bool one_block = triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size());
+  JointSpectralRadius result = one_block ? radius::radius_of_one_block(family, budget, known, target)
+                                         : radius_by_blocks(family, std::move(triangular), budget, known, target);
+  if (!target) settle_one_matrix(result, family, {budget.deadline.later(1), budget.memory});
+  return result;
 }
 
 }  // namespace subcert

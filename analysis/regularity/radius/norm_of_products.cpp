@@ -19,8 +19,10 @@ std::size_t bytes_of(const RationalMatrix& matrix) {
 
 }  // namespace
 
-NormProof norm_of_products(const MatrixFamily& family, const Budget& budget) {
+NormProof norm_of_products(const MatrixFamily& family, const Budget& budget, std::size_t count) {
   std::vector<RationalMatrix> products = family.matrices();
+  const std::size_t letters = std::max(count, family.count());
+  std::size_t words = letters;
   NormProof best;
   Rational best_bound = 0;
   for (int level = 1;; ++level) {
@@ -32,8 +34,9 @@ NormProof norm_of_products(const MatrixFamily& family, const Budget& budget) {
       best_bound = bound;
     }
     const std::size_t next = products.size() * family.count();
-    if (proof.norm == 0 || next > most_products ||
-        static_cast<double>(next) * std::pow(static_cast<double>(family.size()), 3) > most_work || level >= longest ||
+    words *= letters;
+    if (proof.norm == 0 || words > most_products ||
+        static_cast<double>(words) * std::pow(static_cast<double>(family.size()), 3) > most_work || level >= longest ||
         next * bytes_of(products.front()) > budget.memory / 2)
       return best;
     std::vector<RationalMatrix> longer;

@@ -15,6 +15,8 @@ struct NormProof {
 };
 
 /// The best of the lengths whose products number at most 512 and fit into the budget. Cost: a product of matrices each.
-NormProof norm_of_products(const MatrixFamily& family, const Budget& budget);
+/// `count`: of the matrices of which this family holds the different ones, so that the lengths are those that a checker
+/// goes through.
+NormProof norm_of_products(const MatrixFamily& family, const Budget& budget, std::size_t count = 0);
 
 }  // namespace subcert

@@ -39,7 +39,7 @@ constexpr double commuting_share = 0.2, commuting_seconds = 2;  // for a polytop
 
 /// When proofs of products end: short ones are proved in any case.
 struct ProductDeadline {
-  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(Deadline::in(end.remaining() + short_grace)) {}
+  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(end.later(short_grace)) {}
   const Deadline& operator()(const std::vector<int>& word) const {
     return word.size() <= short_word ? of_short : of_long;
   }
@@ -233,9 +233,7 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
                 const std::optional<Rational>& target, bool cones) {
   Attempt result{{}, {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
   result.candidate = find_polytope(family, searching, cones, true, quadratic::long_products);
-  const auto proving = [&](double share) {
-    return Budget{Deadline::in(share * budget.deadline.remaining() + grace), budget.memory};
-  };
+  const auto proving = [&](double share) { return Budget{budget.deadline.after(share).later(grace), budget.memory}; };
   result.product = prove_product(family, result.candidate.word(0), proving(1).deadline);
   result.polytope = certify_polytope(family, result.candidate, proving(result.candidate.closed ? exact_share : 1));
   if (!result.polytope && result.candidate.closed && !budget.deadline.expired()) {
@@ -378,27 +376,40 @@ std::optional<ClosedOrbit> closed_orbit_of(const MatrixFamily& family, const Pol
                                            const Budget& budget) {
   std::vector<std::vector<int>> words;
   for (std::size_t k = 0; k < candidate.maximizing; ++k) words.push_back(candidate.word(k));
-  return closed_orbit(family, words, {Deadline::in(budget.deadline.remaining() + grace), budget.memory});
+  return closed_orbit(family, words, {budget.deadline.later(grace), budget.memory});
 }
 
-JointSpectralRadius radius_of_different(const MatrixFamily& family, const Budget& budget,
+/// Words of one letter, of those that symmetries exchange one, if they are few; then the others that may attain the
+/// radius: doubles may not tell which does, and whatever else is found each budget knows these.
+std::vector<std::vector<int>> words_to_compare(const MatrixFamily& family, const PolytopeCandidate& candidate) {
+  std::vector<std::vector<int>> words;
+  for (std::size_t t = 0; t < family.count() && family.count() <= proved_products; ++t)
+    if (std::ranges::none_of(family.group(), [&](const FamilySymmetry& g) { return g.letters[t] < t; }))
+      words.push_back({static_cast<int>(t)});
+  for (std::size_t k = 1; k < std::min(candidate.products.size(), proved_products); ++k)
+    words.push_back(candidate.word(k));
+  return words;
+}
+
+/// `count`: of the matrices whose different ones these are.
+JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t count, const Budget& budget,
                                         const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const Rational unit = power(Rational(2), scaling_exponent(family));
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   if (auto isometries = prove_isometries(scaled_family, budget.deadline))
     return radius_of_isometries(scaled_family, std::move(*isometries), unit, budget.deadline);
-  const NormProof norms = known ? *known : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory});
+  const NormProof norms = known ? *known
+                                : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory}, count);
   auto [found, forms] = attempt_both(scaled_family, budget, target ? std::optional(*target / unit) : std::nullopt,
                                      norms.bound() / unit);
   const PolytopeCandidate& candidate = found.candidate;
   std::optional<PolytopeProof>& polytope = found.polytope;
   ProductEvidence& product = found.product;
 
-  // Doubles may not tell which of these products is the largest.
   const ProductDeadline end(budget.deadline);
   if (!found.exact.is_yes() && !(forms && forms->is_exact()))
-    for (std::size_t k = 1; k < std::min(candidate.products.size(), proved_products); ++k) {
-      const std::vector<int> word = candidate.word(k);
+    for (const std::vector<int>& word : words_to_compare(family, candidate)) {
+      if (word == product.word) continue;
       ProductEvidence other = prove_product(scaled_family, word, end(word));
       if (*other.radius.lower > *product.radius.lower) product = std::move(other);
     }
@@ -464,7 +475,8 @@ JointSpectralRadius radius_of_merged(const DifferentMatrices& different, const B
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const auto largest = largest_of_commuting(different.family, budget.deadline.after(commuting_share));
   const Deadline end = largest ? budget.deadline.after(commuting_share).at_most(commuting_seconds) : budget.deadline;
-  JointSpectralRadius result = radius_of_different(different.family, {end, budget.memory}, known, target);
+  JointSpectralRadius result = radius_of_different(different.family, different.places.size(), {end, budget.memory},
+                                                   known, target);
   if (largest && !result.exact.is_yes()) {
     result.product = *largest;
     result.radius = largest->radius;
@@ -472,6 +484,13 @@ JointSpectralRadius radius_of_merged(const DifferentMatrices& different, const B
   }
   if (different.are_fewer()) expand(result, different);
   return result;
+}
+
+/// Of another search of the same family.
+void take_larger_product(JointSpectralRadius& radius, JointSpectralRadius other) {
+  if (radius.exact.is_yes() || *other.radius.lower <= *radius.radius.lower) return;
+  radius.product = std::move(other.product);
+  radius.radius.lower = other.radius.lower;
 }
 
 }  // namespace
@@ -489,7 +508,16 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
     merged.proof = std::move(result.proof);
     return merged;
   }
+  take_larger_product(result, std::move(merged));
   return result;
+}
+
+JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius second) {
+  const bool first_exact = first.exact.is_yes(), second_exact = second.exact.is_yes();
+  if (first_exact == second_exact ? second.proved_upper() < first.proved_upper() : second_exact)
+    std::swap(first, second);
+  take_larger_product(first, std::move(second));
+  return first;
 }
 
 std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget) {
@@ -521,9 +549,8 @@ JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget)
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   const NormProof norms = norm_of_products(family, budget);
   JointSpectralRadius result;
-  result.product = scaled(prove_product(scaled_family, find_product(scaled_family, budget.deadline),
-                                        Deadline::in(budget.deadline.remaining() + grace)),
-                          unit);
+  result.product = scaled(
+      prove_product(scaled_family, find_product(scaled_family, budget.deadline), budget.deadline.later(grace)), unit);
   result.radius = {*result.product.radius.lower, norms.bound()};
   result.exact = {Truth::unknown, "only norms were computed"};
   result.proof = norms;

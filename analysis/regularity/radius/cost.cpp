@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace subcert::radius {
 namespace {
@@ -13,7 +14,8 @@ double spread_of_zeros(const std::vector<Integer>& coefficients) {
   std::vector<std::pair<double, double>> logarithms;  // of those that are not 0, with their place
   for (std::size_t i = 0; i < coefficients.size(); ++i)
     if (coefficients[i] != 0) logarithms.emplace_back(i, binary_exponent(Rational(coefficients[i])));
-  double largest = 0, smallest = 0;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  double largest = none, smallest = none;  // of a zero and of the inverse of one
   const auto [first, lowest] = logarithms.front();
   const auto [last, highest] = logarithms.back();
   for (const auto& [place, value] : logarithms) {

@@ -49,10 +49,10 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
   try {
     const Certificate accepted = verified(make(), matrices);
     if (matrices.empty()) {
-      runtime::write_file(file, accepted.text);
+      runtime::write_file(file, accepted.text());
     } else {  // both or neither
       runtime::write_stream(file + ".matrices", [&](std::ostream& stream) {
-        if (stream << matrices << std::flush) runtime::write_file(file, accepted.text);
+        if (stream << matrices << std::flush) runtime::write_file(file, accepted.text());
       });
     }
     return {file, accepted.claim};

@@ -1,7 +1,6 @@
 #include "row_proof.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 
 namespace subcert::reports {
 
@@ -9,7 +8,7 @@ formats::RowProof row_proof(const std::string& name, const Certificate& certific
                             const std::string& matrices) {
   try {
     const Certificate accepted = verified(certificate, matrices);
-    formats::RowProof proof{name, checker_arguments(accepted.text, name), {{name, accepted.text}}};
+    formats::RowProof proof{name, checker_arguments(accepted.claim, name), {{name, accepted.text()}}};
     if (!matrices.empty()) proof.files.emplace(name + ".matrices", matrices);
     return proof;
   } catch (const Error& error) {

@@ -3,7 +3,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
-#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
+#include <subcert/proofs-checks/certificates/claim.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -15,7 +15,26 @@ namespace {
 struct VerifyOptions : CommonOptions {
   std::vector<std::string> files;
   std::string claim;
+  bool print_claim = false;
 };
+
+/// As a shell reads it.
+std::string in_shell_quotes(const std::string& word) {
+  std::string quoted;
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return "'" + quoted + "'";
+}
+
+/// A command line of a checker without its name.
+std::string shell_line(const std::vector<std::string>& arguments) {
+  std::string line;
+  for (const std::string& argument : arguments) {
+    const bool plain = argument.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,=") == std::string::npos;
+    line += (line.empty() ? "" : " ") + (plain && !argument.empty() ? argument : in_shell_quotes(argument));
+  }
+  return line + "\n";
+}
 
 /// A file, or those named .cert in a folder, in the order of their names.
 std::vector<std::string> certificates_in(const std::string& path) {
@@ -39,8 +58,14 @@ ExitCode run(const VerifyOptions& options) {
     for (const std::string& path : options.files)
       for (const std::string& file : certificates_in(path)) {
         const std::string text = read_file(file);
-        const CheckerAnswer answer = run_checker(options.claim.empty() ? checker_arguments(text, file)
-                                                                       : stated_checker_arguments(options.claim, file));
+        const std::vector<std::string> arguments = checker_arguments(
+            options.claim.empty() ? read_claim(text, file) : stated_claim(options.claim), file);
+        if (options.print_claim) {
+          list.push_back({{"file", file}, {"arguments", arguments}});
+          lines += shell_line(arguments);
+          continue;
+        }
+        const CheckerAnswer answer = run_checker(arguments);
         if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
         list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.text}});
         lines += file + ": " + answer.text + "\n";
@@ -67,6 +92,10 @@ void add_verify(Command& app) {
                  "'radius FILE <= 3/2', '1 <= subradius FILE', or 'dd:n=2 = 4-log|[-4,1]@4,0,1/1000|^1/1 with |log "
                  "h|^1', in place of what "
                  "the certificate says of itself");
+  command.flag(
+      "--print-claim", options->print_claim,
+      "Asks no checker: prints the arguments by which each of them is asked, one line a file, as a shell reads "
+      "them");
 }
 
 }  // namespace subcert::cli

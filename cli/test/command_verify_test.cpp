@@ -1,6 +1,39 @@
 #include "program.hpp"
 
+#include <sstream>
+
 using namespace subcert::testing;
+
+TEST_CASE("the claim is printed as all checkers are asked") {
+  const Folder folder;
+  const std::string file = folder / "it's a file.cert", matrices = folder / "pair.json";
+  const std::string quoted = "'" + std::string(folder / "it'\\''s a file.cert") + "'";
+  std::ofstream(matrices) << R"({"matrices": [[["1","1"],["0","1"]], [["1","0"],["1","1"]]]})";
+  for (const std::string& command :
+       {std::string("regularity dd:n=2"), std::string("regularity loop"), std::string("regularity daubechies:n=2"),
+        "jsr " + matrices, "jsr --subradius " + matrices}) {
+    CAPTURE(command);
+    REQUIRE(run(command + " --certificate " + quoted).code == 0);
+    const Run printed = run("verify --print-claim " + quoted);
+    CHECK(printed.code == 0);
+    CHECK(printed.out.ends_with(" " + quoted + "\n"));
+    const std::string answer = run("verify " + quoted).out;
+    std::istringstream checkers(SUBCERT_CHECKERS);
+    for (std::string checker; std::getline(checkers, checker, '|');) {
+      CAPTURE(checker);
+      const Run asked = run_command(checker + " " + printed.out.substr(0, printed.out.size() - 1));
+      if (asked.code == 2) continue;  // what it was not made for
+      CHECK(asked.code == 0);
+      CHECK(answer == file + ": " + asked.out);
+    }
+    const auto json = nlohmann::json::parse(run("verify --json --print-claim " + quoted).out);
+    CHECK(json.at("certificates").at(0).at("arguments").back() == file);
+  }
+  CHECK(run("verify --print-claim " + quoted + " --claim '1 <= dd:n=2'").out ==
+        "--mask '[-1,0,9,16,9,0,-1]/16@-3' --arity 2 --lower 1 " + quoted + "\n");
+  std::ofstream(file, std::ios::binary) << "nonsense\n";
+  CHECK(run("verify --print-claim " + quoted).code == 65);
+}
 
 TEST_CASE("certificates are written and verified") {
   const Folder folder;

@@ -18,11 +18,10 @@ std::optional<Rational> end_of(const std::string& text) {
 
 }  // namespace
 
-Run run(const std::string& arguments) {
+Run run_command(const std::string& command) {
   const std::filesystem::path errors = std::filesystem::temp_directory_path() /
                                        ("subcert-cli-test-" + std::to_string(getpid()) + ".err");
-  const std::string command = std::string(SUBCERT_PROGRAM) + " " + arguments + " 2>" + errors.string();
-  FILE* pipe = popen(command.c_str(), "r");
+  FILE* pipe = popen((command + " 2>" + errors.string()).c_str(), "r");
   REQUIRE(pipe != nullptr);
   Run result;
   char buffer[4096];

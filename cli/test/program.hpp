@@ -20,8 +20,11 @@ struct Run {
   std::string err;
 };
 
-/// Runs the program with these arguments, given as a shell would read them.
-Run run(const std::string& arguments);
+/// Runs a command, given as a shell would read it.
+Run run_command(const std::string& command);
+
+/// Runs the program with these arguments.
+inline Run run(const std::string& arguments) { return run_command(std::string(SUBCERT_PROGRAM) + " " + arguments); }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

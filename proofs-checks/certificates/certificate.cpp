@@ -12,8 +12,10 @@
 
 #include <fmt/format.h>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <sstream>
+#include <stdexcept>
 
 namespace subcert {
 namespace {
@@ -136,19 +138,19 @@ std::vector<WeightedVertex> mirrored(std::vector<WeightedVertex> terms) {
   return terms;
 }
 
-/// The sections of a proof, block by block.
+/// The section of one block.
 class SectionWriter {
  public:
-  /// `cycles`: what says what is exact after polytopes and graphs, block by block.
-  explicit SectionWriter(std::size_t matrix_count, std::vector<CycleLines> cycles = {})
-      : matrix_count_(matrix_count), cycles_(std::move(cycles)) {}
+  /// `cycles`: what says what is exact after a polytope or a graph.
+  SectionWriter(std::size_t matrix_count, std::size_t block, const CycleLines& cycles = {})
+      : matrix_count_(matrix_count), block_(block), cycles_(cycles) {}
 
-  std::string text(const RadiusProof& proof) { return std::visit(*this, proof); }
-
-  std::string operator()(const NormProof& norms) { return fmt::format("block {} norm {}\n", block_, norms.level); }
+  std::string operator()(const NormProof& norms) const {
+    return fmt::format("block {} norm {}\n", block_, norms.level);
+  }
 
   std::string operator()(const PolytopeProof& polytope) const {
-    const GroupWords group = words_of(polytope, cycles().negation);
+    const GroupWords group = words_of(polytope, cycles_.negation);
     std::string text = fmt::format("block {} polytope {} {} {}{}\n", block_, polytope.vertices.size(),
                                    polytope.vertex_bits, polytope.weight_bits, properties_text(polytope, group));
     text += generators_text(polytope.group, group);
@@ -165,7 +167,7 @@ class SectionWriter {
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
-    return text + cycles().text;
+    return text + cycles_.text;
   }
 
   std::string operator()(const QuadraticProof& proof) const {
@@ -176,7 +178,7 @@ class SectionWriter {
   }
 
   std::string operator()(const GraphProof& bound) const {
-    const GraphProof& proof = cycles().text.empty() ? bound : bound.attained->graph;
+    const GraphProof& proof = cycles_.text.empty() ? bound : bound.attained->graph;
     const GroupWords group(proof.group, false);
     std::string text = fmt::format("block {} graph {} {} {}{}\n", block_, proof.states.size(), to_text(proof.bound),
                                    proof.bits, group_text(group)) +
@@ -188,14 +190,10 @@ class SectionWriter {
                             fmt::join(step.matrix, " "));
       text += "tree " + state.ends + "\n";
     }
-    return text + cycles().text;
+    return text + cycles_.text;
   }
 
-  std::string operator()(const BlockProof& proof) {
-    std::string text;
-    for (block_ = 0; block_ < proof.blocks.size(); ++block_) text += std::visit(*this, proof.blocks[block_].proof);
-    return text;
-  }
+  std::string operator()(const BlockProof&) const { throw std::logic_error("certificate: blocks within a block"); }
 
   std::string operator()(const SingleRadiusProof& proof) const {
     const auto squares = sum_of_squares(proof.symbol);
@@ -207,18 +205,28 @@ class SectionWriter {
   }
 
  private:
-  CycleLines cycles() const { return block_ < cycles_.size() ? cycles_[block_] : CycleLines{}; }
-
-  std::size_t matrix_count_;
-  std::vector<CycleLines> cycles_;
-  std::size_t block_ = 0;
+  std::size_t matrix_count_, block_;
+  CycleLines cycles_;
 };
+
+/// The sections of a proof, block by block.
+void add_sections(Certificate& certificate, const RadiusProof& proof, std::size_t matrix_count,
+                  const std::vector<CycleLines>& cycles = {}) {
+  const auto* blocks = std::get_if<BlockProof>(&proof);
+  for (std::size_t i = 0; i < (blocks ? blocks->blocks.size() : 1); ++i) {
+    const RadiusProof& own = blocks ? blocks->blocks[i].proof : proof;
+    CertificateSection section{std::visit(SectionWriter(matrix_count, i), own)};
+    if (i < cycles.size() && !cycles[i].text.empty())
+      section = {std::visit(SectionWriter(matrix_count, i, cycles[i]), own), std::move(section.lines)};
+    certificate.sections.push_back(std::move(section));
+  }
+}
 
 /// What says that the product attains the radius.
 struct ExactRadius {
-  std::string number, root;        // empty where nothing says so
-  std::vector<CycleLines> cycles;  // block by block
-  bool grows_like_powers = false;  // products of length n have norms between multiples of radius^n
+  std::string number = {}, root = {};   // empty where nothing says so
+  std::vector<CycleLines> cycles = {};  // block by block
+  bool grows_like_powers = false;       // products of length n have norms between multiples of radius^n
 };
 
 ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& radius) {
@@ -265,8 +273,11 @@ Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) 
   return most;
 }
 
-std::string exact_text(const CertificateClaim& claim, const ExactRadius& exact) {
-  return claim.exact ? fmt::format("exact {}\n{}", *claim.exact, exact.root) : "";
+/// What the number is: `before` the logarithm of the radius, or the radius. Domain: the first section.
+void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before = "") {
+  if (exact.number.empty()) return;
+  certificate.claim.exact = before + exact.number;
+  certificate.sections.push_back({exact.root, ""});
 }
 
 std::string blocks_text(const JointSpectralRadius& radius) {
@@ -275,10 +286,6 @@ std::string blocks_text(const JointSpectralRadius& radius) {
   const RationalMatrix& basis = blocks->triangular.basis;
   return fmt::format("blocks {}\n", fmt::join(blocks->triangular.sizes, " ")) + rows_text("basis", basis) +
          rows_text("inverse", solve(basis, RationalMatrix::identity(basis.rows())));
-}
-
-std::string bounds_text(const CertificateClaim& claim) {
-  return "bounds " + claim.lower.value_or("-") + " " + claim.upper.value_or("-") + "\n";
 }
 
 /// On the line of the sum rules: there are no more of them.
@@ -326,10 +333,11 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
 }
 
 /// That the scheme converges, after a proof by differences of phi.
-std::string shrinking_text(const ShrinkingDifferences& differences) {
+void add_shrinking(Certificate& certificate, const ShrinkingDifferences& differences) {
   const DifferenceSpace& space = differences.space;
-  return fmt::format("sum-rules {}\n", space.order) + vectors_text(space) + blocks_text(differences.radius) +
-         SectionWriter(space.family.count()).text(differences.radius.proof);
+  certificate.sections.push_back(
+      {fmt::format("sum-rules {}\n", space.order) + vectors_text(space) + blocks_text(differences.radius)});
+  add_sections(certificate, differences.radius.proof, space.family.count());
 }
 
 MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
@@ -337,11 +345,12 @@ MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
 }
 
 /// `product`: the lower bound as well.
-std::string radius_text(const Mask& mask, const HolderRegularity& regularity, bool product,
-                        std::vector<CycleLines> cycles = {}) {
+void add_radius(Certificate& certificate, const Mask& mask, const HolderRegularity& regularity, bool product,
+                const std::vector<CycleLines>& cycles = {}) {
   const JointSpectralRadius& radius = regularity.radius;
-  return blocks_text(radius) + (product ? product_text(family_of(mask, regularity), radius) : "") +
-         SectionWriter(static_cast<std::size_t>(mask.arity()), std::move(cycles)).text(radius.proof);
+  certificate.sections.push_back(
+      {blocks_text(radius) + (product ? product_text(family_of(mask, regularity), radius) : "")});
+  add_sections(certificate, radius.proof, static_cast<std::size_t>(mask.arity()), cycles);
 }
 
 /// The power of the logarithm in the modulus of continuity, and the lines that prove it; nothing where they would not.
@@ -377,17 +386,12 @@ Rational lower_end(const Mask& mask, const HolderRegularity& regularity, const E
   return regularity.bounds.sum_rules - *log_ratio(upper_end(regularity.radius, exact), mask.arity()).upper;
 }
 
-/// The claim, and the lines from that of the sum rules on; those that come before are about what is exact.
-struct ExponentLines {
-  CertificateClaim claim;
-  std::string exact, text;
-};
-
-ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularity,
-                             const std::optional<MaskRounding>& rounding, bool tell_exact) {
+/// What is claimed and proved of a mask: of that of the subject, or of its reduced one, as `reduced` says.
+void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegularity& regularity,
+                  const std::optional<MaskRounding>& rounding, const std::string& reduced = "") {
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.radius;
-  ExponentLines result;
+  CertificateClaim& claim = certificate.claim;
   const Rational product = proved_lower(radius.product);
   const std::string whole = std::to_string(rules),
                     decimal = product > 1 ? outward(rules - *log_ratio(product, mask.arity()).lower, Rounding::up)
@@ -396,43 +400,45 @@ ExponentLines exponent_lines(const Mask& mask, const HolderRegularity& regularit
   const bool by_product = decimal != whole;
   // The checker shows stability only where the sub-symbols have no common zero at all.
   if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
-    result.claim.upper = decimal;
-  const bool upper = result.claim.upper.has_value();
+    claim.upper = decimal;
   ExactRadius exact;
-  if (upper && by_product && !rounding && tell_exact) exact = exact_radius(family_of(mask, regularity), radius);
-  result.claim.lower = outward(lower_end(mask, regularity, exact), Rounding::down);
-  if (!exact.number.empty()) {
-    result.claim.exact = fmt::format("{}-log{}", rules, exact.number);
-    result.exact = exact_text(result.claim, exact);
-  }
-  const auto logarithm = exact.number.empty() ? std::nullopt : logarithm_lines(mask, regularity, exact);
-  if (logarithm) result.claim.logarithm = logarithm->first;
-  result.text = fmt::format("sum-rules {}{}\n{}", rules, full_text(upper && !by_product), upper ? "stability\n" : "") +
-                radius_text(mask, regularity, upper && by_product, std::move(exact.cycles)) +
-                (logarithm ? logarithm->second : "");
-  return result;
+  if (claim.upper && by_product && !rounding) exact = exact_radius(family_of(mask, regularity), radius);
+  claim.lower = outward(lower_end(mask, regularity, exact), Rounding::down);
+  certificate.bounds = {outward(lower_end(mask, regularity), Rounding::down), claim.upper};
+  claim_exact(certificate, exact, whole + "-log");
+  certificate.sections.push_back(
+      {fmt::format("{}sum-rules {}{}\n{}", reduced, rules, full_text(claim.upper && !by_product),
+                   claim.upper ? "stability\n" : "")});
+  add_radius(certificate, mask, regularity, claim.upper && by_product, exact.cycles);
+  const auto logarithm = claim.exact ? logarithm_lines(mask, regularity, exact) : std::nullopt;
+  if (!logarithm) return;
+  claim.logarithm = logarithm->first;
+  certificate.sections.push_back({logarithm->second, ""});
 }
 
 /// What the proofs of intervals that follow each other say of all values from low to high; without proofs, that the
 /// shifts are stable.
 Certificate interval_certificate(const ParametricMask& mask, char letter, const Rational& low, const Rational& high,
-                                 const CertificateClaim& claim, const std::vector<IntervalProof>& proofs) {
-  Certificate certificate{claim, {}};
-  certificate.text = fmt::format("subcert-certificate 3\nexponent {} {} {}={}..{}\n{}sum-rules {}{}\n",
-                                 mask.to_text(letter), mask.arity(), letter, to_text(low), to_text(high),
-                                 bounds_text(claim), sum_rules(mask), full_text(claim.says_rough()));
-  if (proofs.empty() || (claim.upper && *claim.upper != "0")) certificate.text += "stability\n";
+                                 const ClaimedEnds& ends, const std::vector<IntervalProof>& proofs) {
+  const MaskSubject subject{mask.to_text(letter), std::to_string(mask.arity()),
+                            fmt::format("{}={}..{}", letter, to_text(low), to_text(high))};
+  Certificate certificate{{ends, subject}, {}, ends};
+  const bool stable = proofs.empty() || (ends.upper && *ends.upper != "0");
+  certificate.sections.push_back(
+      {fmt::format("sum-rules {}{}\n{}", sum_rules(mask), full_text(ends.says_rough()), stable ? "stability\n" : "")});
   const std::size_t matrices = static_cast<std::size_t>(mask.arity()) * mask.powers().size();
   for (const IntervalProof& proof : proofs) {
-    certificate.text += fmt::format("to {}\n", to_text(proof.high));
-    if (proof.above) certificate.text += blocks_text(*proof.above);
-    if (const auto& below = proof.below)
-      certificate.text += fmt::format("product 0 {} {} {}\n", to_text(below->re), to_text(below->im),
-                                      fmt::join(below->word, " "));
-    if (proof.above) certificate.text += SectionWriter(matrices).text(proof.above->proof);
+    std::string text = fmt::format("to {}\n", to_text(proof.high));
+    if (proof.above) text += blocks_text(*proof.above);
+    if (const auto& below = proof.below) text += product_text(0, {below->re, below->im}, below->word);
+    certificate.sections.push_back({std::move(text)});
+    if (proof.above) add_sections(certificate, proof.above->proof, matrices);
   }
-  certificate.text += "end\n";
   return certificate;
+}
+
+FamilySubject subject_of(const MatrixFamily& family, bool is_subradius) {
+  return {is_subradius, std::to_string(family.count()), std::to_string(family.size())};
 }
 
 /// One of each pair k, -k, times the common denominator.
@@ -443,28 +449,18 @@ std::string gram_text(const LatticeSequence& gram) {
   return "gram" + terms_text(half, common_denominator({half}));
 }
 
-/// What a function makes that may say what is exact. Of a graph whose letters are kept the bounds have other words.
-template <class Make>
-Certificate with_bounds(const Make& make) {
-  Certificate certificate = make(true);
-  if (certificate.text.find('*') != std::string::npos) certificate.bounds = {make(false)};
-  return certificate;
-}
-
 }  // namespace
 
+std::string Certificate::text() const {
+  std::string text = head_text(claim);
+  for (const CertificateSection& section : sections) text += section.lines;
+  return text + "end\n";
+}
+
 Certificate Certificate::of_bounds() const {
-  Certificate result{{claim.lower, claim.upper}, {}};
-  if (!bounds.empty()) return bounds.front();
-  std::istringstream lines(text);
-  bool after_logarithm = false;  // its recurrence, not that of a section
-  for (std::string line; std::getline(lines, line);) {
-    const std::string head = line.substr(0, line.find(' '));
-    after_logarithm = head == "logarithm" || (after_logarithm && head == "recurrence");
-    if (!after_logarithm && head != "exact" && head != "root" && head != "cycle" && head != "seed" && head != "rest" &&
-        head != "origin" && head != "same")
-      result.text += line + "\n";
-  }
+  Certificate result{{bounds, claim.subject}, {}, bounds};
+  for (const CertificateSection& section : sections)
+    result.sections.push_back({section.of_bounds.value_or(section.lines)});
   return result;
 }
 
@@ -476,21 +472,19 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
   const Rational lower = lower_end(mask, regularity);
   require(lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
-  return with_bounds([&](bool tell_exact) {
-    const ExponentLines lines = other ? exponent_lines(other->mask.mask, other->regularity, std::nullopt, tell_exact)
-                                      : exponent_lines(mask, regularity, rounding, tell_exact);
-    Certificate certificate{lines.claim, lines.text};
-    std::string head = fmt::format("subcert-certificate 3\nexponent {} {}", mask.symbol().to_mask_text(), mask.arity());
-    if (rounding) head += fmt::format(" within={},{}", to_text(rounding->distance), rules);
-    head += "\n" + bounds_text(certificate.claim) + lines.exact;
-    if (other) {
-      head += fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(),
-                          other->mask.mask.symbol().to_mask_text());
-      certificate.text += fmt::format("sum-rules {}\n", rules) + radius_text(mask, regularity, false);
-    }
-    certificate.text = head + certificate.text + "end\n";
+  MaskSubject subject{mask.symbol().to_mask_text(), std::to_string(mask.arity())};
+  if (rounding) subject.within = fmt::format("{},{}", to_text(rounding->distance), rules);
+  Certificate certificate{{{}, subject}, {}};
+  if (!other) {
+    add_exponent(certificate, mask, regularity, rounding);
     return certificate;
-  });
+  }
+  add_exponent(
+      certificate, other->mask.mask, other->regularity, std::nullopt,
+      fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(), other->mask.mask.symbol().to_mask_text()));
+  certificate.sections.push_back({fmt::format("sum-rules {}\n", rules)});
+  add_radius(certificate, mask, regularity, false);
+  return certificate;
 }
 
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity) {
@@ -513,23 +507,20 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
-  return with_bounds([&](bool tell_exact) {
-    const ExactRadius exact = tells_upper_end && tell_exact ? exact_radius(space.family, radius) : ExactRadius{};
-    Certificate certificate;
-    certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
-    if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
-    if (!exact.number.empty()) certificate.claim.exact = "0-log" + exact.number;
-    certificate.text = fmt::format("subcert-certificate 3\nsurface {} {}\n{}", to_mask_text(mask), dilation.to_text(),
-                                   bounds_text(certificate.claim)) +
-                       exact_text(certificate.claim, exact) + space_text(space, dilation);
-    if (certificate.claim.upper && !space.is_of_values()) certificate.text += gram_text(*regularity.gram);
-    certificate.text += blocks_text(radius);
-    if (certificate.claim.upper) certificate.text += product_text(space.family, radius);
-    certificate.text += SectionWriter(space.family.count(), exact.cycles).text(radius.proof);
-    if (space.is_of_values()) certificate.text += shrinking_text(*regularity.shrinking);
-    certificate.text += "end\n";
-    return certificate;
-  });
+  const ExactRadius exact = tells_upper_end ? exact_radius(space.family, radius) : ExactRadius{};
+  Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text()}}, {}};
+  certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
+  if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
+  certificate.bounds = {outward(*lower, Rounding::down), certificate.claim.upper};
+  claim_exact(certificate, exact, "0-log");
+  std::string text = space_text(space, dilation);
+  if (tells_upper_end && !space.is_of_values()) text += gram_text(*regularity.gram);
+  text += blocks_text(radius);
+  if (tells_upper_end) text += product_text(space.family, radius);
+  certificate.sections.push_back({std::move(text)});
+  add_sections(certificate, radius.proof, space.family.count(), exact.cycles);
+  if (space.is_of_values()) add_shrinking(certificate, *regularity.shrinking);
+  return certificate;
 }
 
 namespace {
@@ -537,10 +528,10 @@ namespace {
 /// What needs no proofs of intervals, for all values from `low` to `high` but those within `margin` of `away`, in
 /// order.
 void add_away(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
-              const CertificateClaim& claim, Truth holds, Rational low, const Rational& high,
+              const ClaimedEnds& ends, Truth holds, Rational low, const Rational& high,
               const std::vector<Enclosure>& away, const Rational& margin) {
   const auto add = [&](const Rational& end) {
-    if (low < end) certificates.push_back({low, end, holds, interval_certificate(mask, letter, low, end, claim, {})});
+    if (low < end) certificates.push_back({low, end, holds, interval_certificate(mask, letter, low, end, ends, {})});
   };
   for (const Enclosure& value : away) {
     if (*value.upper < low || *value.lower > high) continue;
@@ -554,9 +545,7 @@ void add_away(std::vector<RangeCertificate>& certificates, const ParametricMask&
 void add_rough(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
                const Rational& order, const Rational& low, const Rational& high, const std::vector<Enclosure>& away,
                const Rational& margin) {
-  CertificateClaim claim;
-  claim.upper = "C" + to_text(order);
-  add_away(certificates, mask, letter, claim, Truth::no, low, high, away, margin);
+  add_away(certificates, mask, letter, {{}, "C" + to_text(order)}, Truth::no, low, high, away, margin);
 }
 
 /// The shifts are stable; where the polynomial vanishes by which a range is proved, value by value.
@@ -570,13 +559,9 @@ void add_stable(std::vector<RangeCertificate>& certificates, const ParametricMas
     if (one.holds != Truth::yes || !one.value.is_exact() || *one.value.lower < low || *one.value.lower > high) continue;
     const Rational& value = *one.value.lower;
     const Mask there = mask.at(value);
+    const MaskSubject subject{there.symbol().to_mask_text(), std::to_string(there.arity())};
     certificates.push_back(
-        {value,
-         value,
-         Truth::yes,
-         {{},
-          fmt::format("subcert-certificate 3\nexponent {} {}\n{}sum-rules {}\nstability\nend\n",
-                      there.symbol().to_mask_text(), there.arity(), bounds_text({}), sum_rules(there))}});
+        {value, value, Truth::yes, {{{}, subject}, {{fmt::format("sum-rules {}\nstability\n", sum_rules(there))}}}});
   }
   add_away(certificates, mask, letter, {}, Truth::yes, low, high, away, margin);
 }
@@ -593,16 +578,16 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
   std::vector<Enclosure> special;  // looked at on their own
   for (const SpecialValue& value : range.special) special.push_back(value.value);
   auto proof = range.proofs.begin();
-  const auto add = [&](const Rational& low, const Rational& high, Truth holds, const CertificateClaim& claim,
+  const auto add = [&](const Rational& low, const Rational& high, Truth holds, const ClaimedEnds& ends,
                        const std::vector<IntervalProof>& proofs) {
     if (low < high)
-      certificates.push_back({low, high, holds, interval_certificate(mask, letter, low, high, claim, proofs)});
+      certificates.push_back({low, high, holds, interval_certificate(mask, letter, low, high, ends, proofs)});
   };
   for (const RangePiece& piece : range.pieces) {
     if (piece.holds == Truth::unknown || (stable && piece.holds == Truth::no)) continue;
     const Rational low = piece.low_included ? piece.low : Rational(piece.low + margin);
     const Rational high = piece.high_included ? piece.high : Rational(piece.high - margin);
-    CertificateClaim claim;
+    ClaimedEnds ends;
     if (rough) {
       if (piece.holds == Truth::no) add_rough(certificates, mask, letter, property.order, low, high, special, margin);
       continue;
@@ -611,11 +596,11 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
       add_stable(certificates, mask, letter, low, high, range.special, margin);
       continue;
     }
-    (piece.holds == Truth::yes ? claim.lower : claim.upper) = to_text(property.order);
+    (piece.holds == Truth::yes ? ends.lower : ends.upper) = to_text(property.order);
     // What is known by positive coefficients has no proof of its own.
     std::vector<IntervalProof> proofs;
     const auto add_run = [&] {
-      if (!proofs.empty()) add(proofs.front().low, proofs.back().high, piece.holds, claim, proofs);
+      if (!proofs.empty()) add(proofs.front().low, proofs.back().high, piece.holds, ends, proofs);
       proofs.clear();
     };
     for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) {
@@ -632,13 +617,13 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
   std::vector<Enclosure> special;  // with more sum rules
   for (const CurvePoint& point : curve.special) special.push_back(point.at.value);
   std::vector<RangeCertificate> certificates;
-  const auto add = [&](const IntervalProof& proof, const CertificateClaim& claim) {
-    certificates.push_back({proof.low, proof.high, claim.lower ? Truth::yes : Truth::unknown,
-                            interval_certificate(mask, letter, proof.low, proof.high, claim, {proof})});
+  const auto add = [&](const IntervalProof& proof, const ClaimedEnds& ends) {
+    certificates.push_back({proof.low, proof.high, ends.lower ? Truth::yes : Truth::unknown,
+                            interval_certificate(mask, letter, proof.low, proof.high, ends, {proof})});
   };
   for (const CurvePiece& piece : curve.pieces) {
     IntervalProof above{piece.proof.low, piece.proof.high, std::nullopt, std::nullopt}, below = above;
-    CertificateClaim lower, upper;
+    ClaimedEnds lower, upper;
     if (piece.exponent.lower && *piece.exponent.lower > strictly) {
       above.above = piece.proof.above;
       lower.lower = outward(*piece.exponent.lower - strictly, Rounding::down);
@@ -661,35 +646,31 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
 }
 
 Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRadius& radius) {
-  return with_bounds([&](bool tell_exact) {
-    Certificate certificate;
-    const ProductEvidence& product = radius.product;
-    if (const Rational lower = proved_lower(product); lower > 0)
-      certificate.claim.lower = outward(
-          is_exactly_given(product) ? lower : rounded(lower, inverse_bits, Rounding::down), Rounding::down);
-    ExactRadius exact = tell_exact ? exact_radius(family, radius) : ExactRadius{};
-    certificate.claim.upper = outward(upper_end(radius, exact), Rounding::up);
-    certificate.text = fmt::format("subcert-certificate 3\nradius {} {}\n{}", family.count(), family.size(),
-                                   bounds_text(certificate.claim));
-    if (!exact.number.empty()) certificate.claim.exact = exact.number;
-    certificate.text += exact_text(certificate.claim, exact) + blocks_text(radius);
-    if (certificate.claim.lower) certificate.text += product_text(family, radius);
-    certificate.text += SectionWriter(family.count(), std::move(exact.cycles)).text(radius.proof) + "end\n";
-    return certificate;
-  });
+  Certificate certificate{{{}, subject_of(family, false)}, {}};
+  CertificateClaim& claim = certificate.claim;
+  const ProductEvidence& product = radius.product;
+  if (const Rational lower = proved_lower(product); lower > 0)
+    claim.lower = outward(is_exactly_given(product) ? lower : rounded(lower, inverse_bits, Rounding::down),
+                          Rounding::down);
+  const ExactRadius exact = exact_radius(family, radius);
+  claim.upper = outward(upper_end(radius, exact), Rounding::up);
+  certificate.bounds = {claim.lower, outward(upper_end(radius, {}), Rounding::up)};
+  claim_exact(certificate, exact);
+  certificate.sections.push_back({blocks_text(radius) + (claim.lower ? product_text(family, radius) : "")});
+  add_sections(certificate, radius.proof, family.count(), exact.cycles);
+  return certificate;
 }
 
 Certificate subradius_certificate(const MatrixFamily& family, const JointSpectralSubradius& radius) {
   const SlowProduct& product = radius.product;
-  const std::optional<AntinormProof>& proof = radius.antinorm;
-  Certificate certificate;
-  certificate.claim.upper = outward(*root_enclosure(product.radius, static_cast<int>(product.word.size())).upper,
-                                    Rounding::up);
+  Certificate certificate{{{}, subject_of(family, true)}, {}};
+  CertificateClaim& claim = certificate.claim;
+  claim.upper = outward(*root_enclosure(product.radius, static_cast<int>(product.word.size())).upper, Rounding::up);
   std::string proofs = product_text(0, {product.radius, 0}, product.word) + "weights" + numbers_text(product.weights) +
                        "\n";
   std::optional<ExactRadiusLines> lines;
-  if (proof) {
-    certificate.claim.lower = outward(proof->bound, Rounding::down);
+  if (const std::optional<AntinormProof>& proof = radius.antinorm) {
+    claim.lower = outward(proof->bound, Rounding::down);
     if (radius.exact.is_yes()) lines = exact_subradius_lines(family, *proof);
     proofs += fmt::format("block 0 polytope {} 0 {}{}\n", proof->vertices.size(), proof->weight_bits,
                           proof->transposed ? " transposed" : "");
@@ -701,12 +682,10 @@ Certificate subradius_certificate(const MatrixFamily& family, const JointSpectra
       proofs += "\n";
     }
   }
-  if (lines) {
-    certificate.claim.exact = lines->number;
-    proofs = fmt::format("exact {}\n{}{}{}", lines->number, lines->root, proofs, lines->cycles.text);
-  }
-  certificate.text = fmt::format("subcert-certificate 3\nsubradius {} {}\n{}{}end\n", family.count(), family.size(),
-                                 bounds_text(certificate.claim), proofs);
+  certificate.bounds = claim;
+  if (lines) claim_exact(certificate, {lines->number, lines->root});
+  certificate.sections.push_back({std::move(proofs)});
+  if (lines) certificate.sections.push_back({lines->cycles.text, ""});
   return certificate;
 }
 

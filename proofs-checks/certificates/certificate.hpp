@@ -1,6 +1,8 @@
 #pragma once
 /// Certificates: the proofs of the search, written so that subcert-check can follow them. Format: SPEC.md beside this.
 
+#include "claim.hpp"
+
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
@@ -12,27 +14,21 @@
 
 namespace subcert {
 
-/// What a certificate proves, as the checker is to be asked: decimals with 15 places, more for tiny numbers,
-/// rounded outward; an upper end `C2` says that limits are not C^2.
-struct CertificateClaim {
-  std::optional<std::string> lower;
-  std::optional<std::string> upper;
-  /// What the radius or the exponent is: `2-log|[-4,1]@4,0,1/1000|^1/1`, see SPEC.md, section 4.10.
-  std::optional<std::string> exact = {};
-  /// Beside an exact exponent: the power of |log h| in the modulus of continuity, see section 4.12.
-  std::optional<int> logarithm = {};
-
-  bool says_rough() const { return upper && upper->starts_with('C'); }
+/// Lines that belong together.
+struct CertificateSection {
+  std::string lines;
+  /// What stands in their place where only bounds are proved; nothing: the same lines.
+  std::optional<std::string> of_bounds = {};
 };
 
 struct Certificate {
   CertificateClaim claim;
-  std::string text;
-  /// One that proves bounds alone, and perhaps wider ones, where lines cannot just be left out of the text.
-  std::vector<Certificate> bounds = {};
+  std::vector<CertificateSection> sections;  ///< what follows the head
+  ClaimedEnds bounds = {};                   ///< what is proved without what says what the number is
 
-  /// The same without the lines that say what the number is: where the checker does not accept them, as an image may
-  /// lie too near to the boundary.
+  std::string text() const;
+  /// That of the bounds alone: where the checker does not accept what says what the number is, as an image may lie too
+  /// near to the boundary.
   Certificate of_bounds() const;
 };
 

@@ -1,7 +1,5 @@
 #include "checker_client.hpp"
 
-#include "checker_arguments.hpp"
-
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -64,7 +62,8 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
   return answer;
 }
 
-CheckerAnswer check_certificate(const std::string& text, const std::string& matrices, const std::string& program) {
+CheckerAnswer check_certificate(const CertificateClaim& claim, const std::string& text, const std::string& matrices,
+                                const std::string& program) {
   const char* temporary = std::getenv("TMPDIR");
   std::string folder = fmt::format("{}/subcert-XXXXXX", temporary && *temporary ? temporary : "/tmp");
   if (!mkdtemp(folder.data()))
@@ -80,18 +79,16 @@ CheckerAnswer check_certificate(const std::string& text, const std::string& matr
   const std::string file = folder + "/certificate", name = file + ": ";
   if (!matrices.empty()) runtime::write_file(file + ".matrices", matrices);
   runtime::write_file(file, text);
-  CheckerAnswer answer = run_checker(checker_arguments(text, file), program);
+  CheckerAnswer answer = run_checker(checker_arguments(claim, file), program);
   for (std::size_t at = 0; (at = answer.text.find(name, at)) != std::string::npos;) answer.text.erase(at, name.size());
   return answer;
 }
 
 Certificate verified(const Certificate& certificate, const std::string& matrices) {
-  CheckerAnswer answer = check_certificate(certificate.text, matrices);
+  const CheckerAnswer answer = check_certificate(certificate.claim, certificate.text(), matrices);
   if (answer.code == 0) return certificate;
-  Certificate bounds = certificate.of_bounds();
-  if (bounds.text != certificate.text) answer = check_certificate(bounds.text, matrices);
-  if (answer.code != 0) fail(ErrorKind::undecided, "subcert-check says {}", answer.text);
-  return bounds;
+  if (!certificate.claim.exact) fail(ErrorKind::undecided, "subcert-check says {}", answer.text);
+  return verified(certificate.of_bounds(), matrices);
 }
 
 }  // namespace subcert

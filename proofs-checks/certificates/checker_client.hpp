@@ -19,10 +19,10 @@ std::string checker_program();
 /// Runs the checker. Errors: throws missing_file where there is none.
 CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::string& program = checker_program());
 
-/// Asks the checker about the text of a certificate, and the matrices that one of a radius is about; the answer names
-/// no file. Errors: as run_checker(); missing_file where there is no place for temporary files.
-CheckerAnswer check_certificate(const std::string& text, const std::string& matrices = {},
-                                const std::string& program = checker_program());
+/// Asks the checker whether the text of a certificate proves a claim, and the matrices that one of a radius is about;
+/// the answer names no file. Errors: as run_checker(); missing_file where there is no place for temporary files.
+CheckerAnswer check_certificate(const CertificateClaim& claim, const std::string& text,
+                                const std::string& matrices = {}, const std::string& program = checker_program());
 
 /// The certificate if the checker accepts it, or else, if it accepts that, the one of the bounds alone. Errors: throws
 /// undecided, with the checker's reason, where it accepts neither, else as check_certificate(). Cost: at most two runs

@@ -1,7 +1,7 @@
 // Whatever the bytes, a parser takes them or refuses them with an Error, and the checker answers. FUZZED names which.
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
+#include <subcert/proofs-checks/certificates/claim.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
 #include <subcert/proofs-checks/checker/check.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
@@ -50,9 +50,9 @@ void check(const std::string& text) {
 }
 
 const std::map<std::string_view, void (*)(const std::string&)> parsers{
-    {"certificate", [](const std::string& text) { subcert::checker_arguments(text, "file"); }},
+    {"certificate", [](const std::string& text) { subcert::read_claim(text, "file"); }},
     {"checker", check},
-    {"claim", [](const std::string& text) { subcert::stated_checker_arguments(text, "file"); }},
+    {"claim", [](const std::string& text) { subcert::stated_claim(text); }},
     {"expectations", [](const std::string& text) { subcert::properties::read_expectations(text); }},
     {"family", [](const std::string& text) { subcert::make_parametric_scheme(text); }},
     {"journal", [](const std::string& text) { subcert::sweeps::read_journal(file_of(text)); }},

@@ -13,7 +13,7 @@ namespace {
 py::list certificates_list(const std::vector<RangeCertificate>& certificates) {
   py::list result;
   for (const RangeCertificate& one : certificates)
-    result.append(py::make_tuple(one.low, one.high, one.holds, one.certificate.text, one.certificate.claim.lower,
+    result.append(py::make_tuple(one.low, one.high, one.holds, one.certificate.text(), one.certificate.claim.lower,
                                  one.certificate.claim.upper));
   return result;
 }

@@ -1,8 +1,8 @@
 #include "work.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/proofs-checks/certificates/checker_arguments.hpp>
 #include <subcert/proofs-checks/certificates/checker_client.hpp>
+#include <subcert/proofs-checks/certificates/claim.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/reports/facts/statement_facts.hpp>
 #include <subcert/reports/report.hpp>
@@ -69,11 +69,11 @@ std::string reproduce(const std::string& paper, const std::vector<std::string>& 
 void add_proofs(py::module_& module) {
   const auto pair = [](const CheckerAnswer& answer) { return std::pair(answer.code == 0, answer.text); };
   module.def("check_file", [=](const std::string& text, const std::string& file, const std::string& program) {
-    return pair(run_checker(checker_arguments(text, file), program));
+    return pair(run_checker(checker_arguments(read_claim(text, file), file), program));
   });
   module.def("check_certificate",
              [=](const std::string& text, const std::string& matrices, const std::string& program) {
-               return pair(check_certificate(text, matrices, program));
+               return pair(check_certificate(read_claim(text, "certificate"), text, matrices, program));
              });
   module.def("statements", [](const std::vector<std::string>& wanted) {
     return facts::statements_json(statements::select_statements(wanted)).dump();

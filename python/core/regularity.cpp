@@ -21,7 +21,7 @@ py::list to_list(const Certificate& certificate, const std::optional<std::string
   py::list result;
   const auto add = [&](const Certificate& one) {
     result.append(
-        py::make_tuple(one.text, one.claim.lower, one.claim.upper, matrices, one.claim.exact, one.claim.logarithm));
+        py::make_tuple(one.text(), one.claim.lower, one.claim.upper, matrices, one.claim.exact, one.claim.logarithm));
   };
   add(certificate);
   if (certificate.claim.exact) add(certificate.of_bounds());

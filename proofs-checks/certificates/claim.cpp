@@ -1,0 +1,192 @@
+#include "claim.hpp"
+
+#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <sstream>
+#include <string_view>
+
+namespace subcert {
+namespace {
+
+constexpr std::size_t longest_head = 2'000'000;  // characters in which the first four lines end
+constexpr std::string_view within = "within=";
+constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+/// The parts between `<=`.
+std::vector<std::string> parts_of(const std::string& claim) {
+  constexpr std::string_view sign = "<=";
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; (at = claim.find(sign, begin)) != std::string::npos; begin = at + sign.size())
+    parts.push_back(trimmed(claim.substr(begin, at - begin)));
+  parts.push_back(trimmed(claim.substr(begin)));
+  return parts;
+}
+
+[[noreturn]] void refuse(const std::string& claim) {
+  fail(ErrorKind::usage,
+       "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
+       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'",
+       claim);
+}
+
+ClaimSubject stated_subject(const std::string& subject) {
+  constexpr std::string_view radius = "radius ", subradius = "subradius ", range = " for ";
+  if (subject.starts_with(radius)) return FamilySubject{false, {}, {}, trimmed(subject.substr(radius.size()))};
+  if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
+  if (const std::size_t at = subject.find(range); at != std::string::npos) {
+    const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
+    return MaskSubject{family.mask.to_text(family.parameter), std::to_string(family.mask.arity()),
+                       trimmed(subject.substr(at + range.size()))};
+  }
+  const LinearScheme scheme = make_linear_scheme(subject);
+  if (const auto* surface = std::get_if<MultivariateScheme>(&scheme))
+    return SurfaceSubject{to_mask_text(surface->mask), surface->mask.dilation().to_text()};
+  const Scheme& one = std::get<Scheme>(scheme);
+  if (one.rounding)
+    fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
+  return MaskSubject{one.mask.symbol().to_mask_text(), std::to_string(one.mask.arity())};
+}
+
+/// A power of a logarithm.
+std::optional<int> read_power(std::string_view text) {
+  int power = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(power) : std::nullopt;
+}
+
+/// The line of a certificate that says what it is about.
+struct SubjectLine {
+  std::string operator()(const MaskSubject& of) const {
+    const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
+    return fmt::format("exponent {} {}{}{}", of.mask, of.arity, more.empty() ? "" : " ", more);
+  }
+  std::string operator()(const SurfaceSubject& of) const { return fmt::format("surface {} {}", of.mask, of.dilation); }
+  std::string operator()(const FamilySubject& of) const {
+    return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
+  }
+};
+
+ClaimSubject read_subject(const std::string& line, const std::string& file) {
+  std::istringstream words(line);
+  std::string kind, first, second, more;
+  words >> kind >> first >> second >> more;
+  if (second.empty()) fail(ErrorKind::data, "{}: not a certificate", file);
+  const bool rounded = more.starts_with(within);
+  if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, more.substr(within.size())};
+  if (kind == "exponent") return MaskSubject{first, second, more};
+  if (kind == "surface") return SurfaceSubject{first, second};
+  if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
+  fail(ErrorKind::data, "{}, line 2: expected exponent, surface, radius or subradius", file);
+}
+
+/// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, and
+/// of roughness.
+bool may_lack_lower(const CertificateClaim& claim) {
+  const auto* mask = std::get_if<MaskSubject>(&claim.subject);
+  if (!claim.upper) return mask != nullptr;
+  return claim.says_rough() || (mask && !mask->range.empty()) || std::holds_alternative<FamilySubject>(claim.subject);
+}
+
+struct SubjectArguments {
+  const std::string& file;
+
+  std::vector<std::string> operator()(const MaskSubject& of) const {
+    std::vector<std::string> arguments{"--mask", of.mask, "--arity", of.arity};
+    if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
+    if (!of.range.empty()) arguments.insert(arguments.end(), {"--for", of.range});
+    return arguments;
+  }
+  std::vector<std::string> operator()(const SurfaceSubject& of) const {
+    return {"--surface", of.mask, "--dilation", of.dilation};
+  }
+  std::vector<std::string> operator()(const FamilySubject& of) const {
+    return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};
+  }
+};
+
+}  // namespace
+
+std::string head_text(const CertificateClaim& claim) {
+  const std::string head = fmt::format("subcert-certificate 3\n{}\nbounds {} {}\n",
+                                       std::visit(SubjectLine{}, claim.subject), claim.lower.value_or("-"),
+                                       claim.upper.value_or("-"));
+  return claim.exact ? fmt::format("{}{}{}\n", head, is_exactly, *claim.exact) : head;
+}
+
+CertificateClaim stated_claim(const std::string& words) {
+  const std::vector<std::string> parts = parts_of(words);
+  // One part is the subject; of two, the first is a number or the second is.
+  const auto number = [](const std::string& text) { return parse_number(text); };
+  const bool lower = parts.size() == 3 || (parts.size() == 2 && number(parts[0]));
+  const std::size_t subject = lower ? 1 : 0;
+  if (parts.size() > 3 || parts[subject].empty()) refuse(words);
+  // What the number is, after a sign with blanks: specifications have signs without.
+  constexpr std::string_view is = " = ", logarithm = " with |log h|^";
+  const std::string& text = parts[subject];
+  const std::size_t equal = text.find(is), power = text.find(logarithm);
+  if (power != std::string::npos && (equal == std::string::npos || power < equal)) refuse(words);
+  CertificateClaim claim;
+  claim.subject = stated_subject(trimmed(text.substr(0, equal)));
+  if (equal != std::string::npos) claim.exact = trimmed(text.substr(equal + is.size(), power - equal - is.size()));
+  if (power != std::string::npos && !(claim.logarithm = read_power(trimmed(text.substr(power + logarithm.size())))))
+    refuse(words);
+  const auto end_of = [&](const std::string& end, bool roughness) {
+    const auto value = number(end);
+    const bool order = roughness && end.size() > 1 && end[0] == 'C';
+    if (!value && !order) refuse(words);
+    return order ? end : to_text(*value);
+  };
+  if (lower) claim.lower = end_of(parts[0], false);
+  if (parts.size() > subject + 1) claim.upper = end_of(parts[subject + 1], true);
+  return claim;
+}
+
+CertificateClaim read_claim(const std::string& text, const std::string& file) {
+  std::istringstream lines(text.substr(0, longest_head));
+  std::string version, subject, bounds, exact, word, lower, upper;
+  for (std::string* line : {&version, &subject, &bounds, &exact}) std::getline(lines, *line);
+  std::istringstream(bounds) >> word >> lower >> upper;
+  if (!version.starts_with("subcert-certificate") || word != "bounds" || upper.empty())
+    fail(ErrorKind::data, "{}: not a certificate", file);
+  CertificateClaim claim;
+  claim.subject = read_subject(subject, file);
+  if (lower != "-") claim.lower = lower;
+  if (upper != "-") claim.upper = upper;
+  if (exact.starts_with(is_exactly)) claim.exact = exact.substr(is_exactly.size());
+  if (!claim.lower && !claim.exact && !may_lack_lower(claim))
+    fail(ErrorKind::data, "{}, line 3: expected a bound, as no claim of this kind has 'bounds {} {}'", file, lower,
+         upper);
+  constexpr std::string_view power = "\nlogarithm ";
+  if (const std::size_t at = text.find(power); at != std::string::npos && !exact.empty()) {
+    const std::size_t begin = at + power.size(), end = text.find_first_of(" \n", begin);
+    if (!(claim.logarithm = read_power(std::string_view(text).substr(begin, end - begin))))
+      fail(ErrorKind::data, "{}: expected a power after 'logarithm', as in 'logarithm 1'", file);
+  }
+  return claim;
+}
+
+std::vector<std::string> checker_arguments(const CertificateClaim& claim, const std::string& file) {
+  std::vector<std::string> arguments = std::visit(SubjectArguments{file}, claim.subject);
+  const auto add = [&](const char* name, const std::string& value) {
+    arguments.insert(arguments.end(), {name, value});
+  };
+  if (claim.lower) add("--lower", *claim.lower);
+  if (claim.upper) add("--upper", *claim.upper);
+  if (claim.exact) add("--exact", *claim.exact);
+  if (claim.logarithm) add("--logarithm", std::to_string(*claim.logarithm));
+  arguments.push_back(file);
+  return arguments;
+}
+
+}  // namespace subcert

@@ -1,0 +1,62 @@
+#pragma once
+/// What certificates claim, and how the independent checkers are asked about it.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace subcert {
+
+/// What a claim is about, in the texts of SPEC.md, section 1. Canonical: none of them has blanks.
+struct MaskSubject {
+  std::string mask, arity;
+  std::string range = {};   ///< w=LOW..HIGH, or empty
+  std::string within = {};  ///< EPS,M of a mask with rounded coefficients, or empty; not with a range
+};
+struct SurfaceSubject {
+  std::string mask, dilation;
+};
+struct FamilySubject {
+  bool is_subradius = false;
+  std::string count, size;                   ///< empty where the claim is stated about a file
+  std::optional<std::string> matrices = {};  ///< the file of the matrices, where it is not beside the certificate
+};
+using ClaimSubject = std::variant<MaskSubject, SurfaceSubject, FamilySubject>;
+
+/// Decimals with 15 places, more for tiny numbers, rounded outward; an upper end `C2` says that limits are not C^2.
+struct ClaimedEnds {
+  std::optional<std::string> lower = {}, upper = {};
+
+  bool says_rough() const { return upper && upper->starts_with('C'); }
+};
+
+/// What a certificate proves, as the checker is to be asked.
+struct CertificateClaim : ClaimedEnds {
+  ClaimSubject subject = {};
+  /// What the radius or the exponent is: `2-log|[-4,1]@4,0,1/1000|^1/1`, see SPEC.md, section 4.10.
+  std::optional<std::string> exact = {};
+  /// Beside an exact exponent: the power of |log h| in the modulus of continuity, see section 4.12.
+  std::optional<int> logarithm = {};
+};
+
+/// The first lines of a certificate, up to what the number is.
+std::string head_text(const CertificateClaim& claim);
+
+/// What the text of a certificate says it proves. `file`: the name by which errors call it. Errors: throws a data error
+/// for a text that is no certificate. Cost: the first four lines are read, and the power of a logarithm is looked for.
+CertificateClaim read_claim(const std::string& text, const std::string& file);
+
+/// A claim in words: `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, blanks around the signs. EXACT is a
+/// number as in SPEC.md, section 1. SUBJECT is a scheme, whose exponent is meant; a family with a parameter, as
+/// `four-point:w for w=1/100..19/100`; or `radius FILE` or `subradius FILE`, of the matrices in that file. LOWER and
+/// UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer shifts are stable.
+/// Errors: throws a usage error for another text, and for a scheme with rounded coefficients, of which a claim needs
+/// the distance.
+CertificateClaim stated_claim(const std::string& words);
+
+/// The command line of a checker, without its name, that asks whether the file proves the claim. The matrices of a
+/// family are in FILE.matrices where the claim does not name them.
+std::vector<std::string> checker_arguments(const CertificateClaim& claim, const std::string& file);
+
+}  // namespace subcert

@@ -1036,7 +1036,7 @@ var check_certificate = (() => {
   }
   const nonnegative_form = S => { const most = largest_of(S); return !most || positive_definite(S, most); };
   const section_form = "expected 'norm', 'polytope', 'quadratic', 'graph' or 'single' and its numbers";
-  function read_quadratic(reader, {size, den, matrices}, fields, rounding) {
+  function read_quadratic(reader, {size, den, matrices}, fields, rounding, exact) {
     demand(!rounding, section_form);
     demand(fields.length === 2 || (fields.length === 3 && fields[2].startsWith('group:')),
            "expected 'quadratic', a number of words, a bound and perhaps a group");
@@ -1052,18 +1052,23 @@ var check_certificate = (() => {
       demand(!map || equal(multiply(multiply(transpose(map), P), map), P), 'a generator does not keep the form');
     const texts = matrices.map(String), letter = texts.map(text => texts.indexOf(text));  // the first of equal matrices
     const congruence = new Congruence(P, matrices), words = new Set();
+    let kept = false;  // the form, by a word, times a power of the bound
     for (let i = 0; i < count; ++i) {
       const word = reader.read('word', 1, 1000).map(token => letter[small(token, 0, matrices.length - 1)]);
       demand(!words.has(String(word)), 'a word occurs twice');
       words.add(String(word));
       allow_bits(words.size * 1024);
       spend(100);
-      const k = BigInt(2 * word.length), top = ((bound.n * den) ** k << 64n) / bound.d ** k, Q = congruence.of(word);
+      const k = BigInt(2 * word.length), whole = (bound.n * den) ** k << 64n, by = bound.d ** k, top = whole / by;
+      const Q = congruence.of(word);
       const S = P.map((row, a) => row.map((x, b) => top * x - (Q[a][b] << 64n)));
       demand(nonnegative_form(S), 'a product is not below the bound in the quadratic form');
+      kept = kept || (top * by === whole && S.every(row => row.every(x => !x)));
     }
     check_tree(words, group.elements.map(({numbers}) => numbers.map(t => letter[t])), new Set(letter).size);
-    return {value: bound, level: 1};
+    const same = (x, y) => !less(x, y) && !less(y, x);
+    const attained = Boolean(exact) && kept && same(exact.low, exact.high) && same(bound, exact.low);
+    return {value: bound, level: 1, attained};
   }
   // Q_w = A_w^T P A_w for the integer matrices of a family, kept for the last word and its beginnings. Most rows of the
   // A_t^T of a scheme are those of others: letters share X Q_w X^T, X the different rows of all, where these are few.

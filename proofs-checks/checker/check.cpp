@@ -172,7 +172,7 @@ class Checker {
       else if (fields[0] == "single" && first_columns && !divided && entry_error_ == 0)
         use_single(read_single(family, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else if (fields[0] == "quadratic" && entry_error_ == 0)
-        use_upper_bound(read_quadratic(blocks[i], fields, reader_, arithmetic_), 1);
+        use_graph(read_quadratic(blocks[i], fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else if (fields[0] == "graph" && entry_error_ == 0)
         use_graph(read_graph(blocks[i], fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else

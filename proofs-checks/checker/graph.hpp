@@ -8,7 +8,7 @@ namespace subcert_check {
 
 struct GraphBound {
   mpq_class bound;
-  bool attained;  // some cycle has the exact radius, which is that of the family
+  bool attained;  // some product has the exact radius, which is that of the block
 };
 
 /// What a section `graph` proves; `fields` are those of its first line. `exact`: the number that the radius may be, or

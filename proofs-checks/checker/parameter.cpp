@@ -241,7 +241,7 @@ void check_stability(const Mask& mask, unsigned arity, const Range& range, const
   check_positive_form(divisor, "the denominator of the mask", arithmetic);
   const Vector forms = coefficient_forms(mask, range);
   if (degree == 0 && error == 0)
-    check_no_common_zeros(mask, arity);
+    check_no_leading_factors(mask, arity);
   else
     check_resultant(forms, degree, arity, error, arithmetic);
   for (std::size_t n = 2 * std::size_t{arity}; n < 6 * points; n += arity) {

@@ -52,7 +52,8 @@ bool is_complete(const std::set<Word>& words, std::size_t letters) {
 
 }  // namespace
 
-mpq_class read_quadratic(const Family& family, const Fields& fields, Reader& reader, Arithmetic& arithmetic) {
+GraphBound read_quadratic(const Family& family, const Fields& fields, const ExactRadius* exact, Reader& reader,
+                          Arithmetic& arithmetic) {
   require(fields.size() == 3 || (fields.size() == 4 && parse_group(fields[3]) > 0),
           "expected 'quadratic', a number of words, a bound and perhaps a group");
   const std::size_t n = family.size, count = parse_size(fields[1], 1, max_bytes);
@@ -74,6 +75,7 @@ mpq_class read_quadratic(const Family& family, const Fields& fields, Reader& rea
   std::set<Word> words;
   Word last;
   std::vector<Vector> products;  // of the beginnings of the last word
+  bool kept = false;             // the form, by a word, times a power of the bound
   for (std::size_t k = 0; k < count; ++k) {
     const Fields letters = reader.take("word", 1, longest_word);
     Word word;
@@ -92,6 +94,8 @@ mpq_class read_quadratic(const Family& family, const Fields& fields, Reader& rea
     const mpz_class whole = (factor.get_num() << 64) / factor.get_den();
     Vector difference = congruent(products.back(), form, n, arithmetic);
     for (std::size_t i = 0; i < n * n; ++i) difference[i] = whole * form[i] - (difference[i] << 64);
+    kept = kept || (whole * factor.get_den() == factor.get_num() << 64 &&
+                    std::ranges::all_of(difference, [](const mpz_class& x) { return x == 0; }));
     require(is_positive(std::move(difference), n, arithmetic),
             "a product is not below the bound in the quadratic form");
     require(words.insert(word).second, "a word occurs twice");
@@ -100,7 +104,7 @@ mpq_class read_quadratic(const Family& family, const Fields& fields, Reader& rea
   close(words, generators, first, arithmetic);
   std::set<std::size_t> different(first.begin(), first.end());
   require(is_complete(words, different.size()), "the words are not those of a complete tree");
-  return bound;
+  return {bound, exact != nullptr && kept && exact->low == exact->high && bound == exact->low};
 }
 
 }  // namespace subcert_check

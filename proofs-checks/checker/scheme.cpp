@@ -161,7 +161,7 @@ Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules
   return {size, entries, mask.denominator};
 }
 
-void check_no_common_zeros(const Mask& mask, unsigned arity) {
+void check_no_leading_factors(const Mask& mask, unsigned arity) {
   const Vector& a = mask.coefficients;
   std::size_t k = 0;
   for (const mpz_class& x : a) k = std::max(k, bits(x) + 64);

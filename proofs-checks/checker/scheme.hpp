@@ -48,6 +48,6 @@ Mask parse_mask(std::string_view text, char letter);
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules);
 
 /// Condition (i) of Theorem 4, for a mask without a parameter.
-void check_no_common_zeros(const Mask& mask, unsigned arity);
+void check_no_leading_factors(const Mask& mask, unsigned arity);
 
 }  // namespace subcert_check

@@ -453,6 +453,12 @@ def main(out):
     unit_form, exchange = ["form 1", "form 0 1"], ["generator 1 0", "map 0 1", "map 1 0"]
     turns = (["--matrices", "rotation.mat", "--lower", "1", "--upper", "1"], rotation)
     by_form(turns, "rotation-quadratic", ["0", "1"], 1, unit_form)  # upper end 1, as S_0 = 0
+    # that is what the radius is, too, without an end; also by a longer word
+    one = "|[-1,1]@1,0,1/1000|^1/1"
+    numbered = ["--matrices", "rotation.mat", "--exact", one], [
+        *rotation[:2], "bounds - -", f"exact {one}", "root 1 0 0 1 1", *rotation[4:]]
+    by_form(numbered, "rotation-quadratic-exact", ["0", "1"], 1, unit_form)
+    by_form(numbered, "rotation-quadratic-exact-word", ["1", "0 1", "0 0"], 1, unit_form)
     golden_case = radius("golden.mat", golden, [0, 1], False)
     by_form(golden_case, "golden-quadratic", ["0 0", "0 1", "1"], "16181/10000", unit_form, upper="16181/10000")
     by_form(golden_case, "golden-quadratic-group", ["0 0 0", "0 0 1", "0 1"], "16181/10000", unit_form, exchange,

@@ -362,6 +362,24 @@ reject("quadratic-bound", "golden-quadratic", "is not below the bound", replace(
 reject("quadratic-claim", "golden-quadratic", "does not prove the claim", replace("16181/10000$", "16182/10000"))
 reject("quadratic-isometry", "rotation-quadratic", "is not below the bound",
        replace("2 1$", "2 99999999999999999999/100000000000000000000"))
+# no word keeps the form times the number, or only by rounding; or the number is not the bound
+def other_number(name, base, matrices, number, root, bound, reason):
+    """A form for another number."""
+    def edit(lines):
+        form = [line for line in lines if re.match("form|word", line)]
+        words = sum(line.startswith("word") for line in form)
+        return [*lines[:2], "bounds - -", f"exact {number}", f"root {root}", f"block 0 quadratic {words} {bound}", *form, "end"]
+    reject(name, base, reason, edit, f"--matrices {matrices} --exact {number}")
+
+
+ONE, TWO, NEARLY = "|[-1,1]@1,0,1/1000|^1/1", "|[-2,1]@2,0,1/1000|^1/1", f"{2**70 + 1}/{2**70}"
+for name, number, root, bound, reason in (
+        ("kept-by-none", TWO, "2 0 0 2 2", 2, "no block attains"), ("kept-smaller", TWO, "2 0 0 2 2", 1, "no block attains"),
+        ("kept-wide-above", ONE, "1 0 0 1 1001/1000", 1, "no block attains"),
+        ("kept-wide-below", ONE, "1 0 0 999/1000 1", 1, "above the exact radius")):
+    other_number(f"quadratic-{name}", "rotation-quadratic", "rotation.mat", number, root, bound, reason)
+other_number("quadratic-kept-by-rounding", "unit-quadratic", "unit.mat", f"|[{-2**70 - 1},{2**70}]@1,0,1/1000|^1/1",
+             f"{NEARLY} 0 0 {NEARLY} {NEARLY}", NEARLY, "no block attains")
 reject("quadratic-bound-zero", "rotation-quadratic", "is not below the bound", replace("2 1$", "2 0"))
 reject("quadratic-bound-negative", "rotation-quadratic", "is negative", replace("2 1$", "2 -1"))
 reject("quadratic-indefinite", "rotation-quadratic", "not positive definite", replace("^form 0 1", "form 0 -1"))

@@ -41,6 +41,9 @@ def text_of(name):
 def decided(name, arguments):
     options = {argument for argument in arguments if argument.startswith("--")}
     text = text_of(name)
+    # Whether a word keeps a form.
+    if "--exact" in options and " quadratic " in text and "\ncycle " not in text:
+        return False
     if options & {"--matrices", "--subradius"}:
         return True
     ends = options - {"--mask", "--arity"}

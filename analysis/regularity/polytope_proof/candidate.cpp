@@ -13,12 +13,6 @@ namespace {
 constexpr int quick_length = 8, quick_width = 12;  // of the words of find_product, and how many are kept per length
 constexpr double quick_nearness = 5e-3;
 
-/// The search writes the letter applied first first, also where it applies transposed matrices.
-std::vector<int> from_left_to_right(std::vector<int> cycle, bool transposed) {
-  if (!transposed) std::reverse(cycle.begin(), cycle.end());
-  return cycle;
-}
-
 bool is_finite(std::complex<double> z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
 
 /// Whether the search kept its footing: what it proposes consists of numbers.
@@ -35,7 +29,7 @@ bool is_finite(const polytope::SearchResult& found) {
 }  // namespace
 
 std::vector<int> PolytopeCandidate::word(std::size_t index) const {
-  return from_left_to_right(products[index].word, transposed);
+  return transposed ? products[index].word : products[index].written();
 }
 
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact,
@@ -61,7 +55,7 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
 std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline) {
   const polytope::ProductSearchOptions options{quick_length, quick_width, quick_nearness, {deadline}};
   const auto found = polytope::search_products(to_search_family(family), options);
-  return from_left_to_right(found.front().word, false);
+  return found.front().written();
 }
 
 FloatingEigenvalue leading_eigenvalue(const RationalMatrix& matrix) {

@@ -152,7 +152,7 @@ class Search {
   std::unique_ptr<PolytopeRun> start(std::size_t side, double scale, PolytopeKind kind, std::size_t memory) {
     std::vector<Candidate> products = maximizing();
     if (side == 1) {
-      for (Candidate& c : products) std::reverse(c.word.begin(), c.word.end());
+      for (Candidate& c : products) c = c.transposed();
     }
     SearchOptions options = options_;
     options.budget.memory = memory;
@@ -218,8 +218,7 @@ class Search {
     std::optional<Candidate> better = runs_[side]->better_product(candidates_.front().radius);
     if (!better) return false;
     if (side == 1) {
-      std::reverse(better->word.begin(), better->word.end());
-      better->word = canonical_word(better->word, family_[0].matrices.size(), family_[0].symmetry);
+      better->word = canonical_word(better->written(), family_[0].matrices.size(), family_[0].symmetry);
     }
     take({*better});
     return true;

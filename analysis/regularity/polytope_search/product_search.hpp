@@ -24,8 +24,13 @@ bool has_symmetry(const SearchFamily& family);
 /// A product A_{w_k} ... A_{w_1}, written as the word w_1 ... w_k (the letter applied first comes first). Canonical:
 /// the word is primitive and the least of its cyclic shifts and of those of its images under the symmetry.
 struct Candidate {
-  std::vector<int> word;
-  double radius = 0;  ///< rho(product)^(1/k)
+  std::vector<int> word;  ///< letters in the order in which the matrices are applied
+  double radius = 0;      ///< rho(product)^(1/k)
+
+  /// The letters as the product is written, from left to right.
+  std::vector<int> written() const { return {word.rbegin(), word.rend()}; }
+  /// The product of the transposed matrices that is transposed to this one.
+  Candidate transposed() const { return {written(), radius}; }
 };
 
 /// How wide and how far the product search looks.

@@ -292,8 +292,8 @@ ProductEvidence find_product_above(const MatrixFamily& family, const Rational& l
   const auto enough = [&](const std::vector<polytope::Candidate>& found) {
     for (std::size_t k = 0; k < std::min(found.size(), proved_products); ++k) {
       largest = std::max(largest, found[k].radius);
-      const std::vector<int> word(found[k].word.rbegin(), found[k].word.rend());
-      ProductEvidence evidence = radius::scaled(prove_product(scaled_family, word, budget.deadline), unit);
+      ProductEvidence evidence = radius::scaled(prove_product(scaled_family, found[k].written(), budget.deadline),
+                                                unit);
       const Rational& lower = evidence.exact ? *evidence.exact : *evidence.radius.lower;
       if (best.word.empty() || lower > *best.radius.lower) best = std::move(evidence);
       if (*best.radius.lower >= least || (best.exact && *best.exact >= least)) return true;

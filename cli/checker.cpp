@@ -29,18 +29,19 @@ void WriteFailure::raise() const {
 std::string WrittenCertificate::text(bool attained) const {
   if (file.empty()) return "";
   if (!claim) return "certificate  not written: " + reason + "\n";
-  return fmt::format("certificate  {}, verified: {}\n", file,
-                     claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
-                     : claim->exact   ? "the bounds, and that the product attains the radius"
-                     : attained && claim->lower != claim->upper
-                         ? "the bounds, but not that the product attains the radius"
-                         : "the bounds");
+  return fmt::format(
+      "certificate  {}, verified: {}\n", file,
+      claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
+      : claim->exact   ? "the bounds, and that the product attains the radius"
+      : attained && claim->lower != claim->upper
+          ? "the bounds, but not that the product attains the radius" + (reason.empty() ? "" : ": " + reason)
+          : "the bounds");
 }
 
 void WrittenCertificate::add_to(Json& json) const {
   if (file.empty()) return;
   json["certificate"] = claim ? claim_json(*claim) : Json();
-  if (!claim) json["certificate_reason"] = reason;
+  if (!claim || (!reason.empty() && claim->lower != claim->upper)) json["certificate_reason"] = reason;
 }
 
 WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
@@ -55,7 +56,7 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
         if (stream << matrices << std::flush) runtime::write_file(file, accepted.text());
       });
     }
-    return {file, accepted.claim};
+    return {file, accepted.claim, accepted.missing};
   } catch (const Error& error) {
     const bool unwritable = error.kind() == ErrorKind::missing_file;
     return {file, std::nullopt, reason_text(error), {unwritable ? std::optional(error) : std::nullopt}};

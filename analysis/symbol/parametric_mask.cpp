@@ -14,7 +14,7 @@ namespace subcert {
 namespace {
 
 /// The polynomial whose zeros are the common ones; zero where all are zero.
-LaurentPolynomial with_common_zeros(const std::vector<LaurentPolynomial>& polynomials) {
+LaurentPolynomial with_leading_factors(const std::vector<LaurentPolynomial>& polynomials) {
   LaurentPolynomial result;
   long power = std::numeric_limits<long>::max();
   for (const LaurentPolynomial& p : polynomials) {
@@ -45,7 +45,7 @@ LaurentPolynomial values_of_divisibility(const ParametricMask& mask, const Laure
   }
   std::vector<LaurentPolynomial> coefficients;
   for (long i = 0; i < divisor.highest(); ++i) coefficients.push_back(in_parameter(remainders, first.lowest() + i));
-  return with_common_zeros(coefficients);
+  return with_leading_factors(coefficients);
 }
 
 LaurentPolynomial at_parameter(const std::vector<LaurentPolynomial>& powers, const Rational& w) {

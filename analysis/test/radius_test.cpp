@@ -398,9 +398,9 @@ TEST_CASE("orbits of rational vectors close only where the product attains the r
   const auto root = radius::closed_orbit({matrix({{1, 1}, {1, -1}})}, {{0}}, {Deadline::in(5)});
   REQUIRE(root);
   CHECK((root->power == 2 && root->length == 2));
-  REQUIRE(root->proof);
+  REQUIRE((root->proof && root->proof->attained));
   CHECK(root->proof->bound * root->proof->bound < 2 + power(Rational(10), -30));
-  CHECK(root->proof->origins.cycles == std::vector<std::vector<int>>{{0, 0}});
+  CHECK(root->proof->attained->cycles.front().letters == std::vector<int>{0, 0});
 }
 
 TEST_CASE("the p-radius of triangular families is the largest of their diagonals") {

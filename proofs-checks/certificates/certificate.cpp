@@ -141,16 +141,16 @@ std::vector<WeightedVertex> mirrored(std::vector<WeightedVertex> terms) {
 /// The section of one block.
 class SectionWriter {
  public:
-  /// `cycles`: what says what is exact after a polytope or a graph.
-  SectionWriter(std::size_t matrix_count, std::size_t block, const CycleLines& cycles = {})
-      : matrix_count_(matrix_count), block_(block), cycles_(cycles) {}
+  /// `exact`: with what says that products attain the radius, which the proof knows.
+  SectionWriter(std::size_t matrix_count, std::size_t block, bool exact)
+      : matrix_count_(matrix_count), block_(block), exact_(exact) {}
 
   std::string operator()(const NormProof& norms) const {
     return fmt::format("block {} norm {}\n", block_, norms.level);
   }
 
   std::string operator()(const PolytopeProof& polytope) const {
-    const GroupWords group = words_of(polytope, cycles_.negation);
+    const GroupWords group = words_of(polytope, exact_);
     std::string text = fmt::format("block {} polytope {} {} {}{}\n", block_, polytope.vertices.size(),
                                    polytope.vertex_bits, polytope.weight_bits, properties_text(polytope, group));
     text += generators_text(polytope.group, group);
@@ -167,7 +167,7 @@ class SectionWriter {
     for (std::size_t i = 0; i < polytope.images.size(); ++i)
       text += fmt::format("image {} {}{}\n", i / matrix_count_, i % matrix_count_,
                           terms_text(polytope.images[i], polytope.kind, group));
-    return text + cycles_.text;
+    return exact_ ? text + cycle_text(*polytope.attained, group) : text;
   }
 
   std::string operator()(const QuadraticProof& proof) const {
@@ -178,7 +178,7 @@ class SectionWriter {
   }
 
   std::string operator()(const GraphProof& bound) const {
-    const GraphProof& proof = cycles_.text.empty() ? bound : bound.attained->graph;
+    const GraphProof& proof = exact_ ? bound.attained->graph : bound;
     const GroupWords group(proof.group, false);
     std::string text = fmt::format("block {} graph {} {} {}{}\n", block_, proof.states.size(), to_text(proof.bound),
                                    proof.bits, group_text(group)) +
@@ -190,7 +190,7 @@ class SectionWriter {
                             fmt::join(step.matrix, " "));
       text += "tree " + state.ends + "\n";
     }
-    return text + cycles_.text;
+    return exact_ ? text + cycle_text(*bound.attained) : text;
   }
 
   std::string operator()(const BlockProof&) const { throw std::logic_error("certificate: blocks within a block"); }
@@ -206,55 +206,69 @@ class SectionWriter {
 
  private:
   std::size_t matrix_count_, block_;
-  CycleLines cycles_;
+  bool exact_;
 };
 
 /// The sections of a proof, block by block.
 void add_sections(Certificate& certificate, const RadiusProof& proof, std::size_t matrix_count,
-                  const std::vector<CycleLines>& cycles = {}) {
+                  const std::vector<bool>& exact = {}) {
   const auto* blocks = std::get_if<BlockProof>(&proof);
   for (std::size_t i = 0; i < (blocks ? blocks->blocks.size() : 1); ++i) {
     const RadiusProof& own = blocks ? blocks->blocks[i].proof : proof;
-    CertificateSection section{std::visit(SectionWriter(matrix_count, i), own)};
-    if (i < cycles.size() && !cycles[i].text.empty())
-      section = {std::visit(SectionWriter(matrix_count, i, cycles[i]), own), std::move(section.lines)};
+    CertificateSection section{std::visit(SectionWriter(matrix_count, i, false), own)};
+    if (i < exact.size() && exact[i])
+      section = {std::visit(SectionWriter(matrix_count, i, true), own), std::move(section.lines)};
     certificate.sections.push_back(std::move(section));
   }
 }
 
 /// What says that the product attains the radius.
 struct ExactRadius {
-  std::string number = {}, root = {};   // empty where nothing says so
-  std::vector<CycleLines> cycles = {};  // block by block
-  bool grows_like_powers = false;       // products of length n have norms between multiples of radius^n
+  std::string number = {}, root = {};  // empty where nothing says so,
+  std::string missing = {};            // and why
+  std::vector<bool> blocks = {};       // those with products that attain the radius
+  bool grows_like_powers = false;      // products of length n have norms between multiples of radius^n
 };
 
-ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& radius) {
+/// What the radius of one block is, or why nothing says so.
+struct BlockNumber {
+  std::optional<NumberLines> lines;
+  std::string missing = "a hundred decimals do not tell the eigenvalue from others";
+};
+
+BlockNumber number_of(const RadiusProof& proof) {
+  const auto* graph = std::get_if<GraphProof>(&proof);
+  if (graph && graph->attained) return {number_lines(graph->attained->number)};
+  if (const auto* form = std::get_if<QuadraticProof>(&proof)) {
+    const Rational q(denominator(form->bound));
+    return {number_lines({LaurentPolynomial({-form->bound * q, q}, 0), {form->bound, 0}})};
+  }
+  const auto* polytope = std::get_if<PolytopeProof>(&proof);
+  if (polytope && polytope->attained) return {number_lines(polytope->attained->number)};
+  return {{}, polytope ? polytope->not_attained : "neither a polytope nor a form proves it"};
+}
+
+ExactRadius exact_radius(const JointSpectralRadius& radius) {
   if (!radius.exact.is_yes()) return {};
   if (const auto* single = std::get_if<SingleRadiusProof>(&radius.proof)) {
-    const auto lines = exact_radius_lines(single->growth);
-    return lines ? ExactRadius{lines->number, lines->root, {}, single->growth.power == 0} : ExactRadius{};
+    const auto number = number_of(single->growth);
+    const auto lines = number ? number_lines(*number) : std::nullopt;
+    return lines ? ExactRadius{lines->number, lines->root, {}, {}, single->growth.power == 0} : ExactRadius{};
   }
   const BlockProof* blocks = radius.by_blocks();
   const std::size_t count = blocks ? blocks->blocks.size() : 1, leading = blocks ? blocks->leading : 0;
-  const auto lines_of = [&](std::size_t i) -> std::optional<ExactRadiusLines> {
-    const RadiusProof& proof = blocks ? blocks->blocks[i].proof : radius.proof;
-    const MatrixFamily its = blocks ? blocks->triangular.block(i) : family;
-    if (const auto* graph = std::get_if<GraphProof>(&proof); graph && graph->attained)
-      return exact_radius_lines(its, *graph->attained);
-    const auto* polytope = std::get_if<PolytopeProof>(&proof);
-    return polytope ? exact_radius_lines(its, *polytope) : std::nullopt;
-  };
-  const auto first = lines_of(leading);
-  if (!first) return {};
-  ExactRadius exact{first->number, first->root, std::vector<CycleLines>(count), true};
+  const BlockNumber first = number_of(blocks ? blocks->blocks[leading].proof : radius.proof);
+  if (!first.lines) return {{}, {}, first.missing};
+  ExactRadius exact{first.lines->number, first.lines->root, {}, std::vector<bool>(count), true};
+  exact.blocks[leading] = true;
   for (std::size_t i = 0; i < count; ++i) {
-    if (i != leading && blocks->blocks[i].proved_upper() < first->low) continue;
-    exact.grows_like_powers = exact.grows_like_powers && i == leading;
-    if (i != leading && blocks->blocks[i].proved_upper() == first->low) continue;
-    const auto lines = i == leading ? first : lines_of(i);
-    if (!lines || lines->number != first->number) return {};
-    exact.cycles[i] = lines->cycles;
+    if (i == leading || blocks->blocks[i].proved_upper() < first.lines->low) continue;
+    exact.grows_like_powers = false;
+    if (blocks->blocks[i].proved_upper() == first.lines->low) continue;
+    const BlockNumber other = number_of(blocks->blocks[i].proof);
+    if (!other.lines) return {{}, {}, other.missing};
+    if (other.lines->number != exact.number) return {{}, {}, "two blocks have the same radius by two numbers"};
+    exact.blocks[i] = true;
   }
   return exact;
 }
@@ -263,8 +277,7 @@ ExactRadius exact_radius(const MatrixFamily& family, const JointSpectralRadius& 
 Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) {
   const auto of_block = [&](const JointSpectralRadius& block, std::size_t i) {
     const auto* graph = std::get_if<GraphProof>(&block.proof);
-    return graph && i < exact.cycles.size() && !exact.cycles[i].text.empty() ? *graph->attained->radius.upper
-                                                                             : block.proved_upper();
+    return graph && i < exact.blocks.size() && exact.blocks[i] ? *graph->attained->radius.upper : block.proved_upper();
   };
   const BlockProof* blocks = radius.by_blocks();
   if (!blocks) return of_block(radius, 0);
@@ -275,6 +288,7 @@ Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) 
 
 /// What the number is: `before` the logarithm of the radius, or the radius. Domain: the first section.
 void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before = "") {
+  certificate.missing = exact.missing;
   if (exact.number.empty()) return;
   certificate.claim.exact = before + exact.number;
   certificate.sections.push_back({exact.root, ""});
@@ -346,11 +360,11 @@ MatrixFamily family_of(const Mask& mask, const HolderRegularity& regularity) {
 
 /// `product`: the lower bound as well.
 void add_radius(Certificate& certificate, const Mask& mask, const HolderRegularity& regularity, bool product,
-                const std::vector<CycleLines>& cycles = {}) {
+                const std::vector<bool>& exact = {}) {
   const JointSpectralRadius& radius = regularity.radius;
   certificate.sections.push_back(
       {blocks_text(radius) + (product ? product_text(family_of(mask, regularity), radius) : "")});
-  add_sections(certificate, radius.proof, static_cast<std::size_t>(mask.arity()), cycles);
+  add_sections(certificate, radius.proof, static_cast<std::size_t>(mask.arity()), exact);
 }
 
 /// The power of the logarithm in the modulus of continuity, and the lines that prove it; nothing where they would not.
@@ -402,14 +416,14 @@ void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegula
   if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
     claim.upper = decimal;
   ExactRadius exact;
-  if (claim.upper && by_product && !rounding) exact = exact_radius(family_of(mask, regularity), radius);
+  if (claim.upper && by_product && !rounding) exact = exact_radius(radius);
   claim.lower = outward(lower_end(mask, regularity, exact), Rounding::down);
   certificate.bounds = {outward(lower_end(mask, regularity), Rounding::down), claim.upper};
   claim_exact(certificate, exact, whole + "-log");
   certificate.sections.push_back(
       {fmt::format("{}sum-rules {}{}\n{}", reduced, rules, full_text(claim.upper && !by_product),
                    claim.upper ? "stability\n" : "")});
-  add_radius(certificate, mask, regularity, claim.upper && by_product, exact.cycles);
+  add_radius(certificate, mask, regularity, claim.upper && by_product, exact.blocks);
   const auto logarithm = claim.exact ? logarithm_lines(mask, regularity, exact) : std::nullopt;
   if (!logarithm) return;
   claim.logarithm = logarithm->first;
@@ -507,7 +521,7 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
-  const ExactRadius exact = tells_upper_end ? exact_radius(space.family, radius) : ExactRadius{};
+  const ExactRadius exact = tells_upper_end ? exact_radius(radius) : ExactRadius{};
   Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text()}}, {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
@@ -518,7 +532,7 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   text += blocks_text(radius);
   if (tells_upper_end) text += product_text(space.family, radius);
   certificate.sections.push_back({std::move(text)});
-  add_sections(certificate, radius.proof, space.family.count(), exact.cycles);
+  add_sections(certificate, radius.proof, space.family.count(), exact.blocks);
   if (space.is_of_values()) add_shrinking(certificate, *regularity.shrinking);
   return certificate;
 }
@@ -652,12 +666,12 @@ Certificate radius_certificate(const MatrixFamily& family, const JointSpectralRa
   if (const Rational lower = proved_lower(product); lower > 0)
     claim.lower = outward(is_exactly_given(product) ? lower : rounded(lower, inverse_bits, Rounding::down),
                           Rounding::down);
-  const ExactRadius exact = exact_radius(family, radius);
+  const ExactRadius exact = exact_radius(radius);
   claim.upper = outward(upper_end(radius, exact), Rounding::up);
   certificate.bounds = {claim.lower, outward(upper_end(radius, {}), Rounding::up)};
   claim_exact(certificate, exact);
   certificate.sections.push_back({blocks_text(radius) + (claim.lower ? product_text(family, radius) : "")});
-  add_sections(certificate, radius.proof, family.count(), exact.cycles);
+  add_sections(certificate, radius.proof, family.count(), exact.blocks);
   return certificate;
 }
 
@@ -668,7 +682,7 @@ Certificate subradius_certificate(const MatrixFamily& family, const JointSpectra
   claim.upper = outward(*root_enclosure(product.radius, static_cast<int>(product.word.size())).upper, Rounding::up);
   std::string proofs = product_text(0, {product.radius, 0}, product.word) + "weights" + numbers_text(product.weights) +
                        "\n";
-  std::optional<ExactRadiusLines> lines;
+  std::optional<SubradiusLines> lines;
   if (const std::optional<AntinormProof>& proof = radius.antinorm) {
     claim.lower = outward(proof->bound, Rounding::down);
     if (radius.exact.is_yes()) lines = exact_subradius_lines(family, *proof);
@@ -683,9 +697,9 @@ Certificate subradius_certificate(const MatrixFamily& family, const JointSpectra
     }
   }
   certificate.bounds = claim;
-  if (lines) claim_exact(certificate, {lines->number, lines->root});
+  if (lines) claim_exact(certificate, {lines->number.number, lines->number.root});
   certificate.sections.push_back({std::move(proofs)});
-  if (lines) certificate.sections.push_back({lines->cycles.text, ""});
+  if (lines) certificate.sections.push_back({lines->cycles, ""});
   return certificate;
 }
 

@@ -25,6 +25,7 @@ struct Certificate {
   CertificateClaim claim;
   std::vector<CertificateSection> sections;  ///< what follows the head
   ClaimedEnds bounds = {};                   ///< what is proved without what says what the number is
+  std::string missing = {};                  ///< why the number is exact and that is not said; or empty
 
   std::string text() const;
   /// That of the bounds alone: where the checker does not accept what says what the number is, as an image may lie too

@@ -88,7 +88,9 @@ Certificate verified(const Certificate& certificate, const std::string& matrices
   const CheckerAnswer answer = check_certificate(certificate.claim, certificate.text(), matrices);
   if (answer.code == 0) return certificate;
   if (!certificate.claim.exact) fail(ErrorKind::undecided, "subcert-check says {}", answer.text);
-  return verified(certificate.of_bounds(), matrices);
+  Certificate bounds = verified(certificate.of_bounds(), matrices);
+  bounds.missing = "subcert-check says " + answer.text;
+  return bounds;
 }
 
 }  // namespace subcert

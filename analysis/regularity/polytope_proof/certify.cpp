@@ -53,7 +53,6 @@ class Certifier {
     polytope_.kind = candidate.kind;
     polytope_.transposed = candidate.transposed;
     polytope_.group = candidate.transposed ? transposed(family).group() : family.group();
-    polytope_.origins = origins();
     denominator_ = common_denominator(family);
     for (const RationalMatrix& m : family)
       matrices_.push_back(integer_multiple(candidate.transposed ? transposed(m) : m, denominator_));
@@ -67,18 +66,6 @@ class Certifier {
         for (std::size_t j = 0; j < size_; ++j)
           to_search_.push_back(to_integer(to(i, j) * power(Rational(2), to_search_bits_), Rounding::down));
     }
-  }
-
-  PolytopeOrigins origins() const {
-    PolytopeOrigins result;
-    for (const auto& v : candidate_.vertices) result.vertices.push_back({v.parent, v.letter, v.cycle, v.place});
-    for (const auto& image : candidate_.images)
-      if (image.identity && !image.terms.front().conjugated)
-        result.coincidences.push_back({static_cast<std::size_t>(image.vertex), static_cast<std::size_t>(image.letter),
-                                       static_cast<std::size_t>(image.terms.front().vertex),
-                                       static_cast<std::size_t>(image.terms.front().element)});
-    for (const auto& product : candidate_.products) result.cycles.push_back(product.word);
-    return result;
   }
 
   std::optional<PolytopeProof> run(const radius::Orbit& orbit, const Deadline& deadline) {
@@ -505,6 +492,7 @@ PolytopeProof scaled(PolytopeProof proof, const Rational& factor) {
   const bool exact = factor == power(Rational(2), binary_exponent(factor));
   const int more = static_cast<int>(std::max(0L, -binary_exponent(factor))) + (exact ? 0 : guard_bits);
   const Rational in_units = factor * power(Rational(2), more);
+  if (proof.attained) proof.attained->number = scaled(std::move(proof.attained->number), factor);
   proof.weight_bits += more;
   for (auto& unit : proof.units)
     for (WeightedVertex& term : unit)

@@ -3,10 +3,15 @@
 /// found.
 
 #include <subcert/analysis/regularity/polytope_search/polytope_kind.hpp>
+#include <subcert/analysis/regularity/radius/attained_number.hpp>
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
 #include <subcert/analysis/symbol/rational_complex.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace subcert {
 
@@ -26,20 +31,31 @@ struct WeightedVertex {
   Integer modulus;
 };
 
-/// How the search made the vertices, from which it follows what their images are where they do not lie inside. Nothing
-/// here is proved.
-struct PolytopeOrigins {
-  struct Vertex {
-    int parent = -1, letter = -1;  ///< the image of that vertex, over the radius; -1: of none
-    int cycle = -1, place = -1;    ///< without parent: after so many letters of that cycle; -1: an extra vertex
+/// That products attain the radius: how true vertices near the rational ones arise from leading eigenvectors, and which
+/// images are vertices by that (SPEC.md, 4.10). That all other images lie inside is for those who check the proof to
+/// see, by the numbers of the polytope.
+struct AttainedProof {
+  /// Images of the first vertex, letter by letter, to which sign * an element of the group leads the last one back,
+  /// times the leading eigenvalue of this product.
+  struct Cycle {
+    std::size_t vertex, element;
+    int sign;
+    std::vector<int> letters;   ///< in the order in which the matrices are applied
+    std::vector<Integer> seed;  ///< its images under the product have the eigenvector for a sum
+    std::size_t last;           ///< the vertex before the last letter
+  };
+  /// A vertex that is an image, over the radius.
+  struct Origin {
+    std::size_t vertex, parent, letter;
   };
   /// An image that is a vertex up to a factor of modulus 1, moved by an element of the group.
   struct Coincidence {
     std::size_t vertex, letter, target, element;
   };
-  std::vector<Vertex> vertices;
+  AttainedNumber number;  ///< the radius
+  std::vector<Cycle> cycles;
+  std::vector<Origin> origins;  ///< in order
   std::vector<Coincidence> coincidences;
-  std::vector<std::vector<int>> cycles;  ///< the letters in the order in which the matrices are applied
 };
 
 /// Vertices and combinations with exact dyadic numbers. With P the hull of the vertices, their negatives and, the
@@ -62,7 +78,9 @@ struct PolytopeProof {
   Integer unit_norm;                ///< bounds the norm of every unit vector
   std::vector<Rational> moduli;     ///< of the weights of each image, added up
   std::vector<Rational> residuals;  ///< 1-norms
-  PolytopeOrigins origins;
+  /// That it is the polytope of the very radius; where there is none, why.
+  std::optional<AttainedProof> attained = {};
+  std::string not_attained = "the polytope is not one of the very radius";
 
   /// With its denominators. Domain: index < vertices.size().
   ComplexVector vertex(std::size_t index) const;

@@ -1,9 +1,10 @@
 #pragma once
 /// Rational proofs of upper bounds for joint spectral radii by a graph of quadratic forms and trees of products.
 
+#include <subcert/analysis/regularity/radius/attained_number.hpp>
+
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
-#include <subcert/analysis/symbol/rational_complex.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -42,13 +43,14 @@ struct GraphProof {
 /// Words of steps for a bound below the radius of a product, and letters that go round the product instead of words:
 /// these keep a norm that knows the left eigenvector of the product (SPEC.md, 4.14).
 struct AttainedGraph {
-  GraphProof graph;            ///< with kept letters; its bound proves nothing by itself
-  std::size_t first;           ///< the state before the first letter of the product
-  std::vector<int> product;    ///< from left to right
-  RationalComplex eigenvalue;  ///< of the product, nearly
-  std::size_t coordinate;      ///< of the eigenvector, whose modulus is 1
-  Rational kept, scale;        ///< of the line `cycle`
-  Enclosure radius;            ///< the joint spectral radius
+  GraphProof graph;           ///< with kept letters; its bound proves nothing by itself
+  std::size_t first;          ///< the state before the first letter of the product
+  std::vector<int> product;   ///< from left to right
+  AttainedNumber number;      ///< the radius
+  std::vector<Integer> seed;  ///< its images under the transposed product have the eigenvector for a sum
+  std::size_t coordinate;     ///< of the eigenvector, whose modulus is 1
+  Rational kept, scale;       ///< of the line `cycle`
+  Enclosure radius;           ///< the joint spectral radius
 };
 
 /// The proof for factor times the matrices. Domain: factor > 0.

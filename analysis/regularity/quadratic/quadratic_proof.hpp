@@ -4,7 +4,7 @@
 #include "graph_proof.hpp"
 
 namespace subcert {
-/// bound^2 P - A_t^T P A_t is positive semidefinite for the letters t, of equal matrices the first one's
+/// A_t^T P A_t = bound^2 P for the letters t, of equal matrices the first one's, so that bound is the radius
 /// (proofs-checks/certificates/SPEC.md, 4.8).
 struct QuadraticProof {
   std::vector<std::vector<Integer>> form;  ///< P row by row up to the diagonal

@@ -1,10 +1,9 @@
 #include "attains.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
-#include "cost.hpp"
+#include "attained_cycles.hpp"
 
 #include <subcert/analysis/symbol/ball_matrix.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <algorithm>
 #include <map>
@@ -72,6 +71,8 @@ class Proof {
     }
     return {Truth::yes, "every image is a vertex or lies inside, and the product attains the radius"};
   }
+
+  const CycleFactors& factors() const { return factors_; }
 
  private:
   /// A product and one of its leading eigenvectors, of which the images along the word are roots of the polytope.
@@ -190,30 +191,16 @@ class Proof {
     for (const FamilySymmetry& element : polytope_.group) cycle.shifts.push_back(shift_of(cycle.word, element));
     const RationalMatrix product = product_from(cycle, place_of(root));
     const ComplexVector v = polytope_.vertex(root);
-    const auto characteristic = characteristic_polynomial(product, deadline_);
-    if (one_norm(v) == 0 || !characteristic || !has_time_for_roots(*characteristic, deadline_)) return std::nullopt;
+    if (one_norm(v) == 0) return std::nullopt;
     // The powers of the product lose so many digits to each other in the projection.
     const slong precision = least_precision +
                             static_cast<slong>(v.size()) * std::max(0L, binary_exponent(product).value_or(0));
-    const ComplexBall quotient = ball_around(rayleigh_quotient(v, product * v), precision);
-    LaurentPolynomial f, others;
-    ComplexBall eigenvalue = ComplexBall::indeterminate(precision);
-    std::vector<ComplexBall> zeros;
-    for (const PolynomialFactor& factor : irreducible_factors(*characteristic))
-      for (const ComplexBall& zero : complex_roots(factor.polynomial.shifted(-factor.polynomial.lowest()), precision)) {
-        zeros.push_back(zero);
-        if (factor.polynomial.lowest() == 0 && !abs(eigenvalue - quotient).is_less(abs(zero - quotient))) {
-          eigenvalue = zero;
-          f = factor.polynomial;
-          cycle.simple = factor.multiplicity == 1;
-          others = *characteristic;
-          for (int k = 0; k < factor.multiplicity; ++k) others = *others.exact_quotient(f);
-        }
-      }
-    if (f.length() < 2) return std::nullopt;
+    auto own = leading_factor(product, rayleigh_quotient(v, product * v), precision, deadline_);
+    if (!own) return std::nullopt;
+    const auto& [f, others, multiplicity, eigenvalue, zeros] = *own;
+    cycle.simple = multiplicity == 1;
     if (polytope_.kind == PolytopeKind::nonnegative && !is_perron_root(eigenvalue, zeros)) return std::nullopt;
     cycle.eigenspace = kernel(value_at(f, product));
-    const long multiplicity = (characteristic->highest() - others.highest()) / f.highest();
     if (static_cast<long>(cycle.eigenspace.size()) != f.highest() * multiplicity) return std::nullopt;
     const Enclosure modulus = abs(eigenvalue).enclosure(256);
     if (!modulus.lower || *modulus.lower <= 0) return std::nullopt;
@@ -229,6 +216,7 @@ class Proof {
     if (!error) return std::nullopt;
     cycle_of_root_.emplace(root, cycles_.size());
     cycles_.push_back(std::move(cycle));
+    factors_.emplace(root, std::move(*own));
     return *error * polytope_.unit_norm;
   }
 
@@ -461,14 +449,18 @@ class Proof {
   std::vector<RationalMatrix> matrices_;
   std::vector<Cycle> cycles_;
   std::map<std::size_t, std::size_t> cycle_of_root_;
+  CycleFactors factors_;
   Rational error_ = 0;
 };
 
 }  // namespace
 
-Decision product_attains_radius(const MatrixFamily& family, const PolytopeCandidate& candidate,
-                                const PolytopeProof& polytope, const Rational& lower, const Deadline& deadline) {
-  return Proof(family, candidate, polytope, lower, deadline).run();
+Decision product_attains_radius(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
+                                const Rational& lower, const Deadline& deadline) {
+  Proof proof(family, candidate, polytope, lower, deadline);
+  Decision decision = proof.run();
+  if (candidate.closed) find_cycles(family, candidate, polytope, proof.factors(), deadline);
+  return decision;
 }
 
 }  // namespace subcert::radius

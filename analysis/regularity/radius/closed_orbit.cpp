@@ -1,5 +1,6 @@
 #include "closed_orbit.hpp"
 
+#include "attained_cycles.hpp"
 #include "subspace.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
@@ -7,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 
 namespace subcert::radius {
 namespace {
@@ -258,6 +261,27 @@ std::vector<Start> leading_vectors(const MatrixFamily& family, std::vector<int> 
   return result;
 }
 
+/// From which orbits may close: the leading vectors of each word, those of the fewest first, as any basis of many is a
+/// guess; then all together, beginning with these.
+std::vector<std::vector<Start>> all_starts(const MatrixFamily& family, const std::vector<std::vector<int>>& words,
+                                           int length, const Rational& radius) {
+  std::map<std::size_t, std::vector<std::vector<Start>>> by_dimension;
+  for (const std::vector<int>& word : words) {
+    std::vector<Start> own = leading_vectors(family, word, length, radius);
+    by_dimension[own.size() / word.size()].push_back(std::move(own));
+  }
+  by_dimension.erase(0);
+  std::vector<std::vector<Start>> result;
+  std::vector<Start> all;
+  for (auto& [dimension, several] : by_dimension)
+    for (std::vector<Start>& starts : several) {
+      all.insert(all.end(), starts.begin(), starts.end());
+      result.push_back(std::move(starts));
+    }
+  if (result.size() > 1) result.push_back(std::move(all));
+  return result;
+}
+
 /// A polytope of the family itself, for a certificate. The starts are made ever smaller, so that images of one which
 /// look like those of another lie inside.
 std::optional<PolytopeProof> strict_proof(const MatrixFamily& family, std::vector<Start> starts, int length,
@@ -269,7 +293,10 @@ std::optional<PolytopeProof> strict_proof(const MatrixFamily& family, std::vecto
   const int letters = static_cast<int>(starts.front().cycle.size());
   const Rational power_of_radius = power(radius, letters / length);
   Orbit orbit(family, power_of_radius, letters, true, budget);
-  return orbit.grow(starts) ? certify_polytope(family, orbit.candidate(), budget) : std::nullopt;
+  if (!orbit.grow(starts)) return std::nullopt;
+  auto proof = certify_polytope(family, orbit.candidate(), budget);
+  if (proof) find_cycles(family, orbit.candidate(), *proof, {}, budget.deadline);
+  return proof;
 }
 
 /// radius^length, where the product attains the radius and that is a rational number.
@@ -286,29 +313,49 @@ std::optional<Rational> rational_power(const MatrixFamily& products, std::size_t
   return prove_product(products, in_products, deadline).exact;
 }
 
+/// Of the first of these starts whose orbit closes, with a proof for certificates by these or others.
+std::optional<ClosedOrbit> first_closed(const MatrixFamily& family, const MatrixFamily& products,
+                                        const std::vector<std::vector<Start>>& all, int length, const Rational& radius,
+                                        const Budget& budget) {
+  std::optional<ClosedOrbit> result;
+  for (const std::vector<Start>& starts : all) {
+    if (budget.deadline.expired()) break;
+    if (!result) {
+      Orbit orbit(products, radius, 1, false, budget);
+      if (!orbit.grow(starts)) continue;
+      result = {radius, length, {}, std::nullopt};
+      if (length == 1) result->proof = certify_polytope(products, orbit.candidate(), budget);
+    }
+    if (auto proof = strict_proof(family, starts, length, radius, budget)) {
+      result->proof = std::move(proof);
+      break;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<ClosedOrbit> closed_orbit(const MatrixFamily& family, const std::vector<std::vector<int>>& words,
                                         const Budget& budget) {
-  if (family.size() > largest_size || words.empty() || words.front().size() > longest_word) return std::nullopt;
+  std::vector<std::vector<int>> short_words;
+  for (const std::vector<int>& word : words)
+    if (word.size() <= longest_word && short_words.size() < most_words) short_words.push_back(word);
+  if (family.size() > largest_size) return std::nullopt;
   const Budget its{budget.deadline.after(share).at_most(seconds), budget.memory};
-  std::size_t count = family.count();
-  for (int length = 1; length <= longest && count <= most_products; ++length, count *= family.count()) {
-    const MatrixFamily products = products_of(family, length);
-    const auto radius = rational_power(products, family.count(), words.front(), length, its.deadline);
-    if (!radius || *radius <= 0) continue;
-    std::vector<Start> all;
-    for (std::size_t k = 0; k < std::min(words.size(), most_words) && !its.deadline.expired(); ++k) {
-      if (words[k].size() > longest_word) continue;
-      const std::vector<Start> own = leading_vectors(family, words[k], length, *radius);
-      all.insert(all.end(), own.begin(), own.end());
-      for (const bool alone : {true, false}) {
-        if (!alone && all.size() == own.size()) continue;
-        Orbit orbit(products, *radius, 1, false, its);
-        if (!orbit.grow(alone ? own : all)) continue;
-        ClosedOrbit result{*radius, length, strict_proof(family, alone ? own : all, length, *radius, its)};
-        if (!result.proof && length == 1) result.proof = certify_polytope(products, orbit.candidate(), its);
-        return result;
+  std::set<int> tried;
+  for (const std::vector<int>& word : short_words) {
+    std::size_t count = family.count();
+    for (int length = 1; length <= longest && count <= most_products; ++length, count *= family.count()) {
+      if (tried.contains(length) || its.deadline.expired()) continue;
+      const MatrixFamily products = products_of(family, length);
+      const auto radius = rational_power(products, family.count(), word, length, its.deadline);
+      if (!radius || *radius <= 0) continue;
+      tried.insert(length);
+      if (auto orbit = first_closed(family, products, all_starts(family, short_words, length, *radius), length, *radius,
+                                    its)) {
+        orbit->word = word;
+        return orbit;
       }
     }
   }

@@ -7,8 +7,9 @@ namespace subcert::radius {
 
 /// That the radius is a known number.
 struct ClosedOrbit {
-  Rational power;  ///< the radius^length
-  int length;      ///< of the products whose images of the vectors stay in the hull of these and their negatives
+  Rational power;         ///< the radius^length
+  int length;             ///< of the products whose images of the vectors stay in the hull of these and their negatives
+  std::vector<int> word;  ///< of a product that attains the radius, from left to right
   std::optional<PolytopeProof> proof;  ///< of an upper bound, where there is one of the family itself
 };
 

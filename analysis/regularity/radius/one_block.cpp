@@ -58,7 +58,7 @@ bool have_equal_radii(const MatrixFamily& family, const PolytopeCandidate& candi
 }
 
 /// Whether the product attains the radius, for a polytope whose bound is above the lower end of the product.
-Decision attains(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
+Decision attains(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
                  const ProductEvidence& product, const Deadline& deadline) {
   if (candidate.closed && !have_equal_radii(family, candidate, product, deadline))
     return {Truth::unknown, "several products seem to attain the radius, but their radii were not proved equal"};
@@ -163,22 +163,21 @@ void expand(GraphProof& proof, const DifferentMatrices& different) {
 }
 
 /// Images under matrices that occur once more are the same vertices.
-void expand(PolytopeOrigins& origins, const DifferentMatrices& different) {
-  std::vector<PolytopeOrigins::Coincidence> all;
-  const auto add = [&](const PolytopeOrigins::Coincidence& image, bool first) {
+void expand(AttainedProof& proof, const DifferentMatrices& different) {
+  const auto original = [&](std::size_t letter) { return different.originals[letter]; };
+  std::vector<AttainedProof::Coincidence> all;
+  const auto add = [&](const AttainedProof::Coincidence& image, bool first) {
     for (std::size_t t = 0; t < different.places.size(); ++t)
-      if (different.places[t] == image.letter && (first || t != different.originals[image.letter]))
+      if (different.places[t] == image.letter && (first || t != original(image.letter)))
         all.push_back({image.vertex, t, image.target, image.element});
   };
-  for (const PolytopeOrigins::Coincidence& image : origins.coincidences) add(image, true);
-  for (std::size_t v = 0; v < origins.vertices.size(); ++v) {
-    PolytopeOrigins::Vertex& vertex = origins.vertices[v];
-    if (vertex.letter < 0) continue;
-    const auto letter = static_cast<std::size_t>(vertex.letter);
-    if (vertex.parent >= 0) add({static_cast<std::size_t>(vertex.parent), letter, v, 0}, false);
-    vertex.letter = static_cast<int>(different.originals[letter]);
+  for (const AttainedProof::Coincidence& image : proof.coincidences) add(image, true);
+  for (AttainedProof::Origin& origin : proof.origins) {
+    add({origin.parent, origin.letter, origin.vertex, 0}, false);
+    origin.letter = original(origin.letter);
   }
-  origins.coincidences = std::move(all);
+  proof.coincidences = std::move(all);
+  for (AttainedProof::Cycle& cycle : proof.cycles) rename(cycle.letters, different);
 }
 
 /// The proof for the family from that for its different matrices.
@@ -209,8 +208,7 @@ void expand(JointSpectralRadius& radius, const DifferentMatrices& different) {
       }
   repeated(polytope->moduli);
   repeated(polytope->residuals);
-  expand(polytope->origins, different);
-  for (std::vector<int>& cycle : polytope->origins.cycles) rename(cycle, different);
+  if (polytope->attained) expand(*polytope->attained, different);
   expand(polytope->group, different);
 }
 
@@ -275,7 +273,7 @@ std::vector<int> find_long_product(const MatrixFamily& family, const Budget& bud
   if (found.front().radius > 0)
     std::ranges::move(quadratic::long_products(search, found.front().radius, budget), std::back_inserter(found));
   polytope::sort_candidates(found);
-  return {found.front().word.rbegin(), found.front().word.rend()};
+  return found.front().written();
 }
 
 struct Attempts {
@@ -444,12 +442,15 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
     result.exact = {Truth::unknown, "no polytope closed"};
   else
     result.exact = found.exact;
-  const auto orbit = result.exact.is_yes() || enough || lower <= 0 ? std::nullopt
-                                                                   : closed_orbit_of(scaled_family, candidate, budget);
-  if (orbit) {
+  // Cycles whose eigenvalues have no common polynomial have no certificate, but perhaps an orbit has one.
+  const bool unsaid = closed && !polytope->attained && !attained && !result.radius.is_exact();
+  const auto orbit = (result.exact.is_yes() && !unsaid) || enough || lower <= 0
+                         ? std::nullopt
+                         : closed_orbit_of(scaled_family, candidate, budget);
+  if (orbit && !result.exact.is_yes()) {
     const Rational power_of_unit = power(unit, orbit->length) * orbit->power;
     result.radius = root_enclosure(power_of_unit, orbit->length, default_bits);
-    product = prove_product(scaled_family, candidate.word(0), budget.deadline);
+    product = prove_product(scaled_family, orbit->word, budget.deadline);
     result.exact = {Truth::yes,
                     "finitely many rational vectors stay in their hull, and the product attains the radius"};
   }

@@ -1,6 +1,7 @@
 #include "product.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
+#include "leading_factor.hpp"
 #include "cost.hpp"
 #include "rounded_family.hpp"
 
@@ -16,30 +17,12 @@ namespace subcert {
 namespace {
 
 constexpr slong precision = 320;
-constexpr int newton_steps = 16;
 constexpr int dyadic_bits = 200;
 constexpr long resolved_bits = 20;     // that an eigenvalue may be smaller than the entries
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
 constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
 // Of approximate inverses, in bits.
 constexpr long inverse_distance = 72, inverse_accuracy = 60, longest_entry = 4000;
-
-RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
-  RationalComplex value;
-  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
-  return value;
-}
-
-/// Towards the zero of p near a start, by Newton's method.
-ComplexBall newton(const LaurentPolynomial& p, ComplexBall z) {
-  const LaurentPolynomial derivative = p.derivative();
-  for (int k = 0; k < newton_steps; ++k) {
-    const ComplexBall next = z - value_at(p, z) / value_at(derivative, z);
-    if (!next.is_finite()) break;
-    z = middle(next);
-  }
-  return z;
-}
 
 /// The largest number of which all entries are integer multiples. Domain: not the zero matrix.
 Rational content(const RationalMatrix& matrix) {
@@ -102,7 +85,7 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   const bool real = imaginary <= (simple.length() < p.length() ? 1e-6 : 1e-12) * modulus;
   const ComplexBall near = ball_around({Rational(start.value.real()), real ? Rational(0) : Rational(imaginary)},
                                        precision);
-  const RationalComplex z = exact_middle(newton(simple, near.scaled(start.exponent)));
+  const RationalComplex z = exact_middle(radius::refined_zero(simple, near.scaled(start.exponent)));
   const int exponent = std::ilogb(modulus) + static_cast<int>(start.exponent);
   const int bits = dyadic_bits + std::max(0, -exponent - smallest_exponent);
   if (real)

@@ -238,14 +238,14 @@ struct BlockNumber {
 
 BlockNumber number_of(const RadiusProof& proof) {
   const auto* graph = std::get_if<GraphProof>(&proof);
-  if (graph && graph->attained) return {number_lines(graph->attained->number)};
+  if (graph && graph->attained && graph->attained->number) return {number_lines(*graph->attained->number)};
   if (const auto* form = std::get_if<QuadraticProof>(&proof)) {
     const Rational q(denominator(form->bound));
     return {number_lines({LaurentPolynomial({-form->bound * q, q}, 0), {form->bound, 0}})};
   }
   const auto* polytope = std::get_if<PolytopeProof>(&proof);
   if (polytope && polytope->attained) return {number_lines(polytope->attained->number)};
-  return {{}, polytope ? polytope->not_attained : "neither a polytope nor a form proves it"};
+  return {{}, polytope ? polytope->not_attained : "neither a polytope nor a form names it"};
 }
 
 ExactRadius exact_radius(const JointSpectralRadius& radius) {

@@ -492,7 +492,7 @@ PolytopeProof scaled(PolytopeProof proof, const Rational& factor) {
   const bool exact = factor == power(Rational(2), binary_exponent(factor));
   const int more = static_cast<int>(std::max(0L, -binary_exponent(factor))) + (exact ? 0 : guard_bits);
   const Rational in_units = factor * power(Rational(2), more);
-  if (proof.attained) proof.attained->number = scaled(std::move(proof.attained->number), factor);
+  if (proof.attained) proof.attained->number = scaled(proof.attained->number, factor);
   proof.weight_bits += more;
   for (auto& unit : proof.units)
     for (WeightedVertex& term : unit)

@@ -2,8 +2,8 @@
 /// Rational proofs of upper bounds for joint spectral radii by polytopes, made from what the floating point search
 /// found.
 
+#include <subcert/analysis/regularity/polytope_proof/attained_number.hpp>
 #include <subcert/analysis/regularity/polytope_search/polytope_kind.hpp>
-#include <subcert/analysis/regularity/radius/attained_number.hpp>
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>

@@ -1,13 +1,14 @@
 #pragma once
 /// Rational proofs of upper bounds for joint spectral radii by a graph of quadratic forms and trees of products.
 
-#include <subcert/analysis/regularity/radius/attained_number.hpp>
+#include <subcert/analysis/regularity/polytope_proof/attained_number.hpp>
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace subcert {
@@ -43,14 +44,14 @@ struct GraphProof {
 /// Words of steps for a bound below the radius of a product, and letters that go round the product instead of words:
 /// these keep a norm that knows the left eigenvector of the product (SPEC.md, 4.14).
 struct AttainedGraph {
-  GraphProof graph;           ///< with kept letters; its bound proves nothing by itself
-  std::size_t first;          ///< the state before the first letter of the product
-  std::vector<int> product;   ///< from left to right
-  AttainedNumber number;      ///< the radius
-  std::vector<Integer> seed;  ///< its images under the transposed product have the eigenvector for a sum
-  std::size_t coordinate;     ///< of the eigenvector, whose modulus is 1
-  Rational kept, scale;       ///< of the line `cycle`
-  Enclosure radius;           ///< the joint spectral radius
+  GraphProof graph;                           ///< with kept letters; its bound proves nothing by itself
+  std::size_t first;                          ///< the state before the first letter of the product
+  std::vector<int> product;                   ///< from left to right
+  std::size_t coordinate;                     ///< of the eigenvector, whose modulus is 1
+  Rational kept, scale;                       ///< of the line `cycle`
+  Enclosure radius;                           ///< the joint spectral radius
+  std::optional<AttainedNumber> number = {};  ///< that is it, once it is named,
+  std::vector<Integer> seed = {};  ///< and a vector whose images under the transposed product sum to the eigenvector
 };
 
 /// The proof for factor times the matrices. Domain: factor > 0.

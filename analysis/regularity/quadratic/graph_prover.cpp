@@ -4,7 +4,6 @@
 
 #include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
 #include <subcert/analysis/regularity/polytope_search/kernels.hpp>
-#include <subcert/analysis/regularity/radius/leading_factor.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
@@ -19,7 +18,6 @@ constexpr double least_slack = 1e-11, first_slack = 1.3;  // of the bound, relat
 constexpr double slack_factors[] = {1, 2, 10, 100, 1e4, 1e6};
 constexpr double most_slack = 1e-2;
 constexpr int bound_bits = 50;
-constexpr slong eigenvalue_bits = 320;
 constexpr std::size_t guard_bits = 64;  // of matrices of steps before they are rounded
 constexpr double norm_rounding = 1e-12;
 constexpr int most_norm = 7;
@@ -299,19 +297,8 @@ std::optional<AttainedGraph> prove_attained(const MatrixFamily& family, const st
   const auto cycle = prove_kept_cycle(family, forms.product, eigenvalue, std::span(coordinates).subspan(first),
                                       graph.proof.bound);
   if (!cycle || !graph.holds(deadline)) return std::nullopt;
-  const RationalMatrix product = transposed(family.product(forms.product));
-  const auto factor = radius::leading_factor(product, eigenvalue, eigenvalue_bits, deadline);
-  const auto seed = factor ? radius::seed_of(product, *factor, {}) : std::nullopt;
-  if (!seed) return std::nullopt;
-  return AttainedGraph{std::move(graph.proof),
-                       first,
-                       forms.product,
-                       factor->number(forms.product.size()),
-                       *seed,
-                       cycle->coordinate,
-                       cycle->kept,
-                       cycle->scale,
-                       cycle->radius};
+  return AttainedGraph{std::move(graph.proof), first,        forms.product, cycle->coordinate, cycle->kept,
+                       cycle->scale,           cycle->radius};
 }
 
 }  // namespace quadratic
@@ -328,7 +315,7 @@ GraphProof scaled(GraphProof proof, const Rational& factor) {
   if (proof.attained) {
     AttainedGraph attained = *proof.attained;
     attained.graph.bound *= factor;
-    attained.number = scaled(std::move(attained.number), factor);
+    if (attained.number) attained.number = scaled(*attained.number, factor);
     attained.radius = {*attained.radius.lower * factor, *attained.radius.upper * factor};
     proof.attained = std::make_shared<AttainedGraph>(std::move(attained));
   }

@@ -13,14 +13,6 @@ namespace {
 
 constexpr int newton_steps = 16;
 
-/// p(factor z), with integer coefficients without a common factor.
-LaurentPolynomial stretched(const LaurentPolynomial& p, const Rational& factor) {
-  std::vector<Rational> coefficients;
-  for (long k = 0; k <= p.highest(); ++k) coefficients.push_back(p.coefficient(k) * power(factor, k));
-  const std::vector<Integer> integers = radius::primitive(coefficients);
-  return LaurentPolynomial(std::vector<Rational>(integers.begin(), integers.end()), 0);
-}
-
 /// (-1)^d p(-z), d the degree.
 LaurentPolynomial mirrored(const LaurentPolynomial& p) {
   std::vector<Rational> coefficients;
@@ -30,17 +22,6 @@ LaurentPolynomial mirrored(const LaurentPolynomial& p) {
 }
 
 }  // namespace
-
-AttainedNumber scaled(AttainedNumber number, const Rational& factor) {
-  const Rational scale = power(factor, static_cast<long>(number.length));
-  return {stretched(number.polynomial, 1 / scale), scale * number.point, number.length};
-}
-
-RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z) {
-  RationalComplex value;
-  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * z + RationalComplex{p.coefficient(k), 0};
-  return value;
-}
 
 namespace radius {
 

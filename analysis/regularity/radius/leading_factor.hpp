@@ -1,7 +1,7 @@
 #pragma once
 /// Eigenvalues in their irreducible factors, and vectors that prove them: SPEC.md, 4.10. Inner header.
 
-#include "attained_number.hpp"
+#include <subcert/analysis/regularity/polytope_proof/attained_number.hpp>
 
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>

@@ -8,6 +8,7 @@
 #include "attains.hpp"
 #include "closed_orbit.hpp"
 #include "cost.hpp"
+#include "leading_factor.hpp"
 #include "scaling.hpp"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ constexpr double most_alone = 10;       // in seconds
 constexpr auto look = std::chrono::milliseconds(2);  // between looks at the time that they have had
 constexpr double same_radius = 1e-9;                 // of products, relatively
 constexpr std::size_t most_commuting = 64;
+constexpr slong eigenvalue_bits = 320;
 constexpr double merged_share = 0.5;  // for opposite matrices as one, where they were to be told apart in the end
 constexpr double commuting_share = 0.2, commuting_seconds = 2;  // for a polytope where the radius is known without
 
@@ -265,6 +267,23 @@ struct FormAttempt {
   bool is_exact() const { return proof && proof->attained; }
 };
 
+/// Quadratic forms, with the number that their product attains.
+std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Rational& target, const Budget& budget,
+                                         const ProductEvidence& product) {
+  auto proof = prove_by_quadratic_forms(family, target, budget, {product.word, product.eigenvalue});
+  if (!proof || !proof->attained) return proof;
+  AttainedGraph attained = *proof->attained;
+  const RationalMatrix matrix = transposed(family.product(attained.product));
+  const auto factor = leading_factor(matrix, product.eigenvalue, eigenvalue_bits,
+                                     Deadline::in(budget.deadline.remaining() + grace));
+  if (const auto seed = factor ? seed_of(matrix, *factor, {}) : std::nullopt) {
+    attained.number = factor->number(attained.product.size());
+    attained.seed = *seed;
+    proof->attained = std::make_shared<AttainedGraph>(std::move(attained));
+  }
+  return proof;
+}
+
 /// The best product of a quick look, and of the words along which a vector becomes longest.
 std::vector<int> find_long_product(const MatrixFamily& family, const Budget& budget) {
   const polytope::SearchFamily search = round_family(family, budget.deadline).family;
@@ -311,8 +330,7 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
     const std::vector<int> word = find_long_product(family, its);
     forms.product = prove_product(family, word, ProductDeadline(its.deadline)(word));
     radius_of_forms = forms.product.radius.lower->convert_to<double>();
-    forms.proof = prove_by_quadratic_forms(family, *forms.product.radius.lower, its,
-                                           {forms.product.word, forms.product.eigenvalue});
+    forms.proof = prove_by_forms(family, *forms.product.radius.lower, its, forms.product);
     if (forms.is_exact()) polytopes_end.set();
     if (!forms_end.is_set()) result.forms = std::move(forms);
   };
@@ -425,7 +443,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
   if (!forms && !closed && lower < upper && !enough)
-    form = prove_by_quadratic_forms(scaled_family, lower / unit, budget, {product.word, product.eigenvalue});
+    form = prove_by_forms(scaled_family, lower / unit, budget, product);
   const bool attained = form && form->attained && !found.exact.is_yes(),
              by_form = form && (attained || form->bound * unit < upper);
   if (by_form) upper = form->bound * unit;

@@ -1,8 +1,8 @@
 #include "product.hpp"
 
 #include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
-#include "leading_factor.hpp"
 #include "cost.hpp"
+#include "leading_factor.hpp"
 #include "rounded_family.hpp"
 
 #include <subcert/analysis/symbol/ball_matrix.hpp>

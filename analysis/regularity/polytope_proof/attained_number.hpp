@@ -16,7 +16,7 @@ struct AttainedNumber {
 };
 
 /// factor times the number. Domain: factor > 0.
-AttainedNumber scaled(AttainedNumber number, const Rational& factor);
+AttainedNumber scaled(const AttainedNumber& number, const Rational& factor);
 
 /// p(z). Domain: no negative exponents.
 RationalComplex value_at(const LaurentPolynomial& p, const RationalComplex& z);

@@ -50,7 +50,7 @@ ClaimSubject stated_subject(const std::string& subject) {
                        trimmed(subject.substr(at + range.size()))};
   }
   const LinearScheme scheme = make_linear_scheme(subject);
-  if (const auto* surface = std::get_if<MultivariateScheme>(&scheme))
+  if (const auto* surface = std::get_if<Scheme>(&scheme))
     return SurfaceSubject{to_mask_text(surface->mask), surface->mask.dilation().to_text()};
   const Scheme& one = std::get<Scheme>(scheme);
   if (one.rounding)

@@ -49,13 +49,11 @@ ClaimSubject stated_subject(const std::string& subject) {
     return MaskSubject{family.mask.to_text(family.parameter), std::to_string(family.mask.arity()),
                        trimmed(subject.substr(at + range.size()))};
   }
-  const LinearScheme scheme = make_linear_scheme(subject);
-  if (const auto* surface = std::get_if<Scheme>(&scheme))
-    return SurfaceSubject{to_mask_text(surface->mask), surface->mask.dilation().to_text()};
-  const Scheme& one = std::get<Scheme>(scheme);
-  if (one.rounding)
+  const Scheme scheme = make_linear_scheme(subject);
+  if (scheme.mask.dimension() > 1) return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text()};
+  if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
-  return MaskSubject{one.mask.symbol().to_mask_text(), std::to_string(one.mask.arity())};
+  return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};
 }
 
 /// A power of a logarithm.

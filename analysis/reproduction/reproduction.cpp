@@ -89,6 +89,22 @@ PolynomialReproduction polynomial_reproduction(const LatticeMask& mask) {
   return result;
 }
 
+MeanBias mean_bias(const Mask& mask) {
+  const Rational arity(mask.arity()), centre = mask.symbol().derivative()(1) / arity;
+  const std::vector<Rational> coefficients = mask.symbol().coefficients();
+  std::vector<Rational> terms = coefficients, places;
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    places.push_back(mask.symbol().lowest() + static_cast<long>(i) - centre);
+  // The first central moment of the mask that is not 0; the one of order 1 is. They cannot all be.
+  Rational factorial = 1;
+  for (int order = 1;; ++order) {
+    factorial *= -order;
+    Rational moment = 0;
+    for (std::size_t i = 0; i < terms.size(); ++i) moment += terms[i] *= places[i];
+    if (moment != 0) return {order, moment / arity / (power(arity, order) - 1) / factorial};
+  }
+}
+
 ParametricReproduction polynomial_reproduction(const ParametricMask& mask) {
   const int rules = sum_rules(mask);
   std::vector<LaurentPolynomial> derivatives = mask.powers();

@@ -34,7 +34,18 @@ struct PolynomialReproduction {
 /// Proof: docs/reproduction.md.
 PolynomialReproduction polynomial_reproduction(const LatticeMask& mask);
 
-/// The same for all values of a parameter.
+/// What the limit from samples of a smooth function f at spacing h misses in the mean over a period of the grid:
+/// limit - f = constant * h^order * f^(order) + O(h^(order + 1)), with the datum f_j attached to j + parametrization.
+struct MeanBias {
+  int order;
+  Rational constant;  ///< not 0
+};
+
+/// Domain: coset sums 1; a statement about schemes that converge. Cost: linear in the coefficients for each order.
+/// Proof: docs/reproduction.md.
+MeanBias mean_bias(const Mask& mask);
+
+/// The degrees for all values of a parameter.
 struct ParametricReproduction {
   int generation_degree;  ///< for all values
   int reproduction_degree;

@@ -1,3 +1,4 @@
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -46,5 +47,33 @@ TEST_CASE("reproduction degrees and parametrizations, checked on samples") {
     CHECK(result.approximation_order() == reproduction + 1);
     for (int k = 0; k <= reproduction; ++k) CHECK(step_keeps(mask, k, shift));
     CHECK_FALSE(step_keeps(mask, reproduction + 1, shift));
+  }
+}
+
+TEST_CASE("the bias in the mean: known constants, and the mean of exact values over a grid") {
+  const auto of = [](const char* scheme) { return mean_bias(make_scheme(scheme).mask.curve()); };
+  // The quadratic B-spline has the variance 3/12, so that f is missed by 1/8 f''.
+  CHECK(of("mask:[1,3,3,1]/4").order == 2);
+  CHECK(of("mask:[1,3,3,1]/4").constant == Rational(1, 8));
+  CHECK(of("four-point:w=1/16").order == 4);
+  for (int n = 2; n <= 6; ++n) {  // degree 1: ((2n-1)^2 - 1 + (2n)^2 - 1)/36
+    const MeanBias bias = mean_bias(make_scheme("primal:n=" + std::to_string(n)).mask.curve());
+    CHECK(bias.order == 2);
+    CHECK(bias.constant == Rational((2 * n - 1) * (2 * n - 1) + 4 * n * n - 2, 36));
+  }
+  // Sums over j of (j - x)^p phi(x - j) at x = i/16, in the mean.
+  for (const char* scheme : {"primal:n=3", "primal:n=4,d=3", "bspline:degree=4,a=3", "dual:n=2"}) {
+    CAPTURE(scheme);
+    const Mask mask = make_scheme(scheme).mask.curve();
+    const auto [order, constant] = mean_bias(mask);
+    const Rational shift = polynomial_reproduction(mask).parametrization.front();
+    const int level = 5;
+    const LimitValues phi = limit_values(mask, level);
+    Rational sum = 0, points = power(Rational(mask.arity()), level);
+    for (std::size_t i = 0; i < phi.values.size(); ++i)
+      sum += phi.values[i] * power(Rational(shift - phi.point(i)), order);
+    Rational factorial = 1;
+    for (int k = 2; k <= order; ++k) factorial *= k;
+    CHECK(abs(Rational(sum / points / factorial / constant - 1)) < Rational(1, 1000));
   }
 }

@@ -401,6 +401,14 @@ TEST_CASE("orbits of rational vectors close only where the product attains the r
   REQUIRE((root->proof && root->proof->attained));
   CHECK(root->proof->bound * root->proof->bound < 2 + power(Rational(10), -30));
   CHECK(root->proof->attained->cycles.front().letters == std::vector<int>{0, 0});
+  // The eigenvalue of the first product is sqrt(3) times a root of unity, that of the second one -27.
+  const std::vector<int> second{1, 1, 1, 1, 1, 0};
+  const auto turned = radius::closed_orbit({matrix({{1, 1}, {1, 0}}), matrix({{1, 1}, {-1, 2}})}, {{1}, second},
+                                           {Deadline::in(5)});
+  REQUIRE((turned && turned->proof && turned->proof->attained));
+  CHECK((turned->power == 3 && turned->length == 2 && turned->word == second));
+  CHECK(power(turned->proof->attained->number.point.re, 2) ==
+        power(Rational(3), static_cast<long>(turned->proof->attained->number.length)));
 }
 
 TEST_CASE("the p-radius of triangular families is the largest of their diagonals") {

@@ -366,8 +366,7 @@ TEST_CASE("certificates of letters that a product keeps") {
   const auto by_graph = [](const MatrixFamily& family, const std::vector<int>& word) {
     JointSpectralRadius result;
     result.product = prove_product(family, word);
-    const auto graph = prove_by_quadratic_forms(family, *result.product.radius.lower, {Deadline::in(20)},
-                                                {result.product.word, result.product.eigenvalue});
+    const auto graph = radius::prove_by_forms(family, *result.product.radius.lower, {Deadline::in(20)}, result.product);
     REQUIRE((graph && graph->attained));
     result.exact = {Truth::yes, "by a graph"};
     result.radius = graph->attained->radius;

@@ -267,23 +267,6 @@ struct FormAttempt {
   bool is_exact() const { return proof && proof->attained; }
 };
 
-/// Quadratic forms, with the number that their product attains.
-std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Rational& target, const Budget& budget,
-                                         const ProductEvidence& product) {
-  auto proof = prove_by_quadratic_forms(family, target, budget, {product.word, product.eigenvalue});
-  if (!proof || !proof->attained) return proof;
-  AttainedGraph attained = *proof->attained;
-  const RationalMatrix matrix = transposed(family.product(attained.product));
-  const auto factor = leading_factor(matrix, product.eigenvalue, eigenvalue_bits,
-                                     Deadline::in(budget.deadline.remaining() + grace));
-  if (const auto seed = factor ? seed_of(matrix, *factor, {}) : std::nullopt) {
-    attained.number = factor->number(attained.product.size());
-    attained.seed = *seed;
-    proof->attained = std::make_shared<AttainedGraph>(std::move(attained));
-  }
-  return proof;
-}
-
 /// The best product of a quick look, and of the words along which a vector becomes longest.
 std::vector<int> find_long_product(const MatrixFamily& family, const Budget& budget) {
   const polytope::SearchFamily search = round_family(family, budget.deadline).family;
@@ -537,6 +520,22 @@ JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius sec
     std::swap(first, second);
   take_larger_product(first, std::move(second));
   return first;
+}
+
+std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Rational& target, const Budget& budget,
+                                         const ProductEvidence& product) {
+  auto proof = prove_by_quadratic_forms(family, target, budget, {product.word, product.eigenvalue});
+  if (!proof || !proof->attained) return proof;
+  AttainedGraph attained = *proof->attained;
+  const RationalMatrix matrix = transposed(family.product(attained.product));
+  const auto factor = leading_factor(matrix, product.eigenvalue, eigenvalue_bits,
+                                     Deadline::in(budget.deadline.remaining() + grace));
+  if (const auto seed = factor ? seed_of(matrix, *factor, {}) : std::nullopt) {
+    attained.number = factor->number(attained.product.size());
+    attained.seed = *seed;
+    proof->attained = std::make_shared<AttainedGraph>(std::move(attained));
+  }
+  return proof;
 }
 
 std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget) {

@@ -20,6 +20,11 @@ JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget)
 /// An upper bound by a quadratic form, as small as the target if possible. Domain: any entries.
 std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget);
 
+/// The same towards the radius of a product; where it attains the radius of the family, with the number that this is.
+/// Domain: entries near 1 in size; different matrices; `product` is of this family.
+std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Rational& target, const Budget& budget,
+                                         const ProductEvidence& product);
+
 /// The largest modulus of numbers. Domain: size 1.
 JointSpectralRadius radius_of_numbers(const MatrixFamily& family);
 

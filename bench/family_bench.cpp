@@ -76,12 +76,11 @@ BENCHMARK_CAPTURE(BM_curve, size_12, eight_point, Rational(-1, 100), Rational(1,
 
 /// The argument is the resolution.
 void BM_map(benchmark::State& state) {
-  const BiparametricMask mask = make_biparametric_mask("mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]", 'w',
-                                                       't');
-  const Rectangle rectangle{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}};
+  const ParametricMask mask = make_parametric_mask("mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]", "wt");
+  const Box box{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}};
   double undecided = 0;
   for (auto _ : state)
-    undecided = property_map(mask, *parse_range_property("C1"), rectangle,
+    undecided = property_map(mask, *parse_range_property("C1"), box,
                              {static_cast<int>(state.range(0)), 2, {Deadline::in(60)}})
                     .share(Truth::unknown)
                     .convert_to<double>();

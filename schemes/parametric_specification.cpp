@@ -6,10 +6,11 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -295,11 +296,14 @@ bool has_parameter(std::string_view specification) {
          std::any_of(families.begin(), families.end(), [&](const ClassicalFamily& one) { return one.name == family; });
 }
 
-BiparametricMask make_biparametric_mask(std::string_view specification, char first, char second) {
-  const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", first, second);
+ParametricMask make_parametric_mask(std::string_view specification, const std::string& letters) {
+  const auto variables = static_cast<int>(letters.size());
+  const std::string listed = fmt::format("{} and {}", fmt::join(letters.substr(0, letters.size() - 1), ", "),
+                                         letters.back());
+  const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", letters[0], letters[1]);
   if (specification.size() > max_text) fail({specification, 0}, fmt::format("at most {} characters", max_text));
   const Piece family = family_of(specification);
-  if (family.text != "mask") fail(family, "a mask with two letters, " + usage);
+  if (family.text != "mask") fail(family, "a mask with several letters, " + usage);
   const Piece body = body_of(specification);
   const auto [list, rest] = list_and_rest(body, usage.c_str());
   std::vector<MultivariatePolynomial> coefficients;
@@ -307,20 +311,19 @@ BiparametricMask make_biparametric_mask(std::string_view specification, char fir
     std::string in_xy(entry.text);
     for (std::size_t i = 0; i < in_xy.size(); ++i) {
       if (!is_letter(in_xy[i])) continue;
-      if (in_xy[i] != first && in_xy[i] != second)
-        fail({entry.text.substr(i, 1), entry.at + i}, fmt::format("the letters {} and {}", first, second));
-      in_xy[i] = in_xy[i] == first ? 'x' : 'y';
+      const std::size_t letter = letters.find(in_xy[i]);
+      if (letter == std::string::npos) fail({entry.text.substr(i, 1), entry.at + i}, "the letters " + listed);
+      in_xy[i] = text::variable_names(variables)[letter].front();
     }
     try {
-      coefficients.push_back(MultivariatePolynomial::parse(in_xy, 2));
+      coefficients.push_back(MultivariatePolynomial::parse(in_xy, variables));
     } catch (const ParseError& error) {
       throw SpecificationError(error.token(), entry.at + error.position(),
-                               fmt::format("a sum of terms c*{}^i*{}^j with exact numbers c", first, second));
+                               fmt::format("a sum of terms c*{}^i*{}^j with exact numbers c", letters[0], letters[1]));
     }
     const MultivariatePolynomial& c = coefficients.back();
-    for (const long side : {0, 1})
-      if (!c.is_zero() &&
-          (c.lowest()[static_cast<std::size_t>(side)] < 0 || c.highest()[static_cast<std::size_t>(side)] > max_degree))
+    for (std::size_t v = 0; v < letters.size(); ++v)
+      if (!c.is_zero() && (c.lowest()[v] < 0 || c.highest()[v] > max_degree))
         fail(entry, fmt::format("powers from 0 to {}", max_degree));
   }
   if (static_cast<long>(coefficients.size()) > max_coefficients)
@@ -328,26 +331,30 @@ BiparametricMask make_biparametric_mask(std::string_view specification, char fir
   const auto [scale, first_index, arity, fields] = read_tail(family, rest, coefficients.size(), usage);
   fields.finish();
 
-  long degree = 0;
+  Powers<LaurentPolynomial> powers{std::vector<std::size_t>(letters.size(), 1), {}};
   for (const MultivariatePolynomial& c : coefficients)
-    if (!c.is_zero()) degree = std::max(degree, c.highest()[0]);
-  std::vector<LaurentPolynomial> powers;
-  std::vector<MultivariatePolynomial> sums(static_cast<std::size_t>(arity), MultivariatePolynomial(2));
+    for (std::size_t v = 0; !c.is_zero() && v < letters.size(); ++v)
+      powers.sizes[v] = std::max(powers.sizes[v], static_cast<std::size_t>(c.highest()[v]) + 1);
+  std::size_t count = 1;
+  for (const std::size_t size : powers.sizes) count *= size;
+  powers.entries.resize(count);
+  std::vector<MultivariatePolynomial> sums(static_cast<std::size_t>(arity), MultivariatePolynomial(variables));
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     const long place = first_index + static_cast<long>(k);
-    sums[static_cast<std::size_t>(((place % arity) + arity) % arity)] += coefficients[k];
+    sums[static_cast<std::size_t>(modulo(place, arity))] += coefficients[k];
     for (const auto& term : coefficients[k].terms()) {
-      const auto power = static_cast<std::size_t>(term.exponents[0] + (degree + 1) * term.exponents[1]);
-      if (power >= powers.size()) powers.resize(power + 1);
-      powers[power] += LaurentPolynomial::monomial(term.coefficient * scale, place);
+      std::size_t at = 0;
+      for (std::size_t v = letters.size(); v-- > 0;)
+        at = at * powers.sizes[v] + static_cast<std::size_t>(term.exponents[v]);
+      powers.entries[at] += LaurentPolynomial::monomial(term.coefficient * scale, place);
     }
   }
   for (std::size_t residue = 0; residue < sums.size(); ++residue)
-    if (!(sums[residue] == MultivariatePolynomial(2, 1 / scale)))
+    if (!(sums[residue] == MultivariatePolynomial(variables, 1 / scale)))
       fail(list, fmt::format("coefficients that sum to 1 over each residue class for all values; the class {} mod {} "
                              "does not",
                              residue, arity));
-  return {ParametricMask(std::move(powers), arity), static_cast<int>(degree) + 1};
+  return {std::move(powers), arity, Powers<Rational>{std::vector<std::size_t>(letters.size(), 1), {1}}};
 }
 
 std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {

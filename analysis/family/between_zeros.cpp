@@ -30,12 +30,12 @@ bool is_same(const SpecialValue& a, const SpecialValue& b) {
 struct Question {
   const ParametricMask& mask;
   const RangeProperty& property;
-  Segment range;
+  Rational low, high;  ///< of the range
   const RangeOptions& options;
 
   Truth at(const Rational& w) const { return holds_at(mask.at(w), property, options.budget.deadline); }
   std::vector<SpecialValue> zeros(const LaurentPolynomial& polynomial, Why why) const {
-    return zeros_of(polynomial, range.low, range.high, options.width, why);
+    return zeros_of(polynomial, low, high, options.width, why);
   }
 };
 
@@ -44,7 +44,7 @@ struct Question {
 PropertyRange by_verdicts(const Question& question, std::vector<SpecialValue> zeros,
                           const std::function<Truth(const Rational&)>& between) {
   std::vector<RangePiece> pieces;
-  Rational reached = question.range.low;
+  Rational reached = question.low;
   const auto add_up_to = [&](const Rational& end, bool included) {
     if (reached < end) pieces.push_back({reached, end, between((reached + end) / 2), pieces.empty(), included});
   };
@@ -61,7 +61,7 @@ PropertyRange by_verdicts(const Question& question, std::vector<SpecialValue> ze
     }
     reached = pieces.back().high;
   }
-  add_up_to(question.range.high, true);
+  add_up_to(question.high, true);
   for (RangePiece& piece : pieces)
     if (piece.holds == Truth::unknown)
       piece.reason = question.options.budget.deadline.expired() ? spent
@@ -78,12 +78,12 @@ std::optional<std::vector<SpecialValue>> values_of_stability(const Question& que
   const LaurentPolynomial unstable = unstable_values(question.mask, question.options.budget.deadline);
   if (unstable.is_zero()) return std::nullopt;
   if (question.property.kind == Kind::stable) return question.zeros(unstable, Why::unstable);
-  return single_values(question.mask, unstable, question.range.low, question.range.high, question.options.width);
+  return single_values(question.mask, unstable, question.low, question.high, question.options.width);
 }
 
 PropertyRange all_undecided(const Question& question, const std::string& reason) {
   PropertyRange result;
-  result.pieces = {{question.range.low, question.range.high, Truth::unknown, true, true, reason}};
+  result.pieces = {{question.low, question.high, Truth::unknown, true, true, reason}};
   return result;
 }
 
@@ -122,15 +122,16 @@ class SobolevCrossing {
   std::optional<std::vector<SpecialValue>> values() {
     const auto times = denominator(exponent_).convert_to<int>();
     const Rational modulus = power(Rational(question_.mask.arity()), numerator(exponent_).convert_to<long>());
-    if (static_cast<long>(family_.size()) * times * family_.degree > most_terms) return std::nullopt;
+    if (static_cast<long>(family_.size()) * times * family_.mask.degree() > most_terms) return std::nullopt;
     const Deadline& deadline = question_.options.budget.deadline;
-    const LaurentPolynomial polynomial = radius_.characteristic(
-        {std::vector<int>(static_cast<std::size_t>(times), 0), modulus, 0}, deadline);
+    const LaurentPolynomial polynomial = in_one_letter(
+        radius_.characteristic({std::vector<int>(static_cast<std::size_t>(times), 0), modulus, 0}, deadline));
     if (polynomial.is_zero()) return std::nullopt;
     std::vector<SpecialValue> zeros = question_.zeros(polynomial, Why::threshold);
     const Rational threshold = *root_enclosure(modulus, times).upper;
     std::erase_if(zeros, [&](const SpecialValue& zero) {
-      return radius_.from_below({*zero.value.lower, *zero.value.upper}, {0}, threshold, false, deadline).has_value();
+      return radius_.from_below({{*zero.value.lower}, {*zero.value.upper}}, {0}, threshold, false, deadline)
+          .has_value();
     });
     return zeros;
   }
@@ -289,7 +290,7 @@ bool changes_at_zeros(const RangeProperty& property, int rules) {
 
 PropertyRange property_between_zeros(const ParametricMask& mask, int rules, const RangeProperty& property,
                                      const Rational& low, const Rational& high, const RangeOptions& options) {
-  const Question question{mask, property, {low, high}, options};
+  const Question question{mask, property, low, high, options};
   if (property.kind == Kind::preserving)
     require(property.order <= rules, "range: need differences of an order up to the number {} of sum rules, got {}",
             rules, property.order);

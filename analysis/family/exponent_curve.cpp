@@ -1,12 +1,11 @@
 #include "exponent_curve.hpp"
 
 #include "between_zeros.hpp"
-#include "family_radius.hpp"
+#include "box_search.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <algorithm>
@@ -27,46 +26,44 @@ constexpr int levels = 12;  // of norms, at special values
 class CurveSearch {
  public:
   CurveSearch(const ParametricMask& mask, const LaurentPolynomial& unstable, const std::vector<CurvePoint>& special,
-              const Segment& range, const CurveOptions& options)
+              const Box& range, const CurveOptions& options)
       : options_(options),
         arity_(mask.arity()),
         rules_(sum_rules(mask)),
         unstable_(unstable),
         special_(special),
-        radius_(transition_matrices(divided_difference_scheme(mask, rules_), range.low)),
+        radius_(transition_matrices(divided_difference_scheme(mask.with_positive_denominator(range.low), rules_))),
         range_(range) {}
 
   std::vector<CurvePiece> pieces() {
     const int wanted = options_.pieces, first = std::max(1, wanted / first_share);
-    std::vector<Segment> open;
+    std::vector<Box> open;
     for (int k = 0; k < first; ++k)
-      open.push_back(
-          {range_.low + range_.width() * Rational(k, first), range_.low + range_.width() * Rational(k + 1, first)});
+      open.push_back({{range_.low[0] + range_.width() * Rational(k, first)},
+                      {range_.low[0] + range_.width() * Rational(k + 1, first)}});
     std::vector<CurvePiece> done;
-    for (;;) {
-      std::vector<CurvePiece> decided(open.size());
-      parallel_tasks(open.size(), options_.jobs, [&](std::size_t k) { decided[k] = piece(open[k]); });
-      std::move(decided.begin(), decided.end(), std::back_inserter(done));
-      const auto missing = static_cast<std::size_t>(wanted) - done.size();
-      if (missing == 0 || options_.budget.deadline.expired()) break;
-      open = halves(done, std::min(missing, static_cast<std::size_t>(wanted / round_share + 1)));
-    }
+    in_rounds(
+        std::move(open), options_.jobs, [&](const Box& box) { return piece(box); },
+        [&](const std::vector<Box>&, std::vector<CurvePiece> decided) {
+          std::move(decided.begin(), decided.end(), std::back_inserter(done));
+          const auto missing = static_cast<std::size_t>(wanted) - done.size();
+          if (options_.budget.deadline.expired()) return std::vector<Box>();
+          return halves(done, std::min(missing, static_cast<std::size_t>(wanted / round_share + 1)));
+        });
     std::sort(done.begin(), done.end(), [](const auto& a, const auto& b) { return a.proof.low < b.proof.low; });
     return done;
   }
 
  private:
   /// Takes out the pieces that are most worth it.
-  std::vector<Segment> halves(std::vector<CurvePiece>& pieces, std::size_t count) const {
+  std::vector<Box> halves(std::vector<CurvePiece>& pieces, std::size_t count) const {
     count = std::min(count, pieces.size());
     std::stable_sort(pieces.begin(), pieces.end(),
                      [this](const CurvePiece& a, const CurvePiece& b) { return worth(a) > worth(b); });
-    std::vector<Segment> result;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Segment whole{pieces[k].proof.low, pieces[k].proof.high};
-      result.push_back({whole.low, whole.middle()});
-      result.push_back({whole.middle(), whole.high});
-    }
+    std::vector<Box> result;
+    for (std::size_t k = 0; k < count; ++k)
+      for (const unsigned half : {0U, 1U})
+        result.push_back(Box{{pieces[k].proof.low}, {pieces[k].proof.high}}.part(half));
     pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count));
     return result;
   }
@@ -80,10 +77,10 @@ class CurveSearch {
   }
 
   /// A piece on which a search fails has no ends, and says so.
-  CurvePiece piece(const Segment& segment) {
-    CurvePiece result{{}, {segment.low, segment.high, std::nullopt, std::nullopt}};
+  CurvePiece piece(const Box& box) {
+    CurvePiece result{{}, {box.low[0], box.high[0], std::nullopt, std::nullopt}};
     try {
-      enclose(segment, result);
+      enclose(box, result);
     } catch (const Error& error) {
       result.proof.reason = std::string("a search failed (") + error.what() + ")";
     }
@@ -93,41 +90,41 @@ class CurveSearch {
     return result;
   }
 
-  void enclose(const Segment& segment, CurvePiece& result) {
+  void enclose(const Box& box, CurvePiece& result) {
     const Budget& budget = options_.budget;
     // Most pieces need less than their share; those that are harder may have more.
     const double share = budget.deadline.remaining() / options_.pieces;
     const double seconds = std::min(most_seconds, generous * share);
     if (budget.deadline.expired()) return;
-    result.proof.above = radius_.from_above(segment, excess_share / options_.pieces,
+    result.proof.above = radius_.from_above(box, excess_share / options_.pieces,
                                             {budget.deadline.at_most(seconds), budget.memory});
     if (result.proof.above)
       result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
     else
       result.proof.reason = "no upper bound of the radius was found in the time for one interval";
-    if (!has_no_real_root(unstable_, segment.low, segment.high, budget.deadline)) {
+    if (!has_no_real_root(unstable_, box.low[0], box.high[0], budget.deadline)) {
       add_reason(result.proof.reason, unstable_.is_zero() ? why_stability_is_open(budget.deadline)
                                                           : "the shifts may be unstable at a value there");
       return;
     }
-    for (const Rational& w : {segment.middle(), segment.low, segment.high}) {
+    for (const Values& w : {box.middle(), box.low, box.high}) {
       const std::vector<int> word = radius_.look(w, budget.deadline).word;
-      result.proof.below = radius_.from_below(segment, word, 1, true, budget.deadline);
+      result.proof.below = radius_.from_below(box, word, 1, true, budget.deadline);
       if (!result.proof.below) continue;
       result.exponent.upper = rules_ - *log_ratio(result.proof.below->modulus(), arity_).lower /
                                            Rational(static_cast<long>(word.size()));
       return;
     }
-    result.exponent.upper = end_by_sum_rules(segment);
+    result.exponent.upper = end_by_sum_rules(box);
     if (!result.exponent.upper) add_reason(result.proof.reason, "no product was proved to lead for all values there");
   }
 
   /// An exponent above m is C^m, which takes m + 1 sum rules where the shifts are stable; so only single values go
   /// beyond.
-  std::optional<Rational> end_by_sum_rules(const Segment& segment) const {
+  std::optional<Rational> end_by_sum_rules(const Box& box) const {
     Rational end = rules_;
     for (const CurvePoint& point : special_) {
-      if (*point.at.value.upper < segment.low || segment.high < *point.at.value.lower) continue;
+      if (*point.at.value.upper < box.low[0] || box.high[0] < *point.at.value.lower) continue;
       if (!point.exponent || !point.exponent->upper) return std::nullopt;
       end = std::max(end, *point.exponent->upper);
     }
@@ -139,7 +136,7 @@ class CurveSearch {
   const LaurentPolynomial& unstable_;
   const std::vector<CurvePoint>& special_;
   FamilyRadius radius_;
-  Segment range_;  // what is asked for
+  Box range_;  // what is asked for
 };
 
 }  // namespace
@@ -159,7 +156,7 @@ ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, co
                            .exponent;
     result.special.push_back(std::move(point));
   }
-  result.pieces = CurveSearch(mask, unstable, result.special, {low, high}, options).pieces();
+  result.pieces = CurveSearch(mask, unstable, result.special, {{low}, {high}}, options).pieces();
   return result;
 }
 

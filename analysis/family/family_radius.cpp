@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace subcert::family {
 namespace {
 
-constexpr double form_seconds = 0.2;  // for one interval
-constexpr long most_terms = 1500;     // of the polynomial of a product
-constexpr double nearly_real = 1e-9;  // imaginary parts, relatively
+constexpr double form_seconds = 0.2;      // for one interval
+constexpr std::size_t most_terms = 1500;  // of the polynomial of a product
+constexpr double nearly_real = 1e-9;      // imaginary parts, relatively
 
 /// Kinds of eigenvalue bounds.
 enum class Side { positive, negative, pair };
@@ -56,8 +57,6 @@ NormProof largest_norm(const MatrixFamily& family) {
   return proof;
 }
 
-}  // namespace
-
 Look look_at(const MatrixFamily& family, const Deadline& deadline) {
   Look result{radius::find_product(family, deadline), 0};
   // From left to right here, the letter applied first there.
@@ -66,8 +65,49 @@ Look look_at(const MatrixFamily& family, const Deadline& deadline) {
   return result;
 }
 
-std::optional<JointSpectralRadius> radius_below(const std::optional<MatrixFamily>& controls, const Rational& target,
-                                                bool try_form, const Budget& budget) {
+/// det(matrix_at(w)) as a polynomial in the first letters, with these sizes, for some values of the others; nothing
+/// past the deadline.
+std::optional<Powers<Rational>> determinant_in(const std::vector<std::size_t>& sizes, const Values& others,
+                                               const std::function<RationalMatrix(const Values&)>& matrix_at,
+                                               const Deadline& deadline) {
+  const auto with = [&](const Rational& last) {
+    Values values{last};
+    values.insert(values.end(), others.begin(), others.end());
+    return values;
+  };
+  const std::size_t size = sizes.back();
+  if (sizes.size() == 1) {
+    const auto polynomial = determinant([&](const Rational& w) { return matrix_at(with(w)); },
+                                        static_cast<long>(size) - 1, deadline);
+    return polynomial ? std::optional(in_powers(*polynomial, size)) : std::nullopt;
+  }
+  const std::vector<std::size_t> before(sizes.begin(), sizes.end() - 1);
+  Values nodes;
+  std::vector<Powers<Rational>> slices;
+  for (std::size_t node = 0; node < size; ++node) {
+    nodes.emplace_back(static_cast<long>(node));
+    auto slice = determinant_in(before, with(nodes.back()), matrix_at, deadline);
+    if (!slice) return std::nullopt;
+    slices.push_back(std::move(*slice));
+  }
+  Powers<Rational> result{sizes, std::vector<Rational>(slices.front().entries.size() * size)};
+  for (std::size_t at = 0; at < slices.front().entries.size(); ++at) {
+    Values values;
+    for (const Powers<Rational>& slice : slices) values.push_back(slice.entries[at]);
+    const LaurentPolynomial last = interpolation(nodes, std::move(values));
+    for (std::size_t k = 0; k < size; ++k)
+      result.entries[at + k * slices.front().entries.size()] = last.coefficient(static_cast<long>(k));
+  }
+  return result;
+}
+
+}  // namespace
+
+Look FamilyRadius::look(const Values& w, const Deadline& deadline) const { return look_at(family_.at(w), deadline); }
+
+std::optional<JointSpectralRadius> FamilyRadius::from_above(const Box& box, const Rational& target, bool try_form,
+                                                            const Budget& budget) const {
+  const auto controls = family_.controls(box);
   if (!controls || look_at(*controls, budget.deadline).radius >= target.convert_to<double>()) return std::nullopt;
   if (try_form) {
     auto form = radius::quadratic_bound(*controls, target, {budget.deadline.at_most(form_seconds), budget.memory});
@@ -83,37 +123,40 @@ std::optional<JointSpectralRadius> radius_below(const std::optional<MatrixFamily
   return std::nullopt;
 }
 
-Look FamilyRadius::look(const Rational& w, const Deadline& deadline) const { return look_at(family_.at(w), deadline); }
-
-std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, const Rational& target,
-                                                            bool try_form, const Budget& budget) const {
-  return radius_below(family_.controls(segment.low, segment.high), target, try_form, budget);
-}
-
-std::optional<JointSpectralRadius> FamilyRadius::from_above(const Segment& segment, double excess,
-                                                            const Budget& budget) const {
-  const auto controls = family_.controls(segment.low, segment.high);
+std::optional<JointSpectralRadius> FamilyRadius::from_above(const Box& box, double excess, const Budget& budget) const {
+  const auto controls = family_.controls(box);
   if (!controls) return std::nullopt;
   const double near = look_at(*controls, budget.deadline).radius;
   return joint_spectral_radius(*controls, budget, largest_norm(*controls), Rational(near * (1 + excess)));
 }
 
-std::optional<EigenvalueBound> FamilyRadius::from_below(const Segment& segment, const std::vector<int>& word,
+std::optional<EigenvalueBound> FamilyRadius::from_below(const Box& box, const std::vector<int>& word,
                                                         const Rational& least, bool sharp, const Deadline& deadline) {
-  for (EigenvalueBound& bound : guesses(segment, word, least.convert_to<double>(), sharp)) {
+  // Of one letter it is known that the denominator has no zero.
+  if (box.letters() > 1 && !family_.mask.controls(box)) return std::nullopt;
+  for (EigenvalueBound& bound : guesses(box, word, least.convert_to<double>(), sharp)) {
     if (bound.modulus() < least) (bound.re == 0 ? bound.im : bound.re) = bound.re < 0 ? Rational(-least) : least;
-    const LaurentPolynomial value = characteristic(bound, deadline);
-    if (has_no_real_root(value, segment.low, segment.high, deadline) && value(segment.low) < 0) return std::move(bound);
+    if (is_negative(bound, box, deadline)) return std::move(bound);
   }
   return std::nullopt;
 }
 
-/// Numbers that an odd number of eigenvalues exceed, as far as floating point tells from the ends and the middle.
-std::vector<EigenvalueBound> FamilyRadius::guesses(const Segment& segment, const std::vector<int>& word, double least,
+/// Whether that is proved of the characteristic polynomial on the box: exactly for one letter, else by its Bernstein
+/// coefficients.
+bool FamilyRadius::is_negative(const EigenvalueBound& bound, const Box& box, const Deadline& deadline) {
+  const Powers<Rational> value = characteristic(bound, deadline);
+  if (value.entries.empty()) return false;
+  if (box.letters() == 1)
+    return has_no_real_root(in_one_letter(value), box.low[0], box.high[0], deadline) && value_at(value, box.low) < 0;
+  return std::ranges::all_of(bernstein(value, box, value.sizes).entries, [](const Rational& c) { return c < 0; });
+}
+
+/// Numbers that an odd number of eigenvalues exceed, as far as floating point tells from the corners and the middle.
+std::vector<EigenvalueBound> FamilyRadius::guesses(const Box& box, const std::vector<int>& word, double least,
                                                    bool sharp) const {
-  std::vector<polytope::Matrix> products;
-  for (const Rational& w : {segment.low, segment.middle(), segment.high})
-    products.push_back(in_doubles(family_.at(w).product(word)));
+  std::vector<polytope::Matrix> products{in_doubles(family_.at(box.middle()).product(word))};
+  for (unsigned corner = 0; corner < box.corners(); ++corner)
+    products.push_back(in_doubles(family_.at(box.corner(corner)).product(word)));
   std::vector<EigenvalueBound> result;
   for (const Side side : {Side::positive, Side::negative, Side::pair}) {
     const double floor = side == Side::pair ? least * least : least;
@@ -135,7 +178,7 @@ std::vector<EigenvalueBound> FamilyRadius::guesses(const Segment& segment, const
       for (const double slack : {1e-9, 1e-4}) add(first * (1 - slack), 40);
     else if (odd)
       add(floor / 2, 20);  // `least` itself
-    if (second < first) add(std::sqrt(first) * std::sqrt(second), 20);
+    if (second < first && box.letters() == 1) add(std::sqrt(first) * std::sqrt(second), 20);
   }
   if (sharp)
     std::stable_sort(result.begin(), result.end(),
@@ -143,7 +186,7 @@ std::vector<EigenvalueBound> FamilyRadius::guesses(const Segment& segment, const
   return result;
 }
 
-LaurentPolynomial FamilyRadius::characteristic(const EigenvalueBound& bound, const Deadline& deadline) {
+Powers<Rational> FamilyRadius::characteristic(const EigenvalueBound& bound, const Deadline& deadline) {
   const auto key = std::tuple(bound.word, bound.re, bound.im);
   {
     const std::scoped_lock lock(mutex_);
@@ -151,19 +194,24 @@ LaurentPolynomial FamilyRadius::characteristic(const EigenvalueBound& bound, con
   }
   const bool pair = bound.re == 0;
   const std::size_t n = family_.size(), size = pair ? n * (n - 1) / 2 : n;
-  const long factors = static_cast<long>(bound.word.size()) * (pair ? 2 : 1);
-  const long degree = static_cast<long>(size) * factors * family_.degree;
-  if (degree > most_terms) return {};
-  const auto shifted = [&](const Rational& w) {
+  const std::size_t factors = bound.word.size() * (pair ? 2 : 1);
+  std::vector<std::size_t> sizes = family_.mask.sizes();
+  const Powers<Rational> zero{std::vector<std::size_t>(sizes.size(), 0), {}};
+  std::size_t terms = 1;
+  for (std::size_t& one : sizes) {
+    one = (one - 1) * size * factors + 1;
+    if ((terms *= one) > most_terms) return zero;
+  }
+  const auto shifted = [&](const Values& w) {
     const RationalMatrix product = family_.numerators_at(w).product(bound.word);
     RationalMatrix result = Rational(bound.re < 0 ? 1 : -1) * (pair ? second_compound(product) : product);
     const Rational diagonal = (pair ? Rational(bound.im * bound.im) : bound.modulus()) *
-                              power(family_.denominator(w), factors);
+                              power(value_at(family_.mask.denominators(), w), static_cast<long>(factors));
     for (std::size_t i = 0; i < size; ++i) result(i, i) += diagonal;
     return result;
   };
-  auto result = determinant(shifted, degree, deadline);
-  if (!result) return {};
+  auto result = determinant_in(sizes, {}, shifted, deadline);
+  if (!result) return zero;
   const std::scoped_lock lock(mutex_);
   return characteristics_.emplace(key, std::move(*result)).first->second;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The joint spectral radius of a family with a parameter, bounded for all its values in an interval. Inner header.
+/// The joint spectral radius of a family with letters, bounded for all their values in a box. Inner header.
 
 #include "interval_proof.hpp"
 #include "parametric_family.hpp"
@@ -16,52 +16,37 @@ struct Look {
   double radius = 0;
 };
 
-/// Closed.
-struct Segment {
-  Rational low, high;
-
-  Rational middle() const { return (low + high) / 2; }
-  Rational width() const { return high - low; }
-};
-
-Look look_at(const MatrixFamily& family, const Deadline& deadline);
-
-/// A proof that the radius of the control matrices is below the target; nothing where none is found, or there are no
-/// controls. `try_form`: by a quadratic form first.
-std::optional<JointSpectralRadius> radius_below(const std::optional<MatrixFamily>& controls, const Rational& target,
-                                                bool try_form, const Budget& budget);
-
-/// Bounds over intervals. What it learns of products it keeps; safe to use from several threads.
+/// Bounds over boxes. What it learns of products it keeps; safe to use from several threads.
 class FamilyRadius {
  public:
   explicit FamilyRadius(ParametricFamily family) : family_(std::move(family)) {}
 
-  Look look(const Rational& w, const Deadline& deadline) const;
+  Look look(const Values& w, const Deadline& deadline) const;
 
   /// A proof that the radius is below the target, by the control matrices; nothing where none is found. `try_form`: by
   /// a quadratic form first.
-  std::optional<JointSpectralRadius> from_above(const Segment& segment, const Rational& target, bool try_form,
+  std::optional<JointSpectralRadius> from_above(const Box& box, const Rational& target, bool try_form,
                                                 const Budget& budget) const;
   /// An upper bound that exceeds the radius of the control matrices by that share, about, or by as little as the budget
-  /// allows; nothing where the interval has no control matrices.
-  std::optional<JointSpectralRadius> from_above(const Segment& segment, double excess, const Budget& budget) const;
+  /// allows; nothing where the box has no control matrices.
+  std::optional<JointSpectralRadius> from_above(const Box& box, double excess, const Budget& budget) const;
 
-  /// A proof that the spectral radius of the product is above a number, at least this, on the whole interval; nothing
-  /// where none is found. `sharp`: the number is to be as large as it can be. Domain: least > 0.
-  std::optional<EigenvalueBound> from_below(const Segment& segment, const std::vector<int>& word, const Rational& least,
+  /// A proof that the spectral radius of the product is above a number, at least this, on the whole box; nothing where
+  /// none is found. `sharp`: the number is to be as large as it can be. Domain: least > 0.
+  std::optional<EigenvalueBound> from_below(const Box& box, const std::vector<int>& word, const Rational& least,
                                             bool sharp, const Deadline& deadline);
 
-  /// The polynomial in w that is negative where the eigenvalues of the product exceed the bound an odd number of times;
-  /// zero past the deadline, or where it would be large.
-  LaurentPolynomial characteristic(const EigenvalueBound& bound, const Deadline& deadline);
+  /// The polynomial that is negative where the eigenvalues of the product exceed the bound an odd number of times, if
+  /// the denominator is positive; zero past the deadline, or where it would be large.
+  Powers<Rational> characteristic(const EigenvalueBound& bound, const Deadline& deadline);
 
  private:
-  std::vector<EigenvalueBound> guesses(const Segment& segment, const std::vector<int>& word, double least,
-                                       bool sharp) const;
+  std::vector<EigenvalueBound> guesses(const Box& box, const std::vector<int>& word, double least, bool sharp) const;
+  bool is_negative(const EigenvalueBound& bound, const Box& box, const Deadline& deadline);
 
   ParametricFamily family_;
   std::mutex mutex_;
-  std::map<std::tuple<std::vector<int>, Rational, Rational>, LaurentPolynomial> characteristics_;
+  std::map<std::tuple<std::vector<int>, Rational, Rational>, Powers<Rational>> characteristics_;
 };
 
 }  // namespace subcert::family

@@ -25,6 +25,9 @@ struct IntervalProof {
   std::optional<JointSpectralRadius> above;
   std::optional<EigenvalueBound> below;
   std::string reason = {};  ///< where there is neither
+
+  /// Of the property that needs a radius below a threshold.
+  Truth holds() const { return above ? Truth::yes : below ? Truth::no : Truth::unknown; }
 };
 
 }  // namespace subcert

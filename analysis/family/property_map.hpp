@@ -1,30 +1,25 @@
 #pragma once
-/// For which values of two parameters a scheme has a property, with proof.
+/// For which values of several parameters a scheme has a property, with proof.
 
 #include "property_range.hpp"
 
-#include <array>
+#include <subcert/analysis/symbol/box.hpp>
 
 namespace subcert {
 
-/// Closed.
-struct Rectangle {
-  std::array<Rational, 2> low, high;  ///< of v and of w
-};
-
-/// On all of a rectangle the property holds (yes), for none of its values (no), or neither is proved.
+/// On all of a box the property holds (yes), for none of its values (no), or neither is proved.
 struct MapCell {
-  Rectangle rectangle;
+  Box box;
   Truth holds = Truth::unknown;
   std::string reason = {};  ///< why it is not decided
 };
 
 struct PropertyMap {
   int sum_rules = 0;           ///< that hold for all values
-  std::vector<MapCell> cells;  ///< they cover the rectangle that was asked for, and have no inner point in common
+  std::vector<MapCell> cells;  ///< they cover the box that was asked for, and have no inner point in common
   bool complete = true;        ///< all cells that are not decided are as small as they may be
 
-  /// The share of the area with this answer.
+  /// The share of the area, or volume, with this answer.
   Rational share(Truth holds) const;
 };
 
@@ -34,13 +29,14 @@ struct MapOptions {
   Budget budget{Deadline::in(60)};
 };
 
-/// Decides a property over a rectangle by cells that are quartered: proved by the joint spectral radius of the control
-/// matrices of a cell, refuted by an eigenvalue of one product that is too large all over the cell, and by the
-/// stability of the shifts. Domain: coset sums 1 for all values; `convergent`, and `smooth` or `holder` with an order
-/// below the number of sum rules; 1 <= resolution <= 1024; arity * (degree in v + 1) * (degree in w + 1) at most 64.
-/// Errors: throws Error. Error: none; what is not decided is left `unknown`. Cost: one joint spectral radius for each
-/// cell. Ref: docs/families.md.
-PropertyMap property_map(const BiparametricMask& mask, const RangeProperty& property, const Rectangle& rectangle,
+/// Decides a property over a box of two or three letters by cells that are halved in each of them: proved by the joint
+/// spectral radius of the control matrices of a cell, refuted by an eigenvalue of one product that is too large all
+/// over the cell, and by the stability of the shifts. Domain: coset sums 1 for all values; as many letters as the mask
+/// has; `convergent`, and `smooth` or `holder` with an order below the number of sum rules; 1 <= resolution <= 1024;
+/// arity * (degree in the first letter + 1) * (degree in the second + 1) ... at most 64. Errors: throws Error. Error:
+/// none; what is not decided, as where a denominator may vanish, is left `unknown`. Cost: one joint spectral radius for
+/// each cell. Ref: docs/families.md.
+PropertyMap property_map(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                          const MapOptions& options);
 
 }  // namespace subcert

@@ -4,9 +4,10 @@
 #include "rational_matrix.hpp"
 #include "real_roots.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -56,6 +57,28 @@ LaurentPolynomial at_parameter(const std::vector<LaurentPolynomial>& powers, con
     factor *= w;
   }
   return sum;
+}
+
+/// Without the highest powers of a letter that are zero for all others. Errors: throws Error where all are zero.
+Powers<LaurentPolynomial> without_zeros(const Powers<LaurentPolynomial>& powers) {
+  Powers<LaurentPolynomial> result{std::vector<std::size_t>(powers.sizes.size(), 0), {}};
+  const auto each = [&](const auto& work) {
+    for (std::size_t at = 0; at < powers.entries.size(); ++at) {
+      std::vector<std::size_t> exponents;
+      for (std::size_t rest = at, v = 0; v < powers.sizes.size(); rest /= powers.sizes[v++])
+        exponents.push_back(rest % powers.sizes[v]);
+      work(powers.entries[at], exponents);
+    }
+  };
+  each([&](const LaurentPolynomial& power, const std::vector<std::size_t>& exponents) {
+    for (std::size_t v = 0; !power.is_zero() && v < exponents.size(); ++v)
+      result.sizes[v] = std::max(result.sizes[v], exponents[v] + 1);
+  });
+  require(!result.sizes.empty() && result.sizes.front() > 0, "mask: need a symbol that is not zero, got zero");
+  each([&](const LaurentPolynomial& power, const std::vector<std::size_t>& exponents) {
+    if (std::ranges::equal(exponents, result.sizes, std::less())) result.entries.push_back(power);
+  });
+  return result;
 }
 
 LaurentPolynomial common_denominator(const std::vector<RationalFunction>& coefficients) {
@@ -114,29 +137,64 @@ LaurentPolynomial resultant_in_z(const std::vector<LaurentPolynomial>& p, const 
 
 }  // namespace
 
-ParametricMask::ParametricMask(std::vector<LaurentPolynomial> powers, int arity, LaurentPolynomial denominator)
-    : powers_(std::move(powers)), denominator_(std::move(denominator)), arity_(arity) {
-  while (!powers_.empty() && powers_.back().is_zero()) powers_.pop_back();
-  require(!powers_.empty(), "mask: need a symbol that is not zero, got zero");
+Powers<Rational> in_powers(const LaurentPolynomial& p, std::size_t least) {
+  Powers<Rational> result{{p.is_zero() ? least : std::max(least, static_cast<std::size_t>(p.highest()) + 1)}, {}};
+  for (std::size_t k = 0; k < result.sizes.front(); ++k) result.entries.push_back(p.coefficient(static_cast<long>(k)));
+  return result;
+}
+
+LaurentPolynomial in_one_letter(const Powers<Rational>& powers) {
+  require(powers.sizes.size() == 1, "need a polynomial in one letter, got {} letters", powers.sizes.size());
+  return {powers.entries, 0};
+}
+
+ParametricMask::ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator)
+    : powers_(without_zeros(powers)), denominator_(std::move(denominator)), arity_(arity) {
   require(arity >= 2, "mask: need arity >= 2, got {}", arity);
 }
+
+ParametricMask::ParametricMask(const std::vector<LaurentPolynomial>& powers, int arity,
+                               const LaurentPolynomial& denominator)
+    : ParametricMask({{powers.size()}, powers}, arity, in_powers(denominator)) {}
 
 ParametricMask::ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity)
     : ParametricMask(powers_of(coefficients, common_denominator(coefficients), first), arity,
                      common_denominator(coefficients)) {}
 
-int ParametricMask::degree() const {
-  return static_cast<int>(std::max(static_cast<long>(powers_.size()) - 1, denominator_.highest()));
+std::vector<std::size_t> ParametricMask::sizes() const {
+  std::vector<std::size_t> result;
+  for (std::size_t v = 0; v < letters(); ++v) result.push_back(std::max(powers_.sizes[v], denominator_.sizes[v]));
+  return result;
 }
 
-IndexRange ParametricMask::support() const { return range_of(powers_); }
+int ParametricMask::degree() const { return static_cast<int>(sizes().front()) - 1; }
 
-LaurentPolynomial ParametricMask::coefficient(long index) const { return in_parameter(powers_, index); }
+IndexRange ParametricMask::support() const { return range_of(powers()); }
 
-Mask ParametricMask::at(const Rational& w) const {
-  const Rational below = denominator_(w);
-  require(below != 0, "mask: need a value where the denominator is not zero, got {}", w);
-  return {LaurentPolynomial(1 / below) * at_parameter(powers_, w), arity_};
+LaurentPolynomial ParametricMask::coefficient(long index) const {
+  require(letters() == 1, "mask: need one letter, got {}", letters());
+  return in_parameter(powers(), index);
+}
+
+Mask ParametricMask::at(const Values& values) const {
+  const Rational below = value_at(denominator_, values);
+  require(below != 0, "mask: need a value where the denominator is not zero, got {}", fmt::join(values, ", "));
+  return {LaurentPolynomial(1 / below) * numerator_at(values), arity_};
+}
+
+ParametricMask ParametricMask::with_positive_denominator(const Values& values) const {
+  if (!(value_at(denominator_, values) < 0)) return *this;
+  ParametricMask result = mapped([](const LaurentPolynomial& power) { return -power; });
+  for (Rational& q : result.denominator_.entries) q = -q;
+  return result;
+}
+
+std::optional<std::vector<LaurentPolynomial>> ParametricMask::controls(const Box& box) const {
+  const Powers<Rational> below = bernstein(denominator_, box, sizes());
+  if (std::ranges::any_of(below.entries, [](const Rational& q) { return q <= 0; })) return std::nullopt;
+  std::vector<LaurentPolynomial> result = bernstein(powers_, box, sizes()).entries;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] *= LaurentPolynomial(1 / below.entries[i]);
+  return result;
 }
 
 std::string ParametricMask::to_text(char letter) const {
@@ -146,18 +204,9 @@ std::string ParametricMask::to_text(char letter) const {
     text += (text.empty() ? "[" : ",") + RationalFunction(coefficient(i)).to_text(letter);
   }
   text += ']';
-  if (!(denominator_ == LaurentPolynomial(1))) text += "/(" + RationalFunction(denominator_).to_text(letter) + ")";
+  if (const LaurentPolynomial q = denominator(); !(q == LaurentPolynomial(1)))
+    text += "/(" + RationalFunction(q).to_text(letter) + ")";
   return fmt::format("{}@{}", text, range.first);
-}
-
-Mask BiparametricMask::at(const Rational& v, const Rational& w) const {
-  LaurentPolynomial sum;
-  const std::vector<LaurentPolynomial>& powers = flat.powers();
-  for (std::size_t k = 0; k < powers.size(); ++k) {
-    const auto place = static_cast<long>(k);
-    sum += LaurentPolynomial(power(v, place % columns) * power(w, place / columns)) * powers[k];
-  }
-  return {sum, flat.arity()};
 }
 
 int sum_rules(const ParametricMask& mask) {
@@ -169,14 +218,12 @@ int sum_rules(const ParametricMask& mask) {
 
 ParametricMask divided_difference_scheme(const ParametricMask& mask, int order) {
   const LaurentPolynomial sums = LaurentPolynomial::all_ones(mask.arity()).pow(order);
-  std::vector<LaurentPolynomial> powers;
-  for (const LaurentPolynomial& power : mask.powers()) {
+  return mask.mapped([&](const LaurentPolynomial& power) {
     const auto quotient = power.is_zero() ? power : power.exact_quotient(sums);
     require(quotient.has_value(), "divided_difference_scheme: need an order up to the number of sum rules, got {}",
             order);
-    powers.push_back(LaurentPolynomial(subcert::power(Rational(mask.arity()), order)) * *quotient);
-  }
-  return {std::move(powers), mask.arity(), mask.denominator()};
+    return LaurentPolynomial(subcert::power(Rational(mask.arity()), order)) * *quotient;
+  });
 }
 
 LaurentPolynomial special_values(const ParametricMask& mask) {

@@ -13,48 +13,48 @@ namespace {
 
 constexpr const char* six_points = "mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]";
 
-PropertyMap map_of(const char* mask, const char* property, const Rectangle& rectangle, int resolution) {
-  return property_map(make_biparametric_mask(mask, 'w', 't'), *parse_range_property(property), rectangle,
+PropertyMap map_of(const char* mask, const char* property, const Box& box, int resolution) {
+  return property_map(make_parametric_mask(mask, "wt"), *parse_range_property(property), box,
                       {resolution, 2, {Deadline::in(60)}});
 }
 
 }  // namespace
 
 TEST_CASE("masks with two parameters") {
-  const BiparametricMask mask = make_biparametric_mask(six_points, 'w', 't');
-  const BiparametricMask turned = make_biparametric_mask(six_points, 't', 'w');
+  const ParametricMask mask = make_parametric_mask(six_points, "wt");
+  const ParametricMask turned = make_parametric_mask(six_points, "tw");
   const Rational w(1, 16), t(1, 50);
-  CHECK(mask.at(w, t) == turned.at(t, w));
-  CHECK(mask.at(w, t) == make_scheme("six-point:w=1/50").mask.curve());
-  CHECK(mask.at(w, 0) == make_scheme("four-point:w=1/16").mask.curve());
-  const BiparametricMask products = make_biparametric_mask("mask:[w*t,1-w*t,1-w*t,w*t]/1@-2,arity=2", 'w', 't');
-  CHECK(products.columns == 2);
-  CHECK(products.at(Rational(1, 2), Rational(1, 2)) == make_scheme("corner-cutting:w=1/4").mask.curve());
+  CHECK(mask.at({w, t}) == turned.at({t, w}));
+  CHECK(mask.at({w, t}) == make_scheme("six-point:w=1/50").mask.curve());
+  CHECK(mask.at({w, 0}) == make_scheme("four-point:w=1/16").mask.curve());
+  const ParametricMask products = make_parametric_mask("mask:[w*t,1-w*t,1-w*t,w*t]/1@-2,arity=2", "wt");
+  CHECK(products.sizes() == std::vector<std::size_t>{2, 2});
+  CHECK(products.at({Rational(1, 2), Rational(1, 2)}) == make_scheme("corner-cutting:w=1/4").mask.curve());
   for (const char* bad : {"four-point:w", "mask:[w,1-v]", "mask:[w,t", "mask:[w,1-w,t]", "mask:[1/w,1,1-1/w]",
                           "mask:[w^13,1,1-w^13]", "mask:[(w),1,1-w]", "mask:[w,1,1-w]@x", "mask:", ""})
-    CHECK_THROWS_AS(make_biparametric_mask(bad, 'w', 't'), SpecificationError);
+    CHECK_THROWS_AS(make_parametric_mask(bad, "wt"), SpecificationError);
 }
 
 TEST_CASE("a map of two parameters is true at all of its points") {
   subcert::testing::Random random;
-  const Rectangle rectangle{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}};
+  const Box box{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}};
   for (const char* property : {"C1", "convergent", "holder>=9/8"}) {
     CAPTURE(property);
     const RangeProperty asked = *parse_range_property(property);
-    const PropertyMap map = map_of(six_points, property, rectangle, 8);
+    const PropertyMap map = map_of(six_points, property, box, 8);
     CHECK(map.sum_rules == 2);
     CHECK(map.complete);
     CHECK(map.share(Truth::yes) + map.share(Truth::no) + map.share(Truth::unknown) == 1);
     CHECK(map.share(Truth::yes) > Rational(1, 16));
     Rational area = 0;
     for (const MapCell& cell : map.cells) {
-      const Rectangle& r = cell.rectangle;
+      const Box& r = cell.box;
       area += (r.high[0] - r.low[0]) * (r.high[1] - r.low[1]);
       if (cell.holds == Truth::unknown || random.integer(0, 3) > 0) continue;
       const auto inside = [&](std::size_t side) {
         return Rational(r.low[side] + (r.high[side] - r.low[side]) * Rational(random.integer(0, 8), 8));
       };
-      const Mask mask = make_biparametric_mask(six_points, 'w', 't').at(inside(0), inside(1));
+      const Mask mask = make_parametric_mask(six_points, "wt").at({inside(0), inside(1)});
       const Enclosure exponent = holder_regularity(mask, 4, {Deadline::in(10)}).exponent;
       if (cell.holds == Truth::yes)
         CHECK((!exponent.upper || *exponent.upper > asked.order));
@@ -72,7 +72,7 @@ TEST_CASE("on an axis a map agrees with the range of one parameter") {
   const PropertyMap map = map_of(six_points, "C1",
                                  {{Rational(-1, 8), Rational(-1, 100)}, {Rational(1, 4), Rational(1, 100)}}, 16);
   for (const MapCell& cell : map.cells) {
-    const Rectangle& r = cell.rectangle;
+    const Box& r = cell.box;
     if (!(r.low[1] <= 0 && 0 <= r.high[1])) continue;
     if (cell.holds == Truth::yes) CHECK((r.low[0] > 0 && r.high[0] < Rational(19273, 100000)));
     if (cell.holds == Truth::no) CHECK((r.high[0] <= 0 || r.low[0] > Rational(19272, 100000)));
@@ -81,9 +81,9 @@ TEST_CASE("on an axis a map agrees with the range of one parameter") {
 }
 
 TEST_CASE("maps that make no sense are refused") {
-  const Rectangle unit{{0, 0}, {1, 1}};
-  const auto kind = [&](const char* property, const Rectangle& rectangle, int resolution) {
-    return subcert::testing::error_kind([&] { map_of(six_points, property, rectangle, resolution); });
+  const Box unit{{0, 0}, {1, 1}};
+  const auto kind = [&](const char* property, const Box& box, int resolution) {
+    return subcert::testing::error_kind([&] { map_of(six_points, property, box, resolution); });
   };
   CHECK(kind("C2", unit, 4) == ErrorKind::domain);
   CHECK(kind("stable", unit, 4) == ErrorKind::domain);

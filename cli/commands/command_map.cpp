@@ -35,8 +35,8 @@ const char* colour_of(Truth holds) {
 Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
   Json cells = Json::array(), shares = Json::object();
   for (const MapCell& cell : map.cells)
-    cells.push_back({{"from", {to_text(cell.rectangle.low[0]), to_text(cell.rectangle.low[1])}},
-                     {"to", {to_text(cell.rectangle.high[0]), to_text(cell.rectangle.high[1])}},
+    cells.push_back({{"from", {to_text(cell.box.low[0]), to_text(cell.box.low[1])}},
+                     {"to", {to_text(cell.box.high[0]), to_text(cell.box.high[1])}},
                      {"verdict", verdict_text(cell.holds)},
                      {"reason", cell.reason}});
   for (const Truth holds : verdicts) shares[verdict_text(holds)] = to_text(map.share(holds));
@@ -48,7 +48,7 @@ Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
 std::string csv_of(const PropertyMap& map, const std::string& letters) {
   std::string text = fmt::format("{0}_from,{0}_to,{1}_from,{1}_to,verdict\n", letters[0], letters[1]);
   for (const MapCell& cell : map.cells) {
-    const Rectangle& r = cell.rectangle;
+    const Box& r = cell.box;
     text += fmt::format("{},{},{},{},{}\n", to_text(r.low[0]), to_text(r.high[0]), to_text(r.low[1]),
                         to_text(r.high[1]), verdict_text(cell.holds));
   }
@@ -61,7 +61,7 @@ void draw(const PropertyMap& map, const MapCommandOptions& options, const std::s
   for (const Truth holds : verdicts) {
     formats::Cells cells{verdict_text(holds), colour_of(holds), {}};
     for (const MapCell& cell : map.cells) {
-      const Rectangle& r = cell.rectangle;
+      const Box& r = cell.box;
       if (cell.holds == holds)
         cells.rectangles.push_back({number(r.low[0]), number(r.high[0]), number(r.low[1]), number(r.high[1])});
     }
@@ -85,7 +85,7 @@ std::string read_letters(const std::vector<std::string>& over) {
 ExitCode run(const MapCommandOptions& options) {
   require_picture_name(options.plot);
   const std::string letters = read_letters(options.over);
-  const BiparametricMask mask = make_biparametric_mask(options.scheme, letters[0], letters[1]);
+  const ParametricMask mask = make_parametric_mask(options.scheme, letters);
   const auto [v_low, v_high] = read_over(options.over[0], letters[0]);
   const auto [w_low, w_high] = read_over(options.over[1], letters[1]);
   const auto property = parse_range_property(options.property);

@@ -1,0 +1,141 @@
+#include "box_search.hpp"
+
+#include "between_zeros.hpp"
+
+#include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/real_roots.hpp>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace subcert::family {
+namespace {
+
+constexpr double far_below = 0.97;  // of the threshold: quadratic forms may do
+
+}  // namespace
+
+void require_box(const std::string& command, const ParametricMask& mask, const Box& box) {
+  std::size_t matrices = static_cast<std::size_t>(mask.arity());
+  for (std::size_t v = 0; v < box.letters(); ++v) {
+    require(box.low[v] < box.high[v], "{}: need low < high, got {} and {}", command, box.low[v], box.high[v]);
+    matrices *= mask.sizes()[v];
+  }
+  const bool one = box.letters() == 1;
+  require(matrices <= most_matrices, "{}: need arity * {} up to {}, got {}", command,
+          one ? "(degree + 1)" : "(degree in one letter + 1) * (degree in the next + 1)", most_matrices, matrices);
+  require(sum_rules(mask) >= 1, "{}: need a sum rule for all values of the parameter{}, got none", command,
+          one ? "" : "s");
+}
+
+BoxSearch::BoxSearch(const ParametricMask& mask, const RangeProperty& property, const Box& range, const Budget& budget)
+    : mask_(mask.with_positive_denominator(range.middle())),
+      property_(property),
+      range_(range),
+      budget_(budget),
+      threshold_(property, mask.arity(), sum_rules(mask)),
+      radius_(transition_matrices(divided_difference_scheme(mask_, sum_rules(mask)))) {
+  if (mask.letters() == 1 && property.kind != RangeProperty::Kind::convergent)
+    unstable_ = unstable_values(mask, budget.deadline);
+}
+
+void BoxSearch::run(const Plan& plan, const std::function<void(BoxProof)>& done) {
+  std::vector<Look> looks = plan.at_corners;
+  looks.resize(range_.corners());
+  in_rounds(
+      std::vector{Node{range_, std::move(looks)}}, plan.jobs, [&](const Node& node) { return decide(node, plan); },
+      [&](const std::vector<Node>& open, std::vector<Decided> decided) {
+        std::vector<Node> next;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+          auto& [proof, middle, seconds] = decided[k];
+          if (proof.holds() != Truth::unknown || plan.is_last(proof.box, seconds) || budget_.deadline.expired()) {
+            done(std::move(proof));
+            continue;
+          }
+          for (unsigned corner = 0; corner < proof.box.corners(); ++corner) {
+            Node part{proof.box.part(corner), std::vector<Look>(proof.box.corners())};
+            part.at_corners[corner] = open[k].at_corners[corner];
+            part.at_corners[proof.box.corners() - 1 - corner] = middle;
+            next.push_back(std::move(part));
+          }
+        }
+        return next;
+      });
+}
+
+/// A box that a search cannot treat is not decided: the others are.
+BoxSearch::Decided BoxSearch::decide(const Node& node, const Plan& plan) {
+  const Stopwatch watch;
+  Decided result{{node.box, std::nullopt, std::nullopt}, {}};
+  BoxProof& proof = result.proof;
+  try {
+    if (!budget_.deadline.expired()) {
+      result.middle = radius_.look(node.box.middle(), budget_.deadline);
+      proof.reason = search(node, plan.seconds(node.box), result);
+    }
+  } catch (const Error& error) {
+    proof.reason = std::string("a search failed (") + error.what() + ")";
+  }
+  if (proof.holds() != Truth::unknown)
+    proof.reason.clear();
+  else if (budget_.deadline.expired())
+    proof.reason = spent;
+  result.seconds = watch.seconds();
+  return result;
+}
+
+/// Why no proof was found, where none was.
+std::string BoxSearch::search(const Node& node, double seconds, Decided& result) {
+  const double limit = threshold_.value();
+  if (result.middle.radius > std::max(limit, 1.0)) {
+    if (!is_stable_on(node.box))
+      return mask_.letters() == 1 && unstable_.is_zero() ? why_stability_is_open(budget_.deadline)
+                                                         : "the shifts may be unstable at a value there";
+    std::vector<Look> looks{result.middle};
+    looks.insert(looks.end(), node.at_corners.begin(), node.at_corners.end());
+    for (const Look& look : looks)
+      if (!result.proof.below && !look.word.empty())
+        result.proof.below = radius_.from_below(
+            node.box, look.word, std::max(Rational(1), threshold_.power_above(static_cast<long>(look.word.size()))),
+            false, budget_.deadline);
+    return "no product was proved to be too large for all values there";
+  }
+  if (!threshold_.is_reachable()) return "only orders below the number of sum rules are proved";
+  double largest = result.middle.radius;
+  for (const Look& look : node.at_corners) largest = std::max(largest, look.radius);
+  if (largest >= limit) return "the radius comes near to the threshold";
+  result.proof.above = radius_.from_above(node.box, threshold_.below(), largest < far_below * limit,
+                                          {budget_.deadline.at_most(seconds), budget_.memory});
+  return fmt::format("the radius was not proved to be below the threshold in the time for one {}",
+                     mask_.letters() == 1 ? "interval" : "cell");
+}
+
+Look BoxSearch::look_if_possible(const Values& w) const {
+  try {
+    return radius_.look(w, budget_.deadline);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// Of one letter by the zeros of a polynomial; else the shifts are to be stable for all masks that are as far from the
+/// one in the middle as any on the box.
+bool BoxSearch::is_stable_on(const Box& box) const {
+  if (property_.kind == RangeProperty::Kind::convergent) return true;
+  if (mask_.letters() == 1) return has_no_real_root(unstable_, box.low[0], box.high[0], budget_.deadline);
+  const Mask mask = mask_.at(box.middle());
+  const IndexRange all = mask_.support();
+  const auto controls = mask_.controls(box);
+  if (!controls || !(support(mask) == all)) return false;
+  std::vector<Rational> errors;
+  for (long k = all.first; k <= all.last; ++k) {
+    errors.emplace_back(0);
+    for (const LaurentPolynomial& control : *controls)
+      errors.back() = std::max(errors.back(), abs(control.coefficient(k) - mask.symbol().coefficient(k)));
+  }
+  return has_stable_shifts(mask, errors).is_yes();
+}
+
+}  // namespace subcert::family

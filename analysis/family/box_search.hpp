@@ -1,0 +1,86 @@
+#pragma once
+/// A property over boxes of values of letters: the search of ranges and maps. Inner header.
+
+#include "family_radius.hpp"
+#include "threshold.hpp"
+
+#include <subcert/analysis/symbol/parallel.hpp>
+
+#include <functional>
+
+namespace subcert::family {
+
+constexpr std::size_t most_matrices = 64;  // that a box may have for its controls
+
+/// Errors: throws Error, which names the command, unless low < high for all letters, a sum rule holds for all values,
+/// and there are at most `most_matrices` control matrices.
+void require_box(const std::string& command, const ParametricMask& mask, const Box& box);
+
+/// Decides things on several threads, round by round, until `next`, which is given them and their answers, has no more.
+template <class Thing, class Decide, class Next>
+void in_rounds(std::vector<Thing> open, int jobs, Decide decide, Next next) {
+  while (!open.empty()) {
+    std::vector<decltype(decide(open.front()))> decided(open.size());
+    parallel_tasks(open.size(), jobs, [&](std::size_t k) { decided[k] = decide(open[k]); });
+    open = next(open, std::move(decided));
+  }
+}
+
+/// As IntervalProof, for several letters.
+struct BoxProof {
+  Box box;
+  std::optional<JointSpectralRadius> above;
+  std::optional<EigenvalueBound> below;
+  std::string reason = {};
+
+  Truth holds() const { return above ? Truth::yes : below ? Truth::no : Truth::unknown; }
+};
+
+class BoxSearch {
+ public:
+  /// Domain: as require_box; `convergent`, or `smooth` or `holder` of any order.
+  BoxSearch(const ParametricMask& mask, const RangeProperty& property, const Box& range, const Budget& budget);
+
+  struct Plan {
+    int jobs;
+    std::vector<Look> at_corners;               ///< of the range; empty where none is asked for
+    std::function<double(const Box&)> seconds;  ///< for one upper bound
+    /// Whether a box that is not decided, after so many seconds, is left so.
+    std::function<bool(const Box&, double)> is_last;
+  };
+  /// Halves in each letter what is not decided, until the deadline; `done` is called with each box that is not halved.
+  void run(const Plan& plan, const std::function<void(BoxProof)>& done);
+
+  /// Where a search fails nothing is known of the value.
+  Look look_if_possible(const Values& w) const;
+  /// Whether that is proved for all values.
+  bool is_stable_on(const Box& box) const;
+
+  FamilyRadius& radius() { return radius_; }
+  const Threshold& threshold() const { return threshold_; }
+  /// unstable_values of a mask with one letter, where they matter.
+  const LaurentPolynomial& unstable() const { return unstable_; }
+
+ private:
+  struct Node {
+    Box box;
+    std::vector<Look> at_corners;  ///< with empty words where nothing is known
+  };
+  struct Decided {
+    BoxProof proof;
+    Look middle;
+    double seconds = 0;
+  };
+  Decided decide(const Node& node, const Plan& plan);
+  std::string search(const Node& node, double seconds, Decided& result);
+
+  ParametricMask mask_;
+  RangeProperty property_;
+  Box range_;
+  Budget budget_;
+  Threshold threshold_;
+  FamilyRadius radius_;
+  LaurentPolynomial unstable_;
+};
+
+}  // namespace subcert::family

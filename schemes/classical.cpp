@@ -46,7 +46,7 @@ const std::vector<ClassicalFamily>& classical_families() {
   const auto family = [](std::string name, std::string title, std::string example,
                          const std::vector<const char*>& coefficients, int arity) {
     std::vector<RationalFunction> functions;
-    for (const char* coefficient : coefficients) functions.push_back(RationalFunction::parse(coefficient, 'w'));
+    for (const char* coefficient : coefficients) functions.push_back(RationalFunction::parse(coefficient, "w"));
     return ClassicalFamily{std::move(name), std::move(title), std::move(example),
                            ParametricMask(functions, -static_cast<long>(functions.size() / 2), arity)};
   };

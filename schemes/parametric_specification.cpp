@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/expression.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
@@ -52,122 +53,77 @@ char read_parameter(const Piece& body, const char* usage) {
 }
 
 RationalFunction read_function(const Piece& piece, char parameter) {
-  try {
-    return RationalFunction::parse(piece.text, parameter);
-  } catch (const ParseError& error) {
-    throw SpecificationError(error.token(), piece.at + error.position(), error.expected());
-  }
+  return placed(piece, [&] { return RationalFunction::parse(piece.text, {&parameter, 1}); });
 }
 
 void require_size(const ParametricMask& mask, const Piece& piece) {
   const IndexRange range = mask.support();
-  if (mask.degree() > max_degree || range.last - range.first >= max_coefficients)
+  const auto sizes = mask.sizes();
+  const auto degree = static_cast<long>(*std::ranges::max_element(sizes)) - 1;
+  if (degree > max_degree || range.last - range.first >= max_coefficients)
     fail(piece, fmt::format("up to {} coefficients of degree up to {}, over their common denominator; here {} of "
                             "degree {}",
-                            max_coefficients, max_degree, range.last - range.first + 1, mask.degree()));
+                            max_coefficients, max_degree, range.last - range.first + 1, degree));
 }
 
-/// The place behind the parenthesis that closes the first one.
-std::size_t end_of_parentheses(std::string_view text) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-    if (depth == 0) return i + 1;
-  }
-  return text.size();
-}
-
-/// The keys of `mask:` with a letter in its coefficients.
-struct MaskText {
-  std::vector<RationalFunction> coefficients;
+/// A mask with letters in its coefficients.
+struct LetterMask {
+  std::vector<LetterFunction> coefficients;
   long first;
   int arity;
-  char letter;
+  std::string letters;
   Piece list;  ///< of the coefficients
   Fields fields;
 };
 
-/// The coefficients in brackets, and what follows.
-std::pair<Piece, Piece> list_and_rest(const Piece& body, const char* usage) {
-  const std::size_t close = body.text.find(']');
-  if (body.text.empty() || body.text.front() != '[' || close == std::string_view::npos)
-    fail(body, std::string("coefficients in brackets, as in ") + usage);
-  return {{body.text.substr(0, close + 1), body.at}, {body.text.substr(close + 1), body.at + close + 1}};
-}
-
-/// What stands behind the coefficients: `/D@first,arity=2` and further keys. All may be absent.
-struct MaskTail {
-  Rational scale;  ///< 1/D
-  long first;
-  int arity;
-  Fields fields;
-};
-
-MaskTail read_tail(const Piece& family, const Piece& rest, std::size_t coefficients, const std::string& usage) {
-  const std::vector<Piece> pieces = split(rest, ',');
-  const Piece& scale = pieces.front();
-  const std::string one = "[1]";
-  text::MaskText parts;
-  try {
-    parts = text::parse_mask_text(one + std::string(scale.text), 1);
-  } catch (const ParseError& error) {
-    throw SpecificationError(error.token(), scale.at + std::max(error.position(), one.size() + 1) - one.size(),
-                             error.expected());
-  }
-  Fields fields(family, {pieces.begin() + 1, pieces.end()}, usage);
-  const auto arity_piece = fields.optional("arity");
-  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
-  return {parts.coefficients.front(), parts.first ? parts.first->front() : -static_cast<long>(coefficients / 2),
-          static_cast<int>(arity), std::move(fields)};
-}
-
-MaskText read_mask_with_letter(const Piece& family, const Piece& body, const char* usage) {
-  auto [list, rest] = list_and_rest(body, usage);
-  const char letter = read_parameter(body, usage);
-  const std::vector<Piece> entries = read_list(list, ',');
-  if (static_cast<long>(entries.size()) > max_coefficients)
-    fail(list, fmt::format("at most {} coefficients", max_coefficients));
-  // A denominator in parentheses may depend on the letter.
-  RationalFunction denominator = 1;
-  if (rest.text.starts_with("/(")) {
-    const std::size_t end = 1 + end_of_parentheses(rest.text.substr(1));
-    const Piece divisor{rest.text.substr(1, end - 1), rest.at + 1};
-    denominator = read_function(divisor, letter);
-    if (denominator == RationalFunction()) fail(divisor, "a denominator that is not zero");
-    rest = {rest.text.substr(end), rest.at + end};
-  }
-  MaskTail tail = read_tail(family, rest, entries.size(), usage);
-  std::vector<RationalFunction> coefficients;
-  for (std::size_t k = 0; k < entries.size(); ++k)
-    coefficients.push_back(read_function(entries[k], letter) * RationalFunction(tail.scale) / denominator);
-  if (std::all_of(coefficients.begin(), coefficients.end(),
-                  [](const RationalFunction& c) { return c == RationalFunction(); }))
+/// `[...]/D@first,arity=2` and further keys, of which all behind the coefficients may be absent. A denominator in
+/// parentheses may depend on the letters.
+LetterMask read_letter_mask(const Piece& family, const Piece& body, const std::string& letters,
+                            const std::string& usage) {
+  auto [mask, fields] = split_mask(family, body, usage, 1, max_coefficients);
+  auto parts = placed(mask, [&mask = mask, &letters] { return text::parse_mask_text(mask.text, letters); });
+  const auto arity = fields.optional("arity");
+  const Piece list{mask.text.substr(0, mask.text.find(']') + 1), mask.at};
+  if (std::ranges::all_of(parts.coefficients, &LetterFunction::is_zero))
     fail(list, "at least one coefficient that is not zero");
-  return {std::move(coefficients), tail.first, tail.arity, letter, list, std::move(tail.fields)};
+  const long first = parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2);
+  return {std::move(parts.coefficients),
+          first,
+          arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2,
+          letters,
+          list,
+          std::move(fields)};
 }
 
 /// `for all w` or `for this t`
-void require_sums(const MaskText& text, const std::string& values) {
-  for (long residue = 0; residue < text.arity; ++residue) {
-    RationalFunction sum;
-    for (std::size_t k = 0; k < text.coefficients.size(); ++k)
-      if ((text.first + static_cast<long>(k) - residue) % text.arity == 0) sum += text.coefficients[k];
-    if (!(sum == RationalFunction(1)))
-      fail(text.list, fmt::format("coefficients that sum to 1 over each residue class for {} {}; the class {} mod {} "
-                                  "sums to {}",
-                                  values, text.letter, residue, text.arity, sum.to_text(text.letter)));
-  }
+void require_sums(const LetterMask& text, const std::string& values) {
+  std::vector<LetterFunction> sums(static_cast<std::size_t>(text.arity),
+                                   MultivariatePolynomial(static_cast<int>(text.letters.size())));
+  for (std::size_t k = 0; k < text.coefficients.size(); ++k)
+    sums[static_cast<std::size_t>(modulo(text.first + static_cast<long>(k), text.arity))] += text.coefficients[k];
+  for (std::size_t residue = 0; residue < sums.size(); ++residue)
+    if (const LetterFunction& sum = sums[residue]; !(sum.is_polynomial() && sum.numerator() == sum.denominator()))
+      fail(text.list,
+           fmt::format("coefficients that sum to 1 over each residue class for {} {}; the class {} mod {} "
+                       "sums to {}",
+                       values, fmt::join(text.letters, ", "), residue, text.arity, sum.to_text(text.letters)));
 }
 
-ParametricScheme make_mask(const Piece& family, const Piece& body) {
-  MaskText text = read_mask_with_letter(family, body, mask_usage);
-  text.fields.finish();
+ParametricMask checked_mask(const LetterMask& text) {
   ParametricMask mask(text.coefficients, text.first, text.arity);
   require_size(mask, text.list);
   require_sums(text, "all");
-  const std::string printed = mask.to_text(text.letter);
+  return mask;
+}
+
+ParametricScheme make_mask(const Piece& family, const Piece& body) {
+  const char letter = read_parameter(body, mask_usage);
+  const LetterMask text = read_letter_mask(family, body, std::string(1, letter), mask_usage);
+  text.fields.finish();
+  ParametricMask mask = checked_mask(text);
+  const std::string printed = mask.to_text(letter);
   return {"mask:" + printed + (text.arity == 2 ? "" : ",arity=" + std::to_string(text.arity)),
-          fmt::format("mask with the parameter {}", text.letter), text.letter, std::move(mask)};
+          fmt::format("mask with the parameter {}", letter), letter, std::move(mask)};
 }
 
 /// p modulo a polynomial of positive degree.
@@ -240,14 +196,15 @@ ParametricScheme make_classical(const ClassicalFamily& family, const Piece& body
 }  // namespace
 
 Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece& body) {
-  MaskText text = read_mask_with_letter(family, body, algebraic_usage);
-  const AlgebraicNumber number = read_number(text.fields.required("where"), text.letter);
+  const char letter = read_parameter(body, algebraic_usage);
+  LetterMask text = read_letter_mask(family, body, std::string(1, letter), algebraic_usage);
+  const AlgebraicNumber number = read_number(text.fields.required("where"), letter);
   text.fields.finish();
   // Powers of the number below the degree of its polynomial are independent over the rationals: what holds for the
   // coefficients modulo the polynomial holds for all numbers in place of this one, sum rules too.
-  for (RationalFunction& c : text.coefficients) {
-    if (!c.is_polynomial()) fail(text.list, fmt::format("coefficients that are polynomials in {}", text.letter));
-    c = remainder(c.numerator(), number.polynomial);
+  for (LetterFunction& c : text.coefficients) {
+    if (!c.is_polynomial()) fail(text.list, fmt::format("coefficients that are polynomials in {}", letter));
+    c = MultivariatePolynomial::in_variable(1, 0, remainder(in_one_letter(c.numerator()), number.polynomial));
   }
   require_sums(text, "this");
   const ParametricMask mask(text.coefficients, text.first, text.arity);
@@ -255,17 +212,17 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
   const Rational unit = power(Rational(2), -algebraic_bits), &low = *number.value.lower, &high = *number.value.upper;
   const Rational value = number.value.is_exact() ? low : unit * Rational(to_integer(low / unit, Rounding::nearest));
   Scheme scheme{
-      fmt::format("mask:{}{},where={}:{}..{}", mask.to_text(text.letter), arity,
-                  RationalFunction(number.polynomial).to_text(text.letter), to_text(number.low), to_text(number.high)),
+      fmt::format("mask:{}{},where={}:{}..{}", mask.to_text(letter), arity,
+                  RationalFunction(number.polynomial).to_text(letter), to_text(number.low), to_text(number.high)),
       "mask given by its coefficients, rounded", mask.at(value)};
   if (number.value.is_exact()) return scheme;
   // |t^k - v^k| <= k |t - v| max(|t|, |v|)^(k-1)
   const Rational away = high - low + unit, most = std::max(abs(low), abs(high)) + unit;
   Rational distance = 0;
-  for (const RationalFunction& c : text.coefficients) {
+  for (const LetterFunction& c : text.coefficients) {
     Rational slope = 0;
-    for (long k = 1; !c.numerator().is_zero() && k <= c.numerator().highest(); ++k)
-      slope += abs(c.numerator().coefficient(k)) * k * power(most, k - 1);
+    for (const Monomial& term : c.numerator().terms())
+      if (const long k = term.exponents.front(); k > 0) slope += abs(term.coefficient) * k * power(most, k - 1);
     distance = std::max(distance, Rational(slope * away));
   }
   if (distance > 0) scheme.rounding = {power(Rational(2), binary_exponent(distance) + 1), sum_rules(mask)};
@@ -297,64 +254,13 @@ bool has_parameter(std::string_view specification) {
 }
 
 ParametricMask make_parametric_mask(std::string_view specification, const std::string& letters) {
-  const auto variables = static_cast<int>(letters.size());
-  const std::string listed = fmt::format("{} and {}", fmt::join(letters.substr(0, letters.size() - 1), ", "),
-                                         letters.back());
   const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", letters[0], letters[1]);
   if (specification.size() > max_text) fail({specification, 0}, fmt::format("at most {} characters", max_text));
   const Piece family = family_of(specification);
   if (family.text != "mask") fail(family, "a mask with several letters, " + usage);
-  const Piece body = body_of(specification);
-  const auto [list, rest] = list_and_rest(body, usage.c_str());
-  std::vector<MultivariatePolynomial> coefficients;
-  for (const Piece& entry : read_list(list, ',')) {
-    std::string in_xy(entry.text);
-    for (std::size_t i = 0; i < in_xy.size(); ++i) {
-      if (!is_letter(in_xy[i])) continue;
-      const std::size_t letter = letters.find(in_xy[i]);
-      if (letter == std::string::npos) fail({entry.text.substr(i, 1), entry.at + i}, "the letters " + listed);
-      in_xy[i] = text::variable_names(variables)[letter].front();
-    }
-    try {
-      coefficients.push_back(MultivariatePolynomial::parse(in_xy, variables));
-    } catch (const ParseError& error) {
-      throw SpecificationError(error.token(), entry.at + error.position(),
-                               fmt::format("a sum of terms c*{}^i*{}^j with exact numbers c", letters[0], letters[1]));
-    }
-    const MultivariatePolynomial& c = coefficients.back();
-    for (std::size_t v = 0; v < letters.size(); ++v)
-      if (!c.is_zero() && (c.lowest()[v] < 0 || c.highest()[v] > max_degree))
-        fail(entry, fmt::format("powers from 0 to {}", max_degree));
-  }
-  if (static_cast<long>(coefficients.size()) > max_coefficients)
-    fail(list, fmt::format("at most {} coefficients", max_coefficients));
-  const auto [scale, first_index, arity, fields] = read_tail(family, rest, coefficients.size(), usage);
-  fields.finish();
-
-  Powers<LaurentPolynomial> powers{std::vector<std::size_t>(letters.size(), 1), {}};
-  for (const MultivariatePolynomial& c : coefficients)
-    for (std::size_t v = 0; !c.is_zero() && v < letters.size(); ++v)
-      powers.sizes[v] = std::max(powers.sizes[v], static_cast<std::size_t>(c.highest()[v]) + 1);
-  std::size_t count = 1;
-  for (const std::size_t size : powers.sizes) count *= size;
-  powers.entries.resize(count);
-  std::vector<MultivariatePolynomial> sums(static_cast<std::size_t>(arity), MultivariatePolynomial(variables));
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    const long place = first_index + static_cast<long>(k);
-    sums[static_cast<std::size_t>(modulo(place, arity))] += coefficients[k];
-    for (const auto& term : coefficients[k].terms()) {
-      std::size_t at = 0;
-      for (std::size_t v = letters.size(); v-- > 0;)
-        at = at * powers.sizes[v] + static_cast<std::size_t>(term.exponents[v]);
-      powers.entries[at] += LaurentPolynomial::monomial(term.coefficient * scale, place);
-    }
-  }
-  for (std::size_t residue = 0; residue < sums.size(); ++residue)
-    if (!(sums[residue] == MultivariatePolynomial(variables, 1 / scale)))
-      fail(list, fmt::format("coefficients that sum to 1 over each residue class for all values; the class {} mod {} "
-                             "does not",
-                             residue, arity));
-  return {std::move(powers), arity, Powers<Rational>{std::vector<std::size_t>(letters.size(), 1), {1}}};
+  const LetterMask text = read_letter_mask(family, body_of(specification), letters, usage);
+  text.fields.finish();
+  return checked_mask(text);
 }
 
 std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {

@@ -25,9 +25,9 @@ ParametricScheme make_parametric_scheme(std::string_view specification);
 /// Whether the text names a family that make_parametric_scheme may read: with a letter where a number may stand.
 bool has_parameter(std::string_view specification);
 
-/// Reads `mask:[t,0,-w-3*t,...]` with two or three letters: coefficients are sums of terms `c`, `t`, `c*t^i*w^j` with
-/// exact numbers c. Domain: different letters; up to 100 coefficients, degrees up to 12; else as make_scheme. Errors:
-/// throws SpecificationError.
+/// Reads `mask:[t,0,-w-3*t,...]` with two or three letters: coefficients are what LetterFunction::parse reads. Domain:
+/// different letters; up to 100 coefficients, degrees up to 12 in each; else as make_scheme. Errors: throws
+/// SpecificationError.
 ParametricMask make_parametric_mask(std::string_view specification, const std::string& letters);
 
 /// Values of a parameter between two numbers, low < high.

@@ -188,7 +188,8 @@ const std::vector<Family>& table() {
 
 namespace specification_text {
 
-MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most) {
+std::pair<Piece, Fields> split_mask(const Piece& family, const Piece& body, const std::string& usage, int variables,
+                                    long most) {
   // The first indices are separated by commas, as the fields are.
   std::vector<Piece> rest = split(body, ',');
   const std::size_t indices = rest.front().text.find('@') == std::string_view::npos
@@ -200,13 +201,12 @@ MaskAndFields read_mask(const Piece& family, const Piece& body, const std::strin
   const std::string_view lists = mask.text.substr(0, mask.text.rfind(']'));
   if (1 + std::count(lists.begin(), lists.end(), ',') > most)
     fail(mask, "at most " + std::to_string(most) + " coefficients");
-  text::MaskText parts;
-  try {
-    parts = text::parse_mask_text(mask.text, variables);
-  } catch (const ParseError& error) {
-    throw SpecificationError(error.token(), mask.at + error.position(), error.expected());
-  }
-  return {std::move(parts), Fields(family, {fields, rest.end()}, usage)};
+  return {mask, Fields(family, {fields, rest.end()}, usage)};
+}
+
+MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most) {
+  auto [mask, fields] = split_mask(family, body, usage, variables, most);
+  return {placed(mask, [&] { return text::parse_mask_text(mask.text, variables); }), std::move(fields)};
 }
 
 }  // namespace specification_text

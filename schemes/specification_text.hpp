@@ -169,7 +169,21 @@ inline long read_degree(Fields& fields, long points) {
   return degree;
 }
 
-/// The coefficients at the beginning of the body of a specification, and the fields that follow.
+/// What `read` makes of the text of the piece, with its places in the specification.
+template <class Read>
+auto placed(const Piece& piece, Read read) {
+  try {
+    return read();
+  } catch (const ParseError& error) {
+    throw SpecificationError(error.token(), piece.at + error.position(), error.expected());
+  }
+}
+
+/// The coefficients at the beginning of the body of a specification, and the fields that follow. Domain: at most `most`
+/// coefficients.
+std::pair<Piece, Fields> split_mask(const Piece& family, const Piece& body, const std::string& usage, int variables,
+                                    long most);
+
 struct MaskAndFields {
   text::MaskText mask;
   Fields fields;

@@ -31,7 +31,7 @@ void require_box(const std::string& command, const ParametricMask& mask, const B
 }
 
 BoxSearch::BoxSearch(const ParametricMask& mask, const RangeProperty& property, const Box& range, const Budget& budget)
-    : mask_(mask.with_positive_denominator(range.middle())),
+    : mask_(mask),
       property_(property),
       range_(range),
       budget_(budget),

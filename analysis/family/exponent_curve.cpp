@@ -32,7 +32,7 @@ class CurveSearch {
         rules_(sum_rules(mask)),
         unstable_(unstable),
         special_(special),
-        radius_(transition_matrices(divided_difference_scheme(mask.with_positive_denominator(range.low), rules_))),
+        radius_(transition_matrices(divided_difference_scheme(mask, rules_))),
         range_(range) {}
 
   std::vector<CurvePiece> pieces() {

@@ -132,7 +132,7 @@ std::optional<JointSpectralRadius> FamilyRadius::from_above(const Box& box, doub
 
 std::optional<EigenvalueBound> FamilyRadius::from_below(const Box& box, const std::vector<int>& word,
                                                         const Rational& least, bool sharp, const Deadline& deadline) {
-  // Of one letter it is known that the denominator has no zero.
+  // Of one letter it is known that the denominator has no zero; of several it has none where there are controls.
   if (box.letters() > 1 && !family_.mask.controls(box)) return std::nullopt;
   for (EigenvalueBound& bound : guesses(box, word, least.convert_to<double>(), sharp)) {
     if (bound.modulus() < least) (bound.re == 0 ? bound.im : bound.re) = bound.re < 0 ? Rational(-least) : least;
@@ -144,8 +144,10 @@ std::optional<EigenvalueBound> FamilyRadius::from_below(const Box& box, const st
 /// Whether that is proved of the characteristic polynomial on the box: exactly for one letter, else by its Bernstein
 /// coefficients.
 bool FamilyRadius::is_negative(const EigenvalueBound& bound, const Box& box, const Deadline& deadline) {
-  const Powers<Rational> value = characteristic(bound, deadline);
-  if (value.entries.empty()) return false;
+  Powers<Rational> value = characteristic(bound, deadline);
+  const bool is_odd = bound.re != 0 && family_.size() * bound.word.size() % 2 == 1;
+  if (is_odd && value_at(family_.mask.denominators(), box.low) < 0)
+    for (Rational& c : value.entries) c = -c;
   if (box.letters() == 1)
     return has_no_real_root(in_one_letter(value), box.low[0], box.high[0], deadline) && value_at(value, box.low) < 0;
   return std::ranges::all_of(bernstein(value, box, value.sizes).entries, [](const Rational& c) { return c < 0; });
@@ -196,7 +198,7 @@ Powers<Rational> FamilyRadius::characteristic(const EigenvalueBound& bound, cons
   const std::size_t n = family_.size(), size = pair ? n * (n - 1) / 2 : n;
   const std::size_t factors = bound.word.size() * (pair ? 2 : 1);
   std::vector<std::size_t> sizes = family_.mask.sizes();
-  const Powers<Rational> zero{std::vector<std::size_t>(sizes.size(), 0), {}};
+  const Powers<Rational> zero{std::vector<std::size_t>(sizes.size(), 1), {0}};
   std::size_t terms = 1;
   for (std::size_t& one : sizes) {
     one = (one - 1) * size * factors + 1;

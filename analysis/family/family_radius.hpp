@@ -36,8 +36,9 @@ class FamilyRadius {
   std::optional<EigenvalueBound> from_below(const Box& box, const std::vector<int>& word, const Rational& least,
                                             bool sharp, const Deadline& deadline);
 
-  /// The polynomial that is negative where the eigenvalues of the product exceed the bound an odd number of times, if
-  /// the denominator is positive; zero past the deadline, or where it would be large.
+  /// det(g - P) times a power of the denominator for the product P and the bound g (or -P, or the second compound and
+  /// g^2): det(g - P) is negative where an odd number of eigenvalues exceed the bound. Zero past the deadline, or where
+  /// it would be large.
   Powers<Rational> characteristic(const EigenvalueBound& bound, const Deadline& deadline);
 
  private:

@@ -3,6 +3,8 @@
 
 #include "numbers.hpp"
 
+#include <functional>
+#include <numeric>
 #include <vector>
 
 namespace subcert {
@@ -27,26 +29,31 @@ struct Box {
 };
 
 /// Of numbers, polynomials or matrices: the factors of w_1^k_1 w_2^k_2 ..., or of products of Bernstein polynomials,
-/// for 0 <= k_v < sizes[v]; k_1 runs fastest.
+/// for 0 <= k_v < sizes[v]; k_1 runs fastest. Canonical: as many entries as that, one at least.
 template <class T>
 struct Powers {
   std::vector<std::size_t> sizes;
   std::vector<T> entries;
+
+  bool operator==(const Powers& other) const = default;
+  /// Between the entries of two powers of a letter that follow each other.
+  std::size_t stride(std::size_t letter) const {
+    return std::accumulate(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(letter), std::size_t{1},
+                           std::multiplies<>());
+  }
 };
 
 /// [i][k]: the factor of w^k in the i-th Bernstein coefficient of degree n on [low, high].
 std::vector<Values> bernstein_factors(long n, const Rational& low, const Rational& high);
 
-/// In the place of the powers of one letter, in each row: their sum with these factors.
-template <class T>
-Powers<T> along(const Powers<T>& powers, std::size_t letter, const std::vector<Values>& rows) {
+/// In the place of the powers of one letter, for each row: their sum with these factors.
+template <class T, class Factor>
+Powers<T> along(const Powers<T>& powers, std::size_t letter, const std::vector<std::vector<Factor>>& rows) {
   Powers<T> result{powers.sizes, {}};
-  const std::size_t size = powers.sizes[letter];
+  const std::size_t size = powers.sizes[letter], stride = powers.stride(letter);
   result.sizes[letter] = rows.size();
-  std::size_t stride = 1;
-  for (std::size_t v = 0; v < letter; ++v) stride *= powers.sizes[v];
   for (std::size_t block = 0; block < powers.entries.size(); block += size * stride)
-    for (const Values& factors : rows)
+    for (const std::vector<Factor>& factors : rows)
       for (std::size_t at = block; at < block + stride; ++at) {
         T sum = factors[0] * powers.entries[at];
         for (std::size_t k = 1; k < size; ++k)
@@ -62,7 +69,7 @@ T value_at(Powers<T> powers, const Values& values) {
   for (std::size_t v = 0; v < values.size(); ++v) {
     Values row{1};
     while (row.size() < powers.sizes[v]) row.push_back(row.back() * values[v]);
-    powers = along(powers, v, {row});
+    powers = along(powers, v, std::vector<Values>{row});
   }
   return std::move(powers.entries.front());
 }

@@ -1,10 +1,10 @@
 #include "laurent_polynomial.hpp"
 
 #include "error.hpp"
+#include "expression.hpp"
 #include "flint.hpp"
 #include "term_text.hpp"
 
-#include <map>
 #include <utility>
 
 namespace subcert {
@@ -88,12 +88,7 @@ LaurentPolynomial LaurentPolynomial::all_ones(int count) {
 }
 
 LaurentPolynomial LaurentPolynomial::parse(std::string_view text) {
-  std::map<long, Rational> sum;
-  for (const Monomial& term : text::parse_terms(text, 1)) sum[term.exponents[0]] += term.coefficient;
-  const long low = sum.begin()->first;
-  std::vector<Rational> coefficients(static_cast<std::size_t>(sum.rbegin()->first - low + 1));
-  for (const auto& [exponent, coefficient] : sum) coefficients[static_cast<std::size_t>(exponent - low)] = coefficient;
-  return LaurentPolynomial(coefficients, low);
+  return in_one_letter(MultivariatePolynomial::parse(text, 1));
 }
 
 LaurentPolynomial LaurentPolynomial::parse_mask(std::string_view text) {

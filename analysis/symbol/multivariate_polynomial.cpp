@@ -1,6 +1,7 @@
 #include "multivariate_polynomial.hpp"
 
 #include "error.hpp"
+#include "expression.hpp"
 #include "flint.hpp"
 #include "term_text.hpp"
 
@@ -175,8 +176,11 @@ MultivariatePolynomial MultivariatePolynomial::in_variable(int variables, int in
 }
 
 MultivariatePolynomial MultivariatePolynomial::parse(std::string_view text, int variables) {
+  constexpr long max_exponent = 1'000'000;
   require_variables(variables);
-  return MultivariatePolynomial(variables, text::parse_terms(text, variables));
+  std::string names;
+  for (const std::string& name : text::variable_names(variables)) names += name;
+  return read_polynomial(text, names, max_exponent);
 }
 
 int MultivariatePolynomial::variables() const { return impl_->variables; }

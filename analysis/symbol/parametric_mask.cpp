@@ -59,46 +59,75 @@ LaurentPolynomial at_parameter(const std::vector<LaurentPolynomial>& powers, con
   return sum;
 }
 
+std::size_t place_of(const std::vector<long>& exponents, const std::vector<std::size_t>& sizes) {
+  std::size_t place = 0;
+  for (std::size_t v = sizes.size(); v-- > 0;) place = place * sizes[v] + static_cast<std::size_t>(exponents[v]);
+  return place;
+}
+
+std::vector<long> exponents_at(std::size_t place, const std::vector<std::size_t>& sizes) {
+  std::vector<long> exponents;
+  for (const std::size_t size : sizes) {
+    exponents.push_back(static_cast<long>(place % size));
+    place /= size;
+  }
+  return exponents;
+}
+
+void raise(std::vector<std::size_t>& sizes, const std::vector<long>& exponents) {
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+    sizes[v] = std::max(sizes[v], static_cast<std::size_t>(exponents[v] + 1));
+}
+
+/// Zeros.
+template <class T>
+Powers<T> powers_for(const std::vector<std::size_t>& sizes) {
+  std::size_t count = 1;
+  for (const std::size_t size : sizes) count *= size;
+  return {sizes, std::vector<T>(count)};
+}
+
 /// Without the highest powers of a letter that are zero for all others. Errors: throws Error where all are zero.
 Powers<LaurentPolynomial> without_zeros(const Powers<LaurentPolynomial>& powers) {
-  Powers<LaurentPolynomial> result{std::vector<std::size_t>(powers.sizes.size(), 0), {}};
-  const auto each = [&](const auto& work) {
-    for (std::size_t at = 0; at < powers.entries.size(); ++at) {
-      std::vector<std::size_t> exponents;
-      for (std::size_t rest = at, v = 0; v < powers.sizes.size(); rest /= powers.sizes[v++])
-        exponents.push_back(rest % powers.sizes[v]);
-      work(powers.entries[at], exponents);
-    }
-  };
-  each([&](const LaurentPolynomial& power, const std::vector<std::size_t>& exponents) {
-    for (std::size_t v = 0; !power.is_zero() && v < exponents.size(); ++v)
-      result.sizes[v] = std::max(result.sizes[v], exponents[v] + 1);
-  });
-  require(!result.sizes.empty() && result.sizes.front() > 0, "mask: need a symbol that is not zero, got zero");
-  each([&](const LaurentPolynomial& power, const std::vector<std::size_t>& exponents) {
-    if (std::ranges::equal(exponents, result.sizes, std::less())) result.entries.push_back(power);
-  });
+  std::vector<std::size_t> sizes(powers.sizes.size(), 0);
+  for (std::size_t at = 0; at < powers.entries.size(); ++at)
+    if (!powers.entries[at].is_zero()) raise(sizes, exponents_at(at, powers.sizes));
+  require(!sizes.empty() && sizes.front() > 0, "mask: need a symbol that is not zero, got zero");
+  auto result = powers_for<LaurentPolynomial>(sizes);
+  for (std::size_t at = 0; at < result.entries.size(); ++at)
+    result.entries[at] = powers.entries[place_of(exponents_at(at, sizes), powers.sizes)];
   return result;
 }
 
-LaurentPolynomial common_denominator(const std::vector<RationalFunction>& coefficients) {
-  LaurentPolynomial result = 1;
-  for (const RationalFunction& c : coefficients) result *= RationalFunction(result, c.denominator()).denominator();
-  return result;
+std::vector<Monomial> terms_of(const MultivariatePolynomial& p) { return p.terms(); }
+std::vector<Monomial> terms_of(const LaurentPolynomial& p) {
+  std::vector<Monomial> terms;
+  for (const Rational& c : p.coefficients()) terms.push_back({c, {p.lowest() + static_cast<long>(terms.size())}});
+  return terms;
 }
 
-std::vector<LaurentPolynomial> powers_of(const std::vector<RationalFunction>& coefficients,
-                                         const LaurentPolynomial& denominator, long first) {
-  std::vector<LaurentPolynomial> result;
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    const LaurentPolynomial c = (coefficients[k] * denominator).numerator();
-    for (long i = 0; !c.is_zero() && i <= c.highest(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (at >= result.size()) result.resize(at + 1);
-      result[at] += LaurentPolynomial::monomial(c.coefficient(i), first + static_cast<long>(k));
-    }
+/// Over their common denominator.
+template <class Polynomial>
+ParametricMask mask_of(const std::vector<QuotientOf<Polynomial>>& coefficients, long first, int arity) {
+  Polynomial common = constant_like(coefficients.front().numerator(), 1);
+  for (const auto& c : coefficients) common *= QuotientOf<Polynomial>(common, c.denominator()).denominator();
+  const std::vector<Monomial> below = terms_of(common);
+  std::vector<std::vector<Monomial>> numerators;
+  std::vector<std::size_t> sizes(below.front().exponents.size(), 1), sizes_below = sizes;
+  for (const auto& c : coefficients) {
+    numerators.push_back(terms_of((c * common).numerator()));
+    for (const Monomial& term : numerators.back()) raise(sizes, term.exponents);
   }
-  return result;
+  auto powers = powers_for<LaurentPolynomial>(sizes);
+  for (const std::vector<Monomial>& terms : numerators) {
+    for (const Monomial& term : terms)
+      powers.entries[place_of(term.exponents, sizes)] += LaurentPolynomial::monomial(term.coefficient, first);
+    ++first;
+  }
+  for (const Monomial& term : below) raise(sizes_below, term.exponents);
+  auto denominator = powers_for<Rational>(sizes_below);
+  for (const Monomial& term : below) denominator.entries[place_of(term.exponents, sizes_below)] = term.coefficient;
+  return {std::move(powers), arity, std::move(denominator)};
 }
 
 /// The range of exponents of all powers.
@@ -158,8 +187,10 @@ ParametricMask::ParametricMask(const std::vector<LaurentPolynomial>& powers, int
     : ParametricMask({{powers.size()}, powers}, arity, in_powers(denominator)) {}
 
 ParametricMask::ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity)
-    : ParametricMask(powers_of(coefficients, common_denominator(coefficients), first), arity,
-                     common_denominator(coefficients)) {}
+    : ParametricMask(mask_of(coefficients, first, arity)) {}
+
+ParametricMask::ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity)
+    : ParametricMask(mask_of(coefficients, first, arity)) {}
 
 std::vector<std::size_t> ParametricMask::sizes() const {
   std::vector<std::size_t> result;
@@ -182,16 +213,10 @@ Mask ParametricMask::at(const Values& values) const {
   return {LaurentPolynomial(1 / below) * numerator_at(values), arity_};
 }
 
-ParametricMask ParametricMask::with_positive_denominator(const Values& values) const {
-  if (!(value_at(denominator_, values) < 0)) return *this;
-  ParametricMask result = mapped([](const LaurentPolynomial& power) { return -power; });
-  for (Rational& q : result.denominator_.entries) q = -q;
-  return result;
-}
-
 std::optional<std::vector<LaurentPolynomial>> ParametricMask::controls(const Box& box) const {
   const Powers<Rational> below = bernstein(denominator_, box, sizes());
-  if (std::ranges::any_of(below.entries, [](const Rational& q) { return q <= 0; })) return std::nullopt;
+  const Rational& first = below.entries.front();
+  if (std::ranges::any_of(below.entries, [&](const Rational& q) { return q * first <= 0; })) return std::nullopt;
   std::vector<LaurentPolynomial> result = bernstein(powers_, box, sizes()).entries;
   for (std::size_t i = 0; i < result.size(); ++i) result[i] *= LaurentPolynomial(1 / below.entries[i]);
   return result;

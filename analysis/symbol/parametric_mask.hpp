@@ -22,6 +22,7 @@ class ParametricMask {
   /// where all powers are zero.
   ParametricMask(const std::vector<LaurentPolynomial>& powers, int arity, const LaurentPolynomial& denominator = 1);
   /// The first coefficient belongs to the index `first`. Errors: as above.
+  ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity);
   ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity);
   /// Of as many letters as there are sizes. Domain and errors: as above.
   ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator);
@@ -55,14 +56,14 @@ class ParametricMask {
     return {std::move(result), arity_, denominator_};
   }
 
-  /// The same quotients, with a denominator that is positive there. Domain: not zero there.
-  ParametricMask with_positive_denominator(const Values& values) const;
   /// a(z, w) q(w).
   LaurentPolynomial numerator_at(const Values& values) const { return value_at(powers_, values); }
   /// With Bernstein polynomials B_i of a box numerator and denominator are sums of B_i(w) n_i(z) and B_i(w) q_i. Where
-  /// all q_i are positive the symbol of each w in the box is in the convex hull of the n_i/q_i. Nothing where some q_i
-  /// is not positive.
+  /// all q_i have one sign the symbol of each w in the box is in the convex hull of the n_i/q_i. Nothing where they do
+  /// not: the denominator may vanish.
   std::optional<std::vector<LaurentPolynomial>> controls(const Box& box) const;
+
+  bool operator==(const ParametricMask& other) const = default;
 
   /// `[-w,0,1/2+w,1,1/2+w,0,-w]@-3` with this letter, or `[1,1+w,1]/(2+w)@-1`. Errors: throws Error for more letters.
   std::string to_text(char letter) const;

@@ -1,189 +1,110 @@
 #include "rational_function.hpp"
 
-#include "decimal.hpp"
-#include "parse_error.hpp"
+#include "error.hpp"
+#include "expression.hpp"
+#include "term_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <tuple>
 #include <utility>
 
 namespace subcert {
 namespace {
 
-constexpr long max_degree = 64, max_depth = 50;
-constexpr unsigned max_bits = 20'000;  // of a coefficient
+constexpr long max_degree = 64, max_degree_of_several = 24;
+
+/// What has to be multiplied to both, so that there are no negative powers, nor a letter in all terms.
+long shift_of(const LaurentPolynomial& p, const LaurentPolynomial& q) { return -std::min(p.lowest(), q.lowest()); }
+MultivariatePolynomial::Exponents shift_of(const MultivariatePolynomial& p, const MultivariatePolynomial& q) {
+  MultivariatePolynomial::Exponents shift = p.lowest();
+  for (std::size_t v = 0; v < shift.size(); ++v) shift[v] = -std::min(shift[v], q.lowest()[v]);
+  return shift;
+}
+
+std::vector<Rational> coefficients_of(const LaurentPolynomial& p) { return p.coefficients(); }
+std::vector<Rational> coefficients_of(const MultivariatePolynomial& p) {
+  std::vector<Rational> result;
+  for (const Monomial& term : p.terms()) result.push_back(term.coefficient);
+  std::ranges::reverse(result);
+  return result;
+}
+
+/// What makes a denominator canonical.
+Rational unit_of(const std::vector<Rational>& coefficients) {
+  Integer content = 0, common = 1;
+  for (const Rational& c : coefficients) common = lcm(common, denominator(c));
+  for (const Rational& c : coefficients) content = gcd(content, numerator(Rational(c * common)));
+  const Rational unit(common, content);
+  return coefficients.front() < 0 ? Rational(-unit) : unit;
+}
 
 /// p and q without what both have in common.
-std::pair<LaurentPolynomial, LaurentPolynomial> reduced(LaurentPolynomial p, LaurentPolynomial q) {
-  if (p.is_zero()) return {std::move(p), 1};
-  // The gcd leaves out powers of w.
-  const long power = -std::min(p.lowest(), q.lowest());
-  p = p.shifted(power);
-  q = q.shifted(power);
-  if (q.length() > 1) {
-    const LaurentPolynomial common = gcd(p, q);
+template <class Polynomial>
+std::pair<Polynomial, Polynomial> reduced(Polynomial p, Polynomial q) {
+  if (p.is_zero()) {
+    Polynomial one = constant_like(p, 1);
+    return {std::move(p), std::move(one)};
+  }
+  // The gcd leaves out powers of letters.
+  const auto shift = shift_of(p, q);
+  p = p.shifted(shift);
+  q = q.shifted(shift);
+  if (coefficients_of(q).size() > 1) {
+    const Polynomial common = gcd(p, q);
     p = *p.exact_quotient(common);
     q = *q.exact_quotient(common);
   }
-  Integer content = 0;
-  for (const Integer& c : q.numerators()) content = gcd(content, c);
-  Rational unit(q.denominator(), content);
-  if (q.coefficient(q.lowest()) < 0) unit = -unit;
-  return {std::move(p) * LaurentPolynomial(unit), std::move(q) * LaurentPolynomial(unit)};
+  const Polynomial unit = constant_like(q, unit_of(coefficients_of(q)));
+  return {std::move(p) * unit, std::move(q) * unit};
 }
 
-/// sum = ['+'|'-'] product {('+'|'-') product}; product = power {('*'|'/') power}; power = atom ['^' integer]; atom = a
-/// number, the letter, or a sum in parentheses.
-class Reader {
- public:
-  Reader(std::string_view text, char letter) : text_(text), letter_(letter) {}
-
-  RationalFunction read() {
-    RationalFunction result = sum();
-    if (at_ < text_.size()) fail();
-    return result;
-  }
-
- private:
-  RationalFunction sum() {
-    if (++depth_ > max_depth) fail();
-    const bool negative = takes('-');
-    if (!negative) takes('+');
-    RationalFunction result = product();
-    if (negative) result = -result;
-    for (;;) {
-      if (takes('+'))
-        result = bounded(result + product());
-      else if (takes('-'))
-        result = bounded(result - product());
-      else
-        break;
-    }
-    --depth_;
-    return result;
-  }
-
-  RationalFunction product() {
-    RationalFunction result = power();
-    for (;;) {
-      if (takes('*')) {
-        result = bounded(result * power());
-      } else if (takes('/')) {
-        const std::size_t begin = at_;
-        const RationalFunction divisor = power();
-        if (divisor == RationalFunction()) fail(begin, "a divisor that is not zero");
-        result = bounded(result / divisor);
-      } else {
-        return result;
-      }
-    }
-  }
-
-  RationalFunction power() {
-    RationalFunction base = atom();
-    if (!takes('^')) return base;
-    const std::size_t begin = at_;
-    const std::optional<Rational> exponent = digits();
-    if (!exponent || denominator(*exponent) != 1 || *exponent > max_degree)
-      fail(begin, fmt::format("a whole power up to {}", max_degree));
-    RationalFunction result = 1;
-    for (long k = numerator(*exponent).convert_to<long>(); k > 0; --k) result = bounded(result * base);
-    return result;
-  }
-
-  RationalFunction atom() {
-    if (takes('(')) {
-      RationalFunction result = sum();
-      if (!takes(')')) fail();
-      return result;
-    }
-    if (takes(letter_)) return LaurentPolynomial::monomial(1, 1);
-    if (const auto number = digits()) return *number;
-    fail();
-  }
-
-  std::optional<Rational> digits() {
-    blanks();
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
-      ++at_;
-    return parse_number(text_.substr(begin, at_ - begin));
-  }
-
-  void blanks() {
-    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
-  }
-
-  bool takes(char c) {
-    blanks();
-    if (at_ >= text_.size() || text_[at_] != c) return false;
-    ++at_;
-    return true;
-  }
-
-  RationalFunction bounded(RationalFunction value) const {
-    for (const LaurentPolynomial* p : {&value.numerator(), &value.denominator()}) {
-      if (p->is_zero()) continue;
-      if (p->highest() > max_degree) fail(0, fmt::format("degrees up to {}", max_degree));
-      std::vector<Integer> numbers = p->numerators();
-      numbers.push_back(p->denominator());
-      for (const Integer& c : numbers)
-        if (c != 0 && msb(abs(c)) > max_bits) fail(0, "numbers with fewer digits");
-    }
-    return value;
-  }
-
-  [[noreturn]] void fail() const {
-    fail(at_, fmt::format("exact numbers, the letter {}, +, -, *, /, ^ and parentheses", letter_));
-  }
-  [[noreturn]] void fail(std::size_t at, const std::string& expected) const {
-    throw ParseError("expression", text_.substr(std::min(at, text_.size())), at + 1, expected);
-  }
-
-  std::string_view text_;
-  char letter_;
-  std::size_t at_ = 0;
-  long depth_ = 0;
-};
+std::string printed(const LaurentPolynomial& p, std::string_view letters) { return to_text(p, letters.front()); }
+std::string printed(const MultivariatePolynomial& p, std::string_view letters) {
+  std::vector<std::string> names;
+  for (const char letter : letters) names.emplace_back(1, letter);
+  return text::print_terms(p.terms(), text::Style::plain, names);
+}
 
 }  // namespace
 
-RationalFunction::RationalFunction(LaurentPolynomial numerator, LaurentPolynomial denominator) {
-  require(!denominator.is_zero(), "rational function: need a denominator that is not zero, got zero");
-  std::tie(numerator_, denominator_) = reduced(std::move(numerator), std::move(denominator));
+template <class Polynomial>
+QuotientOf<Polynomial>::QuotientOf(Polynomial numerator, Polynomial denominator)
+    : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
+  require(!denominator_.is_zero(), "rational function: need a denominator that is not zero, got zero");
+  std::tie(numerator_, denominator_) = reduced(std::move(numerator_), std::move(denominator_));
 }
 
-RationalFunction RationalFunction::parse(std::string_view text, char letter) { return Reader(text, letter).read(); }
+template <>
+LetterFunction LetterFunction::parse(std::string_view text, std::string_view letters) {
+  return read_expression(text, letters, letters.size() == 1 ? max_degree : max_degree_of_several);
+}
+template <>
+RationalFunction RationalFunction::parse(std::string_view text, std::string_view letters) {
+  const LetterFunction function = LetterFunction::parse(text, letters);
+  return {in_one_letter(function.numerator()), in_one_letter(function.denominator())};
+}
 
-Rational RationalFunction::operator()(const Rational& w) const {
+template <class Polynomial>
+Rational QuotientOf<Polynomial>::operator()(
+    const Rational& w) const requires std::same_as<Polynomial, LaurentPolynomial> {
   const Rational below = denominator_(w);
   require(below != 0, "rational function: need a value where the denominator is not zero, got {}", w);
   return numerator_(w) / below;
 }
 
-RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
-  if (a.denominator_ == b.denominator_) return {a.numerator_ + b.numerator_, a.denominator_};
-  return {a.numerator_ * b.denominator_ + b.numerator_ * a.denominator_, a.denominator_ * b.denominator_};
-}
-
-RationalFunction operator*(const RationalFunction& a, const RationalFunction& b) {
-  return {a.numerator_ * b.numerator_, a.denominator_ * b.denominator_};
-}
-
-RationalFunction operator/(const RationalFunction& a, const RationalFunction& b) {
-  return {a.numerator_ * b.denominator_, a.denominator_ * b.numerator_};
-}
-
-std::string RationalFunction::to_text(char letter) const {
-  std::string above = subcert::to_text(numerator_, letter), below = subcert::to_text(denominator_, letter);
+template <class Polynomial>
+std::string QuotientOf<Polynomial>::to_text(std::string_view letters) const {
+  std::string above = printed(numerator_, letters), below = printed(denominator_, letters);
   std::erase(above, ' ');
   std::erase(below, ' ');
   if (is_polynomial()) return above;
-  return numerator_.length() > 1 ? fmt::format("({})/({})", above, below) : fmt::format("{}/({})", above, below);
+  return fmt::format("{}/({})", coefficients_of(numerator_).size() > 1 ? "(" + above + ")" : above, below);
 }
+
+template class QuotientOf<LaurentPolynomial>;
+template class QuotientOf<MultivariatePolynomial>;
 
 std::string to_text(const LaurentPolynomial& polynomial, char letter) {
   std::string text = polynomial.to_text();

@@ -5,13 +5,12 @@
 #include "parse_error.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <functional>
 #include <utility>
 
 namespace subcert::text {
 namespace {
 
-constexpr long max_exponent = 1'000'000;
 constexpr long max_index = 1'000'000'000;
 
 std::string print_power(const std::string& name, long exponent, Style style) {
@@ -26,101 +25,27 @@ std::string print_magnitude(const Rational& value, Style style) {
   return to_text(value);
 }
 
-class Reader {
- public:
-  Reader(std::string_view text, int variables) : text_(text), names_(variable_names(variables)) {}
+Rational read_number(std::string_view text) {
+  const auto value = parse_number(text);
+  if (!value) throw ParseError("mask", text, 1, "an exact number p, p/q with q > 0, or a decimal");
+  return *value;
+}
 
-  std::vector<Monomial> sum() {
-    std::vector<Monomial> terms;
-    skip_blanks();
-    bool negative = take('-');
-    if (!negative) take('+');
-    for (;;) {
-      terms.push_back(term(negative));
-      skip_blanks();
-      if (at_ == text_.size()) return terms;
-      negative = peek() == '-';
-      if (!take('-') && !take('+')) fail("'+', '-' or the end");
-    }
-  }
+bool is_zero(const Rational& value) { return value == 0; }
+bool is_zero(const LetterFunction& value) { return value.is_zero(); }
 
- private:
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw ParseError("polynomial", text_.substr(std::min(at_, text_.size()), 1), at_ + 1, expected);
-  }
-  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-  void skip_blanks() {
-    while (peek() == ' ') ++at_;
-  }
-  bool take(char c) {
-    skip_blanks();
-    if (peek() != c) return false;
-    ++at_;
-    return true;
-  }
-  std::string_view digits() {
-    const std::size_t begin = at_;
-    while (peek() >= '0' && peek() <= '9') ++at_;
-    return text_.substr(begin, at_ - begin);
-  }
-
-  Monomial term(bool negative) {
-    Monomial result{negative ? -1 : 1, std::vector<long>(names_.size(), 0)};
-    do factor(result);
-    while (take('*'));
-    return result;
-  }
-
-  void factor(Monomial& term) {
-    skip_blanks();
-    const auto name = std::find(names_.begin(), names_.end(), std::string(1, peek()));
-    if (name != names_.end()) {
-      ++at_;
-      long& total = term.exponents[static_cast<std::size_t>(name - names_.begin())];
-      total += peek() == '^' ? exponent() : 1;
-      if (std::abs(total) > max_exponent) fail("exponents that add up to -1000000 ... 1000000");
-      return;
-    }
-    const std::size_t begin = at_;
-    digits();
-    if (peek() == '/') {
-      ++at_;
-      digits();
-    }
-    const auto value = parse_rational(text_.substr(begin, at_ - begin));
-    if (!value) {
-      at_ = begin;
-      fail("a number p or p/q, or a variable");
-    }
-    term.coefficient *= *value;
-  }
-
-  long exponent() {
-    ++at_;  // '^'
-    const bool negative = peek() == '-';
-    if (negative) ++at_;
-    const std::size_t begin = at_;
-    const std::string_view text = digits();
-    if (text.empty() || text.size() > 7 || std::stol(std::string(text)) > max_exponent) {
-      at_ = begin;
-      fail("an exponent from -1000000 to 1000000");
-    }
-    const long value = std::stol(std::string(text));
-    return negative ? -value : value;
-  }
-
-  std::string_view text_;
-  std::vector<std::string> names_;
-  std::size_t at_ = 0;
-};
-
+template <class Number>
 class MaskReader {
  public:
-  MaskReader(std::string_view text, int variables) : text_(text), result_{{}, {}, {}} {
+  using Read = std::function<Number(std::string_view)>;
+
+  /// `read`: a coefficient, with ParseErrors about places in its own text.
+  MaskReader(std::string_view text, int variables, bool has_letters, Read read)
+      : text_(text), has_letters_(has_letters), read_(std::move(read)) {
     result_.sizes.resize(static_cast<std::size_t>(variables), 0);
   }
 
-  MaskText mask() {
+  MaskTextOf<Number> mask() {
     list(result_.sizes.size());
     divisor();
     if (at_ < text_.size()) first();
@@ -142,6 +67,14 @@ class MaskReader {
                       : "lists in brackets, nested " + std::to_string(depth) + " deep for as many variables";
   }
 
+  Number number(std::string_view text, std::size_t at) const {
+    try {
+      return read_(text);
+    } catch (const ParseError& error) {
+      fail(error.token(), at + error.position() - 1, error.expected());
+    }
+  }
+
   /// Lists of one level have one length.
   void list(std::size_t depth) {
     if (peek() != '[') fail(text_.substr(at_), at_, form());
@@ -153,11 +86,9 @@ class MaskReader {
         list(depth - 1);
       } else {
         if (peek() == '[') fail(text_.substr(at_), at_, form());
-        const std::string_view number = until(",]");
-        const auto value = parse_number(number);
-        if (!value) fail(number, at_, "an exact number p, p/q with q > 0, or a decimal");
-        result_.coefficients.push_back(*value);
-        at_ += number.size();
+        const std::string_view entry = until(",]");
+        result_.coefficients.push_back(number(entry, at_));
+        at_ += entry.size();
       }
       ++count;
     } while (peek() == ',');
@@ -173,10 +104,13 @@ class MaskReader {
   void divisor() {
     const std::string_view divisor_text = until("@");
     if (divisor_text.empty()) return;
-    const auto divisor = parse_rational(divisor_text.substr(1));
-    if (divisor_text.front() != '/' || !divisor || denominator(*divisor) != 1 || *divisor <= 0)
+    const bool is_expression = has_letters_ && divisor_text.starts_with("/(");
+    const auto integer = parse_rational(divisor_text.substr(1));
+    if (!is_expression && (divisor_text.front() != '/' || !integer || denominator(*integer) != 1 || *integer <= 0))
       fail(divisor_text, at_, "/D with a positive integer D, or @ and the first index");
-    for (Rational& c : result_.coefficients) c /= *divisor;
+    const Number divisor = number(divisor_text.substr(1), at_ + 1);
+    if (is_zero(divisor)) fail(divisor_text.substr(1), at_ + 1, "a denominator that is not zero");
+    for (Number& c : result_.coefficients) c = c / divisor;
     at_ += divisor_text.size();
   }
 
@@ -197,7 +131,9 @@ class MaskReader {
   }
 
   std::string_view text_;
-  MaskText result_;
+  bool has_letters_;
+  Read read_;
+  MaskTextOf<Number> result_{};
   std::size_t at_ = 0;
 };
 
@@ -210,10 +146,10 @@ std::vector<std::string> variable_names(int variables) {
   fail(ErrorKind::domain, "variable_names: need 1 <= variables <= 3, got {}", variables);
 }
 
-std::string print_terms(const std::vector<Monomial>& terms, Style style) {
+std::string print_terms(const std::vector<Monomial>& terms, Style style, std::vector<std::string> names) {
   std::string text;
+  if (names.empty() && !terms.empty()) names = variable_names(static_cast<int>(terms.front().exponents.size()));
   for (const Monomial& term : terms) {
-    const auto names = variable_names(static_cast<int>(term.exponents.size()));
     std::vector<std::string> factors;
     const Rational magnitude = abs(term.coefficient);
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -229,9 +165,15 @@ std::string print_terms(const std::vector<Monomial>& terms, Style style) {
   return text.empty() ? "0" : text;
 }
 
-std::vector<Monomial> parse_terms(std::string_view text, int variables) { return Reader(text, variables).sum(); }
+MaskText parse_mask_text(std::string_view text, int variables) {
+  return MaskReader<Rational>(text, variables, false, read_number).mask();
+}
 
-MaskText parse_mask_text(std::string_view text, int variables) { return MaskReader(text, variables).mask(); }
+MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters) {
+  return MaskReader<LetterFunction>(text, 1, true,
+                                    [=](std::string_view entry) { return LetterFunction::parse(entry, letters); })
+      .mask();
+}
 
 std::string print_mask_text(const MaskText& mask) {
   Integer common = 1;

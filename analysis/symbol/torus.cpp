@@ -1,5 +1,6 @@
 #include "torus.hpp"
 
+#include "box.hpp"
 #include "dilation.hpp"
 #include "index_arithmetic.hpp"
 #include "real_roots.hpp"
@@ -30,45 +31,38 @@ bool vanishes(const std::vector<MultivariatePolynomial::Monomial>& terms, const 
   return value.is_zero() || value.exact_quotient(cyclotomic(order)).has_value();
 }
 
-/// A tensor array of integers, the first axis running slowest.
-struct Array {
-  std::vector<std::size_t> sizes;
-  std::vector<Integer> entries;
-
-  std::size_t stride(std::size_t axis) const {
-    return std::accumulate(sizes.begin() + static_cast<std::ptrdiff_t>(axis) + 1, sizes.end(), std::size_t{1},
-                           std::multiplies<>());
-  }
-};
-
-/// Polynomials with Gaussian integers in the form sum of c_j u^j (1 - u)^(n - j).
+/// Polynomials in t with Gaussian integers.
 struct Gaussian {
   Integer re = 0, im = 0;
 };
 using Form = std::vector<Gaussian>;
 
-Form times_linear(const Form& form, long at_zero_im, long at_one_im) {
-  // the factor (1 + i at_zero_im)(1 - u) + (1 + i at_one_im) u
-  Form result(form.size() + 1);
-  const auto add = [](Gaussian& sum, const Gaussian& x, long im) {
-    sum.re += x.re - x.im * im;
-    sum.im += x.im + x.re * im;
-  };
-  for (std::size_t j = 0; j < form.size(); ++j) {
-    add(result[j], form[j], at_zero_im);
-    add(result[j + 1], form[j], at_one_im);
+/// (1 + t^2)^n z^k for z = sign (1 + it) / (1 - it): sign^k (1 + it)^(n + k) (1 - it)^(n - k).
+Form power_form(long n, long k, int sign) {
+  Form form{{sign < 0 && k % 2 != 0 ? -1 : 1, 0}};
+  for (long r = 0; r < 2 * n; ++r) {
+    const int im = r < n + k ? 1 : -1;
+    form.emplace_back();
+    for (std::size_t j = form.size(); --j > 0;) {
+      form[j].re -= form[j - 1].im * im;
+      form[j].im += form[j - 1].re * im;
+    }
   }
-  return result;
+  return form;
 }
 
-/// (1 + t^2)^n z^k for z = sign (1 + it) / (1 - it), t = 2 u - 1: sign^k (1 + it)^(n + k) (1 - it)^(n - k).
-Form power_form(long n, long k, int sign) {
-  Form form{{1, 0}};
-  for (long r = 0; r < n + k; ++r) form = times_linear(form, -1, 1);
-  for (long r = 0; r < n - k; ++r) form = times_linear(form, 1, -1);
-  if (sign < 0 && k % 2 != 0)
-    for (Gaussian& c : form) c = {-c.re, -c.im};
-  return form;
+/// The factors of the Bernstein coefficients on [-1, 1], times a positive integer.
+std::vector<std::vector<Integer>> integer_bernstein_factors(long n) {
+  const std::vector<Values> factors = bernstein_factors(n, -1, 1);
+  Integer common = 1;
+  for (const Values& row : factors)
+    for (const Rational& factor : row) common = lcm(common, denominator(factor));
+  std::vector<std::vector<Integer>> result;
+  for (const Values& row : factors) {
+    result.emplace_back();
+    for (const Rational& factor : row) result.back().push_back(numerator(Rational(factor * common)));
+  }
+  return result;
 }
 
 class Cells {
@@ -85,17 +79,17 @@ class Cells {
   }
 
   Decision run(const Deadline& deadline) {
-    std::vector<std::pair<Array, std::size_t>> open;  // with the axis to be halved next
-    for (unsigned chart = 0; chart < 1U << degrees_.size(); ++chart) open.emplace_back(bernstein(chart), 0);
+    std::vector<std::pair<Powers<Integer>, std::size_t>> open;  // with the axis to be halved next
+    for (unsigned chart = 0; chart < 1U << degrees_.size(); ++chart) open.emplace_back(form(chart), 0);
     std::size_t cells = 0;
     for (; !open.empty(); ++cells) {
       if (cells >= most_cells || deadline.expired())
         return {Truth::unknown, fmt::format("not decided on {} cells", cells)};
-      const auto [array, axis] = std::move(open.back());
+      const auto [form, axis] = std::move(open.back());
       open.pop_back();
-      if (std::all_of(array.entries.begin(), array.entries.end(), [](const Integer& c) { return c > 0; })) continue;
-      if (has_corner_that_is_not_positive(array)) return {Truth::no, "a value on a corner of a cell is not positive"};
-      auto [left, right] = halved(array, axis);
+      if (std::all_of(form.entries.begin(), form.entries.end(), [](const Integer& c) { return c > 0; })) continue;
+      if (has_corner_that_is_not_positive(form)) return {Truth::no, "a value on a corner of a cell is not positive"};
+      auto [left, right] = halved(form, axis);
       const std::size_t next = (axis + 1) % degrees_.size();
       open.emplace_back(std::move(left), next);
       open.emplace_back(std::move(right), next);
@@ -106,65 +100,53 @@ class Cells {
  private:
   /// The Bernstein coefficients, up to a positive factor, of p times a positive function on |x_v - pi_v| <= pi / 2 with
   /// pi_v = pi where the bit of the chart is set, otherwise 0.
-  Array bernstein(unsigned chart) const {
+  Powers<Integer> form(unsigned chart) const {
     // Sums over the exponents of one variable after another; what is left are keys of the remaining exponents.
     std::map<LatticePoint, std::vector<Gaussian>> parts;
     for (const auto& term : terms_) parts[term.exponents] = {{numerator(term.coefficient), 0}};
-    Array result;
-    for (std::size_t v = degrees_.size(); v-- > 0;) {
+    Powers<Integer> result;
+    for (std::size_t v = 0; v < degrees_.size(); ++v) {
       std::map<LatticePoint, std::vector<Gaussian>> sums;
       std::map<long, Form> forms;
-      const auto size = static_cast<std::size_t>(2 * degrees_[v] + 1);
+      result.sizes.push_back(static_cast<std::size_t>(2 * degrees_[v] + 1));
       for (const auto& [key, values] : parts) {
-        const long k = key.back();
+        const long k = key.front();
         if (!forms.contains(k)) forms[k] = power_form(degrees_[v], k, chart >> v & 1 ? -1 : 1);
-        const Form& form = forms[k];
-        auto& sum = sums[LatticePoint(key.begin(), key.end() - 1)];
-        sum.resize(size * values.size());
-        for (std::size_t j = 0; j < size; ++j)
-          for (std::size_t i = 0; i < values.size(); ++i) {
-            sum[j * values.size() + i].re += form[j].re * values[i].re - form[j].im * values[i].im;
-            sum[j * values.size() + i].im += form[j].re * values[i].im + form[j].im * values[i].re;
+        auto& sum = sums[LatticePoint(key.begin() + 1, key.end())];
+        sum.resize(forms[k].size() * values.size());
+        std::size_t at = 0;
+        for (const Gaussian& x : forms[k])
+          for (const Gaussian& y : values) {
+            sum[at].re += x.re * y.re - x.im * y.im;
+            sum[at++].im += x.re * y.im + x.im * y.re;
           }
       }
       parts = std::move(sums);
-      result.sizes.insert(result.sizes.begin(), size);
     }
     for (const Gaussian& c : parts.begin()->second) result.entries.push_back(c.re);
-    for (std::size_t v = 0; v < degrees_.size(); ++v) divide_by_binomials(result, v);
+    for (std::size_t v = 0; v < degrees_.size(); ++v)
+      result = along(result, v, integer_bernstein_factors(2 * degrees_[v]));
     return result;
   }
 
-  /// Entry j along the axis over binomial(n, j), all times the least common multiple of these.
-  static void divide_by_binomials(Array& array, std::size_t axis) {
-    const std::size_t size = array.sizes[axis], stride = array.stride(axis);
-    std::vector<Integer> binomials{1};
-    Integer common = 1;
-    for (std::size_t j = 1; j < size; ++j) {
-      binomials.push_back(binomials.back() * static_cast<long>(size - j) / static_cast<long>(j));
-      common = lcm(common, binomials.back());
-    }
-    for (std::size_t i = 0; i < array.entries.size(); ++i) array.entries[i] *= common / binomials[i / stride % size];
-  }
-
-  static bool has_corner_that_is_not_positive(const Array& array) {
-    for (unsigned corner = 0; corner < 1U << array.sizes.size(); ++corner) {
+  static bool has_corner_that_is_not_positive(const Powers<Integer>& form) {
+    for (unsigned corner = 0; corner < 1U << form.sizes.size(); ++corner) {
       std::size_t at = 0;
-      for (std::size_t v = 0; v < array.sizes.size(); ++v)
-        at = at * array.sizes[v] + (corner >> v & 1 ? array.sizes[v] - 1 : 0);
-      if (array.entries[at] <= 0) return true;
+      for (std::size_t v = form.sizes.size(); v-- > 0;)
+        at = at * form.sizes[v] + (corner >> v & 1 ? form.sizes[v] - 1 : 0);
+      if (form.entries[at] <= 0) return true;
     }
     return false;
   }
 
   /// De Casteljau's scheme in the middle of the axis, without its divisions.
-  static std::pair<Array, Array> halved(const Array& array, std::size_t axis) {
-    const std::size_t size = array.sizes[axis], stride = array.stride(axis);
-    Array left = array, right = array;
+  static std::pair<Powers<Integer>, Powers<Integer>> halved(const Powers<Integer>& form, std::size_t axis) {
+    const std::size_t size = form.sizes[axis], stride = form.stride(axis);
+    Powers<Integer> left = form, right = form;
     std::vector<Integer> line(size);
-    for (std::size_t start = 0; start < array.entries.size(); ++start) {
+    for (std::size_t start = 0; start < form.entries.size(); ++start) {
       if (start / stride % size != 0) continue;
-      for (std::size_t j = 0; j < size; ++j) line[j] = array.entries[start + j * stride];
+      for (std::size_t j = 0; j < size; ++j) line[j] = form.entries[start + j * stride];
       for (std::size_t round = 0; round < size; ++round) {
         const long up = static_cast<long>(size - 1 - round);
         left.entries[start + round * stride] = line[0] << up;

@@ -1,4 +1,4 @@
-// subcert map SCHEME --over v=LOW..HIGH --over w=LOW..HIGH --property PROPERTY [--plot FILE] [--csv FILE]
+// subcert map SCHEME --over v=LOW..HIGH --over w=LOW..HIGH [--over ...] --property PROPERTY [--plot FILE] [--csv FILE]
 
 #include <subcert/analysis/family/property_map.hpp>
 #include <subcert/cli/command.hpp>
@@ -7,12 +7,11 @@
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
-#include <fmt/format.h>
-
-#include <map>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace subcert::cli {
 namespace {
@@ -32,11 +31,17 @@ const char* colour_of(Truth holds) {
   return holds == Truth::yes ? "#7fbf7b" : holds == Truth::no ? "#e0a3a0" : "#d0d0d0";
 }
 
+std::vector<std::string> texts_of(const Values& values) {
+  std::vector<std::string> texts;
+  for (const Rational& value : values) texts.push_back(to_text(value));
+  return texts;
+}
+
 Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
   Json cells = Json::array(), shares = Json::object();
   for (const MapCell& cell : map.cells)
-    cells.push_back({{"from", {to_text(cell.box.low[0]), to_text(cell.box.low[1])}},
-                     {"to", {to_text(cell.box.high[0]), to_text(cell.box.high[1])}},
+    cells.push_back({{"from", texts_of(cell.box.low)},
+                     {"to", texts_of(cell.box.high)},
                      {"verdict", verdict_text(cell.holds)},
                      {"reason", cell.reason}});
   for (const Truth holds : verdicts) shares[verdict_text(holds)] = to_text(map.share(holds));
@@ -46,11 +51,13 @@ Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
 }
 
 std::string csv_of(const PropertyMap& map, const std::string& letters) {
-  std::string text = fmt::format("{0}_from,{0}_to,{1}_from,{1}_to,verdict\n", letters[0], letters[1]);
+  std::string text;
+  for (const char letter : letters) text += fmt::format("{0}_from,{0}_to,", letter);
+  text += "verdict\n";
   for (const MapCell& cell : map.cells) {
-    const Box& r = cell.box;
-    text += fmt::format("{},{},{},{},{}\n", to_text(r.low[0]), to_text(r.high[0]), to_text(r.low[1]),
-                        to_text(r.high[1]), verdict_text(cell.holds));
+    for (std::size_t v = 0; v < letters.size(); ++v)
+      text += fmt::format("{},{},", to_text(cell.box.low[v]), to_text(cell.box.high[v]));
+    text += fmt::format("{}\n", verdict_text(cell.holds));
   }
   return text;
 }
@@ -75,35 +82,47 @@ void draw(const PropertyMap& map, const MapCommandOptions& options, const std::s
 std::string read_letters(const std::vector<std::string>& over) {
   std::string letters;
   for (const std::string& range : over)
-    if (range.size() > 2 && std::isalpha(static_cast<unsigned char>(range[0])) != 0 && range[1] == '=')
+    if (range.size() > 2 && std::isalpha(static_cast<unsigned char>(range[0])) != 0 && range[1] == '=' &&
+        letters.find(range[0]) == std::string::npos)
       letters += range[0];
-  if (over.size() != 2 || letters.size() != 2 || letters[0] == letters[1])
-    fail(ErrorKind::usage, "--over: expected two ranges with different letters, --over v=LOW..HIGH --over w=LOW..HIGH");
+  if (over.size() < 2 || over.size() > 3 || letters.size() != over.size())
+    fail(ErrorKind::usage,
+         "--over: expected two or three ranges with different letters, --over v=LOW..HIGH --over w=LOW..HIGH");
   return letters;
+}
+
+/// `v and w`
+std::string listed(const std::string& letters) {
+  return fmt::format("{} and {}", fmt::join(letters.substr(0, letters.size() - 1), ", "), letters.back());
 }
 
 ExitCode run(const MapCommandOptions& options) {
   require_picture_name(options.plot);
   const std::string letters = read_letters(options.over);
   const ParametricMask mask = make_parametric_mask(options.scheme, letters);
-  const auto [v_low, v_high] = read_over(options.over[0], letters[0]);
-  const auto [w_low, w_high] = read_over(options.over[1], letters[1]);
+  Box box;
+  for (std::size_t v = 0; v < letters.size(); ++v) {
+    auto [low, high] = read_over(options.over[v], letters[v]);
+    box.low.push_back(std::move(low));
+    box.high.push_back(std::move(high));
+  }
+  if (!options.plot.empty() && letters.size() > 2)
+    fail(ErrorKind::usage, "--plot: expected two ranges, got {}; --csv and --json list the cells", letters.size());
   const auto property = parse_range_property(options.property);
   if (!property)
     fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
   options.progress("cells");
-  const PropertyMap map = property_map(mask, *property, {{v_low, w_low}, {v_high, w_high}},
-                                       {options.resolution, options.threads(), options.limits()});
+  const PropertyMap map = property_map(mask, *property, box, {options.resolution, options.threads(), options.limits()});
   options.end_progress();
   if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(map, letters));
   if (!options.plot.empty()) draw(map, options, letters);
-  std::string text = fmt::format("scheme       {}\nproperty     {}\nsum rules    {} for all {} and {}\n",
-                                 options.scheme, options.property, map.sum_rules, letters[0], letters[1]);
+  std::string text = fmt::format("scheme       {}\nproperty     {}\nsum rules    {} for all {}\n", options.scheme,
+                                 options.property, map.sum_rules, listed(letters));
   // No larger share is said to be decided than is.
   for (const Truth holds : verdicts)
-    text += fmt::format("{}{} % of the area, {} cells\n", padded(verdict_text(holds), 13),
+    text += fmt::format("{}{} % of the {}, {} cells\n", padded(verdict_text(holds), 13),
                         to_decimal(map.share(holds) * 100, 4, holds == Truth::unknown ? Rounding::up : Rounding::down),
-                        std::ranges::count(map.cells, holds, &MapCell::holds));
+                        letters.size() == 2 ? "area" : "volume", std::ranges::count(map.cells, holds, &MapCell::holds));
   std::map<std::string, int> reasons;
   for (const MapCell& cell : map.cells)
     if (cell.holds == Truth::unknown) ++reasons[cell.reason];
@@ -117,19 +136,19 @@ ExitCode run(const MapCommandOptions& options) {
 void add_map(Command& app) {
   auto options = std::make_shared<MapCommandOptions>();
   Command command = add_command(
-      app, "map", "For which values of two parameters a property holds, with proof",
+      app, "map", "For which values of two or three parameters a property holds, with proof",
       "subcert map 'mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]' --over w=0..1/5 --over t=-1/20..1/20 "
       "--property C1 --plot map.svg",
       options, [=] { return run(*options); });
-  command.option("SCHEME", options->scheme, "mask:[...] with coefficients that are polynomials in two letters")
+  command.option("SCHEME", options->scheme, "mask:[...] with two or three letters in its coefficients")
       .required()
       .suggest(suggested_schemes);
-  command.option("--over", options->over, "The values, twice: w=LOW..HIGH, the first one from left to right")
+  command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH, the first one from left to right")
       .required()
       .one_each();
   command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
   command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
-  command.option("--plot", options->plot, "Draw the cells, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png or .html");
   command.option("--csv", options->csv, "Write the cells as a table");
   add_limits(command, *options);
 }

@@ -29,6 +29,23 @@ TEST_CASE("a map of two parameters, as text, JSON, table and picture") {
   CHECK(json.at("cells")[0].at("verdict").is_string());
 }
 
+TEST_CASE("a map of three parameters, as text, JSON and table") {
+  const std::string file = (std::filesystem::temp_directory_path() / "subcert_map_test.csv").string();
+  const std::string map =
+      "map 'mask:[-w,0,1/2+w+s*t,1,1/2+w-s*t,0,-w]' --over w=-1/8..1/8 --over s=0..1/4 --over t=0..1/4 "
+      "--property convergent --resolution 2";
+  const Run page = run(map + " --csv " + file);
+  CHECK(page.code == 0);
+  CHECK(page.out.find("sum rules    1 for all w, s and t\n") != std::string::npos);
+  CHECK(page.out.find(" % of the volume, ") != std::string::npos);
+  CHECK(std::filesystem::file_size(file) > 40);
+  std::filesystem::remove(file);
+  CHECK(run_json(map).at("cells")[0].at("from").size() == 3);
+  const Run refused = run(map + " --plot map.svg");
+  CHECK(refused.code == 64);
+  CHECK(refused.err.find("--plot: expected two ranges, got 3") != std::string::npos);
+}
+
 TEST_CASE("maps that make no sense are refused in one line") {
   for (const std::string& arguments : std::initializer_list<std::string>{
            six_points + " --over w=0..1 --property C1", six_points + " --over w=0..1 --over w=0..1 --property C1",

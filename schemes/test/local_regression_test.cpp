@@ -175,7 +175,7 @@ TEST_CASE("a-ary masks are centred and sum to one") {
 }
 
 TEST_CASE("a regression with a parameter is the regression at each of its values") {
-  const auto f = [](const char* text) { return RationalFunction::parse(text, 'w'); };
+  const auto f = [](const char* text) { return RationalFunction::parse(text, "w"); };
   const LocalRegressionOf<RationalFunction> schemes[] = {
       {{{-1, 1, 0, {f("w"), 1, f("w")}}, {-1, 2, f("1/2"), {f("w"), 1, 1, f("w")}}}, 1},
       {{{-2, 2, 0, {}}, {-2, 3, f("w"), {}}}, 2},

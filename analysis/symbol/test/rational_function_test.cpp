@@ -10,7 +10,7 @@ using subcert::testing::rounds;
 
 namespace {
 
-RationalFunction read(const char* text) { return RationalFunction::parse(text, 'w'); }
+RationalFunction read(const char* text) { return RationalFunction::parse(text, "w"); }
 
 }  // namespace
 
@@ -57,11 +57,56 @@ TEST_CASE("rational functions are a field") {
     CHECK(a * (b + c) == a * b + a * c);
     CHECK(a - a == RationalFunction(0));
     if (!b.numerator().is_zero()) CHECK(a / b * b == a);
-    CHECK(RationalFunction::parse(a.to_text('w'), 'w') == a);
+    CHECK(RationalFunction::parse(a.to_text('w'), "w") == a);
     const Rational w(random.integer(10, 20), 7);
     if (a.denominator()(w) != 0 && b.denominator()(w) != 0) {
       CHECK((a + b)(w) == a(w) + b(w));
       CHECK((a * b)(w) == a(w) * b(w));
     }
+  }
+}
+
+TEST_CASE("expressions in several letters") {
+  const auto both = [](const char* text) { return LetterFunction::parse(text, "vw"); };
+  CHECK(both("(v+w)^2 - (v-w)^2") == both("4*v*w"));
+  CHECK(both("(v^2-w^2)/(v+w)").to_text("vw") == "v-w");
+  CHECK(both("(v^2-w^2)/(v+w)").is_polynomial());
+  CHECK(both("1/v+1/w") == both("(v+w)/(v*w)"));
+  CHECK(both("2/(4*v-6*w)").to_text("vw") == "-1/(-2*v+3*w)");
+  CHECK(both("2/(4*v-6*w)") == both("-1/(3*w-2*v)"));
+  CHECK(both("(1+v)/(2+2*w)").to_text("xy") == "(1/2*x+1/2)/(y+1)");
+  CHECK(both("v-v").is_zero());
+  for (const char* bad : {"u", "v w", "v/(w-w)", "v^25", "v^13*v^12", "(v+w)^25", "(1+v)/", "vw"}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS(both(bad), ParseError);
+  }
+  try {
+    both("v + 2*u");
+    FAIL("not refused");
+  } catch (const ParseError& error) {
+    CHECK(error.position() == 7);
+    CHECK(error.expected() == "exact numbers, the letters v and w, +, -, *, /, ^ and parentheses");
+  }
+}
+
+TEST_CASE("quotients in several letters are a field") {
+  Random random;
+  const auto polynomial = [&] {
+    std::vector<Monomial> terms;
+    for (long k = random.integer(0, 3); k >= 0; --k)
+      terms.push_back({random.integer(-3, 3), {random.integer(0, 2), random.integer(0, 2)}});
+    return MultivariatePolynomial(2, terms);
+  };
+  for (const auto round : rounds(60)) {
+    CAPTURE(static_cast<int>(round));
+    const auto function = [&] {
+      const MultivariatePolynomial q = polynomial();
+      return LetterFunction(polynomial(), q.is_zero() ? MultivariatePolynomial(2, 1) : q);
+    };
+    const LetterFunction a = function(), b = function(), c = function();
+    CHECK(a * (b + c) == a * b + a * c);
+    CHECK((a - a).is_zero());
+    if (!b.is_zero()) CHECK(a / b * b == a);
+    CHECK(LetterFunction::parse(a.to_text("vw"), "vw") == a);
   }
 }

@@ -1,0 +1,19 @@
+#pragma once
+/// The one reader of expressions. Inner header.
+
+#include "rational_function.hpp"
+
+namespace subcert {
+
+/// sum = ['+'|'-'] product {('+'|'-') product}; product = power {('*'|'/') power}; power = atom ['^' integer]; atom = a
+/// number, a letter, or a sum in parentheses. Domain: one to three letters, `degree` in each. Errors: throws
+/// ParseError.
+LetterFunction read_expression(std::string_view text, std::string_view letters, long degree);
+
+/// The same where whole powers may be negative, and the value is a Laurent polynomial.
+MultivariatePolynomial read_polynomial(std::string_view text, std::string_view letters, long degree);
+
+/// A polynomial in one letter. Domain: one variable.
+LaurentPolynomial in_one_letter(const MultivariatePolynomial& p);
+
+}  // namespace subcert

@@ -106,7 +106,9 @@ std::string BoxSearch::search(const Node& node, double seconds, Decided& result)
   double largest = result.middle.radius;
   for (const Look& look : node.at_corners) largest = std::max(largest, look.radius);
   if (largest >= limit) return "the radius comes near to the threshold";
-  result.proof.above = radius_.from_above(node.box, threshold_.below(), largest < far_below * limit,
+  // Of several letters few corners were looked at: there the middle tells how far it is.
+  const double near = mask_.letters() == 1 ? largest : result.middle.radius;
+  result.proof.above = radius_.from_above(node.box, threshold_.below(), near < far_below * limit,
                                           {budget_.deadline.at_most(seconds), budget_.memory});
   return fmt::format("the radius was not proved to be below the threshold in the time for one {}",
                      mask_.letters() == 1 ? "interval" : "cell");

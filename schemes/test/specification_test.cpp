@@ -240,9 +240,9 @@ TEST_CASE("duals of B-splines") {
 
 TEST_CASE("masks with two letters, by their values") {
   const std::string_view six_points = "mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]";
-  const BiparametricMask mask = make_biparametric_mask(six_points, 'w', 't');
-  CHECK(mask.at(Rational(1, 16), 0) == make_scheme("four-point:w=1/16").mask.curve());
-  CHECK(make_biparametric_mask(six_points, 't', 'w').at(0, Rational(1, 16)) == mask.at(Rational(1, 16), 0));
-  CHECK_THROWS_AS(make_biparametric_mask("four-point:w", 'w', 't'), SpecificationError);
-  CHECK_THROWS_AS(make_biparametric_mask("mask:[w,1-w+s]@0", 'w', 't'), SpecificationError);
+  const ParametricMask mask = make_parametric_mask(six_points, "wt");
+  CHECK(mask.at({Rational(1, 16), 0}) == make_scheme("four-point:w=1/16").mask.curve());
+  CHECK(make_parametric_mask(six_points, "tw").at({0, Rational(1, 16)}) == mask.at({Rational(1, 16), 0}));
+  CHECK_THROWS_AS(make_parametric_mask("four-point:w", "wt"), SpecificationError);
+  CHECK_THROWS_AS(make_parametric_mask("mask:[w,1-w+s]@0", "wt"), SpecificationError);
 }

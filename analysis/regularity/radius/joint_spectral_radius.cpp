@@ -171,23 +171,26 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   return *whole.radius.lower < *result.radius.lower ? result : whole;
 }
 
-/// Where there is one matrix, up to signs, and the search left its radius open: by all of its eigenvalues.
-void settle_one_matrix(JointSpectralRadius& radius, const MatrixFamily& family, const Budget& budget) {
-  const Deadline& deadline = budget.deadline;
+/// Where there is one matrix, up to signs: the largest modulus of its eigenvalues.
+std::optional<Enclosure> radius_of_one_matrix(const MatrixFamily& family, const Deadline& deadline) {
   const RationalMatrix &first = family[0], opposite = Rational(-1) * first;
-  if (radius.exact.is_yes() ||
-      std::ranges::any_of(family, [&](const RationalMatrix& m) { return m != first && m != opposite; }))
-    return;
+  if (std::ranges::any_of(family, [&](const RationalMatrix& m) { return m != first && m != opposite; }))
+    return std::nullopt;
   const auto characteristic = characteristic_polynomial(first, deadline);
   const auto found = characteristic ? largest_root_modulus(*characteristic, default_bits, deadline) : std::nullopt;
-  if (!found) return;
-  const Enclosure& largest = found->largest;
-  if (*radius.product.radius.lower < *largest.lower * (1 - 1000 * rounding)) {
-    radius.product = prove_product(family, {0}, deadline);
+  return found ? std::optional(found->largest) : std::nullopt;
+}
+
+/// What the search left open, where that is known.
+void settle_one_matrix(JointSpectralRadius& radius, const MatrixFamily& family, const Enclosure& known,
+                       const Budget& budget) {
+  if (radius.exact.is_yes()) return;
+  if (*radius.product.radius.lower < *known.lower * (1 - 1000 * rounding)) {
+    radius.product = prove_product(family, {0}, budget.deadline);
     // The product of blocks is one of the leading block.
     if (radius.by_blocks()) radius.proof = norm_of_products(family, budget);
   }
-  radius.radius = radius.product.exact ? Enclosure::exactly(*radius.product.exact) : largest;
+  radius.radius = radius.product.exact ? Enclosure::exactly(*radius.product.exact) : known;
   radius.exact = {Truth::yes, "the only matrix, up to its sign, has this spectral radius"};
 }
 
@@ -323,6 +326,8 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
                               target ? std::optional(*target / unit) : std::nullopt),
         unit);
   }
+  const Budget later{budget.deadline.later(1), budget.memory};
+  const auto of_one_matrix = target ? std::nullopt : radius_of_one_matrix(family, later.deadline);
   BlockTriangular triangular = radius::with_symmetries(
       radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share)),
                        budget.deadline.after(symmetries_share)),
@@ -330,7 +335,7 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
   const bool one_block = triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size());
   JointSpectralRadius result = one_block ? radius::radius_of_one_block(family, budget, known, target)
                                          : radius_by_blocks(family, std::move(triangular), budget, known, target);
-  if (!target) settle_one_matrix(result, family, {budget.deadline.later(1), budget.memory});
+  if (of_one_matrix) settle_one_matrix(result, family, *of_one_matrix, later);
   return result;
 }
 

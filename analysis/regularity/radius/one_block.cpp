@@ -425,7 +425,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
   const bool enough = target && upper <= *target;
   // A polytope that closed in floating point may have no proof.
   const bool closed = candidate.closed && by_polytope;
-  if (!forms && !closed && lower < upper && !enough)
+  if (!forms && !closed && lower < upper && !enough && !budget.deadline.expired())
     form = prove_by_forms(scaled_family, lower / unit, budget, product);
   const bool attained = form && form->attained && !found.exact.is_yes(),
              by_form = form && (attained || form->bound * unit < upper);

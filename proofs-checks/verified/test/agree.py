@@ -42,7 +42,7 @@ def decided(name, arguments):
     options = {argument for argument in arguments if argument.startswith("--")}
     text = text_of(name)
     # Whether a word keeps a form.
-    if "--exact" in options and " quadratic " in text and "\ncycle " not in text:
+    if "--exact" in options and " quadratic " in text and not re.search("\ncycle | single ", text):
         return False
     if options & {"--matrices", "--subradius"}:
         return True

@@ -72,7 +72,7 @@ TEST_CASE("wrong usage is one line and exit code 64") {
                                 "conjecture 7 --shard 9/8",
                                 "theorem conjecture-9",
                                 "theorem conjecture-7 --d x",
-                                "theorem conjecture-7 --d 99",
+                                "theorem conjecture-7 --d 302",
                                 "conjecture 7 --n 1 --d 3",
                                 "conjecture 8 --n 2 --d 1",
                                 "analyze $'mask:[1,\\n]'"}) {

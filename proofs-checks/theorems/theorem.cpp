@@ -121,14 +121,16 @@ void describe_8_d(Theorem& t, const SchemeFamily& family) {
   describe_ranges(t, family.least_n(next), std::max(uniform_start(family, degree), uniform_start(family, next)));
 }
 
-/// `C^2 for n >= 3`, of what is proved of single schemes before the smoothest class begins.
+/// What is proved of the schemes before the smoothest class begins, in front of the ranges.
 void describe_small(Theorem& t, const SchemeFamily& family, const SmoothnessRange& range) {
   const int degree = t.degrees.front();
+  std::vector<std::pair<std::string, std::string>> small;
   for (int n = family.least_n(degree); n < range.first; ++n) {
     const Rational exponent = exponent_bound(family.scheme(n, degree));
-    t.values.emplace_back("s, n = " + std::to_string(n),
-                          exponent > 0 ? ">= " + to_decimal(exponent, 5, Rounding::down) : "not bounded");
+    small.emplace_back("n = " + std::to_string(n),
+                       exponent > 0 ? "only s >= " + to_decimal(exponent, 5, Rounding::down) : "not bounded");
   }
+  t.ranges.insert(t.ranges.begin(), small.begin(), small.end());
 }
 
 void describe_smoothness_degree_one(Theorem& t) {

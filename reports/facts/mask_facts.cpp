@@ -90,15 +90,7 @@ Facts polynomial_facts(const LatticeMask& mask, const PolynomialReproduction& po
              member("generation_degree", polynomials.generation_degree()),
              member("reproduction_degree", polynomials.reproduction_degree),
              member("parametrization", entries(mask, numbers_json(polynomials.parametrization)))};
-  if (!is_curve(mask)) return list;
-  list.push_back(member("approximation_order", polynomials.approximation_order()));
-  if (!is_affine(mask.curve())) return list;
-  const auto [order, constant] = mean_bias(mask.curve());
-  list.push_back({"bias",
-                  "bias",
-                  fmt::format("{0} h^{1} f^({1})", to_text(constant), order),
-                  "in the mean, of samples of f at spacing h",
-                  {{"order", order}, {"constant", to_text(constant)}}});
+  if (is_curve(mask)) list.push_back(member("approximation_order", polynomials.approximation_order()));
   return list;
 }
 

@@ -5,6 +5,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
@@ -60,6 +61,16 @@ Fact variance_fact(const Mask& mask, const VarianceGrid& grid, const Rational& m
            {"inf", enclosure_json(Enclosure{variance_floor(mask), grid.smallest()})},
            {"derivative_sup", enclosure_json(Enclosure::at_least(grid.steepest()))},
            {"mean", to_text(mean)}}};
+}
+
+/// Of a scheme that converges.
+Fact bias_fact(const Mask& mask) {
+  const auto [order, constant] = mean_bias(mask);
+  return {"bias",
+          "bias",
+          fmt::format("{0} h^{1} f^({1})", to_text(constant), order),
+          "in the mean, of samples of f at spacing h",
+          {{"order", order}, {"constant", to_text(constant)}}};
 }
 
 }  // namespace
@@ -121,6 +132,7 @@ Facts scheme_facts(const Scheme& scheme, const Analysis& known) {
          integers_text(*integers),
          "",
          {{"level", 0}, {"first_index", integers->first_index}, {"values", numbers_json(integers->values)}}});
+  if (curve && converges) list.push_back(bias_fact(scheme.mask.curve()));
   if (curve && known.grid && known.mean) list.push_back(variance_fact(scheme.mask.curve(), *known.grid, *known.mean));
   return list;
 }

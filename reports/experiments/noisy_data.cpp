@@ -26,6 +26,8 @@ double error_without(const RefinedSample& s) { return mean_squared_error(s.witho
 
 double response(const RefinedSample& s) { return largest_distance(s.with, s.without, s.data.dimension); }
 
+double response_to_noise(const RefinedSample& s) { return largest_distance(s.without, s.exact, s.data.dimension); }
+
 double roughness(const RefinedSample& s) {
   double sum = 0;
   std::size_t count = 0;
@@ -61,21 +63,25 @@ double from_data(const RefinedSample& s) {
   return sum / static_cast<double>(count);
 }
 
-/// Whether the data without outliers are refined too.
-enum class Sets { with_outliers, both };
+double overfits(const RefinedSample& s) {
+  const std::size_t dimension = s.data.dimension;
+  const auto at_data = polygon_at({s.with, dimension, s.axes}, parameters(s.data.axes[0]));
+  return mean_squared_error(at_data, s.drawn.with, dimension) <
+         mean_squared_error(at_data, s.data.true_points().values, dimension);
+}
 
 /// Draws `count` samples and refines them by each method: visit(method, r, sample) in increasing order of r within a
 /// share, from several threads.
 void for_each_refined(
-    const NoisyData& data, const std::vector<Method>& methods, std::size_t count, Sets sets,
+    const NoisyData& data, const std::vector<Method>& methods, std::size_t count, Reads reads,
     const ExperimentOptions& options,
     const std::function<void(const Method& method, std::size_t r, const RefinedSample& sample)>& visit) {
   const std::size_t shares = (count + samples_per_share - 1) / samples_per_share;
-  const bool both = sets == Sets::both && data.outliers > 0;
+  const bool both = reads != Reads::with_outliers && data.outliers > 0;
   const std::vector<double> points = data.true_points().values;
   struct Truth {
     std::once_flag once;
-    std::vector<double> values;  // at the parameters after refinement, the same for all samples
+    std::vector<double> values, exact;  // at the parameters after refinement, the same for all samples
   };
   std::vector<Truth> truths(methods.size());
   parallel_for_each(shares * methods.size(), options.jobs, [&](std::size_t task) {
@@ -89,20 +95,28 @@ void for_each_refined(
       if (both) batch.sets.push_back(drawn.back().without);
       batch.sets.push_back(drawn.back().with);
     }
-    const Batch fine = refined(method.specification, batch, method.levels.value_or(data.levels));
+    const int levels = method.levels.value_or(data.levels);
+    const Batch fine = refined(method.specification, batch, levels);
     Truth& truth = truths[task / shares];
-    std::call_once(truth.once, [&] { truth.values = data.true_points(fine.axes).values; });
+    std::call_once(truth.once, [&] {
+      truth.values = data.true_points(fine.axes).values;
+      if (reads == Reads::exact) truth.exact = refined(method.specification, data.as_grid(points), levels).values;
+    });
     for (std::size_t k = 0; k < drawn.size(); ++k)
       visit(method, first + k,
-            {data, drawn[k], fine.axes, truth.values, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k]});
+            {data, drawn[k], fine.axes, truth.values, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k],
+             truth.exact});
   });
 }
 
 }  // namespace
 
-const SampleMeasure error_measure{"error", error}, error_without_measure{"error without", error_without, true},
-    response_measure{"response", response, true}, roughness_measure{"roughness", roughness},
-    from_data_measure{"from data", from_data};
+const SampleMeasure error_measure{"error", error},
+    error_without_measure{"error without", error_without, Reads::without_outliers},
+    response_measure{"response", response, Reads::without_outliers},
+    response_to_noise_measure{"response to noise", response_to_noise, Reads::exact},
+    roughness_measure{"roughness", roughness}, from_data_measure{"from data", from_data},
+    overfits_measure{"overfits", overfits};
 
 std::vector<MeansTable::Row> rows_of(const std::vector<Method>& methods) {
   std::vector<MeansTable::Row> result;
@@ -136,12 +150,12 @@ std::function<void(std::mt19937_64&, double*)> vertical_outlier(double low, doub
 
 void study(Measured& measured, const NoisyData& data, const std::vector<Method>& methods,
            const std::vector<SampleMeasure>& measures, const ExperimentOptions& options, const std::string& prefix) {
-  bool both = false;
+  Reads reads = Reads::with_outliers;
   for (const SampleMeasure& measure : measures) {
-    both = both || measure.compares;
+    reads = std::max(reads, measure.reads);
     for (const Method& method : methods) measured.samples[{prefix + measure.name, method.name}].resize(options.runs);
   }
-  for_each_refined(data, methods, options.runs, both ? Sets::both : Sets::with_outliers, options,
+  for_each_refined(data, methods, options.runs, reads, options,
                    [&](const Method& method, std::size_t r, const RefinedSample& sample) {
                      for (const SampleMeasure& measure : measures)
                        measured.samples.at({prefix + measure.name, method.name})[r] = measure.value(sample);
@@ -156,7 +170,7 @@ void study_error_parts(Measured& measured, const NoisyData& data, const std::vec
     for (const char* part : {"squared bias", "variance"}) measured.samples[{part, method.name}].resize(pairs);
     errors[method.name].resize(2 * pairs);
   }
-  for_each_refined(data, methods, 2 * pairs, Sets::with_outliers, options,
+  for_each_refined(data, methods, 2 * pairs, Reads::with_outliers, options,
                    [&](const Method& method, std::size_t r, const RefinedSample& sample) {
                      std::vector<double>&previous = errors.at(method.name)[r - r % 2],
                      &error = errors.at(method.name)[r];

@@ -48,7 +48,8 @@ struct NoisyData {
 /// Adds a number between `low` and `low` + `width` to a height, of random sign.
 std::function<void(std::mt19937_64&, double*)> vertical_outlier(double low, double width);
 
-/// One sample refined by a scheme, with the truth at its points.
+/// One sample refined by a scheme, with the truth at its points. What no measure reads is not refined: then `without`
+/// is `with`, and `exact` is empty.
 struct RefinedSample {
   const NoisyData& data;
   const OutlierSample& drawn;
@@ -56,21 +57,30 @@ struct RefinedSample {
   const std::vector<double>& truth;
   const std::vector<double>& without;
   const std::vector<double>& with;
+  const std::vector<double>& exact;  ///< from the data without noise and outliers
 };
+
+/// Which data a measure reads beside those with outliers.
+enum class Reads { with_outliers, without_outliers, exact };
 
 struct SampleMeasure {
   std::string name;
   double (*value)(const RefinedSample& sample);
-  bool compares = false;  ///< reads the data without outliers
+  Reads reads = Reads::with_outliers;  ///< the last one all
 };
 
 /// "error" and "error without": the mean squared distance from the truth over the points, with outliers and without.
 /// "response": the largest distance by which the outliers move a point.
 extern const SampleMeasure error_measure, error_without_measure, response_measure;
+/// "response to noise": the largest distance by which the noise, without outliers, moves a point.
+extern const SampleMeasure response_to_noise_measure;
 /// "roughness", on grids: the mean square of the second differences along both axes, with outliers.
 extern const SampleMeasure roughness_measure;
 /// "from data", on curves: the mean squared distance of the limit from the data that are no outliers.
 extern const SampleMeasure from_data_measure;
+/// "overfits", on curves: 1 where the mean squared distance of the limit at the data from these, outliers too, is
+/// smaller than that from the true points, else 0.
+extern const SampleMeasure overfits_measure;
 
 /// Adds each measure for each method, its name preceded by `prefix`. Sample r is drawn by generator(options.seed, r).
 /// Domain: options.runs >= 2.

@@ -82,6 +82,26 @@ class FunctionTrial {
     return result;
   }
 
+  /// The parts of these errors: "S_5, deterministic", that without noise, and "S_5, noise", the norm of what the noise
+  /// adds over that of the truth. Domain: all methods are schemes.
+  Measured parts(const ExperimentOptions& options) const {
+    Measured result;
+    for (const auto& [name, method] : methods_) {
+      const auto& scheme = std::get<DenseMatrix>(method);
+      std::vector<double> noise(options.runs);  // of deviation 1
+      parallel_for_each(options.runs, options.jobs, [&](std::size_t run) {
+        noise[run] = relative_error(sum(truth_, 1, scheme * noise_of(options.seed, run)), truth_);
+      });
+      for (int decibel = loudest; decibel <= quietest; ++decibel) {
+        result.samples[error_at(name + ", deterministic", decibel)].assign(options.runs,
+                                                                           relative_error(scheme * samples_, truth_));
+        auto& scaled = result.samples[error_at(name + ", noise", decibel)] = noise;
+        for (double& value : scaled) value *= deviation(decibel);
+      }
+    }
+    return result;
+  }
+
   /// Samples, truth and reconstructions for sample 0 of the noise.
   struct Shown {
     std::vector<double> data, truth;
@@ -229,6 +249,28 @@ Measured measured_together(const Run& run) {
   return result;
 }
 
+/// What Figures 10 and 11 compare, "S_5 on f_3", with both parts, and "gain of S_5^3 on f_3".
+Measured measured_parts(const Run& run) {
+  Measured result;
+  std::vector<Method> all;
+  for (const TestFunction& function : {f3, f4}) {
+    const std::string on = " on " + function.name, linear = "S_5" + on, cubic = "S_5^3" + on, gain = "gain of " + cubic;
+    const FunctionTrial trial(function, Setting(run), {{linear, "primal:n=5"}, {cubic, "primal:n=5,d=3"}});
+    result.samples.merge(trial.errors(run).samples);
+    result.samples.merge(trial.parts(run).samples);
+    for (int decibel = loudest; decibel <= quietest; ++decibel) {
+      std::vector<double> gained = result.at(error_at(linear, decibel));
+      for (std::size_t r = 0; r < gained.size(); ++r) gained[r] -= result.at(error_at(cubic, decibel))[r];
+      result.samples[error_at(gain, decibel)] = std::move(gained);
+    }
+    for (const std::string& scheme : {linear, cubic})
+      for (const char* part : {"", ", deterministic", ", noise"}) all.push_back({scheme + part, ""});
+    all.push_back({gain, ""});
+  }
+  if (!run.is_alternative()) result.tables = {errors_table(all, run).filled(result)};
+  return result;
+}
+
 /// The scheme and the second method compared on a function.
 Measure compared(const TestFunction& function, const std::string& scheme, const Method& second, double shown,
                  const std::vector<Method>& beside = {}) {
@@ -248,6 +290,7 @@ Measures functions() {
           {"figs3-7", measured_together},
           {"fig10", compared(f3, "primal:n=5", s53, 8.2)},
           {"fig11", compared(f4, "primal:n=5", s53, 7.2)},
+          {"figs10-11", measured_parts},
           {"fig12", compared(f3, "primal:n=6,d=3", s93, 8.4)},
           {"fig13", compared(f4, "primal:n=6,d=3", s93, 9.5)}};
 }

@@ -65,6 +65,7 @@ std::vector<Method> all_methods() {
   for (const int degree : {1, 2, 3}) {
     const Method method = l1_method(8, degree);
     result.push_back({method.name + ", 30 iterations", method.specification + ",iterations=30"});
+    result.push_back({method.name + ", delta 1", method.specification + ",delta=1"});
   }
   return result;
 }
@@ -94,6 +95,10 @@ Measured measured_noise(const NoisyData& data, const Run& run) {
   Measured result;
   study(result, data, methods, {error_measure, error_without_measure, response_measure, from_data_measure}, run);
   study_error_parts(result, data, of_parts, run);
+  NoisyData with_one = data;
+  with_one.outliers = 1;
+  study(result, with_one, {{"Chaikin", "bspline:degree=2"}}, {error_measure, error_without_measure}, run,
+        "one outlier: ");
   // The expected squared norm of the noise at a point.
   const double noise = static_cast<double>(data.dimension) * *data.sigma * *data.sigma;
   result.numbers = {{"noise", noise}};

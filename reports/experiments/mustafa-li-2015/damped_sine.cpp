@@ -51,7 +51,9 @@ std::map<std::string, double> Setting::numbers() const {
   constexpr int steps = 10000;
   double from_zero = 0;  // the sum of squares on [0, 2 pi]
   for (int i = 0; i < steps; ++i) from_zero += std::pow(damped_sine((i + 0.5) * 2 * std::numbers::pi / steps), 2);
-  return {{"mean square", mean_square(with_outliers(0, 0).true_points().values)},
+  const std::vector<double> heights = with_outliers(0, 0).true_points().values;
+  return {{"mean square", mean_square(heights)},
+          {"seen", std::pow(diameter(heights, 1) / 100, 2)},
           {"mean square from 0", from_zero / steps}};
 }
 

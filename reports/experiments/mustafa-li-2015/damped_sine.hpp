@@ -23,7 +23,7 @@ struct Setting {
   /// Normal noise of this deviation, and outliers of random sign.
   NoisyData with_outliers(std::size_t outliers, double sigma) const;
   /// What the texts and bounds of its experiments name: "mean square" of the samples and "mean square from 0" of f_1 on
-  /// [0, 2 pi]; "tenth of mean square" and "tenth of range" of f_1 on the interval, on the points of the last level.
+  /// [0, 2 pi]; "seen", the square of 1/100 of the range of the samples.
   std::map<std::string, double> numbers() const;
 };
 

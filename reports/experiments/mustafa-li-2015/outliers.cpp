@@ -12,9 +12,10 @@ namespace {
 /// The study of curves; as taken with a picture of sample 0, a panel for each method.
 Measured curve_study(const Run& run, const std::string& title, const std::string& caption,
                      const std::string& table_title, const damped::Setting& setting, const NoisyData& data,
-                     const std::vector<Method>& methods = curve_methods()) {
+                     const std::vector<Method>& methods = curve_methods(),
+                     const std::vector<SampleMeasure>& measures = {}) {
   Measured result;
-  add_outlier_study(result, run, "-measures", table_title, data, methods);
+  add_outlier_study(result, run, "-measures", table_title, data, methods, "", measures);
   result.numbers = setting.numbers();
   if (!run.is_alternative())
     result.figures = {damped::figure(run.experiment.id, title, "One sample" + caption, methods.size() > 2 ? 3 : 2,
@@ -54,7 +55,15 @@ Measured two_outliers(const Run& run) {
 Measured noise_and_outliers(const Run& run) {
   const std::string title = "Noise and thirteen outliers";
   const damped::Setting setting = damped::setting(run);
-  return curve_study(run, title, above_and_below, title, setting, setting.with_outliers(13, noise_deviation_of(run)));
+  const double sigma = noise_deviation_of(run);
+  const NoisyData data = setting.with_outliers(13, sigma);
+  Measured result = curve_study(run, title, above_and_below, title, setting, data, curve_methods(),
+                                {response_to_noise_measure});
+  result.numbers["noise"] = sigma * sigma;
+  study(result, data,
+        {{"Chaikin", "bspline:degree=2"}, {"cubic B-spline", "bspline:degree=3"}, {"4-point scheme", "dd:n=2"}},
+        {overfits_measure}, run);
+  return result;
 }
 
 /// The errors also with the method as the measure and the part of impulses as the subject.

@@ -36,6 +36,7 @@ Measured spiral(const Run& run) {
   const NoisyData data = spiral_data(run.number("half turns"), run.number("displacement"));
   Measured result;
   add_outlier_study(result, run, "-measures", "Spiral with three outliers", data, curve_methods());
+  result.numbers = {{"seen", std::pow(diameter(data.true_points().values, 2) / 100, 2)}};
   if (run.is_alternative()) return result;
   formats::Figure figure{run.experiment.id,
                          "Logarithmic spiral with three outliers",

@@ -71,13 +71,15 @@ double overfits(const RefinedSample& s) {
 }
 
 /// Draws `count` samples and refines them by each method: visit(method, r, sample) in increasing order of r within a
-/// share, from several threads.
+/// share, from several threads. What is the same for all samples is refined once: without noise, the data without
+/// outliers, too.
 void for_each_refined(
     const NoisyData& data, const std::vector<Method>& methods, std::size_t count, Reads reads,
     const ExperimentOptions& options,
     const std::function<void(const Method& method, std::size_t r, const RefinedSample& sample)>& visit) {
   const std::size_t shares = (count + samples_per_share - 1) / samples_per_share;
-  const bool both = reads != Reads::with_outliers && data.outliers > 0;
+  const bool without_outliers = reads != Reads::with_outliers && data.outliers > 0, noisy = data.sigma.value_or(0) != 0,
+             both = without_outliers && noisy;
   const std::vector<double> points = data.true_points().values;
   struct Truth {
     std::once_flag once;
@@ -100,12 +102,15 @@ void for_each_refined(
     Truth& truth = truths[task / shares];
     std::call_once(truth.once, [&] {
       truth.values = data.true_points(fine.axes).values;
-      if (reads == Reads::exact) truth.exact = refined(method.specification, data.as_grid(points), levels).values;
+      if (reads == Reads::exact || (without_outliers && !noisy))
+        truth.exact = refined(method.specification, data.as_grid(points), levels).values;
     });
-    for (std::size_t k = 0; k < drawn.size(); ++k)
-      visit(method, first + k,
-            {data, drawn[k], fine.axes, truth.values, fine.sets[both ? 2 * k : k], fine.sets[both ? 2 * k + 1 : k],
-             truth.exact});
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      const auto &with = fine.sets[both ? 2 * k + 1 : k], &without = both               ? fine.sets[2 * k]
+                                                                     : without_outliers ? truth.exact
+                                                                                        : with;
+      visit(method, first + k, {data, drawn[k], fine.axes, truth.values, without, with, truth.exact});
+    }
   });
 }
 

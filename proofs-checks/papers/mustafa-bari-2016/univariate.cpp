@@ -10,6 +10,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace subcert::statements::mustafa_bari_2016 {
 namespace {
 
@@ -112,6 +114,35 @@ Outcome smallest_size(const Context& context) {
   }
   return printed.outcome(
       corrected.for_all("all n >= 1", "2n different nodes determine a cubic if and only if 2n >= 4"));
+}
+
+/// On grids of one, two and three variables fits with one datum more along each axis than the degree; univariate rules
+/// with any more.
+Outcome any_degree(const Context& context) {
+  const int most = context.reach(4, 6);
+  Trial trial;
+  for (int degree = 0; degree <= most; ++degree) {
+    const std::string where = at("degree", degree);
+    for (int count = 1; count <= most + 2; ++count)
+      trial.require(kernel(design_matrix(equidistant(0, 1, count), monomials(degree))).empty() == (count > degree),
+                    where + ", " + std::to_string(count) + " data");
+    for (int arity = 2; arity <= 3; ++arity)
+      for (int count = std::max(2, degree + 1); count <= degree + 3; ++count)
+        trial.require(polynomial_reproduction(regression_mask(ary(arity, count, degree))).reproduction_degree >= degree,
+                      where + ", arity " + std::to_string(arity) + ", " + std::to_string(count) + " data");
+    if (degree > 3) continue;
+    WeightedWindow grid = window(0, degree, 2);
+    const Formula polynomial = f("(1 + 2*r - s)^" + std::to_string(degree));
+    for (std::size_t i = 0; i < grid.nodes.size(); ++i)
+      grid.data[i] = polynomial({{"r", grid.nodes[i].first}, {"s", grid.nodes[i].second}});
+    const Rational x(1, 4), y(3, 4);
+    trial.equal(library_value(grid, degree, x, y), polynomial({{"r", x}, {"s", y}}), where + ", two variables");
+  }
+  return trial.for_all(
+      "all degrees d, and more than d data along each axis",
+      "a polynomial of degree d in each variable that vanishes on a grid with more than d places along "
+      "each axis is 0, one variable after the other, so that the fit is unique; it keeps the "
+      "polynomials of degree d, so that the rules sum to 1");
 }
 
 /// The rule of i takes the datum i + r.
@@ -315,6 +346,7 @@ Checks univariate() {
           {"eq-2.6-positions", positions_odd_arity},
           {"four-point", four_point_binary},
           {"bases", other_bases},
+          {"any-degree", any_degree},
           {"sums-2n", sums_2n},
           {"sums-odd", sums_odd},
           {"theorem-2.3", theorem_2_3},

@@ -68,11 +68,21 @@ Outcome derived(Outcome outcome) {
   return outcome;
 }
 
-Outcome weights(const Context& context) {
-  return derived(
-      weights_of_modulus(context.formula("eq-2.6"), context.formula("eq-2.6-exponent")({}),
-                         f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
-                         {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}}));
+/// h(t)^2 = t^2 + delta for the residual t, and w = h'(t)/t.
+Trial smoothed_modulus(const Context& context) {
+  return weights_of_modulus(context.formula("eq-2.6"), context.formula("eq-2.6-exponent")({}),
+                            f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
+                            {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}});
+}
+
+Outcome weights(const Context& context) { return derived(smoothed_modulus(context)); }
+
+Outcome smoothed(const Context& context) {
+  return derived(smoothed_modulus(context).for_all(
+      "all n, data and delta > 0",
+      "h^2 = t^2 + delta lies between t^2 and (|t| + delta^(1/2))^2, so that for N data F <= F_delta <= F + N "
+      "delta^(1/2), and a minimiser of F_delta has F within N delta^(1/2) of the smallest value; h h'' = 1 - h'^2 = "
+      "delta/h^2 > 0, so that F_delta is convex, and h is smooth, as it has no zero"));
 }
 
 Outcome sums(const Context& context) {
@@ -222,8 +232,9 @@ Outcome ordinary(const Context& context) {
 }  // namespace
 
 Checks iteration() {
-  return {{"eq-2.1-2.6", weights},   {"all-weights-1", ordinary}, {"proposition-2.2", coefficients},
-          {"eq-2.17-2.18", adjoint}, {"eq-2.19-2.20", sums},      {"eq-2.25-2.29", rules}};
+  return {
+      {"eq-2.1-2.6", weights},   {"eq-2.4", smoothed},   {"all-weights-1", ordinary}, {"proposition-2.2", coefficients},
+      {"eq-2.17-2.18", adjoint}, {"eq-2.19-2.20", sums}, {"eq-2.25-2.29", rules}};
 }
 
 }  // namespace subcert::statements::mustafa_hameed

@@ -145,6 +145,12 @@ TEST_CASE("docs quote what the experiments find on functions") {
   REQUIRE(ratios.size() == 10);
   const auto [least, largest] = std::ranges::minmax(ratios);
   quote_experiments(fmt::format("{:.2f} to {:.2f} times those of LLR", least, largest));
+  CHECK(finding("figs10-11", "Due to", "as taken", "that of S_5 is larger than the effect of the noise at every")
+            .numbers.starts_with("negative at 2 to 20 dB"));
+  for (const char* variant : {"spacing = 2", "decibel = 10"})
+    CHECK(finding("figs10-11", "For the slowly", variant, "smaller than the effect").truth == Truth::no);
+  const std::string on_both = finding("figs10-11", "For the slowly", "as taken", "smaller than on f_4").numbers;
+  quote_experiments(fmt::format("it is {:.3f} times that on f_4", std::stod(groups(on_both, ": ([\\d.]+) \\.").at(0))));
 }
 
 TEST_CASE("docs quote what the experiments find on curves and surfaces of [DHHS15]") {
@@ -181,6 +187,13 @@ TEST_CASE("docs quote what the experiments find on l1 schemes and cars") {
   quote_experiments("heights from " + others("l1-exp1", "heights") + " to 6");
   quote_experiments("on surfaces grids of 21, " + others("l1-surface1", "grid") + " points");
   quote_experiments(others("l1-surface2", "outliers of the band"));
+  const auto noise_alone = [](const std::string& variant) {
+    return finding("l1-exp2", "The algorithm is suitable", variant, "it removes").truth;
+  };
+  CHECK(noise_alone("as taken") == Truth::no);
+  CHECK(noise_alone("data = 151") == Truth::yes);
+  CHECK(finding("l1-exp1", "The algorithm is suitable", "as taken", "in the root").truth == Truth::no);
+  CHECK(groups(finding("l1-exp2", "In most of the cases").numbers, ": (\\S+) ") == std::vector<std::string>(3, "1"));
   const std::string explained = finding("aary-fig3", "The cubic polynomial just").numbers;
   quote_experiments(fmt::format("explains {} %", std::lround(100 * std::stod(explained))));
 }

@@ -250,6 +250,26 @@ TEST_CASE("whether a linear limit is nearer to the samples than to the truth is 
   CHECK(measured.number("phi(0) of S_3") == Approx(180.0 / 983));
 }
 
+TEST_CASE("both parts of an error on a function: one without noise, one that grows as the noise") {
+  const Experiment& e = experiment("figs10-11");
+  const Measured measured = e.measure({{1, 40, 2}, e});
+  const auto mean_of_squares = [&](const std::string& name, int decibel) {
+    return mean_square(measured.at({name, std::to_string(decibel)}));
+  };
+  for (const std::string name : {"S_5 on f_3", "S_5^3 on f_4"}) {
+    CAPTURE(name);
+    // The mean of the product of both parts is 0.
+    const double parts = mean_of_squares(name + ", deterministic", 5) + mean_of_squares(name + ", noise", 5);
+    CHECK(mean_of_squares(name, 5) == Approx(parts).epsilon(0.1));
+    CHECK(mean_of_squares(name + ", deterministic", 1) == mean_of_squares(name + ", deterministic", 20));
+    // The squares of the deviations at 1 and 20 dB.
+    const double ratio = (std::pow(10, 2) - 1) / (std::pow(10, 0.1) - 1);
+    CHECK(mean_of_squares(name + ", noise", 1) == Approx(ratio * mean_of_squares(name + ", noise", 20)));
+  }
+  CHECK(measured.at({"gain of S_5^3 on f_3", "9"})[3] ==
+        measured.at({"S_5 on f_3", "9"})[3] - measured.at({"S_5^3 on f_3", "9"})[3]);
+}
+
 TEST_CASE("with little noise the limits on the torus are tori") {
   const Experiment& e = experiment("fig19");
   CHECK(e.measure({{1, 2, 2}, e}).at({"torus kept", "S_3 at 15 dB"}) == std::vector<double>{1, 1});

@@ -83,6 +83,45 @@ TEST_CASE("a study measures errors and responses") {
   CHECK_FAILS(measured.at({"error", "S_9"}), domain);
 }
 
+TEST_CASE("without noise the data without outliers are the exact ones, and noise has a response of its own") {
+  NoisyData what = damped::Setting().with_outliers(2, 0);
+  const std::vector<Method> methods{curve_methods()[0], curve_methods()[3]};
+  Measured quiet, all_drawn, noisy;
+  study(quiet, what, methods, {error_without_measure, response_measure, response_to_noise_measure}, {1, 30, 2});
+  what.sigma = 1e-300;  // noise that is lost in rounding, but for the data that are 0
+  study(all_drawn, what, methods, {error_without_measure, response_measure}, {1, 30, 2});
+  what.sigma = 0.1;
+  study(noisy, what, methods, {error_without_measure, response_to_noise_measure}, {1, 30, 2});
+  for (const Method& method : methods) {
+    INFO(method.name);
+    for (std::size_t r = 0; r < 30; ++r) {
+      CHECK(quiet.at({"response to noise", method.name})[r] == 0);
+      CHECK(quiet.at({"error without", method.name})[r] == quiet.at({"error without", method.name})[0]);
+      for (const char* measure : {"error without", "response"})
+        CHECK(quiet.at({measure, method.name})[r] == Approx(all_drawn.at({measure, method.name})[r]).margin(1e-9));
+      CHECK(quiet.at({"response", method.name})[r] > 0);
+    }
+  }
+  // A linear scheme answers to noise as to any data.
+  const auto& data = what;
+  auto engine = generator(1, 7);
+  const OutlierSample sample = data.draw(engine);
+  std::vector<double> noise = sample.without;
+  const std::vector<double> exact = data.true_points().values;
+  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] -= exact[i];
+  const Batch limit = refined(methods[0].specification, {data.axes, 1, {noise}}, data.levels);
+  CHECK(noisy.at({"response to noise", "S_6"})[7] ==
+        Approx(largest_distance(limit.sets[0], std::vector<double>(limit.sets[0].size(), 0), 1)));
+}
+
+TEST_CASE("what interpolates overfits, and a wide least squares scheme does not") {
+  Measured measured;
+  study(measured, damped::Setting().with_outliers(13, 1), {{"4-point", "dd:n=2"}, {"wide", "primal:n=4"}},
+        {overfits_measure}, {1, 10, 2});
+  CHECK(measured.at({"overfits", "4-point"}) == std::vector<double>(10, 1));
+  CHECK(measured.at({"overfits", "wide"}) == std::vector<double>(10, 0));
+}
+
 TEST_CASE("outliers stand where they should") {
   auto engine = generator(8, 0);
   const OutlierSample sample = damped::Setting().with_outliers(13, 0.1).draw(engine);

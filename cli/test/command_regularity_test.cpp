@@ -15,9 +15,14 @@ TEST_CASE("regularity: by frequencies, at once for large masks, and refused wher
   CHECK(has_digits(large.at("holder"), "lower", "1.99999999999"));
   CHECK(large.at("holder").at("upper") == "inf");
   CHECK(run("regularity 'mask:[-2,1,6,1,-2]/2' --method frequency").code == 2);
-  for (const char* scheme : {"'mask:[3,4,3,2]/6'", "bspline:degree=2,a=3", "butterfly:w=1/16", "daubechies:n=3"})
-    check_fails(run(std::string("regularity ") + scheme + " --method frequency"), 64, "need a symmetric binary mask");
-  check_fails(run("regularity primal:n=3 --method frequency --certificate x.cert"), 64, "its bound has none");
+  for (const char* scheme : {"mask:[3,4,3,2]/6", "bspline:degree=2,a=3", "butterfly:w=1/16", "daubechies:n=3"})
+    check_fails(
+        run("regularity '" + std::string(scheme) + "' --method frequency"), 64,
+        "--method frequency: need a symmetric binary mask of exact numbers, in one variable, with two sum rules, "
+        "got " +
+            std::string(scheme));
+  check_fails(run("regularity primal:n=3 --method frequency --certificate x.cert"), 64,
+              "--method frequency: need no --certificate: its bound has none");
 }
 
 TEST_CASE("regularity: the fields of the contract") {

@@ -81,7 +81,7 @@ std::pair<std::size_t, std::size_t> closing_image(const AttainedProof::Cycle& cy
 }  // namespace
 
 GroupWords words_of(const PolytopeProof& polytope, bool exact) {
-  const GroupWords words(polytope.group, true);
+  const GroupWords words(polytope.group, polytope.is_flip_symmetric());
   const bool negation = exact && std::ranges::any_of(polytope.attained->cycles, [&](const AttainedProof::Cycle& cycle) {
                           return cycle.sign != words.sign(cycle.element);
                         });

@@ -19,7 +19,7 @@ GroupWords::GroupWords(const std::vector<FamilySymmetry>& group, bool flip, bool
   words_[0] = {"", 1};
   std::vector<RationalMatrix> maps;
   for (const FamilySymmetry& element : group) maps.push_back(element.map.matrix());
-  if (flip && group.size() == 2 && group[1].map == SparseMap::reversal(group[1].map.size())) {
+  if (flip) {
     words_[1] = {"f", 1};
     return;
   }

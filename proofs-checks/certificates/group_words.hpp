@@ -13,8 +13,9 @@ namespace subcert {
 /// The elements of a group as words of a few of them, with the sign that the product lacks.
 class GroupWords {
  public:
-  /// `flip`: whether the reversal of the coordinates is written as `f`. `negation`: whether one more generator, after
-  /// the others, takes the negative of a vector. Errors: throws Error for maps that are no group.
+  /// `flip`: the group is the flip of PolytopeProof::is_flip_symmetric(), and its reversal is written as `f`.
+  /// `negation`: whether one more generator, after the others, takes the negative of a vector. Errors: throws Error for
+  /// maps that are no group.
   GroupWords(const std::vector<FamilySymmetry>& group, bool flip, bool negation = false);
 
   const std::vector<std::size_t>& generators() const { return generators_; }

@@ -287,6 +287,16 @@ TEST_CASE("a complex leading pair") {
   CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text()));
 }
 
+TEST_CASE("a group of two that reverses the coordinates of a block, but not the letters, is no flip") {
+  // a = 7: the block of order 2 has other letters than its matrices have places.
+  for (const char* specification : {"ary:a=7,points=5,d=1", "ary:a=5,points=5,d=1", "ary:a=3,points=5,d=1"}) {
+    CAPTURE(specification);
+    const Mask mask = make_scheme(specification).mask.curve();
+    const Certificate certificate = exponent_certificate(mask, regularity_of(specification));
+    CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text()));
+  }
+}
+
 TEST_CASE("one spectral radius: the exponent, what it is, and the modulus of continuity") {
   struct Case {
     const char* specification;

@@ -18,6 +18,9 @@ import time
 import generators
 import judges
 
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)  # exact numbers have as many digits as they need
+
 LONGEST_WALL = 900  # seconds: a run that waits for itself
 
 

@@ -128,6 +128,13 @@ void explain_levels(formats::Section& section, ComputedQuantities& quantities) {
   section.figures.push_back(figure);
 }
 
+std::string smoothness_finding(int threads) {
+  std::string text;
+  for (const char* id : {"smoothness", "smoothness-dual"})
+    text += for_every_n(theorems::prove(id, 1, theorems::stated_constants(id, 1, "primal", threads), threads));
+  return text;
+}
+
 /// The exponents themselves beside what sixteen levels show.
 formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& options) {
   quantities.need_exponents(bound_schemes());
@@ -186,8 +193,7 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
     if (!closed) curves.push_back(upper_curve);
     figure.panels.push_back({std::string(family) + " schemes", "n", "", curves, false, "bottom right"});
   }
-  section.finding = exponents_finding(families) + for_every_n(theorems::prove("smoothness", 1)) +
-                    for_every_n(theorems::prove("smoothness-dual", 1));
+  section.finding = exponents_finding(families) + smoothness_finding(options.jobs);
   section.paragraphs.push_back(
       "Tables 1 and 2 print bounds after sixteen levels; a larger scheme needs more levels for "
       "as sharp a bound. " +

@@ -49,9 +49,9 @@ ExitCode run(const TheoremOptions& options) {
     fail(ErrorKind::usage, "--d {}: expected an odd degree; {} schemes of degree {} are those of degree {}", degree,
          options.family, degree, degree + 1);
   options.progress("theorem " + options.id);
-  const Theorem theorem = theorems::prove(options.id, degree,
-                                          theorems::stated_constants(options.id, degree, options.family),
-                                          options.threads(), options.family);
+  const Theorem theorem = theorems::prove(
+      options.id, degree, theorems::stated_constants(options.id, degree, options.family, options.threads()),
+      options.threads(), options.family);
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
   return exit_code(theorem.decision.truth);

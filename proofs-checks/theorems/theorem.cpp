@@ -18,7 +18,7 @@ constexpr int most_degree = 21;  ///< to which section 7 is tried
 /// One id and how each of its degrees is proved.
 struct Proof {
   int degree;
-  std::function<Constants()> constants;
+  std::function<Constants(int threads)> constants;
   std::function<std::vector<Check>(const Constants&, int threads)> checks;
   std::function<void(Theorem&)> describe;
 };
@@ -271,9 +271,9 @@ std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
                            void (*describe)(Theorem&, const SchemeFamily&)) {
   if (degree > most_degree) return std::nullopt;
   return Proof{degree,
-               [=, &family] {
+               [=, &family](int threads) {
                  Ledger ledger;
-                 run(ledger, family, degree, 1);
+                 run(ledger, family, degree, threads);
                  return ledger.constants();
                },
                [=, &family](const Constants& constants, int threads) {
@@ -287,7 +287,7 @@ std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
 /// A proof whose functions take the degree.
 Proof by_degree(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
                 void (*describe)(Theorem&)) {
-  return {degree, [=] { return constants(degree); },
+  return {degree, [=](int) { return constants(degree); },
           [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
 }
 
@@ -305,13 +305,13 @@ const std::vector<Entry>& entries() {
           "max psi_n ~ 1/n; of max |psi_n'| ~ 1/n^2 the upper bound, while the rate is false: n^2 max |psi_n'| tends "
           "to 0",
           every, degrees},
-         {{1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one}},
+         {{1, [](int) { return degree_one_constants_7(); }, degree_one_checks_7, describe_7_degree_one}},
          higher,
          false,
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_7, describe_7); }});
     all.push_back(
         {{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", every, degrees},
-         {{1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one}},
+         {{1, [](int) { return degree_one_constants_8(); }, degree_one_checks_8, describe_8_degree_one}},
          higher,
          false,
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_n, describe_8_n); }});
@@ -323,7 +323,7 @@ const std::vector<Entry>& entries() {
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_d, describe_8_d); }});
     all.push_back(
         {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
-         {{1, limit_constants_stated, limit_constants_checks, describe_limit_constants}},
+         {{1, [](int) { return limit_constants_stated(); }, limit_constants_checks, describe_limit_constants}},
          {"stated digits for this degree"},
          true});
     all.push_back({{"convergence", "S_n^d converges", "every odd d, every n >= (d+1)/2", {1, 3, 5}},
@@ -382,7 +382,7 @@ const std::vector<Entry>& entries() {
                    true,
                    [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
                      if (!primal(family)) return std::nullopt;
-                     return Proof{degree, [] { return Constants(); }, limits_grow_checks, describe_limits_grow};
+                     return Proof{degree, [](int) { return Constants(); }, limits_grow_checks, describe_limits_grow};
                    }});
     return all;
   }();
@@ -425,9 +425,9 @@ const std::vector<TheoremEntry>& theorem_list() {
   return list;
 }
 
-Constants stated_constants(const std::string& id, int degree, const std::string& family) {
+Constants stated_constants(const std::string& id, int degree, const std::string& family, int threads) {
   const std::optional<Proof> proof = find(find(id), degree, scheme_family(family));
-  return proof ? proof->constants() : Constants();
+  return proof ? proof->constants(threads) : Constants();
 }
 
 Theorem prove(const std::string& id, int degree, const Constants& constants, int threads,

@@ -39,7 +39,7 @@ const std::vector<TheoremEntry>& theorem_list();
 
 /// The constants as the text states them, or as they are found for a degree that the text does not name. `family` is
 /// that of a specification: primal, primal-odd, dual or dual-odd. Errors: throws a domain error for an unknown id.
-Constants stated_constants(const std::string& id, int degree, const std::string& family = "primal");
+Constants stated_constants(const std::string& id, int degree, const std::string& family = "primal", int threads = 1);
 
 /// Runs every inequality of the proof with these constants. Domain: 1 <= degree <= largest_degree, odd for the primal
 /// families, whose even degrees have the schemes of degree + 1. Errors: throws a domain error for an unknown id or

@@ -18,7 +18,7 @@ using subcert::testing::rounds;
 
 namespace {
 
-RationalMatrix matrix(const std::vector<std::vector<Rational>>& rows) {
+RationalMatrix of_rows(const std::vector<std::vector<Rational>>& rows) {
   RationalMatrix result(rows.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) result(i, j) = rows[i][j];
@@ -115,7 +115,7 @@ MatrixFamily badly_conditioned(Random& random, const MatrixFamily& family, long 
   return moved;
 }
 
-RationalMatrix to_matrix(const Four& a) { return matrix({{a[0], a[1]}, {a[2], a[3]}}); }
+RationalMatrix to_matrix(const Four& a) { return of_rows({{a[0], a[1]}, {a[2], a[3]}}); }
 
 }  // namespace
 
@@ -131,20 +131,20 @@ TEST_CASE("the radius of one matrix is that of its characteristic polynomial") {
 
 TEST_CASE("the radius of one matrix, of special kinds") {
   const std::vector<RationalMatrix> matrices{
-      matrix({{0, 0}, {0, 0}}),
-      matrix({{0, 1, 2}, {0, 0, 3}, {0, 0, 0}}),
-      matrix({{2, 1, 0}, {0, 2, 1}, {0, 0, 2}}),
-      matrix({{0, -1, 1, 0}, {1, 0, 0, 1}, {0, 0, 0, -1}, {0, 0, 1, 0}}),
-      matrix({{0, -1}, {1, 1}}),
-      matrix({{Rational(3, 5), Rational(-4, 5)}, {Rational(4, 5), Rational(3, 5)}}),
-      matrix({{0, 0, 0, -1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}),
-      matrix({{0, 0, 2}, {1, 0, 0}, {0, 1, 0}}),
-      matrix({{1, 1}, {1, -1}}),
-      matrix({{2, 0, 0}, {0, 0, -2}, {0, 2, 0}}),
-      matrix({{0, 0, 0, -9}, {1, 0, 0, 1}, {0, 1, 0, -1}, {0, 0, 1, Rational(1, 3)}}),
-      matrix({{1000, 1}, {1, 1000}}),
-      matrix({{Rational(288526, 1000000), Rational(-144024, 1000000)},
-              {Rational(21767, 1000000), Rational(897103, 1000000)}}),
+      of_rows({{0, 0}, {0, 0}}),
+      of_rows({{0, 1, 2}, {0, 0, 3}, {0, 0, 0}}),
+      of_rows({{2, 1, 0}, {0, 2, 1}, {0, 0, 2}}),
+      of_rows({{0, -1, 1, 0}, {1, 0, 0, 1}, {0, 0, 0, -1}, {0, 0, 1, 0}}),
+      of_rows({{0, -1}, {1, 1}}),
+      of_rows({{Rational(3, 5), Rational(-4, 5)}, {Rational(4, 5), Rational(3, 5)}}),
+      of_rows({{0, 0, 0, -1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}}),
+      of_rows({{0, 0, 2}, {1, 0, 0}, {0, 1, 0}}),
+      of_rows({{1, 1}, {1, -1}}),
+      of_rows({{2, 0, 0}, {0, 0, -2}, {0, 2, 0}}),
+      of_rows({{0, 0, 0, -9}, {1, 0, 0, 1}, {0, 1, 0, -1}, {0, 0, 1, Rational(1, 3)}}),
+      of_rows({{1000, 1}, {1, 1000}}),
+      of_rows({{Rational(288526, 1000000), Rational(-144024, 1000000)},
+               {Rational(21767, 1000000), Rational(897103, 1000000)}}),
   };
   for (const RationalMatrix& m : matrices) check_exact({m}, spectral_radius(m));
 }
@@ -173,10 +173,10 @@ TEST_CASE("the radius of one matrix needs no budget") {
     }
   }
   // Blocks of equal radii, turned by a matrix of determinant 1.
-  const RationalMatrix blocks = matrix({{0, -1, 2, 3}, {1, 1, 4, 5}, {0, 0, 0, 1}, {0, 0, -1, 0}}),
-                       turn = matrix({{1, 2, 0, 1}, {0, 1, 3, 0}, {0, 0, 1, 2}, {0, 0, 0, 1}});
+  const RationalMatrix blocks = of_rows({{0, -1, 2, 3}, {1, 1, 4, 5}, {0, 0, 0, 1}, {0, 0, -1, 0}}),
+                       turn = of_rows({{1, 2, 0, 1}, {0, 1, 3, 0}, {0, 0, 1, 2}, {0, 0, 0, 1}});
   check({turn * blocks * solve(turn, RationalMatrix::identity(4))});
-  check({matrix({{0, 1}, {0, 0}})});
+  check({of_rows({{0, 1}, {0, 0}})});
 }
 
 TEST_CASE("times of zeros grow with their number, their digits and what is between them") {
@@ -198,7 +198,7 @@ TEST_CASE("times of zeros grow with their number, their digits and what is betwe
 }
 
 TEST_CASE("what is proved of a product stays with a better bound from elsewhere") {
-  const MatrixFamily family{matrix({{2, 0}, {0, 1}}), matrix({{0, 1}, {1, 0}})};
+  const MatrixFamily family{of_rows({{2, 0}, {0, 1}}), of_rows({{0, 1}, {1, 0}})};
   JointSpectralRadius by_product, by_bound;
   by_product.product = prove_product(family, {0}, Deadline());
   by_product.radius = {*by_product.product.radius.lower, Rational(5)};
@@ -218,14 +218,14 @@ TEST_CASE("what is proved of a product stays with a better bound from elsewhere"
 }
 
 TEST_CASE("families that commute have the largest of their spectral radii") {
-  const RationalMatrix a = matrix({{1, -1}, {1, 4}}), zero(2, 2);
+  const RationalMatrix a = of_rows({{1, -1}, {1, 4}}), zero(2, 2);
   const Enclosure radius = spectral_radius(a);
   check_exact({a, zero}, radius);
   check_exact({a, a}, radius);
   check_exact({a, Rational(-1) * a}, radius);
   check_exact({a, Rational(1, 10) * (a * a), zero, power(a, 3)}, spectral_radius(power(a, 3)));
-  check_exact({matrix({{1, 1}, {1, 0}}), matrix({{-1, -1}, {-1, 0}})}, spectral_radius(matrix({{1, 1}, {1, 0}})));
-  check_exact({matrix({{0, -2}, {-1, 0}}), matrix({{-2, 0}, {0, -2}})}, Enclosure::exactly(2));
+  check_exact({of_rows({{1, 1}, {1, 0}}), of_rows({{-1, -1}, {-1, 0}})}, spectral_radius(of_rows({{1, 1}, {1, 0}})));
+  check_exact({of_rows({{0, -2}, {-1, 0}}), of_rows({{-2, 0}, {0, -2}})}, Enclosure::exactly(2));
   Random random;
   for ([[maybe_unused]] const auto round : rounds(6)) {
     const RationalMatrix m = random_matrix(random, static_cast<std::size_t>(random.integer(2, 5)), 4);
@@ -272,7 +272,7 @@ TEST_CASE("no product of random integer families has a larger radius than the fa
 }
 
 TEST_CASE("the radius of a multiple is the multiple of the radius, whatever its size") {
-  const MatrixFamily family{matrix({{1, 1, 0}, {-1, 0, -1}, {1, 0, 0}}), matrix({{1, 0, -1}, {1, -1, 0}, {0, 1, 0}})};
+  const MatrixFamily family{of_rows({{1, 1, 0}, {-1, 0, -1}, {1, 0, 0}}), of_rows({{1, 0, -1}, {1, -1, 0}, {0, 1, 0}})};
   const JointSpectralRadius found = radius_of(family, 5);
   REQUIRE(found.exact.is_yes());
   for (const Rational& factor : {power(Rational(10), -100), power(Rational(10), 160),
@@ -292,10 +292,10 @@ TEST_CASE("the radius of a multiple is the multiple of the radius, whatever its 
 
 TEST_CASE("the golden ratio is found through badly conditioned coordinates") {
   // Similar to [1,1;0,1] and [1,0;1,1] by [1,1;1,1+e] for small e, nearly.
-  const Enclosure golden = spectral_radius(matrix({{1, 1}, {1, 0}}));
+  const Enclosure golden = spectral_radius(of_rows({{1, 1}, {1, 0}}));
   for (const long digits : {6, 12}) {
     const Rational t = power(Rational(10), digits);
-    const MatrixFamily family{matrix({{1 - t, t}, {-t, 1 + t}}), matrix({{2 + t, -t}, {t + 2 + 1 / t, -t}})};
+    const MatrixFamily family{of_rows({{1 - t, t}, {-t, 1 + t}}), of_rows({{2 + t, -t}, {t + 2 + 1 / t, -t}})};
     const JointSpectralRadius found = radius_of(family, 5);
     CAPTURE(digits, found.exact.reason);
     CHECK(*found.radius.lower <= *golden.upper);
@@ -354,13 +354,13 @@ TEST_CASE("products are told apart that doubles take for equal") {
     if (found.exact.is_yes()) CHECK(std::ranges::all_of(found.product.word, [](int letter) { return letter == 1; }));
   }
   // sqrt(3) exp(+-i pi/6) and +-sqrt(3): squared moduli are compared.
-  const MatrixFamily turns{matrix({{1, 1}, {-1, 2}}), matrix({{0, 3}, {1, 0}}), more * matrix({{0, 3}, {1, 0}})};
+  const MatrixFamily turns{of_rows({{1, 1}, {-1, 2}}), of_rows({{0, 3}, {1, 0}}), more * of_rows({{0, 3}, {1, 0}})};
   const auto first = prove_product(turns, {0}), second = prove_product(turns, {1}), larger = prove_product(turns, {2});
   CHECK(radius::is_dominated(turns, first, turns, second, {}));
   CHECK(radius::is_dominated(turns, second, turns, first, {}));
   CHECK(radius::is_dominated(turns, larger, turns, first, {}));
   CHECK_FALSE(radius::is_dominated(turns, first, turns, larger, {}));
-  const MatrixFamily complex{matrix({{1, -2}, {2, 1}}), matrix({{2, -1}, {1, 2}})};  // both of modulus sqrt(5)
+  const MatrixFamily complex{of_rows({{1, -2}, {2, 1}}), of_rows({{2, -1}, {1, 2}})};  // both of modulus sqrt(5)
   CHECK(complex.product({0, 1}) == complex.product({1, 0}));
   check_exact(complex, root_enclosure(Rational(5), 2));
   check_exact({Rational(1, 2) * complex[0], complex[0], complex[1]}, root_enclosure(Rational(5), 2));
@@ -369,7 +369,7 @@ TEST_CASE("products are told apart that doubles take for equal") {
 TEST_CASE("a rational eigenvalue is called the radius only where it is the largest") {
   const Rational more = 1 + power(Rational(10), -30);
   for (const RationalMatrix& m :
-       {matrix({{1, 0}, {0, more}}), matrix({{more, 0}, {0, 1}}), matrix({{1, 0}, {0, -more}})}) {
+       {of_rows({{1, 0}, {0, more}}), of_rows({{more, 0}, {0, 1}}), of_rows({{1, 0}, {0, -more}})}) {
     const auto exact = prove_product({m}, {0}).exact;
     CHECK((!exact || *exact == more));
   }
@@ -377,14 +377,15 @@ TEST_CASE("a rational eigenvalue is called the radius only where it is the large
 
 TEST_CASE("what does not commute is not taken for the largest of its matrices") {
   // No polytope closes with the radius, which is that of the product of both.
-  const JointSpectralRadius found = radius_of({matrix({{1, 1}, {0, 1}}), Rational(4, 5) * matrix({{1, 0}, {1, 1}})}, 1);
+  const JointSpectralRadius found = radius_of({of_rows({{1, 1}, {0, 1}}), Rational(4, 5) * of_rows({{1, 0}, {1, 1}})},
+                                              1);
   CHECK(*found.radius.lower > Rational(1447, 1000));
   CHECK(*found.radius.upper < Rational(1448, 1000));
 }
 
 TEST_CASE("orbits of rational vectors close only where the product attains the radius, and where they span") {
   const auto orbit = [](const Rational& back) {
-    return radius::closed_orbit({matrix({{1, 0}, {0, 0}}), matrix({{0, back}, {1, 0}})}, {{0}}, {Deadline::in(5)});
+    return radius::closed_orbit({of_rows({{1, 0}, {0, 0}}), of_rows({{0, back}, {1, 0}})}, {{0}}, {Deadline::in(5)});
   };
   const auto closed = orbit(1);
   REQUIRE(closed);
@@ -393,9 +394,9 @@ TEST_CASE("orbits of rational vectors close only where the product attains the r
   // Products of two letters grow then, which doubles do not see.
   CHECK_FALSE(orbit(1 + power(Rational(10), -12)));
   // The orbit of the first product is one vector, whatever the others do.
-  CHECK_FALSE(radius::closed_orbit({matrix({{1, 0}, {0, 0}}), matrix({{0, 0}, {0, 2}})}, {{0}}, {Deadline::in(5)}));
+  CHECK_FALSE(radius::closed_orbit({of_rows({{1, 0}, {0, 0}}), of_rows({{0, 0}, {0, 2}})}, {{0}}, {Deadline::in(5)}));
   // Square roots: the orbit is that of products of two letters.
-  const auto root = radius::closed_orbit({matrix({{1, 1}, {1, -1}})}, {{0}}, {Deadline::in(5)});
+  const auto root = radius::closed_orbit({of_rows({{1, 1}, {1, -1}})}, {{0}}, {Deadline::in(5)});
   REQUIRE(root);
   CHECK((root->power == 2 && root->length == 2));
   REQUIRE((root->proof && root->proof->attained));
@@ -403,7 +404,7 @@ TEST_CASE("orbits of rational vectors close only where the product attains the r
   CHECK(root->proof->attained->cycles.front().letters == std::vector<int>{0, 0});
   // The eigenvalue of the first product is sqrt(3) times a root of unity, that of the second one -27.
   const std::vector<int> second{1, 1, 1, 1, 1, 0};
-  const auto turned = radius::closed_orbit({matrix({{1, 1}, {1, 0}}), matrix({{1, 1}, {-1, 2}})}, {{1}, second},
+  const auto turned = radius::closed_orbit({of_rows({{1, 1}, {1, 0}}), of_rows({{1, 1}, {-1, 2}})}, {{1}, second},
                                            {Deadline::in(5)});
   REQUIRE((turned && turned->proof && turned->proof->attained));
   CHECK((turned->power == 3 && turned->length == 2 && turned->word == second));
@@ -412,8 +413,8 @@ TEST_CASE("orbits of rational vectors close only where the product attains the r
 }
 
 TEST_CASE("the p-radius of triangular families is the largest of their diagonals") {
-  const MatrixFamily family{matrix({{1, 5, 7}, {0, -2, 1}, {0, 0, Rational(1, 2)}}),
-                            matrix({{-3, 1, 0}, {0, 1, 4}, {0, 0, 2}})};
+  const MatrixFamily family{of_rows({{1, 5, 7}, {0, -2, 1}, {0, 0, Rational(1, 2)}}),
+                            of_rows({{-3, 1, 0}, {0, 1, 4}, {0, 0, 2}})};
   for (const int p : {1, 2, 3, 64}) {
     REQUIRE(has_p_radius(family, p));
     const auto found = p_radius(family, p, default_bits, Deadline::in(5));
@@ -423,7 +424,7 @@ TEST_CASE("the p-radius of triangular families is the largest of their diagonals
     CHECK(power(*found->radius.upper, p) >= mean);
   }
   // Whatever the basis: the same family in another one, for an even power.
-  const RationalMatrix basis = matrix({{1, 2, 0}, {1, 3, 1}, {0, 1, 2}});
+  const RationalMatrix basis = of_rows({{1, 2, 0}, {1, 3, 1}, {0, 1, 2}});
   std::vector<RationalMatrix> moved;
   for (const RationalMatrix& m : family) moved.push_back(solve(basis, m * basis));
   const auto found = p_radius(MatrixFamily(moved), 40, default_bits, Deadline::in(5));

@@ -340,7 +340,7 @@ TEST_CASE("products are told apart that doubles take for equal") {
   for ([[maybe_unused]] const auto round : rounds(4)) {
     const RationalMatrix m = random_matrix(random, static_cast<std::size_t>(random.integer(2, 3)), 5);
     const MatrixFamily family{m, more * m, Rational(-1) * m};
-    const auto evidence = [&](std::vector<int> word) { return prove_product(family, word); };
+    const auto evidence = [&](const std::vector<int>& word) { return prove_product(family, word); };
     if (*evidence({0}).radius.lower == 0) continue;
     const auto dominates = [&](const std::vector<int>& above, const std::vector<int>& below) {
       return radius::is_dominated(family, evidence(above), family, evidence(below), {});

@@ -37,6 +37,9 @@ Ball excess_of_shells();
 /// Ref: docs/theorems/variance-curves.tex, the proof of Theorem I. Cost: a second.
 Ball first_harmonic();
 
+/// G = N^2/(N^2 - 1/4).
+Ball shell_ratio(const Ball& N);
+
 /// What section 7 bounds of the symbol for all N >= N_1 = family.size(start), as stated with `end` at their names.
 /// N is N_1, `fewest` and `most` its M_- and M_+.
 struct SymbolConstants {

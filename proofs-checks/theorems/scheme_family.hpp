@@ -22,6 +22,11 @@ struct SchemeFamily {
   std::string scheme(int n, int degree) const {
     return id + ":n=" + std::to_string(n) + ",d=" + std::to_string(degree);
   }
+  std::vector<std::string> schemes(int first, int last, int degree) const {
+    std::vector<std::string> result;
+    for (int n = first; n <= last; ++n) result.push_back(scheme(n, degree));
+    return result;
+  }
 };
 
 const std::vector<SchemeFamily>& scheme_families();

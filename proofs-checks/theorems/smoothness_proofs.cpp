@@ -2,12 +2,12 @@
 // docs/theorems/smoothness.tex.
 
 #include "degree_one.hpp"
+#include "kept_by_scheme.hpp"
 #include "kernel.hpp"
 #include "proofs.hpp"
 #include "uniform_curve.hpp"
 
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,31 +34,9 @@ std::optional<FrequencyBound> bound_of(const std::string& scheme) {
   return best;
 }
 
-struct Memory {
-  std::mutex mutex;
-  std::map<std::string, std::optional<FrequencyBound>> known;
-};
-
-Memory& memory() {
-  static Memory result;
+KeptByScheme<std::optional<FrequencyBound>>& known_bounds() {
+  static KeptByScheme<std::optional<FrequencyBound>> result(bound_of);
   return result;
-}
-
-const std::optional<FrequencyBound>& known_bound(const std::string& scheme) {
-  {
-    const std::lock_guard lock(memory().mutex);
-    const auto found = memory().known.find(scheme);
-    if (found != memory().known.end()) return found->second;
-  }
-  std::optional<FrequencyBound> bound = bound_of(scheme);
-  const std::lock_guard lock(memory().mutex);
-  return memory().known.try_emplace(scheme, std::move(bound)).first->second;
-}
-
-void prepare_exponents(const SchemeFamily& family, int degree, int first, int last, int threads) {
-  // The costly ones first.
-  parallel_tasks(static_cast<std::size_t>(std::max(0, last - first + 1)), threads,
-                 [&](std::size_t i) { known_bound(family.scheme(last - static_cast<int>(i), degree)); });
 }
 
 Ball power_of_two(const Ball& exponent) { return exp(exponent * log(Ball(2, proof_bits))); }
@@ -69,13 +47,13 @@ constexpr int tail = 64;
 
 /// For n >= 64: the coefficient of 2^(-t(t-1)/2), t = log2(pi N/4), and what it is made of.
 void degree_one_tail(Ledger& ledger) {
-  const Ball pi = Ball::pi(proof_bits), N = exactly(Rational(4 * tail - 1, 2)), one(1, proof_bits);
+  const Ball pi = Ball::pi(proof_bits), N = exactly(Rational(4 * tail - 1, 2));
   const auto above = [&](const char* name, const char* id, const char* meaning, const std::string& formula,
                          const Ball& number) { return ledger.state(name, Side::above, id, meaning, formula, number); };
   const Ball kappa = above("kappa", "2.1", "sup |cos x - sin(x)/x|", "sup |cos x - sin(x)/x|",
                            Ball::containing(cosine_minus_sinc_supremum(), proof_bits));
   const Ball p = above("p", "U.1", "1/Phi(pi/2)", "1/Phi(pi/2)", 1 / Kernel(1, proof_bits).product(pi.scaled(-1)));
-  const Ball t = log2(pi * N / 4), G = N * N / (N * N - exactly(Rational(1, 4)));
+  const Ball t = log2(pi * N / 4), G = shell_ratio(N);
   // G^J with J <= t + 1.
   const Ball g = above("g-1", "U.2", "G^J, without 1", "(N_1^2/(N_1^2 - 1/4))^(t_1 + 1) - 1",
                        exp((t + 1) * log(G)) - 1) +
@@ -84,15 +62,17 @@ void degree_one_tail(Ledger& ledger) {
   const Ball h = above("h-1", "U.3", "u/sin u on the shells from J - 1 on, without 1", "(4/N_1)/sin(4/N_1) - 1",
                        near / sin(near) - 1) +
                  1;
-  Ball head(proof_bits), term = kappa / (N - exactly(Rational(1, 2))).scaled(1);
+  const Ball size = kappa / (N - exactly(Rational(1, 2))).scaled(1);
+  const Ball last = size * h * (pi * N / 4).pow(2).scaled(2) * p * g * power_of_two(1 - t * (t + 1) / 2);
+  std::vector<Ball> terms;
+  Ball product(1, proof_bits);
   for (int l = 0; l < 4; ++l) {
-    const Ball u = pi.scaled(-l - 1), one_term = term * (u / sin(u)).scaled(2 * (l + 1));
-    // The terms from 3 to J - 1 are at most the larger one of the first and the last.
-    const Ball last = kappa * h / (N - exactly(Rational(1, 2))).scaled(1) * (pi * N / 4).pow(2).scaled(2) * p * g *
-                      power_of_two(1 - t * (t + 1) / 2);
-    head += l < 3 ? one_term : max(one_term, last) * (t - 2);
-    term *= G / N / sin(pi.scaled(-l - 2));
+    const Ball u = pi.scaled(-l - 1);
+    terms.push_back(size * product * (u / sin(u)).scaled(2 * (l + 1)));
+    product *= G / N / sin(pi.scaled(-l - 2));
   }
+  // Those from 3 to J - 1 are at most the larger one of the first and the last.
+  const Ball head = terms[0] + terms[1] + terms[2] + max(terms[3], last) * (t - 2);
   const Ball zeta = above("zeta", "U.4", "sum of 4^(l+1) e_l X over l < J",
                           "t_0 + t_1 + t_2 + (t_1 - 2) max(t_3, t_{J-1})", head);
   ledger.need(less("U.5", "zeta < 1", Enclosure::exactly(ledger["zeta"]), Enclosure::exactly(1)));
@@ -110,7 +90,7 @@ void degree_one_single(Ledger& ledger, const SchemeFamily& family) {
   const Ball C = exactly(ledger["C"]);
   std::optional<Rational> least;
   for (int n = 2; n < tail; ++n) {
-    const std::optional<FrequencyBound>& bound = known_bound(family.scheme(n, 1));
+    const std::optional<FrequencyBound>& bound = known_bounds()(family.scheme(n, 1));
     const Ball N = exactly(family.size(n)), L = log2(N);
     const Ball right = C * power_of_two(L - L * L / 2);
     ledger.need(less("U.8", "2 - s < C N^(1 - log2(N)/2)" + at(n),
@@ -126,11 +106,6 @@ void degree_one_single(Ledger& ledger, const SchemeFamily& family) {
 }
 
 // Theorem V.
-
-/// k: the zero of m(w + pi) at 0, which is even for primal and odd for dual schemes.
-int sum_rules(const SchemeFamily& family, int degree) {
-  return family.evaluation == Evaluation::dual && degree % 2 == 1 ? degree + 2 : degree + 1;
-}
 
 /// What both parts of Theorem V need for N >= N_1.
 struct Chain {
@@ -160,17 +135,17 @@ std::optional<Chain> state_chain(Ledger& ledger, const SchemeFamily& family, int
                                  const std::string& end) {
   Chain chain;
   chain.symbol = state_symbol(ledger, family, degree, start, end);
-  chain.k = sum_rules(family, degree);
+  chain.k = alias_order(family.evaluation, degree);
   if (!ledger.holds()) return std::nullopt;
   const UniformNumbers& numbers = uniform_numbers(family.evaluation, degree, family.size(start));
   const Ball pi = Ball::pi(proof_bits), &N = chain.symbol.N;
   chain.alias = chain.k == degree + 1
                     ? chain.symbol.F
                     : ledger.state("F*" + end, Side::above, "V.1", "2 M_- |m(pi - v/M_+)|/v^(d+2), v <= 1",
-                                   "bound of |2 N Im D(v/N)|/v^(d+2), v <= 1", numbers.odd_disc.bound);
+                                   "bound of |2 N Im D(v/N)|/v^(d+2), v <= 1", numbers.alias_disc.bound);
   std::vector<Ball> decays = numbers.decays;
   for (std::size_t q = 1; q < decays.size(); ++q) decays[q] = max(decays[q], decays[q - 1]);
-  const Ball any = max(numbers.any_decay, decays.back()), G = N * N / (N * N - exactly(Rational(1, 4)));
+  const Ball any = max(numbers.any_decay, decays.back()), G = shell_ratio(N);
   // 1/sin(pi 2^(-q-2)) <= (4/pi) b 2^q with b = x/sin x at q = 3.
   const Ball x = pi.scaled(-5);
   chain.factor = ledger.state("A*" + end, Side::above, "V.2", "the factor q >= 3 of a product is at most A* 2^q/N",
@@ -273,7 +248,7 @@ std::optional<int> first_start(int degree, const State& state) {
 bool is_degree_one(const SchemeFamily& family, int degree) { return family.id == "primal" && degree == 1; }
 
 SmoothnessRange find_range(const SchemeFamily& family, int degree) {
-  SmoothnessRange range{sum_rules(family, degree) - 1, 2, tail, 2};
+  SmoothnessRange range{alias_order(family.evaluation, degree) - 1, 2, tail, 2};
   if (is_degree_one(family, degree)) return range;
   const auto start = first_start(degree, [&](Ledger& ledger, int from) { state_class(ledger, family, degree, from); });
   range.start = start.value_or(*std::rbegin(starts));
@@ -284,7 +259,7 @@ SmoothnessRange find_range(const SchemeFamily& family, int degree) {
 }  // namespace
 
 Rational exponent_bound(const std::string& scheme) {
-  const std::optional<FrequencyBound>& bound = known_bound(scheme);
+  const std::optional<FrequencyBound>& bound = known_bounds()(scheme);
   return bound ? std::max(bound->exponent, Rational(0)) : Rational(0);
 }
 
@@ -305,14 +280,14 @@ void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int thre
   if (is_degree_one(family, degree)) {
     degree_one_tail(ledger);
     if (!ledger.holds()) return;
-    prepare_exponents(family, 1, 2, tail - 1, threads);
+    known_bounds().prepare(family.schemes(2, tail - 1, 1), threads);
     degree_one_single(ledger, family);
     return;
   }
   const SmoothnessRange range = smoothness_range(family, degree);
   state_class(ledger, family, degree, range.start);
   if (!ledger.holds()) return;
-  prepare_exponents(family, degree, range.first, range.start - 1, threads);
+  known_bounds().prepare(family.schemes(range.first, range.start - 1, degree), threads);
   for (int n = range.first; n < range.start; ++n)
     ledger.need(less("V.12", text(range.order) + " < s" + at(n), Enclosure::exactly(range.order),
                      Enclosure::at_least(exponent_bound(family.scheme(n, degree)))));

@@ -25,8 +25,8 @@ UniformNumbers::UniformNumbers(Evaluation evaluation, int degree, const Rational
   const Rational M = evaluation == Evaluation::dual ? first_N : Rational(first_N - Rational(1, 2));
   difference_disc = symbol.disc_difference();
   slope_disc = symbol.disc_slope(degree + 1);
-  odd_disc = evaluation == Evaluation::dual && degree % 2 == 1 ? symbol.disc_slope(degree + 2) : slope_disc;
-  for (UniformSymbol::Disc* disc : {&difference_disc, &slope_disc, &odd_disc}) disc->bound = disc->bound.upper_end();
+  alias_disc = symbol.disc_slope(alias_order(evaluation, degree));
+  for (UniformSymbol::Disc* disc : {&difference_disc, &slope_disc, &alias_disc}) disc->bound = disc->bound.upper_end();
   slope = symbol.slope().upper_end();
   for (int j = 0; j < kept_factors; ++j)
     decays.push_back(

@@ -18,7 +18,7 @@ class UniformNumbers {
 
   UniformSymbol::Disc difference_disc;  ///< what H bounds, and how far it holds
   UniformSymbol::Disc slope_disc;       ///< what F bounds
-  UniformSymbol::Disc odd_disc;         ///< what F' bounds: of order d + 2, for dual schemes of odd degree
+  UniformSymbol::Disc alias_disc;       ///< the same of order k
   Ball slope;                           ///< E
   std::vector<Ball> decays;             ///< A_j, j < kept_factors
   Ball any_decay;                       ///< A for all v >= 1

@@ -15,6 +15,8 @@
 
 namespace subcert::theorems {
 
+Ball shell_ratio(const Ball& N) { return N * N / (N * N - exactly(Rational(1, 4))); }
+
 /// What the first part of section 7 bounds: what else is in it needs these.
 SymbolConstants state_symbol(Ledger& ledger, const SchemeFamily& family, int degree, int start,
                              const std::string& end) {
@@ -61,7 +63,7 @@ struct UniformBounds {
 /// G^count times the product of 1/sin(pi 2^(-j-2)) over j < count, G = N_1^2/(N_1^2 - 1/4).
 Ball shell_factors(const Ball& N, int count) {
   const Ball pi = Ball::pi(proof_bits);
-  Ball product = (N * N / (N * N - exactly(Rational(1, 4)))).pow(count);
+  Ball product = shell_ratio(N).pow(count);
   for (int j = 0; j < count; ++j) product = product / sin(pi.scaled(-j - 2));
   return product;
 }
@@ -123,7 +125,7 @@ UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, 
                        head * 7 / 8 + kept * 7 / 2 + Z / 96);
   result.Delta = above("Delta", "7.20", "N^5 D_n", "2 pi ((2/3) B W + V S (B + W/N_1^5)), V = A B G^5 xi_5/(1 - zeta)",
                        pi.scaled(1) * (B * W * 2 / 3 + A * B * five / (1 - zeta) * S * (B + W / N.pow(kept_factors))));
-  const Ball two(2, proof_bits), log_2 = log(two), ratio = N * N / (N * N - exactly(Rational(1, 4)));
+  const Ball two(2, proof_bits), log_2 = log(two), ratio = shell_ratio(N);
   const Ball r = above("r", "7.22", "log2 of the bound of M sin(w) |D_M(w)|, v >= 1", "log2(a G)",
                        log2(numbers.any_decay * ratio));
   // J = log2 N + delta shells are kept; the exponent is convex in delta.
@@ -133,12 +135,6 @@ UniformBounds section_7(Ledger& ledger, const SchemeFamily& family, int degree, 
   const Ball kept_shells = B * max(power(log2(pi / 2)), power(log2(pi * (1 - 1 / N.scaled(1)) / 2) - 1));
   above("R", "7.23", "N^(log2(N)/2 - r) D_n", "2 pi ((2/3) B Y/(1 - Y) + S (B + W/N_1^5)/(1 - zeta)) P",
         pi.scaled(1) * kept_shells * (B * Y / (1 - Y) * 2 / 3 + S * (B + W / N.pow(kept_factors)) / (1 - zeta)));
-  return result;
-}
-
-std::vector<std::string> schemes_of(const SchemeFamily& family, int degree, int first, int last) {
-  std::vector<std::string> result;
-  for (int n = first; n <= last; ++n) result.push_back(family.scheme(n, degree));
   return result;
 }
 
@@ -222,7 +218,7 @@ void uniform_8_n(Ledger& ledger, const SchemeFamily& family, int degree, int thr
   const int start = uniform_start(family, degree), first = family.least_n(degree);
   const UniformBounds bounds = section_7(ledger, family, degree, start);
   if (!ledger.holds()) return;
-  prepare_variance_ends(schemes_of(family, degree, first, start), threads);
+  prepare_variance_ends(family.schemes(first, start, degree), threads);
   const auto ends = [&](int n) -> const VarianceEnds& { return variance_ends(family.scheme(n, degree)); };
   for (int n = first; n < start; ++n)
     ledger.check(less("8.1", "max psi_" + text(n + 1) + " < min psi_" + text(n), ends(n + 1).maximum, ends(n).minimum));
@@ -237,8 +233,8 @@ void uniform_8_d(Ledger& ledger, const SchemeFamily& family, int degree, int thr
   if (!ledger.holds()) return;
   const UniformBounds high = section_7(ledger, family, next, high_start);
   if (!ledger.holds()) return;
-  std::vector<std::string> schemes = schemes_of(family, degree, first, start - 1),
-                           more = schemes_of(family, next, first, start - 1);
+  std::vector<std::string> schemes = family.schemes(first, start - 1, degree),
+                           more = family.schemes(first, start - 1, next);
   schemes.insert(schemes.end(), more.begin(), more.end());
   prepare_variance_ends(schemes, threads);
   for (int n = first; n < start; ++n)
@@ -255,7 +251,7 @@ void uniform_7(Ledger& ledger, const SchemeFamily& family, int degree, int threa
   const int start = uniform_start(family, degree), first = family.least_n(degree);
   const UniformBounds bounds = section_7(ledger, family, degree, start);
   if (!ledger.holds()) return;
-  prepare_variance_ends(schemes_of(family, degree, first, start - 1), threads);
+  prepare_variance_ends(family.schemes(first, start - 1, degree), threads);
   // The largest over n < n_1; what a constant bounds is the bound computed.
   Scaled largest = scaled_bounds(family, degree, first, bounds);
   for (int n = first + 1; n < start; ++n) {

@@ -13,6 +13,11 @@ namespace subcert::theorems {
 /// a quarter of the distance of two points left and right of it.
 enum class Evaluation { primal, dual };
 
+/// k: the order of the zero of m at pi, the number of sum rules; it is even for primal and odd for dual schemes.
+inline int alias_order(Evaluation evaluation, int degree) {
+  return evaluation == Evaluation::dual && degree % 2 == 1 ? degree + 2 : degree + 1;
+}
+
 class UniformSymbol {
  public:
   /// Domain: degree >= 1, odd for primal schemes; first_N > degree + 1.

@@ -1,30 +1,18 @@
 #include "variance_ends.hpp"
 
 #include "curve_bounds.hpp"
+#include "kept_by_scheme.hpp"
 #include "scheme_family.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 
 namespace subcert::theorems {
 namespace {
 
 constexpr int cells_per_shell = 32;
-
-struct Memory {
-  std::mutex mutex;
-  std::map<std::string, VarianceEnds> known;
-};
-
-Memory& memory() {
-  static Memory result;
-  return result;
-}
 
 std::string primal_scheme(int n, int degree) { return scheme_family("primal").scheme(n, degree); }
 
@@ -50,32 +38,19 @@ VarianceEnds compute_ends(const std::string& scheme) {
   return ends;
 }
 
-bool is_known(const std::string& scheme) {
-  const std::lock_guard lock(memory().mutex);
-  return memory().known.contains(scheme);
+KeptByScheme<VarianceEnds>& known_ends() {
+  static KeptByScheme<VarianceEnds> result(compute_ends);
+  return result;
 }
 
 }  // namespace
 
-const VarianceEnds& variance_ends(const std::string& scheme) {
-  if (!is_known(scheme)) {
-    VarianceEnds ends = compute_ends(scheme);
-    const std::lock_guard lock(memory().mutex);
-    memory().known.emplace(scheme, std::move(ends));
-  }
-  const std::lock_guard lock(memory().mutex);
-  return memory().known.at(scheme);
-}
+const VarianceEnds& variance_ends(const std::string& scheme) { return known_ends()(scheme); }
 
 const VarianceEnds& variance_ends(int n, int degree) { return variance_ends(primal_scheme(n, degree)); }
 
 void prepare_variance_ends(const std::vector<std::string>& schemes, int threads) {
-  std::vector<std::string> open;
-  for (const std::string& scheme : schemes)
-    if (!is_known(scheme)) open.push_back(scheme);
-  // The costly ones first.
-  std::reverse(open.begin(), open.end());
-  parallel_tasks(open.size(), threads, [&](std::size_t i) { variance_ends(open[i]); });
+  known_ends().prepare(schemes, threads);
 }
 
 void prepare_variance_ends(int first, int last, const std::vector<int>& degrees, int threads) {

@@ -38,10 +38,7 @@ Rational rounded_up(double excess) {
 }  // namespace
 
 bool has_frequency_bound(const Mask& mask) {
-  const LaurentPolynomial& symbol = mask.symbol();
-  for (long i = symbol.lowest(), j = symbol.highest(); i < j; ++i, --j)
-    if (symbol.coefficient(i) != symbol.coefficient(j)) return false;
-  return mask.arity() == 2 && is_affine(mask) && sum_rules(mask) >= 2;
+  return mask.arity() == 2 && is_affine(mask) && symmetry(mask).kind != Symmetry::none && sum_rules(mask) >= 2;
 }
 
 std::optional<FrequencyBound> frequency_bound(const Mask& mask, int cells) {

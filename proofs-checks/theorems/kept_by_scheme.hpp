@@ -1,0 +1,41 @@
+#pragma once
+/// Answers about single schemes that are computed once, for the sources of this floor.
+
+#include <subcert/analysis/symbol/parallel.hpp>
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace subcert::theorems {
+
+/// What a function says of specifications, kept for the next call. Several threads may ask.
+template <class Value>
+class KeptByScheme {
+ public:
+  explicit KeptByScheme(Value (*compute)(const std::string&)) : compute_(compute) {}
+
+  const Value& operator()(const std::string& scheme) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto found = known_.find(scheme); found != known_.end()) return found->second;
+    }
+    Value value = compute_(scheme);
+    const std::lock_guard lock(mutex_);
+    return known_.try_emplace(scheme, std::move(value)).first->second;
+  }
+
+  /// Asks for all of them, the last ones, which cost most, first.
+  void prepare(const std::vector<std::string>& schemes, int threads) {
+    parallel_tasks(schemes.size(), threads, [&](std::size_t i) { (*this)(schemes[schemes.size() - 1 - i]); });
+  }
+
+ private:
+  Value (*compute_)(const std::string&);
+  std::mutex mutex_;
+  std::map<std::string, Value> known_;
+};
+
+}  // namespace subcert::theorems

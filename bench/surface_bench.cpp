@@ -2,10 +2,10 @@
 // read within one run.
 
 #include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/radii/joint/similarity.hpp>
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
+#include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/gram_function.hpp>
-#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
-#include <subcert/analysis/regularity/quadratic/quadratic_proof.hpp>
-#include <subcert/analysis/regularity/radius/similarity.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/specification.hpp>
 

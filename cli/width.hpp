@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 
 namespace subcert::cli {
 

@@ -1,9 +1,9 @@
 #include "family_radius.hpp"
 
-#include <subcert/analysis/regularity/polytope_proof/candidate.hpp>
-#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
-#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
-#include <subcert/analysis/regularity/radius/one_block.hpp>
+#include <subcert/analysis/radii/joint/one_block.hpp>
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
+#include <subcert/analysis/radii/polytope_proof/round_family.hpp>
+#include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
 #include <algorithm>

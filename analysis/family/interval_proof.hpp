@@ -2,7 +2,7 @@
 /// What is proved of a family with a parameter for all its values in an interval, in rational numbers that a
 /// certificate can hold.
 
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 
 #include <string>
 

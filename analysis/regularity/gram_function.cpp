@@ -1,7 +1,7 @@
 #include "gram_function.hpp"
 
-#include "radius/cost.hpp"
-#include "radius/modular_meataxe.hpp"
+#include <subcert/analysis/radii/joint/cost.hpp>
+#include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 
 #include <subcert/analysis/limit/fixed_vector.hpp>
 #include <subcert/analysis/symbol/error.hpp>

@@ -1,6 +1,6 @@
 #include "holder_regularity.hpp"
 
-#include "radius/rounded_family.hpp"
+#include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include "stability.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 /// The Hoelder exponent, enclosed with proof.
 
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/single_radius.hpp>
 #include "holder_bound.hpp"
-#include "radius/joint_spectral_radius.hpp"
-#include "radius/single_radius.hpp"
 #include "reduced_mask.hpp"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "sobolev.hpp"
 
-#include "radius/cost.hpp"
+#include <subcert/analysis/radii/joint/cost.hpp>
 #include "reduced_mask.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>

@@ -1,6 +1,6 @@
 #include "value_space.hpp"
 
-#include "radius/modular_meataxe.hpp"
+#include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>

@@ -1,5 +1,5 @@
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/regularity/radius/block_triangular.hpp>
+#include <subcert/analysis/radii/joint/block_triangular.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>

@@ -1,7 +1,7 @@
 // The search for an invariant polytope: what it finds, and that it keeps within its budget.
-#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
-#include <subcert/analysis/regularity/polytope_search/polytope_search.hpp>
-#include <subcert/analysis/regularity/radius/scaling.hpp>
+#include <subcert/analysis/radii/joint/scaling.hpp>
+#include <subcert/analysis/radii/polytope_proof/round_family.hpp>
+#include <subcert/analysis/radii/polytope_search/polytope_search.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 

@@ -1,12 +1,12 @@
 // Upper bounds by quadratic forms: that they are bounds, that they are near the radius, and what is left out is
 // nothing.
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/regularity/polytope_proof/round_family.hpp>
-#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
-#include <subcert/analysis/regularity/quadratic/context_forms.hpp>
-#include <subcert/analysis/regularity/quadratic/long_products.hpp>
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
-#include <subcert/analysis/regularity/radius/one_block.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/one_block.hpp>
+#include <subcert/analysis/radii/polytope_proof/round_family.hpp>
+#include <subcert/analysis/radii/polytope_search/decompositions.hpp>
+#include <subcert/analysis/radii/quadratic/context_forms.hpp>
+#include <subcert/analysis/radii/quadratic/long_products.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>

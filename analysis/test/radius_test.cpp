@@ -1,10 +1,10 @@
 // Joint spectral radii whose answer is known without a search, and families on which searches once lost their footing.
-#include <subcert/analysis/regularity/radius/closed_orbit.hpp>
-#include <subcert/analysis/regularity/radius/cost.hpp>
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
-#include <subcert/analysis/regularity/radius/one_block.hpp>
-#include <subcert/analysis/regularity/radius/p_radius.hpp>
-#include <subcert/analysis/regularity/radius/scaling.hpp>
+#include <subcert/analysis/radii/joint/closed_orbit.hpp>
+#include <subcert/analysis/radii/joint/cost.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/one_block.hpp>
+#include <subcert/analysis/radii/joint/p_radius.hpp>
+#include <subcert/analysis/radii/joint/scaling.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 

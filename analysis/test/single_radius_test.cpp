@@ -2,8 +2,8 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/radii/joint/single_radius.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/regularity/radius/single_radius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>

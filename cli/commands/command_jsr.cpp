@@ -1,8 +1,8 @@
 // subcert jsr FILE: the joint spectral radius of any finite set of rational matrices, or the subradius
 
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
-#include <subcert/analysis/regularity/radius/p_radius.hpp>
-#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/p_radius.hpp>
+#include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>

@@ -4,9 +4,9 @@
 #include "claim.hpp"
 
 #include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
-#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "exact_radius.hpp"
 
-#include <subcert/analysis/regularity/radius/leading_factor.hpp>
-#include <subcert/analysis/regularity/subradius/attained_subradius.hpp>
+#include <subcert/analysis/radii/joint/leading_factor.hpp>
+#include <subcert/analysis/radii/subradius/attained_subradius.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

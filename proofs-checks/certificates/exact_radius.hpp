@@ -3,10 +3,10 @@
 
 #include "group_words.hpp"
 
-#include <subcert/analysis/regularity/polytope_proof/polytope_proof.hpp>
-#include <subcert/analysis/regularity/quadratic/graph_proof.hpp>
-#include <subcert/analysis/regularity/radius/single_radius.hpp>
-#include <subcert/analysis/regularity/subradius/antinorm_proof.hpp>
+#include <subcert/analysis/radii/joint/single_radius.hpp>
+#include <subcert/analysis/radii/polytope_proof/polytope_proof.hpp>
+#include <subcert/analysis/radii/quadratic/graph_proof.hpp>
+#include <subcert/analysis/radii/subradius/antinorm_proof.hpp>
 
 #include <optional>
 #include <string>

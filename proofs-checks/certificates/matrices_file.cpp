@@ -1,6 +1,6 @@
 #include "matrices_file.hpp"
 
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/proofs-checks/json_file.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 /// Files with matrices.
 
-#include <subcert/analysis/regularity/radius/constrained.hpp>
+#include <subcert/analysis/radii/joint/constrained.hpp>
 
 #include <string>
 

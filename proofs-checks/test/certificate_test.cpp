@@ -1,8 +1,8 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/difference_space.hpp>
-#include <subcert/analysis/regularity/radius/constrained.hpp>
-#include <subcert/analysis/regularity/radius/one_block.hpp>
-#include <subcert/analysis/regularity/radius/similarity.hpp>
+#include <subcert/analysis/radii/joint/constrained.hpp>
+#include <subcert/analysis/radii/joint/one_block.hpp>
+#include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>

@@ -1,9 +1,9 @@
 #include "work.hpp"
 
+#include <subcert/analysis/radii/joint/constrained.hpp>
+#include <subcert/analysis/radii/joint/p_radius.hpp>
+#include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
-#include <subcert/analysis/regularity/radius/constrained.hpp>
-#include <subcert/analysis/regularity/radius/p_radius.hpp>
-#include <subcert/analysis/regularity/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>

@@ -3,8 +3,8 @@
 
 #include "fact.hpp"
 
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/holder_bound.hpp>
-#include <subcert/analysis/regularity/radius/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 
 namespace subcert::facts {

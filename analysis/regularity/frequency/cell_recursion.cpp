@@ -1,6 +1,6 @@
 #include "cell_recursion.hpp"
 
-#include <subcert/analysis/regularity/polytope_search/decompositions.hpp>
+#include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 
 #include <algorithm>
 #include <cmath>

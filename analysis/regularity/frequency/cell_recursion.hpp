@@ -5,7 +5,7 @@
 
 #include "half_symbol.hpp"
 
-#include <subcert/analysis/regularity/polytope_search/dense.hpp>
+#include <subcert/analysis/radii/polytope_search/dense.hpp>
 
 #include <optional>
 #include <vector>

@@ -1,0 +1,18 @@
+#pragma once
+/// That a named product attains the joint spectral radius. Inner header.
+
+#include <subcert/analysis/radii/polytope_proof/polytope_proof.hpp>
+
+namespace subcert::radius {
+
+/// Whether the maximizing products of the candidate attain the joint spectral radius exactly: yes, with the argument of
+/// docs/joint-spectral-radius.md ('Exactly'), or unknown with the step that is missing. The true polytope has algebraic
+/// vertices near the rational ones of `polytope`; each of its images is a vertex by construction, or by the mirror
+/// symmetry of the product, or lies inside with a margin that exact and ball arithmetic confirm.
+/// What a certificate says of it is left in `polytope`, also where it is unknown. Domain: `polytope` was made from
+/// `candidate` and this family; `lower` <= radius of the first product, proved; all maximizing products have exactly
+/// that radius, proved.
+Decision product_attains_radius(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
+                                const Rational& lower, const Deadline& deadline);
+
+}  // namespace subcert::radius

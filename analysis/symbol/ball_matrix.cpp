@@ -61,7 +61,8 @@ std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& 
       const RationalComplex shifted = i == j ? RationalComplex{entry + point.re, point.im} : RationalComplex{entry, 0};
       acb_set(balls.entry(i, j), ball_around(shifted, bits).get());
     }
-  if (acb_mat_inv(balls.get(), balls.get(), bits) == 0) return std::nullopt;
+  if (acb_mat_approx_inv(balls.get(), balls.get(), bits) == 0 || acb_mat_is_finite(balls.get()) == 0)
+    return std::nullopt;
   std::vector<ComplexVector> columns(n, ComplexVector(n));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) columns[j][i] = exact_middle(ComplexBall(balls.entry(i, j), bits));

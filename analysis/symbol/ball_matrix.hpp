@@ -19,8 +19,8 @@ struct EigenpairEnclosure {
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
                                                     slong bits);
 
-/// The columns of (point - matrix)^(-1), the middles of balls. Domain: a square matrix. Nothing where balls of `bits`
-/// bits do not show that there is an inverse. Cost: one inverse of balls.
+/// The columns of (point - matrix)^(-1), about. Domain: a square matrix. Nothing is proved; nothing where numbers of
+/// `bits` bits find no pivot. Cost: one inverse of such numbers.
 std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
                                                           slong bits);
 

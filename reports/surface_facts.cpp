@@ -49,7 +49,7 @@ MultivariateRegularity sobolev_alone(const LatticeMask& mask) {
   result.converges = converges(mask);
   if (result.converges.is_yes()) result.gram = gram_function(mask);
   if (!result.gram) return result;
-  result.stable = has_stable_shifts(*result.gram, Deadline::in(longest_stability));
+  result.stable = has_stable_shifts(*result.gram, {Deadline::in(longest_stability)});
   const bool stable = result.stable.is_yes(), exact = stable || mask.symbol().count() <= most_unstable;
   const auto sobolev = stable || !exact ? sobolev_regularity(mask, result.sum_rules)
                                         : sobolev_regularity(mask, *result.gram);

@@ -205,13 +205,13 @@ std::optional<LatticeSequence> gram_function(const LatticeMask& mask, const Dead
   return gram;
 }
 
-Decision has_stable_shifts(const LatticeSequence& gram, const Deadline& deadline) {
+Decision has_stable_shifts(const LatticeSequence& gram, const Budget& budget) {
   std::vector<MultivariatePolynomial::Monomial> terms;
   for (const auto& [point, value] : gram) terms.push_back({value, point});
   const MultivariatePolynomial bracket(static_cast<int>(gram.begin()->first.size()), terms);
   if (const auto zero = zero_on_torus(bracket))
     return {Truth::no, "the sum of <phi, phi(. - k)> e^(ikx) vanishes at x = " + *zero};
-  Decision positive = is_positive_on_torus(bracket, deadline);
+  Decision positive = is_positive_on_torus(bracket, budget);
   if (positive.is_yes()) positive.reason = "the sum of <phi, phi(. - k)> e^(ikx) is positive: " + positive.reason;
   return positive;
 }

@@ -15,7 +15,7 @@ std::optional<LatticeSequence> gram_function(const LatticeMask& mask, const Dead
 /// Whether the integer shifts of phi are stable: sum over k of <phi, phi(. - k)> e^(i k x) > 0 for all x. `no` names a
 /// zero, `yes` comes from exact bounds on cells. Domain: `gram` is that of a scheme that converges. Proof:
 /// docs/surfaces.md.
-Decision has_stable_shifts(const LatticeSequence& gram, const Deadline& deadline = {});
+Decision has_stable_shifts(const LatticeSequence& gram, const Budget& budget = {});
 
 /// The largest s such that phi lies in the Sobolev spaces of all orders below s. Ref: [Jia99].
 struct MultivariateSobolev {

@@ -26,15 +26,15 @@ constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of seve
 constexpr std::size_t largest_space = 256;
 
 /// Provided that the scheme converges.
-void decide_stability(const LatticeMask& mask, const Deadline& deadline, MultivariateRegularity& result) {
+void decide_stability(const LatticeMask& mask, const Budget& budget, MultivariateRegularity& result) {
   try {
-    result.gram = gram_function(mask, deadline);
+    result.gram = gram_function(mask, budget.deadline);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::size) throw;
     result.stable = {Truth::unknown, error.what()};
     return;
   }
-  result.stable = result.gram ? has_stable_shifts(*result.gram, deadline)
+  result.stable = result.gram ? has_stable_shifts(*result.gram, budget)
                               : Decision{Truth::unknown, "the inner products of the shifts were not found in time"};
 }
 
@@ -219,7 +219,7 @@ MultivariateRegularity regularity_of_whole(const LatticeMask& mask, const Budget
   MultivariateRegularity result;
   result.stable = {Truth::unknown, "the scheme is not proved to converge"};
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
-  decide_stability(mask, budget.deadline.after(stability_share), result);
+  decide_stability(mask, {budget.deadline.after(stability_share), budget.memory}, result);
   const Budget searching{budget.deadline.after(search_share), budget.memory};
   std::optional<MultivariateSobolev> sobolev;
   try {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -65,6 +66,22 @@ std::vector<std::vector<Integer>> integer_bernstein_factors(long n) {
   return result;
 }
 
+/// Bytes that numbers hold.
+std::size_t size_of(const Powers<Integer>& form) {
+  std::size_t size = 0;
+  for (const Integer& c : form.entries) size += sizeof(Integer) + (mpz_size(c.get()) + 2) * sizeof(mp_limb_t);
+  return size;
+}
+
+/// Divided by the largest power of 2 that divides all entries.
+void divide_by_power(Powers<Integer>& form) {
+  mp_bitcnt_t power = std::numeric_limits<mp_bitcnt_t>::max();
+  for (const Integer& c : form.entries)
+    if (c != 0) power = std::min(power, mpz_scan1(c.get(), 0));
+  if (power == 0 || power == std::numeric_limits<mp_bitcnt_t>::max()) return;
+  for (Integer& c : form.entries) c >>= power;
+}
+
 class Cells {
  public:
   explicit Cells(const MultivariatePolynomial& p) : degrees_(static_cast<std::size_t>(p.variables())) {
@@ -78,21 +95,26 @@ class Cells {
     for (auto& term : terms_) term.coefficient *= denominator_of_all;
   }
 
-  Decision run(const Deadline& deadline) {
+  Decision run(const Budget& budget) {
     std::vector<std::pair<Powers<Integer>, std::size_t>> open;  // with the axis to be halved next
-    for (unsigned chart = 0; chart < 1U << degrees_.size(); ++chart) open.emplace_back(form(chart), 0);
-    std::size_t cells = 0;
+    std::size_t cells = 0, held = 0;
+    const auto add = [&](Powers<Integer> form, std::size_t axis) {
+      held += size_of(form);
+      open.emplace_back(std::move(form), axis);
+    };
+    for (unsigned chart = 0; chart < 1U << degrees_.size(); ++chart) add(form(chart), 0);
     for (; !open.empty(); ++cells) {
-      if (cells >= most_cells || deadline.expired())
+      if (cells >= most_cells || held > budget.memory || budget.deadline.expired())
         return {Truth::unknown, fmt::format("not decided on {} cells", cells)};
       const auto [form, axis] = std::move(open.back());
       open.pop_back();
+      held -= size_of(form);
       if (std::all_of(form.entries.begin(), form.entries.end(), [](const Integer& c) { return c > 0; })) continue;
       if (has_corner_that_is_not_positive(form)) return {Truth::no, "a value on a corner of a cell is not positive"};
       auto [left, right] = halved(form, axis);
       const std::size_t next = (axis + 1) % degrees_.size();
-      open.emplace_back(std::move(left), next);
-      open.emplace_back(std::move(right), next);
+      add(std::move(left), next);
+      add(std::move(right), next);
     }
     return {Truth::yes, fmt::format("by exact bounds on {} cells", cells)};
   }
@@ -154,6 +176,8 @@ class Cells {
         for (std::size_t j = 0; j + 1 + round < size; ++j) line[j] += line[j + 1];
       }
     }
+    divide_by_power(left);
+    divide_by_power(right);
     return {std::move(left), std::move(right)};
   }
 
@@ -194,8 +218,6 @@ std::optional<std::string> zero_on_torus(const MultivariatePolynomial& p) {
   return std::nullopt;
 }
 
-Decision is_positive_on_torus(const MultivariatePolynomial& p, const Deadline& deadline) {
-  return Cells(p).run(deadline);
-}
+Decision is_positive_on_torus(const MultivariatePolynomial& p, const Budget& budget) { return Cells(p).run(budget); }
 
 }  // namespace subcert

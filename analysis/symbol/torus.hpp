@@ -15,9 +15,9 @@ namespace subcert {
 /// an exact one where that is near 0.
 std::optional<std::string> zero_on_torus(const MultivariatePolynomial& p);
 
-/// Whether p(e^(i x)) > 0 for all real x. `yes` and `no` are exact, `unknown` where the deadline or the number of cells
+/// Whether p(e^(i x)) > 0 for all real x. `yes` and `no` are exact, `unknown` where the budget or the number of cells
 /// ends the work, as it does for zeros that are no roots of unity. Domain: as above. Cost: the tensor product Bernstein
 /// form in tan(x_v / 2) and its bisection, until all coefficients of each cell are positive. Proof: docs/surfaces.md.
-Decision is_positive_on_torus(const MultivariatePolynomial& p, const Deadline& deadline = {});
+Decision is_positive_on_torus(const MultivariatePolynomial& p, const Budget& budget = {});
 
 }  // namespace subcert

@@ -233,6 +233,8 @@ TEST_CASE("positive on the torus or not, exactly") {
   const MultivariatePolynomial dip = polynomial("x+1/x+x^2+x^-2+y+1/y+y^2+y^-2+9/2");
   CHECK(is_positive_on_torus(dip + MultivariatePolynomial(2, Rational(1, 25))).is_yes());
   CHECK(is_positive_on_torus(dip + MultivariatePolynomial(2, Rational(-1, 25))).is_no());
+  // The cells need more than a kilobyte.
+  CHECK(is_positive_on_torus(dip + MultivariatePolynomial(2, Rational(1, 25)), {{}, 1000}).truth == Truth::unknown);
   CHECK(zero_on_torus(x + y + MultivariatePolynomial(2, 4)) == "2 pi (1/2, 1/2)");
   CHECK(zero_on_torus(x + MultivariatePolynomial(2, 1)) == "2 pi (1/3, 0)");
   CHECK(!zero_on_torus(x + y + MultivariatePolynomial(2, 5)));

@@ -177,21 +177,35 @@ MultivariatePolynomial symbol_of(const text::MaskText& mask) {
   return {static_cast<int>(mask.sizes.size()), terms};
 }
 
+/// Domain: a common denominator and a count of coefficients that make it in seconds.
+Scheme mask_of(const std::string& name, const Piece& body, const MultivariatePolynomial& symbol, Fields& fields) {
+  Integer common = 1;
+  for (const Monomial& term : symbol.terms()) common = lcm(common, denominator(term.coefficient));
+  if (common.str().size() * symbol.count() > 5 * static_cast<std::size_t>(max_long_work))
+    fail(body, fmt::format("coefficients with (number of them) * (digits of the common denominator) <= {}",
+                           5 * max_long_work));
+  const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(symbol.variables()));
+  fields.finish();
+  const LatticeMask mask = checked(body, [&] { return LatticeMask(symbol, dilation); });
+  require_affine(body, mask);
+  return {name + ":" + to_mask_text(mask) + fields_text(dilation), "mask given by its coefficients", mask};
+}
+
 template <int variables>
 Scheme make_mask_of(const Piece& family, const Piece& body, const std::string& usage) {
   auto [parts, fields] = read_mask(family, body, usage, variables, max_mask);
-  Integer common = 1;
-  for (const Rational& c : parts.coefficients) common = lcm(common, denominator(c));
-  if (common.str().size() * parts.coefficients.size() > 5 * static_cast<std::size_t>(max_long_work))
-    fail(body, fmt::format("coefficients with (number of them) * (digits of the common denominator) <= {}",
-                           5 * max_long_work));
-  const Dilation dilation = read_dilation(fields, variables);
-  fields.finish();
-  const MultivariatePolynomial symbol = symbol_of(parts);
-  const LatticeMask mask = checked(body, [&] { return LatticeMask(symbol, dilation); });
-  require_affine(body, mask);
-  return {std::string(family.text) + ":" + to_mask_text(mask) + fields_text(dilation), "mask given by its coefficients",
-          mask};
+  return mask_of(std::string(family.text), body, symbol_of(parts), fields);
+}
+
+template <int variables>
+Scheme make_symbol_of(const Piece& family, const Piece& body, const std::string& usage) {
+  auto [expression, fields] = split_symbol(family, body, usage);
+  const MultivariatePolynomial symbol = read_symbol(expression, std::string_view("xyz").substr(0, variables));
+  const LatticePoint size = symbol.is_zero() ? LatticePoint() : symbol.highest() - symbol.lowest();
+  long coefficients = 1;
+  for (const long length : size) coefficients = std::min(coefficients * (length + 1), max_mask + 1);
+  if (coefficients > max_mask) fail(expression, fmt::format("at most {} coefficients", max_mask));
+  return mask_of(fmt::format("mask{}", variables), expression, symbol, fields);
 }
 
 Scheme make_box(const Piece& family, const Piece& body, const std::string& usage) {
@@ -288,6 +302,9 @@ const std::vector<Family>& multivariate_table() {
         "any mask, rows in x; optional arity=2 or dilation=[1,2;-2,-1], and digits=[0,0;1,0;...]"},
        make_mask_of<2>},
       {{"mask3", "mask3:[[[1,1],[1,1]],[[1,1],[1,1]]]@-1,-1,-1", "the same in three variables"}, make_mask_of<3>},
+      {{"symbol2", "symbol2:(1+x)(1+y)(1+x*y)/2,arity=2", "the mask of a symbol in x and y; optional keys as of mask2"},
+       make_symbol_of<2>},
+      {{"symbol3", "symbol3:(1+x)(1+y)(1+z)(1+x*y*z)/2,arity=2", "the same in x, y and z"}, make_symbol_of<3>},
       {{"box", "box:[1,0;0,1;1,1]",
         "box spline by its directions in two or three variables; optional keys as of mask2"},
        make_box},
@@ -331,19 +348,24 @@ text::MaskText dense(const LatticeMask& mask) {
 
 }  // namespace
 
-Scheme make_linear_scheme(std::string_view specification) {
+namespace {
+
+Scheme linear_scheme_of(std::string_view specification) {
   if (auto scheme = make_one_of(multivariate_table(), specification)) return *std::move(scheme);
   const Piece family = family_of(specification);
   for (const FamilyHelp& help : families())
     if (help.family == family.text) return make_scheme(specification);
-  const std::string known = names_of(families()) + ", " + names_of(multivariate_families());
   if (is_l1_specification(specification))
-    fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
-  fail(family, "one of " + known + "; for data also l1" + meant_family(family.text));
+    fail(family, "a linear scheme; l1 schemes only act on data: 'subcert mask --help' lists the others");
+  fail(family, unknown_family(family.text));
 }
 
+}  // namespace
+
+Scheme make_linear_scheme(std::string_view specification) { return from_written(specification, linear_scheme_of); }
+
 AnyScheme make_any_scheme(std::string_view specification) {
-  if (is_l1_specification(specification)) return make_l1_scheme(specification);
+  if (is_l1_specification(specification_as_written(specification))) return from_written(specification, make_l1_scheme);
   return make_linear_scheme(specification);
 }
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace subcert {
 namespace {
@@ -30,8 +31,16 @@ constexpr const char* regression_usage = "regression:stencils=[-1..1;-1..2],at=[
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// The letters inside brackets and parentheses, each with its place.
-std::vector<Piece> letters_inside(const Piece& body) {
+/// The letters inside brackets and parentheses, or of a symbol all but z, each with its place.
+std::vector<Piece> letters_inside(const Piece& family, const Piece& body) {
+  if (family.text == "symbol") {
+    const Piece expression = split(body, ',').front();
+    std::vector<Piece> letters;
+    for (std::size_t i = 0; i < expression.text.size(); ++i)
+      if (is_letter(expression.text[i]) && expression.text[i] != 'z')
+        letters.push_back({expression.text.substr(i, 1), expression.at + i});
+    return letters;
+  }
   std::vector<Piece> letters;
   int depth = 0;
   for (std::size_t i = 0; i < body.text.size(); ++i) {
@@ -43,8 +52,8 @@ std::vector<Piece> letters_inside(const Piece& body) {
 }
 
 /// The one letter inside brackets and parentheses.
-char read_parameter(const Piece& body, const char* usage) {
-  const std::vector<Piece> letters = letters_inside(body);
+char read_parameter(const Piece& family, const Piece& body, const char* usage) {
+  const std::vector<Piece> letters = letters_inside(family, body);
   if (letters.empty()) fail(body, std::string("a letter for the parameter, as in ") + usage);
   const char parameter = letters.front().text.front();
   for (const Piece& letter : letters)
@@ -76,23 +85,55 @@ struct LetterMask {
   Fields fields;
 };
 
+int read_arity(Fields& fields) {
+  const auto piece = fields.optional("arity");
+  return piece ? static_cast<int>(read_integer(*piece, "arity", 2, max_arity)) : 2;
+}
+
+/// `(1+z)^2(...)/16z^3,arity=2` with letters beside z.
+LetterMask read_letter_symbol(const Piece& family, const Piece& body, const std::string& letters,
+                              const std::string& usage) {
+  auto [expression, fields] = split_symbol(family, body, usage);
+  const LetterFunction symbol = placed(expression, [&expression = expression, &letters] {
+    return LetterFunction::parse(expression.text, letters + "z");
+  });
+  if (symbol.is_zero()) fail(expression, "at least one coefficient that is not zero");
+  // By powers of z.
+  const auto parted = [&](const MultivariatePolynomial& p) {
+    std::map<long, std::vector<Monomial>> parts;
+    for (Monomial& term : p.terms()) {
+      const long power = term.exponents.back();
+      term.exponents.pop_back();
+      parts[power].push_back(std::move(term));
+    }
+    return parts;
+  };
+  const auto above = parted(symbol.numerator()), below = parted(symbol.denominator());
+  if (below.size() > 1) fail(expression, "a Laurent polynomial in z");
+  const int variables = static_cast<int>(letters.size());
+  const MultivariatePolynomial divisor(variables, below.begin()->second);
+  const long first = above.begin()->first, last = above.rbegin()->first;
+  std::vector<LetterFunction> coefficients(static_cast<std::size_t>(last - first + 1),
+                                           MultivariatePolynomial(variables));
+  for (const auto& [power, terms] : above)
+    coefficients[static_cast<std::size_t>(power - first)] = {MultivariatePolynomial(variables, terms), divisor};
+  const int arity = read_arity(fields);
+  return {std::move(coefficients), first - below.begin()->first, arity, letters, expression, std::move(fields)};
+}
+
 /// `[...]/D@first,arity=2` and further keys, of which all behind the coefficients may be absent. A denominator in
 /// parentheses may depend on the letters.
 LetterMask read_letter_mask(const Piece& family, const Piece& body, const std::string& letters,
                             const std::string& usage) {
+  if (family.text == "symbol") return read_letter_symbol(family, body, letters, usage);
   auto [mask, fields] = split_mask(family, body, usage, 1, max_coefficients);
   auto parts = placed(mask, [&mask = mask, &letters] { return text::parse_mask_text(mask.text, letters); });
-  const auto arity = fields.optional("arity");
+  const int arity = read_arity(fields);
   const Piece list{mask.text.substr(0, mask.text.find(']') + 1), mask.at};
   if (std::ranges::all_of(parts.coefficients, &LetterFunction::is_zero))
     fail(list, "at least one coefficient that is not zero");
   const long first = parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2);
-  return {std::move(parts.coefficients),
-          first,
-          arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2,
-          letters,
-          list,
-          std::move(fields)};
+  return {std::move(parts.coefficients), first, arity, letters, list, std::move(fields)};
 }
 
 /// `for all w` or `for this t`
@@ -117,7 +158,7 @@ ParametricMask checked_mask(const LetterMask& text) {
 }
 
 ParametricScheme make_mask(const Piece& family, const Piece& body) {
-  const char letter = read_parameter(body, mask_usage);
+  const char letter = read_parameter(family, body, mask_usage);
   const LetterMask text = read_letter_mask(family, body, std::string(1, letter), mask_usage);
   text.fields.finish();
   ParametricMask mask = checked_mask(text);
@@ -166,7 +207,7 @@ AlgebraicNumber read_number(const Piece& piece, char letter) {
 
 ParametricScheme make_regression(const Piece& family, const Piece& body) {
   Fields fields(family, body, regression_usage);
-  const char parameter = read_parameter(body, regression_usage);
+  const char parameter = read_parameter(family, body, regression_usage);
   const auto number = [=](const Piece& piece) { return read_function(piece, parameter); };
   const auto weight = [=](const Piece& piece) {
     RationalFunction value = read_function(piece, parameter);
@@ -196,7 +237,7 @@ ParametricScheme make_classical(const ClassicalFamily& family, const Piece& body
 }  // namespace
 
 Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece& body) {
-  const char letter = read_parameter(body, algebraic_usage);
+  const char letter = read_parameter(family, body, algebraic_usage);
   LetterMask text = read_letter_mask(family, body, std::string(1, letter), algebraic_usage);
   const AlgebraicNumber number = read_number(text.fields.required("where"), letter);
   text.fields.finish();
@@ -229,11 +270,12 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
   return scheme;
 }
 
-ParametricScheme make_parametric_scheme(std::string_view specification) {
-  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
+namespace {
+
+ParametricScheme parametric_scheme_of(std::string_view specification) {
   const Piece family = family_of(specification);
   const Piece body = body_of(specification);
-  if (family.text == "mask") return make_mask(family, body);
+  if (family.text == "mask" || family.text == "symbol") return make_mask(family, body);
   if (family.text == "regression") return make_regression(family, body);
   std::string names = std::string(" or ") + regression_usage;
   for (const ClassicalFamily& classical : classical_families()) {
@@ -243,11 +285,19 @@ ParametricScheme make_parametric_scheme(std::string_view specification) {
   fail(family, std::string("a family with a parameter: ") + mask_usage + names);
 }
 
-bool has_parameter(std::string_view specification) {
+}  // namespace
+
+ParametricScheme make_parametric_scheme(std::string_view specification) {
+  return from_written(specification, parametric_scheme_of);
+}
+
+bool has_parameter(std::string_view text) {
+  const std::string specification = specification_as_written(text);
   const std::string_view family = family_of(specification).text;
   const Piece body = body_of(specification);
   if (body.text.find(",where=") != std::string_view::npos) return false;
-  if (family == "mask" || family == "regression") return !letters_inside(body).empty();
+  if (family == "mask" || family == "regression" || family == "symbol")
+    return !letters_inside(family_of(specification), body).empty();
   const auto& families = classical_families();
   return body.text.size() == 1 && is_letter(body.text.front()) &&
          std::any_of(families.begin(), families.end(), [&](const ClassicalFamily& one) { return one.name == family; });
@@ -255,12 +305,13 @@ bool has_parameter(std::string_view specification) {
 
 ParametricMask make_parametric_mask(std::string_view specification, const std::string& letters) {
   const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", letters[0], letters[1]);
-  if (specification.size() > max_text) fail({specification, 0}, fmt::format("at most {} characters", max_text));
-  const Piece family = family_of(specification);
-  if (family.text != "mask") fail(family, "a mask with several letters, " + usage);
-  const LetterMask text = read_letter_mask(family, body_of(specification), letters, usage);
-  text.fields.finish();
-  return checked_mask(text);
+  return from_written(specification, [&](std::string_view read) {
+    const Piece family = family_of(read);
+    if (family.text != "mask" && family.text != "symbol") fail(family, "a mask with several letters, " + usage);
+    const LetterMask text = read_letter_mask(family, body_of(read), letters, usage);
+    text.fields.finish();
+    return checked_mask(text);
+  });
 }
 
 std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {

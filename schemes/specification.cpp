@@ -136,15 +136,12 @@ Scheme make_dual_spline(Fields& fields) {
           dual_spline_mask(static_cast<int>(n), static_cast<int>(m))};
 }
 
-Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
-  if (body.text.find(",where=") != std::string_view::npos) return make_algebraic_mask(family, body);
-  auto [parts, fields] = read_mask(family, body, usage, 1, 4 * max_points);
-  const auto arity_piece = fields.optional("arity");
-  const long arity = arity_piece ? read_integer(*arity_piece, "arity", 2, max_arity) : 2;
-  fields.finish();
+long read_arity(Fields& fields) {
+  const auto piece = fields.optional("arity");
+  return piece ? read_integer(*piece, "arity", 2, max_arity) : 2;
+}
 
-  const LaurentPolynomial symbol(
-      parts.coefficients, parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2));
+Scheme mask_of(const Piece& body, const LaurentPolynomial& symbol, long arity) {
   if (symbol.is_zero()) fail(body, "at least one non-zero coefficient");
   const Mask mask(symbol, static_cast<int>(arity));
   const auto sums = coset_sums(mask);
@@ -155,6 +152,22 @@ Scheme make_mask(const Piece& family, const Piece& body, const std::string& usag
                               common_sum(sums)));
   return {"mask:" + symbol.to_mask_text() + (arity == 2 ? "" : ",arity=" + number(arity)),
           "mask given by its coefficients", mask};
+}
+
+Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
+  if (body.text.find(",where=") != std::string_view::npos) return make_algebraic_mask(family, body);
+  auto [parts, fields] = read_mask(family, body, usage, 1, 4 * max_points);
+  const long arity = read_arity(fields);
+  fields.finish();
+  const long first = parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2);
+  return mask_of(body, LaurentPolynomial(parts.coefficients, first), arity);
+}
+
+Scheme make_symbol(const Piece& family, const Piece& body, const std::string& usage) {
+  auto [expression, fields] = split_symbol(family, body, usage);
+  const long arity = read_arity(fields);
+  fields.finish();
+  return mask_of(expression, in_one_letter(read_symbol(expression, "z")), arity);
 }
 
 const std::vector<Family>& table() {
@@ -176,6 +189,8 @@ const std::vector<Family>& table() {
     list.push_back({{"mask", "mask:[1,3,3,1]/4@-2,arity=2",
                      "any mask; centred and binary unless said otherwise; where=t^2-3:1.7..1.8 for a number t"},
                     make_mask});
+    list.push_back(
+        {{"symbol", "symbol:(1+z)^3/(4*z^2),arity=2", "the mask of a symbol, the sum of a_i z^i"}, make_symbol});
     list.push_back({{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
                      "any local regression rules; optional weights=[1;2;1|1;1;1;1] and first=0"},
                     from_fields(make_regression)});
@@ -204,6 +219,17 @@ std::pair<Piece, Fields> split_mask(const Piece& family, const Piece& body, cons
   return {mask, Fields(family, {fields, rest.end()}, usage)};
 }
 
+std::pair<Piece, Fields> split_symbol(const Piece& family, const Piece& body, const std::string& usage) {
+  std::vector<Piece> rest = split(body, ',');
+  const Piece expression = rest.front();
+  rest.erase(rest.begin());
+  return {expression, Fields(family, rest, usage)};
+}
+
+MultivariatePolynomial read_symbol(const Piece& expression, std::string_view letters) {
+  return placed(expression, [&] { return read_polynomial(expression.text, letters, 4 * max_points); });
+}
+
 MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most) {
   auto [mask, fields] = split_mask(family, body, usage, variables, most);
   return {placed(mask, [&] { return text::parse_mask_text(mask.text, variables); }), std::move(fields)};
@@ -211,7 +237,9 @@ MaskAndFields read_mask(const Piece& family, const Piece& body, const std::strin
 
 }  // namespace specification_text
 
-Scheme make_scheme(std::string_view specification) {
+namespace {
+
+Scheme scheme_of(std::string_view specification) {
   if (auto scheme = make_one_of(table(), specification)) return *std::move(scheme);
   const Piece family = family_of(specification);
   const std::string known = names_of(families());
@@ -219,8 +247,12 @@ Scheme make_scheme(std::string_view specification) {
     fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
   for (const FamilyHelp& other : multivariate_families())
     if (other.family == family.text) fail(family, "a linear scheme of one variable (" + known + ")");
-  fail(family, "one of " + known + meant_family(family.text));
+  fail(family, unknown_family(family.text));
 }
+
+}  // namespace
+
+Scheme make_scheme(std::string_view specification) { return from_written(specification, scheme_of); }
 
 const std::vector<FamilyHelp>& families() {
   static const std::vector<FamilyHelp> help = help_of(table());

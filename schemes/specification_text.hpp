@@ -1,9 +1,11 @@
 #pragma once
 // What the readers of specifications share.
 
+#include "as_written.hpp"
 #include "specification.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/expression.hpp>
 #include <subcert/analysis/symbol/term_text.hpp>
 
 #include <algorithm>
@@ -184,6 +186,12 @@ auto placed(const Piece& piece, Read read) {
 std::pair<Piece, Fields> split_mask(const Piece& family, const Piece& body, const std::string& usage, int variables,
                                     long most);
 
+/// The expression at the beginning of the body, and the fields that follow.
+std::pair<Piece, Fields> split_symbol(const Piece& family, const Piece& body, const std::string& usage);
+
+/// A Laurent polynomial in the letters.
+MultivariatePolynomial read_symbol(const Piece& expression, std::string_view letters);
+
 struct MaskAndFields {
   text::MaskText mask;
   Fields fields;
@@ -222,12 +230,30 @@ inline std::string names_of(const std::vector<FamilyHelp>& families) {
   return names;
 }
 
-/// `; did you mean 'primal'?` for a word that is no family, or nothing.
-inline std::string meant_family(std::string_view word) {
-  std::vector<std::string> names{"l1"};
+/// What is expected in place of a word that is no family.
+inline std::string unknown_family(std::string_view word) {
+  std::vector<std::string> names = other_names();
+  names.emplace_back("l1");
   for (const auto* helps : {&families(), &multivariate_families()})
     for (const FamilyHelp& help : *helps) names.push_back(help.family);
-  return did_you_mean(word, names);
+  return "a family (primal:n=3; 'subcert mask --help' lists all), a mask ([1,3,3,1]/4) or a symbol ((1+z)^3/4z)" +
+         did_you_mean(word, names);
+}
+
+/// What `read` makes of a text as it is written. Errors speak of the specification that was read, where it is another.
+template <class Read>
+auto from_written(std::string_view text, Read read) {
+  if (text.size() > max_text) fail({text, 0}, "at most " + std::to_string(max_text) + " characters");
+  const std::string specification = specification_as_written(text);
+  try {
+    return read(specification);
+  } catch (const SpecificationError& error) {
+    if (specification == text) throw;
+    constexpr std::size_t longest = 60;
+    throw SpecificationError(error.token(), error.position(),
+                             error.expected() + "; read as '" + specification.substr(0, longest) +
+                                 (specification.size() > longest ? "...'" : "'"));
+  }
 }
 
 inline Piece family_of(std::string_view specification) { return {specification.substr(0, specification.find(':')), 0}; }
@@ -240,7 +266,6 @@ inline Piece body_of(std::string_view specification) {
 
 /// The scheme, where the specification names one of the families. A family without keys may do without its colon.
 inline std::optional<Scheme> make_one_of(const std::vector<Family>& families, std::string_view specification) {
-  if (specification.size() > max_text) fail({specification, 0}, "at most " + std::to_string(max_text) + " characters");
   const Piece family = family_of(specification);
   for (const Family& candidate : families)
     if (candidate.help.family == family.text) {

@@ -67,19 +67,31 @@ class Reader {
   }
 
   LetterFunction product() {
+    bool in_parentheses = next_is('(');
     LetterFunction result = power();
     for (;;) {
       const std::size_t begin = at_;
-      if (takes('*')) {
+      if (takes('/')) {
+        const LetterFunction below = divisor(begin, in_parentheses);
+        if (below.is_zero()) fail(begin + 1, "a divisor that is not zero");
+        result = times(result, {below.denominator(), below.numerator()});
+        in_parentheses = false;
+      } else if (takes('*') || next_is('(') || next_is_letter()) {
+        in_parentheses = next_is('(');
         result = times(result, power());
-      } else if (takes('/')) {
-        const LetterFunction divisor = power();
-        if (divisor.is_zero()) fail(begin + 1, "a divisor that is not zero");
-        result = times(result, {divisor.denominator(), divisor.numerator()});
       } else {
         return result;
       }
     }
+  }
+
+  /// What stands under a quotient, as papers write it: `(1+z)^4/16z^3` has 16 z^3 there. Where it could be taken in two
+  /// ways, as in 1/2w, a sign or parentheses are asked for.
+  LetterFunction divisor(std::size_t begin, bool in_parentheses) {
+    LetterFunction result = power();
+    while (in_parentheses && next_is_letter()) result = times(result, power());
+    if (next_is_letter() || next_is('(')) fail(begin, "a * or parentheses that say how far the divisor goes");
+    return result;
   }
 
   LetterFunction times(const LetterFunction& a, const LetterFunction& b) const {
@@ -143,9 +155,15 @@ class Reader {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
   }
 
-  bool takes(char c) {
+  bool next_is(char c) {
     blanks();
-    if (at_ >= text_.size() || text_[at_] != c) return false;
+    return at_ < text_.size() && text_[at_] == c;
+  }
+  bool next_is_letter() {
+    return std::ranges::any_of(letters_, [&](char letter) { return next_is(letter); });
+  }
+  bool takes(char c) {
+    if (!next_is(c)) return false;
     ++at_;
     return true;
   }

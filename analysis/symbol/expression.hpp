@@ -5,9 +5,10 @@
 
 namespace subcert {
 
-/// sum = ['+'|'-'] product {('+'|'-') product}; product = power {('*'|'/') power}; power = atom ['^' integer]; atom = a
-/// number, a letter, or a sum in parentheses. Domain: one to three letters, `degree` in each. Errors: throws
-/// ParseError.
+/// sum = ['+'|'-'] product {('+'|'-') product}; product = power {['*'] power | '/' power}; power = atom ['^' integer];
+/// atom = a number, a letter, or a sum in parentheses. The star may be absent before letters and parentheses; letters
+/// that follow a divisor without one belong to it behind parentheses, `(1+z)/4z`, and are refused elsewhere, `1/2w`.
+/// Domain: one to three letters, `degree` in each. Errors: throws ParseError.
 LetterFunction read_expression(std::string_view text, std::string_view letters, long degree);
 
 /// The same where whole powers may be negative, and the value is a Laurent polynomial.

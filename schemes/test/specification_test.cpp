@@ -1,5 +1,6 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/as_written.hpp>
 #include <subcert/schemes/classical.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -31,7 +32,7 @@ void check_refused(const std::string& text) {
     FAIL_CHECK("accepted as " << scheme.specification);
   } catch (const SpecificationError& error) {
     CHECK(error.position() >= 1);
-    CHECK(error.position() <= text.size() + 1);
+    CHECK(error.position() <= specification_as_written(text).size() + 1);
     CHECK(!error.expected().empty());
     const std::string message = error.what();
     CHECK(message.size() < 1000);
@@ -49,6 +50,44 @@ TEST_CASE("decimals are exact numbers") {
   CHECK(specification("mask:[.25,0.75,75e-2,0.25]") == specification("mask:[1,3,3,1]/4"));
   CHECK(specification("regression:stencils=[-1..1;-1..2],at=[0;0.5]") ==
         specification("regression:stencils=[-1..1;-1..2],at=[0;1/2]"));
+}
+
+TEST_CASE("schemes as papers and people write them") {
+  const auto same = [](const char* written, const char* specification) {
+    CAPTURE(written);
+    CHECK(specification_of(make_any_scheme(written)) == make_linear_scheme(specification).specification);
+  };
+  for (const char* written :
+       {"[1,3,3,1]/4", " mask: [1, 3, 3, 1] / 4 ", "1/4*[1,3,3,1]", "0.25 [1,3,3,1]", "(1/4)*[1 3 3 1]", "[1 3  3 1]/4",
+        "symbol:(1+z)^3/4z^2", "(1+z)^2(1+z)/(4z^2)", "1/4*(z^-2+3z^-1+3+z)", "MASK:[1,3,3,1]/4"})
+    same(written, "mask:[1,3,3,1]/4@-2");
+  CHECK(specification_of(make_any_scheme("L1: points=6")) == specification_of(make_any_scheme("l1:points=6")));
+  same("Chaikin", "bspline:degree=2");
+  same("DD4", "dd:n=2");
+  same("four_point", "four-point:w=1/16");
+  same("Primal_Odd: n=2", "primal-odd:n=2");
+  same("Catmull_Clark", "catmull-clark");
+  same("tensor:(chaikin)x([1,2,1]/2)", "tensor:(bspline:degree=2)x(mask:[1,2,1]/2)");
+  same("1/16[-1 0 9 16 9 0 -1]", "mask:[-1,0,9,16,9,0,-1]/16");
+  same("[1 2 1; 2 4 2; 1 2 1]/4", "mask2:[[1,2,1],[2,4,2],[1,2,1]]/4");
+  same("[[1,2,1],[2,4,2],[1,2,1]]/4,arity=2", "mask2:[[1,2,1],[2,4,2],[1,2,1]]/4");
+  same("(1+x)(1+y)(1+xy)/2xy", "mask2:[[1,1,0],[1,2,1],[0,1,1]]/2@-1,-1");
+  same("symbol:(1+x)^2(1+y)^2(1+z)^2/8,arity=2", "symbol3:((1+x)(1+y)(1+z))^2/8");
+  same("(1+z+z^2)^3/9z^3,arity=3", "mask:[1,3,6,7,6,3,1]/9@-3,arity=3");
+  // A blank between a number and a sign that holds no other blank parts two entries, as in MATLAB.
+  CHECK(specification_as_written("[1 -2 1]/4") == "mask:[1,-2,1]/4");
+  CHECK(specification_as_written("[1 - 2 1]/4") == "mask:[1-2,1]/4");
+  CHECK(specification_as_written("mask:[1/2 + w, 1, 1/2 -w]") == "mask:[1/2+w,1,1/2-w]");
+  for (const char* canonical : {"primal:n=3,d=1", "mask:[1,3,3,1]/4@-2", "mask2:[[1]]@0,0,dilation=[1,1;1,-1]",
+                                "l1:points=6", "tensor:(primal:n=3)x(dual:n=2)", "", ":", "mask:"})
+    CHECK(specification_as_written(canonical) == canonical);
+  // What could be read in two ways is refused.
+  CHECK_THROWS_WITH(make_scheme("1/4(1+z)^3"), Catch::Contains("how far the divisor goes"));
+  CHECK_THROWS_WITH(make_parametric_scheme("[1/2w,1,1-1/2w]"), Catch::Contains("how far the divisor goes"));
+  CHECK(make_parametric_scheme("(1+z)^2(-w+2wz+(1-2w)z^2+2wz^3-wz^4)/2z^3").specification ==
+        make_parametric_scheme("mask:[-w/2,0,1/2+w/2,1,1/2+w/2,0,-w/2]").specification);
+  CHECK_THROWS_WITH(make_linear_scheme("chaikn"), Catch::Contains("did you mean 'chaikin'?"));
+  CHECK_THROWS_WITH(make_linear_scheme("[1,3,3,1]/5"), Catch::Contains("read as 'mask:[1,3,3,1]/5'"));
 }
 
 TEST_CASE("malformed specifications are refused, with position") {

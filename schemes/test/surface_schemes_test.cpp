@@ -163,7 +163,7 @@ TEST_CASE("bad surface specifications say what, where and what would be right") 
         "5 '[1,0;0,1;1,1]' directions that the dilation [1,-1;1,1] maps to multiples of directions");
   CHECK(refusal("box:[64,0;0,64;64,64],arity=64").find("at most 100000 coefficients") != std::string::npos);
   CHECK(refusal("loop:w=1") == "6 'w=1' nothing after loop");
-  CHECK(refusal("butterfly") == "1 'butterfly' butterfly:w=1/16");
+  CHECK(refusal("butterfly:v=1") == "11 'v' the key 'w', as in butterfly:w=1/16");
   CHECK(refusal("butterfly:w=x").substr(0, 6) == "13 'x'");
   CHECK(refusal("four-point:w=1/16x").substr(0, 2) == "14");
 }

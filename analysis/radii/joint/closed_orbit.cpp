@@ -1,6 +1,7 @@
 #include "closed_orbit.hpp"
 
 #include "attained_cycles.hpp"
+#include "cost.hpp"
 #include "subspace.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
@@ -240,9 +241,9 @@ std::vector<int> shortest_cycle(const MatrixFamily& family, const std::vector<in
 }
 
 /// The vectors that some power of a product multiplies by that power of the radius: those of all products that arise
-/// from the word by cyclic shifts.
+/// from the word by cyclic shifts, as far as there is time.
 std::vector<Start> leading_vectors(const MatrixFamily& family, std::vector<int> word, int length,
-                                   const Rational& radius) {
+                                   const Rational& radius, const Deadline& deadline) {
   const long letters = std::lcm(static_cast<long>(word.size()), static_cast<long>(length)) * turns,
              repeated = letters / static_cast<long>(word.size());
   const Rational value = power(radius, letters / length);
@@ -250,6 +251,7 @@ std::vector<Start> leading_vectors(const MatrixFamily& family, std::vector<int> 
   for (std::size_t shift = 0; shift < word.size(); ++shift) {
     RationalMatrix difference = power(family.product(word), repeated);
     for (std::size_t i = 0; i < family.size(); ++i) difference(i, i) -= value;
+    if (!has_time_for_elimination(difference, deadline)) return {};
     const Subspace own = kernel(difference);
     if (!own.empty())
       for (Vector& v : with_short_vectors(own)) {
@@ -264,10 +266,10 @@ std::vector<Start> leading_vectors(const MatrixFamily& family, std::vector<int> 
 /// From which orbits may close: the leading vectors of each word, those of the fewest first, as any basis of many is a
 /// guess; then all together, beginning with these.
 std::vector<std::vector<Start>> all_starts(const MatrixFamily& family, const std::vector<std::vector<int>>& words,
-                                           int length, const Rational& radius) {
+                                           int length, const Rational& radius, const Deadline& deadline) {
   std::map<std::size_t, std::vector<std::vector<Start>>> by_dimension;
   for (const std::vector<int>& word : words) {
-    std::vector<Start> own = leading_vectors(family, word, length, radius);
+    std::vector<Start> own = leading_vectors(family, word, length, radius, deadline);
     by_dimension[own.size() / word.size()].push_back(std::move(own));
   }
   by_dimension.erase(0);
@@ -352,8 +354,8 @@ std::optional<ClosedOrbit> closed_orbit(const MatrixFamily& family, const std::v
       const auto radius = rational_power(products, family.count(), word, length, its.deadline);
       if (!radius || *radius <= 0) continue;
       tried.insert(length);
-      if (auto orbit = first_closed(family, products, all_starts(family, short_words, length, *radius), length, *radius,
-                                    its)) {
+      if (auto orbit = first_closed(family, products, all_starts(family, short_words, length, *radius, its.deadline),
+                                    length, *radius, its)) {
         orbit->word = word;
         return orbit;
       }

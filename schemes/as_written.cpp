@@ -1,0 +1,165 @@
+#include "as_written.hpp"
+
+#include <subcert/analysis/symbol/decimal.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace subcert {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> names{{
+    {"chaikin", "bspline:degree=2"},
+    {"quadratic-bspline", "bspline:degree=2"},
+    {"quadratic-b-spline", "bspline:degree=2"},
+    {"cubic-bspline", "bspline:degree=3"},
+    {"cubic-b-spline", "bspline:degree=3"},
+    {"dd4", "dd:n=2"},
+    {"dd6", "dd:n=3"},
+    {"dd8", "dd:n=4"},
+    {"db2", "daubechies:n=2"},
+    {"db3", "daubechies:n=3"},
+    {"db4", "daubechies:n=4"},
+    {"four-point", "four-point:w=1/16"},
+    {"4-point", "four-point:w=1/16"},
+    {"butterfly", "butterfly:w=1/16"},
+    {"kobbelt", "kobbelt:w=1/16"},
+    {"catmullclark", "catmull-clark"},
+    {"doosabin", "doo-sabin"},
+    {"4-8", "four-eight"},
+}};
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool ends_operand(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ')' || c == '.' || c == ']';
+}
+bool begins_operand(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '(' || c == '.' || c == '[';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// In small letters, with - for _.
+std::string name_of(std::string_view text) {
+  std::string name(text);
+  for (char& c : name) c = c == '_' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+/// Where the bracket that opens first is closed, or the end.
+std::size_t end_of_list(std::string_view text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[') ++depth;
+    if (text[i] == ']' && --depth == 0) return i + 1;
+  }
+  return text.size();
+}
+
+/// Blanks go, or stand for commas where they part the entries of a row.
+std::string without_blanks(std::string_view list) {
+  const bool parts = list.find(',') == std::string_view::npos;
+  std::string result;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!is_blank(list[i])) {
+      result += list[i];
+      continue;
+    }
+    std::size_t next = i;
+    while (next < list.size() && is_blank(list[next])) ++next;
+    if (parts && next + 1 < list.size() && !result.empty() && ends_operand(result.back())) {
+      const bool is_sign = list[next] == '+' || list[next] == '-';
+      if (begins_operand(list[next]) || (is_sign && !is_blank(list[next + 1]))) result += ',';
+    }
+    i = next - 1;
+  }
+  return result;
+}
+
+/// `[1,2;3,4]` as `[[1,2],[3,4]]`
+std::string in_rows(const std::string& list) {
+  if (list.find(';') == std::string::npos || list.find('[', 1) != std::string::npos) return list;
+  std::string rows = "[";
+  for (const char c : list) rows += c == ';' ? "],[" : std::string(1, c);
+  return rows + "]";
+}
+
+std::size_t depth_of(std::string_view list) {
+  std::size_t depth = 0;
+  while (depth < list.size() && list[depth] == '[') ++depth;
+  return depth;
+}
+
+/// D of a factor 1/D in front of a list, with or without parentheses and a star; 0 for another text.
+Integer divisor_of(std::string_view factor) {
+  factor = trimmed(factor);
+  if (factor.ends_with('*')) factor = trimmed(factor.substr(0, factor.size() - 1));
+  if (factor.starts_with('(') && factor.ends_with(')')) factor = trimmed(factor.substr(1, factor.size() - 2));
+  const auto value = parse_number(factor);
+  return value && *value > 0 && numerator(*value) == 1 ? denominator(*value) : Integer(0);
+}
+
+/// A mask that may have a factor in front; `family`: that was named, if any. Nothing for another text.
+std::string mask_as_written(std::string_view text, std::string family = "mask") {
+  const std::size_t begin = text.find('[');
+  if (begin == std::string_view::npos) return {};
+  const Integer divisor = begin == 0 ? Integer(1) : divisor_of(text.substr(0, begin));
+  if (divisor == 0) return {};
+  text.remove_prefix(begin);
+  const std::size_t end = end_of_list(text);
+  const std::string list = in_rows(without_blanks(text.substr(0, end)));
+  std::string rest(text.substr(end));
+  std::erase_if(rest, is_blank);
+  const bool divided = rest.starts_with('/');
+  if (divisor != 1 && divided) return {};
+  const std::size_t depth = depth_of(list);
+  if (family == "mask" && (depth == 2 || depth == 3)) family += std::to_string(depth);
+  return family + ":" + list + (divisor == 1 ? "" : "/" + divisor.str()) + rest;
+}
+
+/// The family of a symbol by its variables: symbol in z, symbol2 in x and y, symbol3 in x, y and z.
+std::string symbol_family(std::string_view body) {
+  const std::string_view expression = body.substr(0, body.find(','));
+  if (expression.find_first_of("xy") == std::string_view::npos) return "symbol";
+  return expression.find('z') == std::string_view::npos ? "symbol2" : "symbol3";
+}
+
+/// Whether a text without a family has the look of a symbol.
+bool is_symbol(std::string_view text) {
+  return text.find('(') != std::string_view::npos && text.find_first_of("xyz") != std::string_view::npos &&
+         std::string_view("(+-.0123456789xyz").find(text.front()) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string specification_as_written(std::string_view text) {
+  const std::string_view written = trimmed(text);
+  const std::size_t colon = written.starts_with('[') ? std::string_view::npos : written.find(':');
+  if (colon == std::string_view::npos) {
+    if (std::string mask = mask_as_written(written); !mask.empty()) return mask;
+    if (is_symbol(written)) return symbol_family(written) + ":" + std::string(written);
+  }
+  const std::string name = name_of(written.substr(0, colon));
+  const std::string_view body = colon == std::string_view::npos ? "" : trimmed(written.substr(colon + 1));
+  if (body.empty())
+    for (const auto& [other, specification] : names)
+      if (other == name) return std::string(specification);
+  if (colon == std::string_view::npos) return name;
+  if (name == "mask" || name == "mask2" || name == "mask3")
+    if (std::string mask = mask_as_written(body, name); !mask.empty()) return mask;
+  return (name == "symbol" ? symbol_family(body) : name) + ":" + std::string(body);
+}
+
+std::vector<std::string> other_names() {
+  std::vector<std::string> result;
+  for (const auto& [other, specification] : names) result.emplace_back(other);
+  return result;
+}
+
+}  // namespace subcert

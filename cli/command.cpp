@@ -1,5 +1,7 @@
 #include "command.hpp"
 
+#include "provenance.hpp"
+
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -71,6 +73,13 @@ std::string input_name(const std::string& path) { return path == standard_stream
 std::string read_input(const std::string& path) {
   return path == standard_stream ? read_to_the_end(std::cin, input_name(path)) : read_file(path);
 }
+
+std::string json_text(Json json_object) {
+  json_object["subcert"] = provenance();
+  return json_object.dump(2) + "\n";
+}
+
+void print_json(Json json_object) { std::cout << json_text(std::move(json_object)); }
 
 int CommonOptions::threads() const { return jobs > 0 ? jobs : all_cores(); }
 

@@ -58,6 +58,11 @@ struct ReaderLeft {};
 /// What errors call an input: the path, or `standard input`.
 std::string input_name(const std::string& path);
 
+/// An answer with the field `subcert`, which tells the program that made it.
+std::string json_text(Json json_object);
+/// The same on standard output, whatever --out says.
+void print_json(Json json_object);
+
 /// Options that every subcommand takes.
 struct CommonOptions {
   bool json = false;
@@ -74,7 +79,8 @@ struct CommonOptions {
   void answer(const std::string& text) const;
   /// The same for an answer that is written piece by piece.
   void answer(const std::function<void(std::ostream&)>& write) const;
-  void answer(const Json& json_object) const { answer(json_object.dump(2) + "\n"); }
+  /// As json_text().
+  void answer(const Json& json_object) const { answer(json_text(json_object)); }
   /// As a page, texts from the column `width` on, or as JSON.
   void answer(const Facts& facts, std::size_t width) const { answer(page_json(facts), page_text(facts, width)); }
   /// The one that --json asks for.

@@ -176,7 +176,8 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
   runtime::write_file(folder / "index.html", front_page(findings));
 }
 
-std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed) {
+nlohmann::ordered_json reports_json(const std::vector<Report>& reports,
+                                    const std::optional<std::vector<Change>>& changed) {
   Json json{{"counts", counts_json(results(Findings{reports}))},
             {"comparisons", Json::array()},
             {"experiments", Json::array()},
@@ -186,7 +187,7 @@ std::string reports_json(const std::vector<Report>& reports, const std::optional
       for (const formats::Comparison& comparison : table->comparisons)
         json["comparisons"].push_back(comparison_json(*table, comparison));
     for (const experiments::RanExperiment& ran : report.experiments)
-      json["experiments"].push_back(Json::parse(experiments::experiment_json(ran)));
+      json["experiments"].push_back(experiments::experiment_json(ran));
     for (const formats::Section& section : report.sections)
       for (const formats::PlainTable& table : section.tables) json["tables"].push_back(table_json(report, table));
   }
@@ -195,7 +196,7 @@ std::string reports_json(const std::vector<Report>& reports, const std::optional
     for (const Change& one : *changed)
       json["changes"].push_back({{"key", one.key}, {"change", one.text}, {"matters", one.is_alarm}});
   }
-  return json.dump(2);
+  return json;
 }
 
 }  // namespace subcert::reports

@@ -3,6 +3,8 @@
 
 #include "baseline.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <string>
 
@@ -17,6 +19,7 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
 /// {"counts": ..., "comparisons": [...], "experiments": [...], "tables": [...]} as in the contract; the experiments are
 /// those of experiment_json(), the tables those without printed counterpart. With an earlier run beside it also
 /// "changes": [{"key", "change", "matters"}].
-std::string reports_json(const std::vector<Report>& reports, const std::optional<std::vector<Change>>& changed = {});
+nlohmann::ordered_json reports_json(const std::vector<Report>& reports,
+                                    const std::optional<std::vector<Change>>& changed = {});
 
 }  // namespace subcert::reports

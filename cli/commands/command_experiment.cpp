@@ -69,7 +69,10 @@ ExitCode run(const ExperimentCommand& options) {
   if (!options.out.empty())
     reports::write_reports({{{chosen.paper, chosen.title, {section}, {ran}}}}, options.out, options.threads());
   options.end_progress();
-  std::cout << (options.json ? experiments::experiment_json(ran) + "\n" : page(ran, section));
+  if (options.json)
+    print_json(experiments::experiment_json(ran));
+  else
+    std::cout << page(ran, section);
   return ran.result.count(ClaimVerdict::contrary)    ? failed
          : ran.result.count(ClaimVerdict::undecided) ? undecided
                                                      : done;

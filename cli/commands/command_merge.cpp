@@ -21,9 +21,7 @@ ExitCode run(const MergeOptions& options) {
                                                                options.out);
   for (const std::string& report : merged.damage) std::cerr << "subcert: " << report << "\n";
   if (options.json)
-    std::cout << Json{{"journal", options.out}, {"cases", merged.cases}, {"damaged_lines", merged.damage.size()}}.dump(
-                     2)
-              << "\n";
+    print_json({{"journal", options.out}, {"cases", merged.cases}, {"damaged_lines", merged.damage.size()}});
   else
     std::cout << options.out << ": " << merged.cases << (merged.cases == 1 ? " case\n" : " cases\n");
   return done;

@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/cli/provenance.hpp>
 #include <subcert/reports/overview.hpp>
 #include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -65,7 +66,7 @@ reports::Origin origin(const ReproduceOptions& options) {
   const std::time_t now = std::time(nullptr);
   char when[16] = "";
   if (const std::tm* day = std::gmtime(&now)) std::strftime(when, sizeof when, "%Y-%m-%d", day);
-  return {SUBCERT_VERSION, SUBCERT_COMMIT, input, when};
+  return {SUBCERT_VERSION, commit(), input, when};
 }
 
 bool wants_colours() {
@@ -107,7 +108,7 @@ ExitCode run(ReproduceOptions& options) {
   std::optional<std::vector<reports::Change>> changed;
   if (earlier) changed = reports::changes(*earlier, all);
   if (options.json) {
-    std::cout << reports::reports_json(findings.reports, changed) << "\n";
+    print_json(reports::reports_json(findings.reports, changed));
   } else {
     if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
     // Of wall clock, as it is the reader who waits.

@@ -12,8 +12,10 @@ void check_baseline(const std::string& name, const std::string& arguments) {
   CAPTURE(arguments, result.err);
   CHECK(result.code == 0);
   const std::string file = std::string(SUBCERT_BASELINES) + "/" + name;
-  if (std::getenv("SUBCERT_APPROVE")) std::ofstream(file, std::ios::binary) << result.out;
-  CHECK(result.out == content(file));
+  // Which program made an answer changes from commit to commit.
+  const std::string out = std::regex_replace(result.out, std::regex(R"(,\n  "subcert": \{[^}]*\})"), "");
+  if (std::getenv("SUBCERT_APPROVE")) std::ofstream(file, std::ios::binary) << out;
+  CHECK(out == content(file));
 }
 
 }  // namespace
@@ -154,9 +156,9 @@ TEST_CASE("every option that takes a number refuses what is not one, or not fini
 TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("analyse dd:n=2").err, "there is no command 'analyse'; did you mean 'analyze'?"));
   CHECK(run("analyse dd:n=2").code == 64);
-  CHECK(contains(run("mask DD:n=2").err, "did you mean 'dd'?"));
-  CHECK(contains(run("mask four_point:w=1/16").err, "did you mean 'four-point'?"));
-  CHECK(contains(run("mask Primal:n=2").err, "did you mean 'primal'?"));
+  CHECK(contains(run("mask ddd:n=2").err, "did you mean 'dd'?"));
+  CHECK(contains(run("mask fourpoint:w=1/16").err, "did you mean 'four-point'?"));
+  CHECK(contains(run("mask chaikn").err, "did you mean 'chaikin'?"));
   CHECK(contains(run("--nosuch").err, "there is no option '--nosuch' before a command"));
   CHECK(run("help").out == run("--help").out);
   CHECK(run("help mask").out == run("mask --help").out);

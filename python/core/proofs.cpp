@@ -61,7 +61,7 @@ std::string reproduce(const std::string& paper, const std::vector<std::string>& 
   reports::ReportOptions options;
   options.only = only;
   options.jobs = jobs;
-  return interruptible(progress, [&] { return reports::reports_json({reports::make_report(paper, options)}); });
+  return interruptible(progress, [&] { return reports::reports_json({reports::make_report(paper, options)}).dump(); });
 }
 
 }  // namespace

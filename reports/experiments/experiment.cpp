@@ -261,7 +261,7 @@ formats::Section experiment_section(const RanExperiment& ran) {
   return section;
 }
 
-std::string experiment_json(const RanExperiment& ran) {
+nlohmann::ordered_json experiment_json(const RanExperiment& ran) {
   using Json = nlohmann::ordered_json;
   Json json{{"experiment", ran.experiment->id}, {"paper", ran.experiment->paper}, {"title", ran.experiment->title},
             {"seed", ran.options.seed},         {"runs", ran.options.runs},       {"samples", ran.result.runs},
@@ -273,7 +273,7 @@ std::string experiment_json(const RanExperiment& ran) {
   for (const DecidedClaim& c : ran.result.remarks) json["remarks"].push_back(claim_json(c));
   for (const formats::PlainTable& table : ran.result.tables)
     json["tables"].push_back({{"id", table.id}, {"title", table.title}, {"head", table.head}, {"rows", table.rows}});
-  return json.dump(2);
+  return json;
 }
 
 }  // namespace subcert::experiments

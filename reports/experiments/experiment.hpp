@@ -3,6 +3,8 @@
 
 #include "claim.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <string_view>
 
@@ -90,7 +92,7 @@ std::string claim_key(const Experiment& experiment, std::size_t index);
 /// As a section of a page: the setup, the claims as a table, and the experiment's tables and figures.
 formats::Section experiment_section(const RanExperiment& ran);
 
-/// {"experiment", "paper", "title", "seed", "runs", "setup", "claims", "tables"} as text.
-std::string experiment_json(const RanExperiment& ran);
+/// {"experiment", "paper", "title", "seed", "runs", "setup", "claims", "tables"}
+nlohmann::ordered_json experiment_json(const RanExperiment& ran);
 
 }  // namespace subcert::experiments

@@ -165,6 +165,16 @@ Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
   return power(Rational(mask.arity()), rounding.sum_rules) * *std::max_element(errors.begin(), errors.end());
 }
 
+/// A bound by frequencies, where what has been found does not close and is above it.
+void lower_by_frequencies(JointSpectralRadius& radius, const Mask& derived, const Deadline& deadline) {
+  constexpr int cells = 32;
+  if (radius.exact.is_yes() || radius.is_closed()) return;
+  std::optional<FrequencyProof> found = frequency_proof(derived, cells, deadline);
+  if (!found || found->bound >= *radius.radius.upper) return;
+  radius.radius.upper = found->bound;
+  radius.proof = std::move(*found);
+}
+
 /// Without a look at other masks.
 HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget,
                                 const std::optional<MaskRounding>& rounding, int bits) {
@@ -189,6 +199,7 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     result.stable = has_stable_shifts(mask);
     result.single = single_spectral_radius(derived);
     result.radius = radius_of(derived, result.single, {best.levels, best.norm}, budget);
+    lower_by_frequencies(result.radius, derived, budget.deadline.later(0.5));
   }
   // Two bits are lost by the logarithm and by both ends.
   if (result.radius.exact.is_yes() && derived.symbol().length() <= most_rows * (arity - 1))

@@ -1473,7 +1473,6 @@ var check_certificate = (() => {
     expand(middle, radius) {
       const {circle, L, rows} = this, {W} = circle, [u, v] = circle.point(middle), size = rows[0].length;
       this.R = circle.half_angle(radius) + 3n;
-      demand(this.R <= W, 'a group of frequencies is too wide for one polynomial');
       const x = [W], y = [0n];
       for (let k = 1; k < size; ++k) {
         x.push((x[k - 1] * u - y[k - 1] * v) / W);
@@ -1498,8 +1497,7 @@ var check_certificate = (() => {
       return root(re * re + im * im) + 1n + this.rounding[from];
     }
     largest(offset, half) {
-      const {circle, L, bend, rest} = this, {W} = circle, t = circle.half_angle(offset), h = circle.half_angle(half) + 6n;
-      spend(4 * L, 64 * this.words, 64 * this.words);
+      const {circle, bend, rest} = this, {W} = circle, t = circle.half_angle(offset), h = circle.half_angle(half) + 6n;
       return this.value(0, t) + ceil_div(h * this.value(1, t), W) + ceil_div(h * h * bend, 2n * W * W) + rest;
     }
   }
@@ -1531,6 +1529,7 @@ var check_certificate = (() => {
       const wide = BigInt(group) * a * BigInt(parts) / BigInt(steps);
       const together = wide < BigInt(count) ? Math.max(1, Number(wide)) : count;
       const part = fraction(1n, a * A * A * BigInt(m * parts)), times_part = x => times(part, fraction(BigInt(x), 2n));
+      spend(arity * count * (8 * L + 100), 64 * arcs.words, 64 * arcs.words);
       const images = branches.map(r => {
         const most = weights.map(() => 0n);
         for (let first = 0; first < count; first += together) {

@@ -60,15 +60,19 @@ class Circle {
   mpz_class one_, pi_;
 };
 
-/// D b(z), D the denominator of the family: its bounds on arcs, times W.
+/// D b(z), D the least denominator of b: its bounds on arcs, times W.
 class SymbolOnCircle {
  public:
   SymbolOnCircle(const Family& family, std::size_t terms, std::size_t bits, Arithmetic& arithmetic)
-      : circle_(bits), arithmetic_(arithmetic) {
+      : circle_(bits), arithmetic_(arithmetic), denominator_(family.denominator) {
     Vector c;
     for (std::size_t i = 0; i < family.count() * family.size; ++i)
       c.push_back(family.matrix(i % family.count())[i / family.count()]);
     while (c.back() == 0) c.pop_back();
+    mpz_class common = denominator_;
+    for (const mpz_class& x : c) common = gcd(common, x);
+    for (mpz_class& x : c) x /= common;
+    denominator_ /= common;
     const std::size_t degree = c.size() - 1;
     for (std::size_t l = 0; l <= terms; ++l) {
       mpz_class sum = 0;
@@ -81,11 +85,11 @@ class SymbolOnCircle {
   }
 
   const mpz_class& one() const { return circle_.one(); }
+  const mpz_class& denominator() const { return denominator_; }
 
   /// From here on around pi y, as far as pi radius.
   void expand(const mpq_class& y, const mpq_class& radius) {
     reach_ = circle_.half_angle(radius) + 3;
-    require(reach_ <= one(), "a group of frequencies is too wide for one polynomial");
     const Point z = circle_.at(y);
     const std::size_t size = rows_.front().size(), terms = rows_.size() - 1;
     Vector re{one()}, im{0};
@@ -110,10 +114,11 @@ class SymbolOnCircle {
     for (std::size_t l = terms; l > 0; --l) rest_ = above(rest_ * reach_, one() * l);
   }
 
+  /// Of largest().
+  std::uint64_t work() const { return 4000 + 8 * rows_.size() * (40 + words() * words()); }
   /// Above the modulus times W where the angle is within pi half of pi (y + offset).
-  mpz_class largest(const mpq_class& offset, const mpq_class& half) {
+  mpz_class largest(const mpq_class& offset, const mpq_class& half) const {
     const mpz_class t = circle_.half_angle(offset), h = circle_.half_angle(half) + 6;
-    arithmetic_.spend(4 * points_.size() * (40 + words() * words()));
     return value(0, t) + above(h * value(1, t), one()) + above(h * h * bend_, 2 * one() * one()) + rest_;
   }
 
@@ -139,6 +144,7 @@ class SymbolOnCircle {
 
   Circle circle_;
   Arithmetic& arithmetic_;
+  mpz_class denominator_;
   std::vector<Vector> rows_;  // times powers of the doubled distances from the middle
   Vector sums_, errors_;      // of the moduli; what the points may be off
   std::vector<Point> points_;
@@ -155,7 +161,6 @@ class Frequencies {
  public:
   Frequencies(const Family& family, const Fields& fields, Arithmetic& arithmetic)
       : arity_(family.count()),
-        denominator_(family.denominator * family.count()),
         bound_(parse_rational(fields[1])),
         cells_(parse_size(fields[2], 1, most_cells)),
         shells_(parse_size(fields[3], 1, most_shells)),
@@ -164,7 +169,7 @@ class Frequencies {
         symbol_(family, parse_size(fields[6], 2, most_terms), parse_size(fields[7], 64, 1024), arithmetic),
         arithmetic_(arithmetic) {
     require(power(arity_, shells_) >= mpz_class(cells_), "too few shells for so many cells");
-    denominator_ *= symbol_.one();
+    denominator_ = symbol_.denominator() * symbol_.one() * arity_;
   }
 
   const mpq_class& bound() const { return bound_; }
@@ -218,6 +223,7 @@ class Frequencies {
     const std::size_t group = wide >= count ? count : std::max<std::size_t>(1, wide.get_ui());
     const mpq_class part = ratio(1, shrink * arity_ * arity_ * cells_ * steps);
     std::vector<Cell> shell(size());
+    arithmetic_.spend(arity_ * count * symbol_.work());
     for (std::size_t r = 0; r < arity_; ++r) {
       Vector largest(size());
       for (std::size_t first = 0; first < count; first += group) {

@@ -16,6 +16,8 @@ ACCEPTED = [
      "exponent [7,13,19,25,16,16,16,16,25,19,13,7]/48@-6 4; bounds - -; sum-rules 2; block 0 frequency 3218082459892856601182352315074381706/1000000000000000000000000000000000000 3 2 7 100 12 128; weights 281474976710657 285194266040516 313080251077326 334478937092349 346920672448655 340918200821562 347460555650587 363058091734228 371192677239112; end"),
     ("frequency-hat", "--mask [1,2,1]/2 --arity 2 --lower 99/100",
      "exponent [1,2,1]/2 2; bounds 99/100 -; sum-rules 2; block 0 frequency 201/100 1 1 1 1 2 64; weights 1000000000000; end"),
+    ("frequency-two-cells", "--mask [1,2,1]/2 --arity 2 --lower 99/100",
+     "exponent [1,2,1]/2 2; bounds 99/100 -; sum-rules 2; block 0 frequency 201/100 2 1 1 1 2 64; weights 1000000000000 1000000000000; end"),
     ("frequency-upper", "--mask [1,2,1]/2 --arity 2 --lower 99/100 --upper 1",
      "exponent [1,2,1]/2 2; bounds 99/100 1; sum-rules 2; stability; product 0 2 0 0; block 0 frequency 201/100 1 1 1 1 2 64; weights 1000000000000; end"),
     ("frequency-reduced", "--mask [1,1,1,1]/2 --arity 2 --lower 3/4",

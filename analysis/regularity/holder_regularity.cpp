@@ -165,6 +165,23 @@ Rational entry_error(const Mask& mask, const MaskRounding& rounding) {
   return power(Rational(mask.arity()), rounding.sum_rules) * *std::max_element(errors.begin(), errors.end());
 }
 
+/// The radius of this scheme, and where that stays open a bound by frequencies, if it is lower. Of large matrices that
+/// bound comes first, as it takes longer than what may be added to the time.
+JointSpectralRadius radius_or_frequencies(const Mask& derived, const SingleRadius& single, const NormProof& norms,
+                                          const Budget& budget) {
+  constexpr int cells = 32;
+  const bool first = derived.symbol().length() > most_rows / 4 && !single.applies.is_yes();
+  std::optional<FrequencyProof> found;
+  if (first) found = frequency_proof(derived, cells, budget.deadline.after(0.5));
+  JointSpectralRadius radius = radius_of(derived, single, norms, budget);
+  if (radius.exact.is_yes() || radius.is_closed()) return radius;
+  if (!first) found = frequency_proof(derived, cells, budget.deadline.later(0.5));
+  if (!found || found->bound >= *radius.radius.upper) return radius;
+  radius.radius.upper = found->bound;
+  radius.proof = std::move(*found);
+  return radius;
+}
+
 /// Without a look at other masks.
 HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget,
                                 const std::optional<MaskRounding>& rounding, int bits) {
@@ -188,7 +205,7 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     const HolderBound& best = result.bounds.best();
     result.stable = has_stable_shifts(mask);
     result.single = single_spectral_radius(derived);
-    result.radius = radius_of(derived, result.single, {best.levels, best.norm}, budget);
+    result.radius = radius_or_frequencies(derived, result.single, {best.levels, best.norm}, budget);
   }
   // Two bits are lost by the logarithm and by both ends.
   if (result.radius.exact.is_yes() && derived.symbol().length() <= most_rows * (arity - 1))

@@ -61,19 +61,22 @@ Answer surface_answer(const Scheme& scheme, const RegularityOptions& options, co
           regularity.converges, regularity.exact, complete};
 }
 
-/// A lower end alone, within a second also where matrices are far too large.
+/// A lower end alone, within seconds also where matrices are far too large.
 ExitCode by_frequency(const RegularityOptions& options) {
-  const std::string where = "--method frequency: ";
-  if (!options.certificate.empty()) fail(ErrorKind::usage, "{}need no --certificate: its bound has none", where);
   const Scheme scheme = make_linear_scheme(options.scheme);
-  if (scheme.mask.dimension() != 1 || scheme.rounding || !has_frequency_bound(scheme.mask.curve()))
+  if (scheme.mask.dimension() != 1 || scheme.rounding || !is_affine(scheme.mask.curve()))
     fail(ErrorKind::usage,
-         "{}need a symmetric binary mask of exact numbers, in one variable, with two sum rules, got {}", where,
+         "--method frequency: need a mask of exact numbers, in one variable, with coset sums 1, got {}",
          options.scheme);
   const Stopwatch watch;
   const std::optional<FrequencyBound> bound = frequency_bound(scheme.mask.curve());
   const Facts facts = frequency_facts(scheme, bound, watch.seconds());
-  options.answer(page_json(facts), page_text(facts, 13));
+  Json json = page_json(facts);
+  const WrittenCertificate certificate = write_certificate(
+      options.certificate, [&] { return frequency_certificate(scheme.mask.curve(), bound); });
+  certificate.add_to(json);
+  options.answer(json, page_text(facts, 13) + certificate.text(false));
+  certificate.failure.raise();
   return bound && bound->exponent > 0 ? done : undecided;
 }
 
@@ -107,8 +110,8 @@ void add_regularity(Command& app) {
   command
       .option(
           "--method", options->method,
-          "radius: by joint spectral radii; frequency: a lower end alone, at once, for symmetric binary masks of any "
-          "size")
+          "radius: by joint spectral radii, and by frequencies where those stay open; frequency: a lower end alone, at "
+          "once, for curves of any size")
       .one_of({"radius", "frequency"})
       .with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");

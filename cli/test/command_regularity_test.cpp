@@ -15,14 +15,29 @@ TEST_CASE("regularity: by frequencies, at once for large masks, and refused wher
   CHECK(has_digits(large.at("holder"), "lower", "1.99999999999"));
   CHECK(large.at("holder").at("upper") == "inf");
   CHECK(run("regularity 'mask:[-2,1,6,1,-2]/2' --method frequency").code == 2);
-  for (const char* scheme : {"mask:[3,4,3,2]/6", "bspline:degree=2,a=3", "butterfly:w=1/16", "daubechies:n=3"})
-    check_fails(
-        run("regularity '" + std::string(scheme) + "' --method frequency"), 64,
-        "--method frequency: need a symmetric binary mask of exact numbers, in one variable, with two sum rules, "
-        "got " +
-            std::string(scheme));
-  check_fails(run("regularity primal:n=3 --method frequency --certificate x.cert"), 64,
-              "--method frequency: need no --certificate: its bound has none");
+  for (const char* scheme : {"mask:[3,4,3,2]/6", "bspline:degree=2,a=3"})
+    CHECK(run("regularity '" + std::string(scheme) + "' --method frequency").code == 0);
+  for (const char* scheme : {"butterfly:w=1/16", "daubechies:n=3"})
+    check_fails(run("regularity '" + std::string(scheme) + "' --method frequency"), 64,
+                "--method frequency: need a mask of exact numbers, in one variable, with coset sums 1, got " +
+                    std::string(scheme));
+}
+
+TEST_CASE("regularity: a bound by frequencies has a certificate") {
+  const Folder folder;
+  const std::string file = folder / "f.cert";
+  for (const char* scheme : {"primal:n=30", "dual:n=4,d=2", "ary:a=3,points=4,d=3", "mask:[3,4,3,2]/6"}) {
+    CHECK(run(std::string("regularity '") + scheme + "' --method frequency --certificate " + file).code == 0);
+    CHECK(run("verify " + file).code == 0);
+  }
+  const auto large = run_json("regularity primal:n=200 --method frequency --certificate " + file);
+  CHECK(large.at("certificate").is_null());
+  CHECK(large.at("certificate_reason").is_string());
+  // Beside an upper end by a product, where polytopes stay open.
+  const auto open = run_json("regularity primal:n=30 --budget 1 --certificate " + file, 2);
+  CHECK(open.at("method") == "frequencies");
+  CHECK(has_digits(open.at("holder"), "lower", "1.99999"));
+  CHECK(run("verify " + file).code == 0);
 }
 
 TEST_CASE("regularity: the fields of the contract") {

@@ -204,6 +204,12 @@ class SectionWriter {
            polynomial_text("recurrence", proof.growth.recurrence);
   }
 
+  std::string operator()(const FrequencyProof& proof) const {
+    return fmt::format("block {} frequency {} {} {} {} {} {} {}\nweights{}\n", block_, to_text(proof.bound),
+                       proof.cells, proof.shells, proof.steps, proof.group, proof.terms, proof.bits,
+                       numbers_text(proof.weights));
+  }
+
  private:
   std::size_t matrix_count_, block_;
   bool exact_;
@@ -498,6 +504,20 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regul
       fmt::format("reduced {} {}\n", other->mask.factor.to_mask_text(), other->mask.mask.symbol().to_mask_text()));
   certificate.sections.push_back({fmt::format("sum-rules {}\n", rules)});
   add_radius(certificate, mask, regularity, false);
+  return certificate;
+}
+
+Certificate frequency_certificate(const Mask& mask, const std::optional<FrequencyBound>& bound) {
+  require(bound && bound->exponent > 0, "certificate: need a positive lower bound of the exponent, got none");
+  const long length = mask.symbol().length() - bound->sum_rules * (mask.arity() - 1);
+  const long most = static_cast<long>(FamilyLimits::size) * (mask.arity() - 1) + 1;
+  require(length <= most, "certificate: the checkers read up to {} coefficients of the difference scheme, got {}", most,
+          length);
+  Certificate certificate{{{}, MaskSubject{mask.symbol().to_mask_text(), std::to_string(mask.arity())}}, {}};
+  certificate.claim.lower = outward(bound->exponent, Rounding::down);
+  certificate.bounds = certificate.claim;
+  certificate.sections.push_back({fmt::format("sum-rules {}\n", bound->sum_rules)});
+  certificate.sections.push_back({SectionWriter(static_cast<std::size_t>(mask.arity()), 0, false)(bound->proof)});
   return certificate;
 }
 

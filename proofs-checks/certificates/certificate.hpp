@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
+#include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 
@@ -39,8 +40,12 @@ struct Certificate {
 Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
                                  const std::optional<MaskRounding>& rounding = std::nullopt);
 
-/// The same in several variables; without an upper end where the shifts are not proved stable. Domain: `regularity` is
-/// that of the mask. Errors: throws Error where nothing positive is proved from below.
+/// Proves the lower end. Domain: the bound is that of the mask. Errors: throws Error where nothing positive is proved,
+/// or the matrices of the mask are larger than what the checkers read.
+Certificate frequency_certificate(const Mask& mask, const std::optional<FrequencyBound>& bound);
+
+/// Bounds of the exponent in several variables; without an upper end where the shifts are not proved stable. Domain:
+/// `regularity` is that of the mask. Errors: throws Error where nothing positive is proved from below.
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity);
 
 /// Of one piece of a range: for all values of the parameter from `low` to `high` the property holds, or for none.

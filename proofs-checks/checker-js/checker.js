@@ -1434,13 +1434,130 @@ var check_certificate = (() => {
     return k - j;
   }
 
+  // ---- Frequencies (4.16): integers over W = 2^bits, angles as multiples of pi ---------------------------------------
+  class Circle {
+    constructor(bits) {
+      this.W = 1n << BigInt(bits);
+      const guarded = this.W << 32n, arctangent = n => {  // of 1/n
+        let total = 0n;
+        for (let k = 1n, x = guarded / n, plus_sign = true; x; k += 2n, x /= n * n, plus_sign = !plus_sign)
+          total += plus_sign ? x / k : -x / k;
+        return total;
+      };
+      this.pi = (16n * arctangent(5n) - 4n * arctangent(239n)) >> 32n;
+    }
+    half_angle({n, d}) { return this.pi * n / (2n * d); }
+    point(y) {  // e^(i pi y), within 2^18, not outside of the circle
+      const turned = !less(y, 1n), {n, d} = turned ? minus(y, 1n) : y, x = this.pi * n / d, parts = [this.W, 0n];
+      for (let k = 1, term = this.W; term; ++k) {
+        term = term * x / (this.W * BigInt(k));
+        parts[k % 2] += k % 4 < 2 ? term : -term;
+      }
+      const factor = turned ? 2n ** 16n - this.W : this.W - 2n ** 16n;
+      return parts.map(part => part * factor / this.W);
+    }
+  }
+  class Arcs {  // bounds of |D b| W on arcs
+    constructor({D, b}, L, precision) {
+      Object.assign(this, {D, L, circle: new Circle(precision), words: Math.ceil(precision / 64) + 2});
+      const N = b.length - 1;
+      this.rows = range_of(L + 1).map(l => b.map((x, k) => x * BigInt(2 * k - N) ** BigInt(l)));
+      this.sums = this.rows.map(norm);
+      this.errors = this.sums.map(total => total * BigInt(N) << 19n);
+    }
+    at_reach(x, from) {  // the sum of x_(l + from) R^l/l!
+      const {W} = this.circle;
+      return x.slice(from, this.L).reduceRight(
+        (total, value, l) => value + ceil_div(total * this.R, W * BigInt(l + 1)), 0n);
+    }
+    expand(middle, radius) {
+      const {circle, L, rows} = this, {W} = circle, [u, v] = circle.point(middle), size = rows[0].length;
+      this.R = circle.half_angle(radius) + 3n;
+      const x = [W], y = [0n];
+      for (let k = 1; k < size; ++k) {
+        x.push((x[k - 1] * u - y[k - 1] * v) / W);
+        y.push((x[k - 1] * v + y[k - 1] * u) / W);
+      }
+      spend(4 * size, 64 * this.words, 64 * this.words);
+      spend(2 * L * size, bits(largest(rows[L - 1])), 64 * this.words);
+      this.P = rows.slice(0, L).map(row => [x, y].map(wave => sum(row.map((c, k) => c * wave[k]))));
+      const sizes = this.P.map(([re, im], l) => root(re * re + im * im) + 1n + this.errors[l]);
+      this.bend = this.at_reach(sizes, 2);
+      this.rounding = [0, 1].map(from => this.at_reach(this.errors, from) + BigInt(2 * L));
+      this.rest = this.sums[L] * W;
+      for (let l = L; l; --l) this.rest = ceil_div(this.rest * this.R, W * BigInt(l));
+    }
+    value(from, t) {
+      const {W} = this.circle;
+      let re = 0n, im = 0n;
+      for (let l = this.L - 1; l >= from; --l) {
+        const scale = W * BigInt(l - from + 1), [x, y] = this.P[l];
+        [re, im] = [x - im * t / scale, y + re * t / scale];
+      }
+      return root(re * re + im * im) + 1n + this.rounding[from];
+    }
+    largest(offset, half) {
+      const {circle, bend, rest} = this, {W} = circle, t = circle.half_angle(offset), h = circle.half_angle(half) + 6n;
+      return this.value(0, t) + ceil_div(h * this.value(1, t), W) + ceil_div(h * h * bend, 2n * W * W) + rest;
+    }
+  }
+  function read_frequency(reader, {symbol}, fields, rounding, exact) {
+    demand(symbol && !rounding, section_form);
+    demand(fields.length === 7, "expected 'frequency', a bound and six numbers");
+    const bound = rational(fields[0]), limits = [[1, 4096], [1, 1000], [1, 2 ** 20], [1, 2 ** 20], [2, 64], [64, 1024]];
+    const [m, J, steps, group, L, precision] = limits.map(([low, high], i) => small(fields[i + 1], low, high));
+    const {arity} = symbol, A = BigInt(arity), arcs = new Arcs(lowest_terms(symbol), L, precision);
+    demand(A ** BigInt(J) >= BigInt(m), 'too few shells for so many cells');
+    demand(bound.n > 0n, 'the bound of a radius is not positive');
+    const size = (arity - 1) * m, weights = reader.read('weights', size).map(integer);
+    demand(weights.every(weight => weight > 0n), 'a weight is not positive');
+    const unit = A * arcs.D * arcs.circle.W, factor = bound.n * unit;
+    const aliases = (bounds, beyond) => bounds.slice(1).reduce((total, x, r) => {
+      const place = 2 * (r + 1) * m + beyond, cell = place < arity * m ? place : 2 * arity * m - 1 - place;
+      return total + x * weights[cell - m];
+    }, 0n);
+    const branches = range_of(arity), start = r => fraction(BigInt(2 * r), A);
+    const end = fraction(1n, 2n * A ** BigInt(J + 1)), inner = branches.map(r => {
+      arcs.expand(plus(start(r), end), end);
+      return arcs.largest(fraction(0n), end);
+    });
+    const rest = factor - inner[0] * bound.d;
+    demand(rest > 0n, 'the bound is not above the symbol near 0');
+    let values = weights.map(() => bound.d * aliases(inner, 0) / rest + 1n);
+    for (let j = J; j--;) {
+      const a = A ** BigInt(j), parts = Number(ceil_div(BigInt(steps), a)), count = size * parts;
+      const wide = BigInt(group) * a * BigInt(parts) / BigInt(steps);
+      const together = wide < BigInt(count) ? Math.max(1, Number(wide)) : count;
+      const part = fraction(1n, a * A * A * BigInt(m * parts)), times_part = x => times(part, fraction(BigInt(x), 2n));
+      spend(arity * count * (8 * L + 100), 64 * arcs.words, 64 * arcs.words);
+      const images = branches.map(r => {
+        const most = weights.map(() => 0n);
+        for (let first = 0; first < count; first += together) {
+          const last = Math.min(count, first + together);
+          arcs.expand(plus(start(r), times_part(2 * m * parts + first + last)), times_part(last - first));
+          for (let s = first; s < last; ++s) {
+            const cell = Math.floor(s / parts);
+            most[cell] = max(most[cell], arcs.largest(times_part(2 * s + 1 - first - last), times_part(1)));
+          }
+        }
+        return most;
+      });
+      values = values.map((value, i) => {
+        const bounds = images.map(most => most[i]), beyond = Number(BigInt(m + i) / (a * A));
+        return bound.d * (bounds[0] * value + aliases(bounds, beyond)) / factor + 1n;
+      });
+    }
+    demand(values.every((value, i) => value <= weights[i]), 'the bound is not proved by the weights');
+    return {value: bound, level: 1, attained: false};
+  }
+
   // ---- Blocks, product and sections: goal.above(radius, length) and goal.below(value, level) demand what the claim ne
   function read_section(reader, number, family, first_column, rounding, exact) {
     const [kind, ...fields] = reader.read(`block ${number}`, 1, 20);
     demand(kind !== 'norm' || fields.length === 1, "wrong number of fields after 'norm'");
     if (kind === 'norm') return check_norm(family, small(fields[0], 1, 64), first_column, rounding);
     const kinds = [['polytope', read_polytope], ['quadratic', read_quadratic], ['graph', read_graph],
-      ['single', read_single]];
+      ['single', read_single], ['frequency', read_frequency]];
     const read = new Map(kinds).get(kind);
     demand(read, section_form);
     return read(reader, family, fields, rounding, exact);

@@ -3,6 +3,7 @@
 #include "check.hpp"
 
 #include "attained.hpp"
+#include "frequency.hpp"
 #include "graph.hpp"
 #include "parameter.hpp"
 #include "quadratic.hpp"
@@ -171,6 +172,8 @@ class Checker {
         read_norm(blocks[i], fields, first_columns && !divided ? 1 : blocks[i].size);
       else if (fields[0] == "single" && first_columns && !divided && entry_error_ == 0)
         use_single(read_single(family, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
+      else if (fields[0] == "frequency" && first_columns && !divided && entry_error_ == 0)
+        use_upper_bound(read_frequency(family, fields, reader_, arithmetic_), 1);
       else if (fields[0] == "quadratic" && entry_error_ == 0)
         use_graph(read_quadratic(blocks[i], fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
       else if (fields[0] == "graph" && entry_error_ == 0)

@@ -70,7 +70,7 @@ CurveBounds curve_bounds(const Mask& mask, int cells) {
   const CellBounds shells = bounds_on_cells(symbol, static_cast<std::size_t>(cells));
   CurveBounds result{Enclosure::at_least(0), Enclosure::at_least(0), Enclosure::at_least(0)};
   const Cells X = products(shells, false);
-  const Recursion plain(shells, {}), frequencies(shells, {.order = 1});
+  const Recursion plain(shells, {}), frequencies(shells, {.frequencies = true});
   const std::optional<std::vector<Ball>> w = supersolution(X.front(), plain);
   if (!w) return result;
   constexpr double exact_means = 32;  // below this reach an exact solution is cheap, and the aliases are not small

@@ -85,7 +85,7 @@ void degree_one_tail(Ledger& ledger) {
         c * power_of_two(-(b + exactly(Rational(1, 2))) * L - b * (b - 1) / 2));
 }
 
-/// 2 - s of one n is below the bound for all n, and s above that for n >= 4.
+/// 2 - s of one n is below the bound for all n, s above 1, and above more than that for n >= 4.
 void degree_one_single(Ledger& ledger, const SchemeFamily& family) {
   const Ball C = exactly(ledger["C"]);
   std::optional<Rational> least;
@@ -103,6 +103,9 @@ void degree_one_single(Ledger& ledger, const SchemeFamily& family) {
       less("U.9", "C N_1^(1 - log2(N_1)/2) < 1", (C * power_of_two(L - L * L / 2)).enclosure(), Enclosure::exactly(1)));
   const Ball all = min(exactly(*least), 2 - C * power_of_two(L - L * L / 2));
   ledger.state("s", Side::below, "U.10", "the Hoelder exponent, n >= 4", "the least lower end over n >= 4", all, 3);
+  for (int n = 2; n < 4; ++n)  // there the bound for all n does not say so
+    ledger.need(
+        less("U.11", "1 < s" + at(n), Enclosure::exactly(1), Enclosure::at_least(exponent_bound(family.scheme(n, 1)))));
 }
 
 // Theorem V.

@@ -595,4 +595,5 @@ let read_section ~single ~may_keep r number family upper =
       let section, polytope = read_polytope r family fields in
       (None, section, Body polytope)
   | "single" when single -> read_single r family fields
+  | "frequency" when single -> raise (Undecided "bounds by frequencies are not decided here, but by subcert-check")
   | _ -> reject "expected 'norm', 'polytope', 'quadratic' or 'graph' and its numbers"

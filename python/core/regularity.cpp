@@ -196,8 +196,8 @@ void add_regularity(py::module_& module) {
       });
   module.def("surface_holder", &surface_holder);
   module.def("frequency_bound", [](const Scheme& scheme, const py::object& progress) -> std::optional<Rational> {
-    require(!scheme.rounding && has_frequency_bound(scheme.mask.curve()),
-            "{}: need a symmetric binary mask of exact numbers with two sum rules", scheme.specification);
+    require(!scheme.rounding && is_affine(scheme.mask.curve()), "{}: need a mask of exact numbers with coset sums 1",
+            scheme.specification);
     const auto found = interruptible(progress, [&] { return frequency_bound(scheme.mask.curve()); });
     return found && found->exponent > 0 ? std::optional(found->exponent) : std::nullopt;
   });

@@ -246,10 +246,9 @@ class Scheme(LinearScheme):
         return exponent_of(_core.holder(*arguments, certificate, progress), again)
 
     def frequency_bound(self, progress: Progress = None) -> Optional[Fraction]:
-        """A proved lower end of the Hoelder exponent by a supersolution in frequency; None where none is found.
+        """A proved lower end of the Hoelder exponent by a function of frequency; None where none is found.
 
-        For masks of any size within a second. Raises DomainError for a mask that is not binary, symmetric and exact,
-        with two sum rules.
+        For masks of any size and arity within seconds. Raises DomainError for a mask that is not exact.
 
         >>> import subcert
         >>> float(subcert.scheme("primal:n=100").frequency_bound()) > 1.9999

@@ -216,15 +216,14 @@ Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>&
   const bool positive = bound && bound->exponent > 0;
   if (bound) result.push_back(plain("sum_rules", "sum rules", bound->sum_rules));
   result.push_back(converges_fact(positive ? Decision{Truth::yes, "the exponent is positive"}
-                                           : Decision{Truth::unknown, "no supersolution was found"}));
+                                           : Decision{Truth::unknown, "no bound was found"}));
   const Enclosure exponent = positive ? Enclosure::at_least(bound->exponent) : Enclosure{};
   result.push_back(exponent_fact(
       positive ? ">= " + to_decimal(bound->exponent, usual_digits, Rounding::down) : "unknown",
-      positive
-          ? fmt::format("proved by a supersolution on {} cells of each octave of frequencies that grows by a factor "
-                        "of at most 1 + {} a level",
-                        bound->cells, to_decimal(bound->excess, 3, Rounding::up))
-          : "",
+      positive ? fmt::format("proved by a function on {} cells of each shell of frequencies that grows by a factor of "
+                             "at most 1 + {} a level",
+                             bound->proof.cells, to_decimal(Rational(bound->proof.bound - 1), 5, Rounding::up))
+               : "",
       exponent, usual_digits));
   result.push_back(member("method", "frequency"));
   result.push_back(member("seconds", seconds));

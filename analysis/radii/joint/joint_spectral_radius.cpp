@@ -232,6 +232,7 @@ Rational JointSpectralRadius::proved_upper() const {
   if (const auto* form = std::get_if<QuadraticProof>(&proof)) return form->bound;
   if (const auto* graph = std::get_if<GraphProof>(&proof)) return graph->bound;
   if (const auto* single = std::get_if<SingleRadiusProof>(&proof)) return *single->growth.radius.upper;
+  if (const auto* frequencies = std::get_if<FrequencyProof>(&proof)) return frequencies->bound;
   Rational most = 0;
   for (const JointSpectralRadius& block : by_blocks()->blocks) most = std::max(most, block.proved_upper());
   return most;
@@ -242,6 +243,7 @@ std::string to_text(JsrMethod method) {
     case JsrMethod::invariant_polytope: return "invariant polytope";
     case JsrMethod::quadratic_form: return "quadratic form";
     case JsrMethod::single_spectral_radius: return "single spectral radius";
+    case JsrMethod::frequencies: return "frequencies";
     default: return "norms of products";
   }
 }
@@ -251,6 +253,7 @@ JsrMethod JointSpectralRadius::method() const {
   if (std::holds_alternative<PolytopeProof>(proof)) return JsrMethod::invariant_polytope;
   if (std::holds_alternative<QuadraticProof>(proof) || std::holds_alternative<GraphProof>(proof))
     return JsrMethod::quadratic_form;
+  if (std::holds_alternative<FrequencyProof>(proof)) return JsrMethod::frequencies;
   return std::holds_alternative<NormProof>(proof) ? JsrMethod::norm_of_products : JsrMethod::single_spectral_radius;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Joint spectral radii, enclosed with proof.
 
+#include <subcert/analysis/radii/frequency/frequency_proof.hpp>
 #include <subcert/analysis/radii/polytope_proof/polytope_proof.hpp>
 #include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include "block_triangular.hpp"
@@ -28,9 +29,10 @@ struct SingleRadiusProof {
 };
 
 /// How the upper end is proved.
-using RadiusProof = std::variant<NormProof, PolytopeProof, QuadraticProof, GraphProof, BlockProof, SingleRadiusProof>;
+using RadiusProof =
+    std::variant<NormProof, PolytopeProof, QuadraticProof, GraphProof, BlockProof, SingleRadiusProof, FrequencyProof>;
 
-enum class JsrMethod { invariant_polytope, quadratic_form, norm_of_products, single_spectral_radius };
+enum class JsrMethod { invariant_polytope, quadratic_form, norm_of_products, single_spectral_radius, frequencies };
 
 /// `invariant polytope`, and so on.
 std::string to_text(JsrMethod method);

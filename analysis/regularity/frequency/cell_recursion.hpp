@@ -1,7 +1,7 @@
 #pragma once
 /// Supersolutions of the transfer operator that are given by one number for each cell of frequencies, for sources
-/// (balls). Proofs: docs/theorems/variance-curves.tex, Proposition 1, and docs/theorems/smoothness.tex; their notation
-/// is used: shell j is pi 2^(-j-1) < |xi| <= pi 2^-j, cut into equal cells (j, i).
+/// (balls). Proofs: docs/theorems/variance-curves.tex, Proposition 1; its notation is used: shell j is pi 2^(-j-1) <
+/// |xi| <= pi 2^-j, cut into equal cells (j, i).
 
 #include "half_symbol.hpp"
 
@@ -21,29 +21,21 @@ using Cells = std::vector<std::vector<Ball>>;
 struct CellBounds {
   std::size_t count, cells;
   Cells x, e;
-  Ball beyond;        ///< the sum of b over the shells beyond
-  int sum_rules;      ///< k
-  Ball alias_beyond;  ///< there |m(w + pi)| <= alias_beyond w^k; absent (0) where it was not asked for
+  Ball beyond;  ///< the sum of b over the shells beyond
 };
 
-/// How near to pi the aliases are bounded: by their size, or relative to w^k.
-enum class NearPi { absolute, relative };
-
-CellBounds bounds_on_cells(const HalfSymbol& symbol, std::size_t cells, NearPi near_pi = NearPi::absolute);
+CellBounds bounds_on_cells(const HalfSymbol& symbol, std::size_t cells);
 
 /// X_ji, or its square.
 Cells products(const CellBounds& shells, bool squared);
 
-/// What a recursion sums: the aliases, or their squares, each times the ratio of the ends of two cells to the power
-/// `order`; each step divides by 1 + excess. Domain: order 0, or 1 with excess 0, or the sum rules with excess > 0 and
-/// bounds relative to w^k.
+/// What a recursion sums: the aliases, or their squares, or each times the ratio of the ends of two cells.
 struct Terms {
   bool squared = false;
-  int order = 0;
-  Rational excess = 0;
+  bool frequencies = false;
 };
 
-/// Y_ji(w), E_ji(w), Z_ji(w) or V_ji(w).
+/// Y_ji(w), E_ji(w) or Z_ji(w).
 class Recursion {
  public:
   Recursion(const CellBounds& shells, const Terms& terms);
@@ -52,20 +44,14 @@ class Recursion {
   /// What the shells beyond the last add where w = 1 in the last cell, to which they all refer: their b fall by 4, and
   /// the ratios of ends are at most 2.
   Ball beyond() const;
-  /// The matrix of w -> value on shell 0, near enough for a search, with any excess (where there is one at all).
-  polytope::Matrix matrix(double excess) const;
-  polytope::Matrix matrix() const { return matrix(terms_.excess.convert_to<double>()); }
+  /// The matrix of w -> value on shell 0, near enough for a search.
+  polytope::Matrix matrix() const;
 
  private:
   const CellBounds& shells_;
   Terms terms_;
-  Ball step_;    ///< 1/(1 + excess)
-  Cells x_, e_;  ///< of each step, without the division
+  Cells x_, e_;  ///< of each step
 };
-
-/// The solution of w = first + matrix w where it is positive, which for positive `first` is so where the spectral
-/// radius of the matrix is below 1.
-std::optional<std::vector<double>> fixed_point(const polytope::Matrix& matrix, const std::vector<double>& first);
 
 /// w > 0 with first_i + value_0i(w) <= w_i for all i: floating point proposes it, balls prove it.
 std::optional<std::vector<Ball>> supersolution(const std::vector<Ball>& first, const Recursion& recursion);

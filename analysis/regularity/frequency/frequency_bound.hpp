@@ -1,26 +1,19 @@
 #pragma once
-/// A lower end of the Hoelder exponent from a supersolution of the transfer operator on cells of frequencies.
+/// A lower end of the Hoelder exponent from a bound of the radius by frequencies.
 
-#include <subcert/analysis/symbol/mask.hpp>
-
-#include <optional>
+#include <subcert/analysis/radii/frequency/frequency_proof.hpp>
 
 namespace subcert {
 
-/// The exponent is at least k - log2(1 + excess), k the number of sum rules.
+/// The exponent is at least k - log(bound), to the base of the arity, k the number of sum rules.
 struct FrequencyBound {
   int sum_rules;
-  Rational excess;    ///< a short decimal
-  Rational exponent;  ///< a proved lower end of the exponent
-  int cells;          ///< of each octave of frequencies
+  FrequencyProof proof;  ///< its bound is 1 and a short decimal
+  Rational exponent;     ///< a proved lower end of the exponent, where it is positive
 };
 
-/// Whether the mask is in the domain of frequency_bound(): binary, symmetric, with two sum rules.
-bool has_frequency_bound(const Mask& mask);
-
-/// Nothing where no supersolution on so many cells is found. Domain: has_frequency_bound(mask); cells >=
-/// 1, a power of two. Errors: throws a domain error. Error: none, balls decide. Cost: for 200 coefficients and 32
-/// cells a tenth of a second; does not grow with the exponent. Ref: docs/theorems/smoothness.tex, Lemma on exponents.
+/// Nothing where none is found. Domain: coset sums 1; cells >= 1. Errors: throws a domain error. Error: none, balls
+/// decide. Cost: that of frequency_proof(); does not grow with the exponent. Ref: SPEC.md, theorems 2 and 35.
 std::optional<FrequencyBound> frequency_bound(const Mask& mask, int cells = 32);
 
 }  // namespace subcert

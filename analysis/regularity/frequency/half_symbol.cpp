@@ -33,14 +33,7 @@ Ball curvature(const std::vector<Ball>& p, const Ball& radius) {
 }  // namespace
 
 HalfSymbol::HalfSymbol(const Mask& mask, slong bits)
-    : bits_(bits),
-      half_(false),
-      reach_(0),
-      flatness_(bits),
-      second_(bits),
-      fourth_(bits),
-      remainder_(bits),
-      remainder_at_pi_(bits) {
+    : bits_(bits), half_(false), reach_(0), flatness_(bits), second_(bits), fourth_(bits), remainder_(bits) {
   const LaurentPolynomial& symbol = mask.symbol();
   const long first = symbol.lowest(), last = symbol.highest();
   half_ = (first + last) % 2 != 0;
@@ -82,47 +75,9 @@ HalfSymbol::HalfSymbol(const Mask& mask, slong bits)
     flatness_ += size_of * Ball(Rational(place * place / 2), bits);
     remainder_ += size_of * Ball(Rational(power(place, order) / factorial), bits);
   }
-  expand_at_pi(right);
   flatness_ = flatness_.upper_end();
   fourth_ = fourth_.upper_end();
   remainder_ = remainder_.upper_end();
-}
-
-/// m(w + pi) is, up to its sign, a sum of cosines, or of sines where the centre lies between two indices; the terms of
-/// its series that the sum rules make vanish are left out exactly.
-void HalfSymbol::expand_at_pi(const std::vector<Rational>& right) {
-  std::vector<Rational> squares, terms;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    const Rational place = half_ ? Rational(2 * static_cast<long>(i) + 1, 2) : Rational(static_cast<long>(i));
-    squares.push_back(place * place);
-    terms.push_back(right[i] * (i % 2 == 0 ? 1 : -1) * (half_ ? place : Rational(1)));
-  }
-  const auto next = [&](int power) {
-    for (std::size_t i = 0; i < terms.size(); ++i) terms[i] *= squares[i] / ((power + 1) * (power + 2));
-  };
-  bool negative = false;
-  for (int power = half_ ? 1 : 0; at_pi_.size() < terms_at_pi; power += 2, next(power - 2), negative = !negative) {
-    Rational sum = 0;
-    for (const Rational& term : terms) sum += term;
-    if (at_pi_.empty() && sum == 0) continue;
-    if (at_pi_.empty()) sum_rules_ = power;
-    at_pi_.emplace_back(negative ? Rational(-sum) : sum, bits_);
-  }
-  for (const Rational& term : terms) remainder_at_pi_ += Ball(abs(term), bits_);
-  remainder_at_pi_ = remainder_at_pi_.upper_end();
-}
-
-Ball HalfSymbol::alias_ratio(const Ball& low, const Ball& high) const {
-  constexpr int steps = 4;
-  const Ball rest = remainder_at_pi_ * high.pow(2 * terms_at_pi);
-  Ball largest(bits_);
-  for (int s = 0; s < steps; ++s) {
-    const Ball w = join(low + (high - low) * s / steps, low + (high - low) * (s + 1) / steps), square = w * w;
-    Ball sum(bits_);
-    for (std::size_t i = at_pi_.size(); i-- > 0;) sum = sum * square + at_pi_[i];
-    raise_to(largest, abs(sum) + rest);
-  }
-  return largest;
 }
 
 HalfSymbol::Waves HalfSymbol::waves(const Ball& w) const {
@@ -172,11 +127,11 @@ void HalfSymbol::expand(const Ball& centre, std::vector<Ball>& plain, std::vecto
   }
 }
 
-std::vector<HalfSymbol::Suprema> HalfSymbol::suprema(const Ball& low, const Ball& high, int count, int refined) const {
+std::vector<HalfSymbol::Suprema> HalfSymbol::suprema(const Ball& low, const Ball& high, int count) const {
   const Ball width = high - low;
   // Expansions reach at most 1/reach; 16 steps for each, and at least one for each interval.
   const double needed = std::max(1.0, width.middle() * reach_ / 2);
-  const auto expansions = refined * static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(needed))));
+  const auto expansions = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(needed))));
   const int steps = std::max(count, 16 * expansions);
   const Ball radius = (width / (2 * expansions)).upper_end(), step = (width / (2 * steps)).upper_end();
   const Ball rest = remainder_ * radius.pow(order);

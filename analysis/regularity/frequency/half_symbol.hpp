@@ -18,7 +18,6 @@ class HalfSymbol {
   slong bits() const { return bits_; }
   /// Largest distance of an index from the centre of the mask.
   double reach() const { return reach_; }
-  int sum_rules() const { return sum_rules_; }
   /// mu: |m(w) - 1| and |m(w + pi)| are at most mu w^2.
   const Ball& flatness() const { return flatness_; }
   Ball value(const Ball& w) const;
@@ -30,36 +29,25 @@ class HalfSymbol {
     Ball plain, alias;
   };
   /// For the intervals into which [low, high] is cut by equal steps. Domain: 0 <= low < high, `count` a power of two.
-  /// `refined`: that many times as many expansions, a power of two.
-  std::vector<Suprema> suprema(const Ball& low, const Ball& high, int count, int refined = 1) const;
-
-  /// Where w reach is at most this, |m(w + pi)| has a bound that is sharp relative to w^k, k the sum rules.
-  static constexpr double near_pi = 2;
-  /// A bound of |m(w + pi)|/w^k for low <= w <= high. Domain: 0 <= low <= high <= near_pi/reach.
-  Ball alias_ratio(const Ball& low, const Ball& high) const;
+  std::vector<Suprema> suprema(const Ball& low, const Ball& high, int count) const;
 
  private:
-  static constexpr int order = 8;         ///< of Taylor's polynomials
-  static constexpr int terms_at_pi = 24;  ///< of the expansion at pi
+  static constexpr int order = 8;  ///< of Taylor's polynomials
   /// cos and sin of w times each distance from the centre.
   struct Waves {
     BallVector cosine, sine;
   };
   Waves waves(const Ball& w) const;
   void expand(const Ball& centre, std::vector<Ball>& plain, std::vector<Ball>& alias) const;
-  void expand_at_pi(const std::vector<Rational>& right);
 
   slong bits_;
   bool half_;  ///< the centre lies between two indices
   double reach_;
-  int sum_rules_ = 0;
   Ball flatness_;
   Ball second_, fourth_;  ///< m''(0) and a bound of the fourth derivative
   Ball remainder_;        ///< of Taylor's polynomials on an interval of radius 1
   std::vector<Ball> coefficients_;
   std::vector<BallVector> plain_, alias_;  ///< coefficients of the derivatives, divided by factorials
-  std::vector<Ball> at_pi_;                ///< of m(w + pi)/w^k in w^2
-  Ball remainder_at_pi_;                   ///< of that series, relative to its next power
 };
 
 }  // namespace subcert::frequency

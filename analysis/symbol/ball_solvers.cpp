@@ -56,7 +56,7 @@ Ball determinant(const std::vector<std::vector<Ball>>& matrix, slong bits) {
   Matrix copied(matrix.size(), matrix.size());
   copy(copied, matrix);
   Ball result(bits);
-  arb_mat_det(result.get(), copied.get(), bits);
+  arb_mat_det_lu(result.get(), copied.get(), bits);
   return result;
 }
 

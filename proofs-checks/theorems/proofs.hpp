@@ -3,11 +3,13 @@
 
 #include "ledger.hpp"
 #include "scheme_family.hpp"
+#include "smoothness_rate.hpp"
 #include "theorem.hpp"
 
 #include <subcert/schemes/specification.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace subcert::theorems {
 
@@ -51,6 +53,11 @@ SymbolConstants state_symbol(Ledger& ledger, const SchemeFamily& family, int deg
 
 /// Smoothness for every n: Theorem U for degree 1 of the primal family, else Theorem V. Domain: as uniform_7.
 void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+
+/// The table of Theorem W, n = 2 ... last_rate of the primal family, degree 1; its rows, kept for the next call.
+constexpr int last_rate = 43;
+std::vector<SmoothnessRate> smoothness_rates(int threads);
+void smoothness_table(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
 
 /// What `smoothness` proves of the smoothest class for every n >= `first`, and of those before.
 struct SmoothnessRange {

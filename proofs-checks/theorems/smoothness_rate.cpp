@@ -14,9 +14,9 @@
 namespace subcert::theorems {
 namespace {
 
-constexpr int word_length = 6;    ///< of the words that are tried
-constexpr int circle_bits = 13;     ///< 2^13 cells of the circle
-constexpr slong det_bits = 400;   ///< of determinants: an elimination loses about one for each row
+constexpr int word_length = 8;   ///< of the words that are tried
+constexpr int circle_bits = 14;  ///< 2^14 cells of the circle
+constexpr slong det_bits = 320;  ///< of determinants: an elimination loses about one for each row
 
 /// 2 pi x.
 Ball angle(const Rational& x) { return Ball::pi(proof_bits).scaled(1) * exactly(x); }
@@ -27,8 +27,8 @@ Ball half_symbol(int n, const Ball& w) {
   return ((sin(even * w) / even + sin(odd * w) / odd) / sin(w)).scaled(-1);
 }
 
-/// The transform of phi_b at 2 pi k, k odd. |b(w) - 1| <= (mu + 1) w^2 for small w, as 0 <= 1 - m(w) <= mu w^2 with mu =
-/// 2 n^2/3, and 0 <= 1/cos(w/2)^2 - 1 <= w^2/2 for w <= 1; that bounds the factors left out.
+/// The transform of phi_b at 2 pi k, k odd. |b(w) - 1| <= (mu + 1) w^2 for small w, as 0 <= 1 - m(w) <= mu w^2 with mu
+/// = 2 n^2/3, and 0 <= 1/cos(w/2)^2 - 1 <= w^2/2 for w <= 1; that bounds the factors left out.
 Ball transform(int n, int k) {
   constexpr int factors = 90;
   Ball product = exactly(Rational(4 * n - 1, 3)), w = Ball::pi(proof_bits) * k;
@@ -179,13 +179,21 @@ class WordDeterminant {
   std::vector<std::vector<Ball>> rows_;  ///< -A
 };
 
-/// Contains an eigenvalue - 1 of the product near 1 + guess: det(t - A) changes its sign. Absent ends where it does not.
-Enclosure eigenvalue_near(const WordDeterminant& value, const Rational& guess) {
-  const Ball low = value(1 + guess * Rational(9, 10)), high = value(1 + guess * Rational(11, 10));
-  const Ball share = low / (low - high);
-  if (!share.is_finite()) return {};
-  const Rational root = guess * (Rational(9, 10) + Rational(share.middle()) / 5), little(1, 100'000);
-  const Rational below = root * (1 - little), above = root * (1 + little);
+/// Contains an eigenvalue - 1 of the product near 1 + guess: det(t - A) changes its sign. Absent ends where it does
+/// not.
+Enclosure eigenvalue_near(const WordDeterminant& value, double guess) {
+  constexpr int most_steps = 12;
+  double before = guess * 1.001, now = guess;
+  const auto at = [&](double t) { return value(1 + Rational(t)); };
+  Ball left = at(before), right = at(now);
+  for (int step = 0;; ++step) {
+    const double next = now + (now - before) * (right / (left - right)).middle();
+    if (!std::isfinite(next) || step == most_steps) return {};
+    before = std::exchange(now, next);
+    if (std::abs(now - before) < 1e-4 * std::abs(now)) break;
+    left = std::exchange(right, at(now));
+  }
+  const Rational root(now), little(1, 100'000), below = root * (1 - little), above = root * (1 + little);
   const Ball zero(det_bits);
   return value(1 + below).is_less(zero) && zero.is_less(value(1 + above)) ? Enclosure{below, above} : Enclosure{};
 }
@@ -207,7 +215,7 @@ SmoothnessRate smoothness_rate(int n) {
   rate.largest = {rate.predicted.lower, largest_mean(h, mean.middle()).enclosure().upper};
   const int length = static_cast<int>(rate.word.size());
   const Ball excess = exp(mean * length) - 1;
-  rate.product = logarithm(eigenvalue_near(WordDeterminant(n, rate.word), Rational(excess.middle())), length);
+  rate.product = logarithm(eigenvalue_near(WordDeterminant(n, rate.word), excess.middle()), length);
   return rate;
 }
 

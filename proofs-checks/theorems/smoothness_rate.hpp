@@ -8,8 +8,8 @@
 
 namespace subcert::theorems {
 
-/// h_n(x) is the sum over odd k, |k| < N, of phi_b^(2 pi k) e^(2 pi i k x); beta_n the largest mean of h_n over a measure
-/// that is invariant under x -> 2x modulo 1. Theorem W: (2 - s) ln 2 = beta_n + O(N^(C - log2 N)).
+/// h_n(x) is the sum over odd k, |k| < N, of phi_b^(2 pi k) e^(2 pi i k x); beta_n the largest mean of h_n over a
+/// measure that is invariant under x -> 2x modulo 1. Theorem W: (2 - s) ln 2 = beta_n + O(N^(C - log2 N)).
 struct SmoothnessRate {
   int n;
   std::string word;     ///< of binary digits: a periodic point of x -> 2x

@@ -170,6 +170,37 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
   describe_small(t, family, range);
 }
 
+/// Not below 2 - value/ln 2.
+std::string exponent_text(const Enclosure& value) {
+  if (!value.lower) return "2";
+  const Ball exponent = 2 - exactly(*value.lower) / log(Ball(2, proof_bits));
+  return exponent.enclosure().upper_text(14);
+}
+
+void describe_rate(Theorem& t, const SchemeFamily&) {
+  const auto number = [&](const char* name) { return plain(t.constants[name]); };
+  t.title = "The true rate of smoothness for degree 1";
+  t.text = "docs/theorems/rate.tex, Theorem W";
+  t.statement = {
+      "There is a constant C with |(2 - s) ln 2 - beta_n| <= N^(C - log2(N)) for all n >= 2, N = 2n - 1/2: beta_n is "
+      "the "
+      "largest mean of h_n over a measure that is invariant under x -> 2x modulo 1, h_n(x) the sum of "
+      "phi_b^(2 pi k) exp(2 pi i k x) over odd |k| < N.",
+      "For n = 3, 11, 43, ... = (2^(2m+1) + 4)/12 it is a sharp rate: (2 - s)/(kappa (pi^2 (4n - 1)/(12 ln 2)) "
+      "|phi^(pi)|) tends to 1, kappa = 1 for even m and 2 for odd m; log(2 - s)/(log n)^2 has the upper limit "
+      "-1/(2 log 2).",
+      "For 2 <= n <= 43: the mean over the orbit of the word below is beta_n up to " + number("delta") +
+          " of it, and (2 - s) ln 2 is at least ln(radius) of its product, which is that mean up to " + number("e_5") +
+          " of it for n >= 5 and up to " + number("e_20") + " for n >= 20, and at most " + number("f") +
+          " times that."};
+  t.ranges = {{"n to infinity", "a proof without a computer; C is not named"},
+              {"2 <= n <= 43", "the numbers below, each for one n"}};
+  for (const SmoothnessRate& rate : smoothness_rates(1))
+    t.values.emplace_back("n = " + text(rate.n), "word " + rate.word + ", mean " + enclosure_text(rate.predicted, 7) +
+                                                     ", ln(radius) " + enclosure_text(rate.product, 5) +
+                                                     ", s <= " + exponent_text(rate.product));
+}
+
 void describe_limit_constants(Theorem& t) {
   t.title = "The limits of n max psi_n";
   t.degrees = {1, 3, 5, 7, 9};
@@ -364,6 +395,17 @@ const std::vector<Entry>& entries() {
                    [](int degree, const SchemeFamily& family) {
                      return found(degree, scheme_family(family.id == "primal" ? "dual" : family.id), smoothness,
                                   describe_smoothness);
+                   }});
+    all.push_back({{"rate",
+                    "2 - s of S_n is the largest mean of a function over an orbit of x -> 2x, up to its square",
+                    "n to infinity, with certified numbers for n <= 43",
+                    {1}},
+                   {},
+                   {"the symbols of other degrees and families"},
+                   false,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family) || degree != 1) return std::nullopt;
+                     return found(degree, family, smoothness_table, describe_rate);
                    }});
     all.push_back({{"conjecture-8-d-large",
                     "psi of degree d < psi of degree d + 2 everywhere",

@@ -289,22 +289,18 @@ std::vector<SmoothnessRate> smoothness_rates(int threads) {
 
 void smoothness_table(Ledger& ledger, const SchemeFamily& family, int, int threads) {
   known_bounds().prepare(family.schemes(2, last_rate, 1), threads);
-  Ball width(proof_bits), distance(proof_bits), late(proof_bits), factor(proof_bits);
+  Ball width(proof_bits), distance(proof_bits), late(proof_bits);
   for (const SmoothnessRate& rate : smoothness_rates(threads)) {
     width = max(width, distance_from_one(rate.largest, rate.predicted));
     const Ball gap = distance_from_one(rate.product, rate.predicted);
     if (rate.n >= 5) distance = max(distance, gap);
     if (rate.n >= 20) late = max(late, gap);
-    const std::optional<FrequencyBound>& bound = known_bounds()(family.scheme(rate.n, 1));
-    const Ball above = bound ? log(exactly(1 + bound->excess)) : Ball::indeterminate(proof_bits);
-    factor = max(factor, above / Ball::containing(rate.product, proof_bits));
   }
   const auto state = [&](const char* name, const char* id, const char* meaning, const char* formula,
                          const Ball& number) { ledger.state(name, Side::above, id, meaning, formula, number); };
   state("delta", "W.1", "beta_n/(mean over the orbit of the word) - 1", "the largest of the bounds over n", width);
-  state("e_5", "W.2", "|ln(radius of the word)/mean - 1|, n >= 5", "the largest over n >= 5", distance);
-  state("e_20", "W.3", "|ln(radius of the word)/mean - 1|, n >= 20", "the largest over n >= 20", late);
-  state("f", "W.4", "(2 - s) ln 2/ln(radius of the word)", "the largest of the bounds by frequencies over n", factor);
+  state("e_5", "W.2", "|ln|lambda|/mean - 1|, n >= 5", "the largest over n >= 5", distance);
+  state("e_20", "W.3", "|ln|lambda|/mean - 1|, n >= 20", "the largest over n >= 20", late);
 }
 
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {

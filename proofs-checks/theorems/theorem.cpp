@@ -170,11 +170,10 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
   describe_small(t, family, range);
 }
 
-/// Not below 2 - value/ln 2.
-std::string exponent_text(const Enclosure& value) {
-  if (!value.lower) return "2";
-  const Ball exponent = 2 - exactly(*value.lower) / log(Ball(2, proof_bits));
-  return exponent.enclosure().upper_text(14);
+/// Contains s of S_n: from the bound by frequencies to that of the word.
+Enclosure exponent_range(const SmoothnessRate& rate) {
+  const Ball end = 2 - Ball::containing(rate.product, proof_bits) / log(Ball(2, proof_bits));
+  return {exponent_bound(scheme_family("primal").scheme(rate.n, 1)), end.enclosure().upper};
 }
 
 void describe_rate(Theorem& t, const SchemeFamily&) {
@@ -190,15 +189,15 @@ void describe_rate(Theorem& t, const SchemeFamily&) {
       "|phi^(pi)|) tends to 1, kappa = 1 for even m and 2 for odd m; log(2 - s)/(log n)^2 has the upper limit "
       "-1/(2 log 2).",
       "For 2 <= n <= 43: the mean over the orbit of the word below is beta_n up to " + number("delta") +
-          " of it, and (2 - s) ln 2 is at least ln(radius) of its product, which is that mean up to " + number("e_5") +
-          " of it for n >= 5 and up to " + number("e_20") + " for n >= 20, and at most " + number("f") +
-          " times that."};
+          " of it. (2 - s) ln 2 is at least ln|lambda|, by an eigenvalue of the word's product; that is the mean up "
+          "to " +
+          number("e_5") + " of it for n >= 5 and up to " + number("e_20") + " for n >= 20."};
   t.ranges = {{"n to infinity", "a proof without a computer; C is not named"},
-              {"2 <= n <= 43", "the numbers below, each for one n"}};
+              {"2 <= n <= 43", "the numbers above, each for one n"}};
   for (const SmoothnessRate& rate : smoothness_rates(1))
-    t.values.emplace_back("n = " + text(rate.n), "word " + rate.word + ", mean " + enclosure_text(rate.predicted, 7) +
-                                                     ", ln(radius) " + enclosure_text(rate.product, 5) +
-                                                     ", s <= " + exponent_text(rate.product));
+    t.values.emplace_back("s_" + text(rate.n), enclosure_text(exponent_range(rate), 13) + ", word " + rate.word +
+                                                   ", mean " + enclosure_text(rate.predicted, 7) + ", ln|lambda| " +
+                                                   enclosure_text(rate.product, 5));
 }
 
 void describe_limit_constants(Theorem& t) {

@@ -84,7 +84,7 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
     for (const Check& check : prove(id, 3).checks) run.insert(check.id);
   }
   for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order", "smoothness",
-                         "smoothness-dual"})
+                         "smoothness-dual", "rate"})
     for (const Check& check : prove(id, 1).checks) run.insert(check.id);
   for (int degree : {3, 7})
     for (const Check& check : prove("conjecture-8-d-all", degree).checks) run.insert(check.id);
@@ -113,6 +113,10 @@ TEST_CASE("the tables of the text state the constants of the program") {
     check_cell(text, "P:" + one.name, 1, one);
     ++rows;
   }
+  for (const Constant& one : stated_constants("rate", 1).all()) {
+    check_cell(text, "W:" + one.name, 1, one);
+    ++rows;
+  }
   for (int degree : {5, 7, 9, 11})
     for (const Constant& one : stated_constants("conjecture-8-d-large", degree).all()) {
       check_cell(text, "T:" + one.name, static_cast<std::size_t>(degree - 3) / 2, one);
@@ -121,7 +125,7 @@ TEST_CASE("the tables of the text state the constants of the program") {
   for (int degree : {3, 5})
     for (const Constant& one : stated_constants("conjecture-8-d-all", degree).all())
       CHECK(stated_constants("conjecture-7", degree)[one.name] == one.value);
-  CHECK(matches(text, R"((% [0-9PT]:))").size() == rows);
+  CHECK(matches(text, R"((% [0-9PTW]:))").size() == rows);
 }
 
 TEST_CASE("the tables for section 7 state the constants that the program finds", "[long]") {
@@ -209,7 +213,8 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
       "Gamma Delta Pi Phi Psi Omega Theta input H sqrt left right chi varpi nu epsilon omega iota vartheta theta mp "
       "arcsin appendix Lambda "
-      "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot");
+      "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot "
+      "equiv mathcal");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

@@ -1,5 +1,5 @@
 // What holds for every degree: convergence, the order of the limits C_d, and Conjecture 8 in d from a low degree to all
-// higher ones. The numbers of the checks are those of docs/theorems/every-degree.tex.
+// higher ones. The numbers of the checks are those of docs/theorems/.
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>

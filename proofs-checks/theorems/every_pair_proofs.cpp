@@ -1,5 +1,5 @@
 // Conjecture 8 in d for neighbouring odd degrees: for every degree from 5 on and all large n by bounds of mean and
-// ripple, and the bound of single curves. The numbers of the checks are those of docs/theorems/every-degree.tex.
+// ripple, and the bound of single curves. The numbers of the checks are those of docs/theorems/every-pair.tex.
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>

@@ -136,7 +136,7 @@ void describe_small(Theorem& t, const SchemeFamily& family, const SmoothnessRang
 void describe_smoothness_degree_one(Theorem& t) {
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "Smoothness for degree 1 and every n";
-  t.text = "docs/theorems/smoothness.tex, Theorem U";
+  t.text = "docs/theorems/variance-curves.tex, Theorem U";
   t.statement = {"For all n >= 2 the Hoelder exponent s of S_n lies in 2 - " + number("C") +
                      " N^(1 - log2(N)/2) < s <= 2, N = 2n - 1/2.",
                  "So all limits are C^1, s tends to 2 faster than every power of n, and no S_n is C^2.",
@@ -152,7 +152,7 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
                     rules = std::to_string(range.order + 1), first = std::to_string(range.first),
                     start = std::to_string(range.start);
   t.title = title_of("Smoothness", family, "degree " + d);
-  t.text = "docs/theorems/smoothness.tex, Theorem V";
+  t.text = "docs/theorems/variance-curves.tex, Theorem V";
   t.statement = {"For all n >= " + first + " all limits are C^" + order + ": their Hoelder exponent s is above " +
                  order + ", and at most " + rules + "."};
   t.ranges = {{first + " <= n < " + start, "a supersolution on cells of frequencies for each n"},
@@ -179,7 +179,7 @@ Enclosure exponent_range(const SmoothnessRate& rate) {
 void describe_rate(Theorem& t, const SchemeFamily&) {
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "The true rate of smoothness for degree 1";
-  t.text = "docs/theorems/rate.tex, Theorem W";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem W";
   t.statement = {
       "There is a constant C with |(2 - s) ln 2 - beta_n| <= N^(C - log2(N)) for all n >= 2, N = 2n - 1/2: beta_n is "
       "the "
@@ -218,7 +218,7 @@ void describe_limit_constants(Theorem& t) {
 void describe_convergence(Theorem& t) {
   const int degree = t.degrees.front();
   t.title = "Convergence for every degree and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem P";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem P";
   t.statement = {"S_n^d converges for all n >= 1 and all d <= 2n - 1.",
                  "The response D_M of one fit of degree d on M > d points, read off in the middle, is below 1 in "
                  "modulus except where sin w = 0, and the moduli of the transform of phi at xi + 2 pi k sum to at most "
@@ -251,7 +251,7 @@ void describe_all_higher(Theorem& t) {
   const std::string low = std::to_string(degree);
   t.title = "Conjecture 8 in d from degree " + low + " to all higher degrees and every n";
   if (degree == 1) {
-    t.text = "docs/theorems/variance-curves.tex, Theorem Q";
+    t.text = "docs/theorems/least-squares-schemes.tex, Theorem Q";
     t.statement = {"psi_n^1(x) <= 1/(2n - 1) < psi_n^d(x') for all n >= 2, all odd 3 <= d <= 2n - 1 and all x, x'."};
     t.ranges = {{"all d, all n", "a proof without a computer"},
                 {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
@@ -277,7 +277,7 @@ void describe_all_higher(Theorem& t) {
 
 void describe_limits_grow(Theorem& t) {
   t.title = "The limits of n max psi_n grow with the degree";
-  t.text = "docs/theorems/variance-curves.tex, Theorem S";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem S";
   t.statement = {"C_d < gamma_d^2/2 < C_{d+2} for every odd d, gamma_d = d binom(d-1, (d-1)/2)/2^(d-1).",
                  "C_d = d/pi + 1/(2 pi) - 1/(sqrt(3) pi^2) + o(1) as d grows.",
                  "So for each pair d_1 > d_2 and all sufficiently large n, max psi_n^{d_2} < min psi_n^{d_1}."};

@@ -1,5 +1,4 @@
-// docs/theorems/variance-curves.tex against the program: numbered inequalities, stated constants, and a source that
-// builds.
+// The papers in docs/theorems against the program: numbered inequalities, stated constants, and sources that build.
 
 #include <subcert/cmake/catch.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
@@ -18,20 +17,24 @@ std::string file_text(const std::string& path) {
   std::ifstream stream(path);
   std::ostringstream text;
   text << stream.rdbuf();
-  REQUIRE(text.str().size() > 1000);
+  REQUIRE(text.str().size() > 100);
   return text.str();
 }
 
-/// The text with the files that it reads in their places.
-std::string source() {
-  const std::string path = SUBCERT_THEOREM_TEXT, folder = path.substr(0, path.rfind('/') + 1);
-  std::string text = file_text(path);
+/// A paper with the files that it reads in their places.
+std::string paper(const std::string& name) {
+  const std::string folder = SUBCERT_THEOREM_TEXT;
+  std::string text = file_text(folder + "/" + name);
   const std::regex input(R"(\\input\{([^}]*)\})");
   for (std::smatch found; std::regex_search(text, found, input);)
     text.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()),
-                 file_text(folder + found[1].str() + ".tex"));
+                 file_text(folder + "/" + found[1].str() + ".tex"));
   return text;
 }
+
+const char* const papers[] = {"least-squares-schemes.tex", "variance-curves.tex"};
+
+std::string source() { return paper(papers[0]) + paper(papers[1]); }
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
   std::vector<std::string> found;
@@ -220,6 +223,19 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
     CAPTURE(name);
     CHECK(known.count(name) == 1);
   }
-  const auto labels = as_set(matches(text, R"(\\label\{([^}]*)\})"));
-  for (const std::string& name : matches(text, R"(\\ref\{([^}]*)\})")) CHECK(labels.count(name) == 1);
+  for (const char* name : papers) {
+    const std::string one = paper(name);
+    const auto labels = matches(one, R"(\\label\{([^}]*)\})"), items = matches(one, R"(\\bibitem\{([^}]*)\})");
+    CHECK(as_set(labels).size() == labels.size());
+    for (const std::string& label : matches(one, R"(\\ref\{([^}]*)\})")) {
+      CAPTURE(name, label);
+      CHECK(as_set(labels).count(label) == 1);
+    }
+    std::set<std::string> cited;
+    for (const std::string& list : matches(one, R"(\\cite(?:\[[^\]]*\])?\{([^}]*)\})")) {
+      std::istringstream keys(list);
+      for (std::string key; std::getline(keys, key, ',');) cited.insert(key);
+    }
+    CHECK(as_set(items) == cited);
+  }
 }

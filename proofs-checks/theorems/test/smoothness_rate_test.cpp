@@ -15,13 +15,13 @@ using namespace subcert::theorems;
 
 namespace {
 
-Mask scheme(int n) { return make_scheme("primal:n=" + std::to_string(n)).mask.curve(); }
+Mask primal_of(int n) { return make_scheme("primal:n=" + std::to_string(n)).mask.curve(); }
 
 /// h_n from the coefficients of the second differences, in floating point.
 class PlainHarmonics {
  public:
   explicit PlainHarmonics(int n) {
-    const Mask mask = divided_difference_scheme(scheme(n), 2);
+    const Mask mask = divided_difference_scheme(primal_of(n), 2);
     const std::vector<Rational> coefficients = mask.symbol().coefficients();
     const double centre = (static_cast<double>(coefficients.size()) - 1) / 2;
     const auto b = [&](double w) {
@@ -74,7 +74,7 @@ TEST_CASE("the eigenvalue of the word is the joint spectral radius where the pre
   for (int n = 2; n <= 8; ++n) {
     const SmoothnessRate rate = smoothness_rate(n);
     CAPTURE(n, rate.word);
-    const HolderRegularity exact = holder_regularity(scheme(n), 4, {});
+    const HolderRegularity exact = holder_regularity(primal_of(n), 4, {});
     REQUIRE(*exact.exponent.upper - *exact.exponent.lower < power(Rational(10), -15));
     const double defect = (2 - *exact.exponent.lower).convert_to<double>() * std::log(2.0);
     REQUIRE(rate.product.is_bounded());

@@ -26,6 +26,11 @@ class Matrix {
   arb_mat_t value_;
 };
 
+void copy(Matrix& target, const std::vector<std::vector<Ball>>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < rows[i].size(); ++j) arb_set(target.entry(i, j), rows[i][j].get());
+}
+
 using Function = std::function<ComplexBall(const ComplexBall&)>;
 
 int evaluate(acb_ptr result, const acb_t s, void* function, slong, slong bits) {
@@ -39,13 +44,19 @@ std::optional<std::vector<Ball>> solve(const std::vector<std::vector<Ball>>& mat
                                        slong bits) {
   const std::size_t size = right.size();
   Matrix system(size, size), column(size, 1), solution(size, 1);
-  for (std::size_t i = 0; i < size; ++i) {
-    arb_set(column.entry(i, 0), right[i].get());
-    for (std::size_t j = 0; j < size; ++j) arb_set(system.entry(i, j), matrix[i][j].get());
-  }
+  copy(system, matrix);
+  for (std::size_t i = 0; i < size; ++i) arb_set(column.entry(i, 0), right[i].get());
   if (arb_mat_solve_precond(solution.get(), system.get(), column.get(), bits) == 0) return std::nullopt;
   std::vector<Ball> result(size, Ball(bits));
   for (std::size_t i = 0; i < size; ++i) arb_set(result[i].get(), solution.entry(i, 0));
+  return result;
+}
+
+Ball determinant(const std::vector<std::vector<Ball>>& matrix, slong bits) {
+  Matrix copied(matrix.size(), matrix.size());
+  copy(copied, matrix);
+  Ball result(bits);
+  arb_mat_det_lu(result.get(), copied.get(), bits);
   return result;
 }
 

@@ -14,6 +14,9 @@ namespace subcert {
 std::optional<std::vector<Ball>> solve(const std::vector<std::vector<Ball>>& matrix, const std::vector<Ball>& right,
                                        slong bits);
 
+/// Domain: square, given row by row. Cost: one elimination in balls.
+Ball determinant(const std::vector<std::vector<Ball>>& matrix, slong bits);
+
 /// The integral of a function along the segment from start to end. Domain: the function is holomorphic wherever it is
 /// finite; it gives what is not finite on balls where it is not. Error: aims at 2^-wanted, the ball holds what was
 /// reached. Cost: Gauss-Legendre rules on adaptive pieces. Ref: [Joh17].

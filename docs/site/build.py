@@ -18,7 +18,7 @@ import links
 import theorems
 
 PAGES = ["README.md", "CHANGELOG.md", "docs/**/*.md", "proofs-checks/*/*.md"]
-THEOREMS = "docs/theorems/variance-curves.tex"
+THEOREMS = ["docs/theorems/least-squares-schemes.tex", "docs/theorems/variance-curves.tex"]
 NEEDED = {"sphinx-build": "python3-sphinx", "pandoc": "pandoc"}
 NEEDED_MODULES = {"sphinx": "python3-sphinx", "myst_parser": "python3-myst-parser", "furo": "furo"}
 
@@ -69,7 +69,7 @@ class Tree:
         target = (page.parent / path).resolve()
         if target.suffix == ".md" and target.is_file():
             self.open.append(target)
-        elif target == self.source / THEOREMS:
+        elif target in [self.source / paper for paper in THEOREMS]:
             return link[0].replace(path, path[:-len(".tex")] + ".md")
         elif target.is_file():
             name = target.relative_to(self.source)
@@ -81,9 +81,9 @@ class Tree:
             return re.match(r"!?\[(.*)\]\(", link[0])[1]
         return link[0]
 
-    def theorems(self):
-        """The text of the theorems as a page with MathML and, where TeX is installed, as PDF."""
-        file = self.source / THEOREMS
+    def theorems(self, paper):
+        """A paper as a page with MathML and, where TeX is installed, as PDF."""
+        file = self.source / paper
         tex = theorems.merged(file)  # one source to download, and pandoc reads standard input
         title = re.sub(r"\\\\|\$|\s+", " ", re.search(r"\\title\{(.*)\}", tex)[1])
         body = theorems.for_page(tex)
@@ -91,16 +91,16 @@ class Tree:
                               input=body, capture_output=True, text=True, check=True)
         sys.stderr.write(html.stderr)
         below_title = re.sub(r"(</?h)([1-5])", lambda tag: f"{tag[1]}{int(tag[2]) + 1}", html.stdout)
-        folder = self.tree / pathlib.Path(THEOREMS).parent
+        folder = self.tree / pathlib.Path(paper).parent
         (folder / file.name).write_text(tex, encoding="utf-8")
         others = f"{{download}}`LaTeX source <{file.name}>`"
         if shutil.which("pdflatex"):
             if theorems.build_pdf(folder, file.name).returncode:
-                raise RuntimeError(f"pdflatex does not read {THEOREMS}")
+                raise RuntimeError(f"pdflatex does not read {paper}")
             others = f"{{download}}`PDF <{file.stem}.pdf>`, " + others
         else:
             print("site: no PDF of the theorems, as pdflatex is missing (Debian: texlive-latex-base)")
-        self.write(pathlib.Path(THEOREMS).with_suffix(".md"), f"# {title}\n\n{others}\n\n```{{raw}} html\n"
+        self.write(pathlib.Path(paper).with_suffix(".md"), f"# {title}\n\n{others}\n\n```{{raw}} html\n"
                    f"<div class=\"theorem\">\n{below_title}</div>\n```\n")
 
     def gallery(self, subcert):
@@ -140,7 +140,8 @@ def main(arguments):
     for folder in (tree, site):
         shutil.rmtree(folder, ignore_errors=True)
     made = Tree(source, tree)
-    made.theorems()
+    for paper in THEOREMS:
+        made.theorems(paper)
     made.gallery(subcert)
     made.python(python)
     made.index(python)

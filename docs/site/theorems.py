@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The text of the theorems, docs/theorems/variance-curves.tex: as one source, as PDF, and its table of inequalities.
+"""The text of the theorems, two papers in docs/theorems: as one source each, as PDF, their tables of inequalities.
 
-Usage: theorems.py pdf TEX             builds the PDF twice in a folder of its own; 77 if pdflatex is missing
-       theorems.py table SUBCERT       prints docs/theorems/inequalities.tex, from what the program runs
-       theorems.py check SUBCERT TEX   compares that file, beside TEX, with the program
-Exit code: 0 done, 1 not: a reference is undefined, a line is wider than the page, or the table is another one.
+Usage: theorems.py pdf TEX                builds the PDF in a folder of its own; 77 if pdflatex is missing
+       theorems.py tables SUBCERT FOLDER  writes inequalities-first.tex, inequalities.tex and checklist.md into the
+                                          folder, docs/theorems, from what the program runs
+       theorems.py check SUBCERT FOLDER   compares these files with the program
+Exit code: 0 done, 1 not: a reference is undefined, a line is wider than the page, or a table is another one.
 """
 import decimal as decimals
 import json
@@ -15,6 +16,22 @@ import subprocess
 import sys
 import tempfile
 
+FIRST = ("P", "Q", "S", "W")  # the letters of the first paper
+CHECKLIST = """# Who decides which line
+
+For a referee: each number of the two papers, the command that decides it, the source with its computation
+(in `proofs-checks/theorems/`), the constants that it bounds, and what is compared. Made from the program's answers by
+`docs/site/theorems.py tables`; a long test compares it with them. `subcert theorem ID --d D --all` prints every single inequality
+with both sides and its margin, `--json` exact ends; `--family` runs the same for the other families (Theorem G, V).
+
+How to check the checker: [the tests](../../proofs-checks/theorems/test) move every constant by one part in a hundred to its wrong
+side and ask that its inequality fails; compare bounds with exact means, values, slopes and exponents of single schemes, which other
+parts of the program compute; and draw random points for suprema. Enclosures are Arb balls. Lines without a number are proved in the
+text alone. In the first paper (I) no proof but that of Theorem P rests on numbers that are not decided by hand; its lines here confirm them.
+
+| line | paper | command | source | constants | what is compared |
+|---|---|---|---|---|---|
+"""
 HEAD = """% Made by docs/site/theorems.py from the program's answers; do not edit.
 \\begin{longtable}{llrl}
 number & theorem, degree & how many & the tightest\\\\
@@ -97,31 +114,69 @@ def tightness(check):
     return float(low) / abs(float(right)) if low and right and float(right) else 0.0
 
 
-def rows(subcert):
-    """(number, theorem and degree, how many, left, right) of the tightest one, in the order of the answers. What an
-    earlier line says with the same numbers is left out, and the digits of limit-constants, which the text has not."""
-    known = set()
+def groups(subcert):
+    """(theorem, degree, its answer, number, the inequalities of this number), in the order of the answers, but for the
+    digits of limit-constants, which the text has not."""
     for entry in answer(subcert, "list")["theorems"]:
         if entry["id"] == "limit-constants":
             continue
         for degree in entry["degrees"][:1] if entry["id"].startswith("limit") else entry["degrees"]:
-            groups = {}
-            for check in answer(subcert, entry["id"], "--d", str(degree))["checks"]:
-                groups.setdefault(check["id"], []).append(check)
-            for number, group in groups.items():
-                left, right = sides(min(group, key=tightness))
-                row = (number, len(group), left, right)
-                if row not in known:
-                    yield (number, f"{entry['id']}, {degree}", len(group), left, right)
-                known.add(row)
+            theorem = answer(subcert, entry["id"], "--d", str(degree))
+            together = {}
+            for check in theorem["checks"]:
+                together.setdefault(check["id"], []).append(check)
+            for number, group in together.items():
+                yield entry["id"], degree, theorem, number, group
 
 
-def table(subcert):
-    return HEAD + "".join(f"({number}) & {theorem} & {count} & ${left}<{right}$ \\\\\n"
-                          for number, theorem, count, left, right in rows(subcert)) + "\\end{longtable}\n"
+def paper(number):
+    return "I" if number.startswith(FIRST) else "II"
 
 
-def check(subcert, file):
+def table(found, which):
+    """Of the lines with the same numbers the first; the tightest inequality of each."""
+    known, text = set(), HEAD
+    for name, degree, _, number, group in found:
+        left, right = sides(min(group, key=tightness))
+        row = (number, len(group), left, right)
+        if paper(number) == which and row not in known:
+            text += f"({number}) & {name}, {degree} & {len(group)} & ${left}<{right}$ \\\\\n"
+        known.add(row)
+    return text + "\\end{longtable}\n"
+
+
+def checklist(found, sources):
+    """One line for each number, by the first theorem that runs it."""
+    lines = {}
+    for name, degree, theorem, number, group in found:
+        if number in lines:
+            continue
+        constants = {constant["name"] for constant in theorem["constants"] if constant["check"] == number}
+        files = [file.name for file, text in sources if f'"{number}"' in text]
+        cells = [f"({number})", paper(number), f"`theorem {name} --d {degree}`", ", ".join(files),
+                 ", ".join(sorted(f"`{one}`" for one in constants)), f"`{group[0]['claim']}`"]
+        lines[number] = "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |\n"
+    order = sorted(lines, key=lambda number: [(not part.isdigit(), part.zfill(3)) for part in number.split(".")])
+    return CHECKLIST + "".join(lines[number] for number in order)
+
+
+def made(subcert, folder):
+    """The files that are made, by name."""
+    found = list(groups(subcert))
+    folder = folder.resolve()
+    sources = [(file, file.read_text(encoding="utf-8"))
+               for file in sorted((folder.parent.parent / "proofs-checks/theorems").glob("*.cpp"))]
+    return {"inequalities-first.tex": table(found, "I"), "inequalities.tex": table(found, "II"),
+            "checklist.md": checklist(found, sources)}
+
+
+def tables(subcert, folder):
+    for name, text in made(subcert, folder).items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return 0
+
+
+def check(subcert, folder):
     """Numbers may differ by one part in a hundred: they are not rounded in the same way everywhere."""
     def shape(text):
         return re.sub(r"\$.*?\$", "", text)
@@ -130,22 +185,22 @@ def check(subcert, file):
         return [float(re.sub(r"\\cdot10\^\{(.*?)\}", r"e\1", side)) for pair in re.findall(r"\$(.*?)\$", text)
                 for side in pair.split("<")]
 
-    ours, theirs = table(subcert), (file.parent / "inequalities.tex").read_text(encoding="utf-8")
-    same = shape(ours) == shape(theirs) and all(abs(a - b) <= 0.01 * abs(a) for a, b in
-                                                zip(values(ours), values(theirs), strict=True))
-    print("the table of inequalities is that of the program" if same else
-          "inequalities.tex differs from what the program runs; make it again with: theorems.py table SUBCERT")
-    return 0 if same else 1
+    other = []
+    for name, ours in made(subcert, folder).items():
+        theirs = (folder / name).read_text(encoding="utf-8")
+        same = shape(ours) == shape(theirs) and all(abs(a - b) <= 0.01 * abs(a) for a, b in
+                                                    zip(values(ours), values(theirs), strict=True))
+        other += [] if same else [name]
+    print(f"{', '.join(other)}: not what the program runs; make it again with: theorems.py tables SUBCERT docs/theorems"
+          if other else "the tables of inequalities and the checklist are those of the program")
+    return 1 if other else 0
 
 
 def main(arguments):
     if len(arguments) == 2 and arguments[0] == "pdf":
         return pdf(pathlib.Path(arguments[1]))
-    if len(arguments) == 2 and arguments[0] == "table":
-        print(table(arguments[1]), end="")
-        return 0
-    if len(arguments) == 3 and arguments[0] == "check":
-        return check(arguments[1], pathlib.Path(arguments[2]))
+    if len(arguments) == 3 and arguments[0] in ("tables", "check"):
+        return {"tables": tables, "check": check}[arguments[0]](arguments[1], pathlib.Path(arguments[2]))
     print(__doc__, file=sys.stderr)
     return 64
 

@@ -1,5 +1,5 @@
 // What holds for every degree: convergence, the order of the limits C_d, and Conjecture 8 in d from a low degree to all
-// higher ones. The numbers of the checks are those of docs/theorems/every-degree.tex.
+// higher ones. The numbers of the checks are those of docs/theorems/.
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
@@ -92,13 +92,6 @@ Rational reproduction_bound(int degree, int M) {
 /// What is proved to lie below psi_n^d everywhere.
 Rational variance_below(int n, int degree) { return reproduction_bound(degree, 4 * n - 2) / (4 * n - 2); }
 
-/// The degree from which on Lemma 10 suffices, and the n from which on Theorem E does.
-struct Higher {
-  int degree, start;
-};
-
-Higher higher(int degree) { return degree == 3 ? Higher{7, 6} : Higher{11, 10}; }
-
 std::vector<Check> checks_from_one() {
   std::vector<Check> checks;
   const int last = 8;
@@ -116,21 +109,22 @@ std::vector<Check> checks_from_one() {
   return checks;
 }
 
-std::vector<Check> checks_from_seven() {
-  const int degree = 7, next = 15, middle = 18, start = 60;
+/// From degree 7 on: every larger degree >= all_higher_from(degree), by U_n and Lemma 10.
+std::vector<Check> checks_by_ceiling(int degree) {
+  const int next = all_higher_from(degree), middle = degree == 7 ? 18 : least_n(next), start = 60;
   std::vector<Check> checks;
   for (int n = least_n(next); n < middle; ++n)
     for (int higher = next; higher < 2 * n; higher += 2)
-      checks.push_back(less("R.3", "U of degree 7 < 2 I - U of degree " + text(higher) + at(n),
+      checks.push_back(less("R.3", "U of degree " + text(degree) + " < 2 I - U of degree " + text(higher) + at(n),
                             exact(curve_ceiling(n, degree)),
                             exact(2 * squared_l2_norm(primal_mask(n, higher)) - curve_ceiling(n, higher))));
   for (int n = middle; n < start; ++n)
-    checks.push_back(less("R.4", "U of degree 7 < chi_15/(4n - 2)" + at(n), exact(curve_ceiling(n, degree)),
-                          exact(variance_below(n, next))));
+    checks.push_back(less("R.4", "U of degree " + text(degree) + " < chi_" + text(next) + "/(4n - 2)" + at(n),
+                          exact(curve_ceiling(n, degree)), exact(variance_below(n, next))));
   const int points = 2 * start;
   const Ball weights = exactly((points - 1) * central_weight(degree, points - 1) +
                                points * central_weight(degree, points));
-  checks.push_back(less("R.5", "(2n - 1) K_{2n-1}(0) + 2n K_2n(0) + 4n Z < chi_15" + at(start),
+  checks.push_back(less("R.5", "(2n - 1) K_{2n-1}(0) + 2n K_2n(0) + 4n Z < chi_" + text(next) + at(start),
                         (weights + large_bounds(degree, start).ripple * (2 * points)).enclosure(),
                         exact(reproduction_bound(next, 2 * points - 2))));
   return checks;
@@ -193,8 +187,17 @@ std::vector<Check> convergence_checks(const Constants& c, int degree, int) {
   return checks;
 }
 
+int all_higher_from(int degree) {
+  switch (degree) {
+    case 3: return 7;
+    case 9: return 21;
+    case 11: return 25;
+    default: return 2 * degree + 1;
+  }
+}
+
 Constants all_higher_constants(int degree) {
-  if (degree == 1 || degree == 7) return Constants();
+  if (degree == 1 || degree >= 7) return Constants();
   const std::string name = "c+_" + text(degree);
   for (const Constant& constant : uniform_constants_7(degree).all())
     if (constant.name == name) return Constants({constant});
@@ -203,8 +206,8 @@ Constants all_higher_constants(int degree) {
 
 std::vector<Check> all_higher_checks(const Constants& c, int degree, int threads) {
   if (degree == 1) return checks_from_one();
-  if (degree == 7) return checks_from_seven();
-  const auto [next, start] = higher(degree);
+  if (degree >= 7) return checks_by_ceiling(degree);
+  const int next = all_higher_from(degree), start = degree == 3 ? 6 : 10;
   const std::string name = "c+_" + text(degree);
   std::vector<Check> checks{defining(c, name, "C_" + text(degree), limit_ball(degree))};
   prepare_variance_ends(least_n(next), start - 1, {degree}, threads);

@@ -1,6 +1,6 @@
 #pragma once
 /// Bounds of mean and ripple of the variance curves from the responses of the two rules, for the sources of this floor.
-/// Proofs: docs/theorems/every-degree.tex, Theorem T; its notation is used.
+/// Proofs: docs/theorems/every-pair.tex, Theorem T; its notation is used.
 
 #include <subcert/analysis/symbol/balls.hpp>
 

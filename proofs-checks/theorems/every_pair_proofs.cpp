@@ -1,9 +1,12 @@
 // Conjecture 8 in d for neighbouring odd degrees: for every degree from 5 on and all large n by bounds of mean and
-// ripple, and the bound of single curves. The numbers of the checks are those of docs/theorems/every-degree.tex.
+// ripple, for every n by the bound of single curves. The numbers of the checks are those of
+// docs/theorems/every-pair.tex.
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/parallel.hpp>
 
+#include "curve_bounds.hpp"
 #include "every_pair.hpp"
 #include "kernel.hpp"
 #include "proofs.hpp"
@@ -184,6 +187,25 @@ Rational curve_ceiling(int n, int degree) {
 
 int large_n(int degree) {
   return degree <= last_linear ? std::max(least_large_n, 4 * degree + 4) : (degree * degree + 1) / 2;
+}
+
+std::vector<Check> every_n_checks(const Constants&, int degree, int threads) {
+  const int first = (degree + 3) / 2, next = degree + 2;
+  std::vector<Check> checks(static_cast<std::size_t>(large_n(degree) - first));
+  parallel_for_each(checks.size(), threads, [&](std::size_t i) {
+    const int n = large_n(degree) - 1 - static_cast<int>(i);  // those that cost most first
+    const Enclosure mean = curve_bounds(primal_mask(n, next), 1).mean;
+    const Enclosure twice = mean.lower ? Enclosure::at_least(2 * *mean.lower) : Enclosure{};
+    checks[checks.size() - 1 - i] = less("T.16",
+                                         "U + U of degree " + text(next) + " < 2 I of degree " + text(next) + at(n),
+                                         Enclosure::exactly(curve_ceiling(n, degree) + curve_ceiling(n, next)), twice);
+  });
+  // These bounds do not refute: U is above the curve.
+  for (Check& one : checks)
+    if (one.decision.is_no()) one.decision = {Truth::unknown, "the bounds do not suffice"};
+  const std::vector<Check> large = large_n_checks(Constants(), degree, threads);
+  checks.insert(checks.end(), large.begin(), large.end());
+  return checks;
 }
 
 Constants large_n_constants(int degree) {

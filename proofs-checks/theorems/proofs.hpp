@@ -3,11 +3,13 @@
 
 #include "ledger.hpp"
 #include "scheme_family.hpp"
+#include "smoothness_rate.hpp"
 #include "theorem.hpp"
 
 #include <subcert/schemes/specification.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace subcert::theorems {
 
@@ -52,6 +54,11 @@ SymbolConstants state_symbol(Ledger& ledger, const SchemeFamily& family, int deg
 /// Smoothness for every n: Theorem U for degree 1 of the primal family, else Theorem V. Domain: as uniform_7.
 void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
 
+/// The table of Theorem W, n = 2 ... last_rate of the primal family, degree 1; its rows, kept for the next call.
+constexpr int last_rate = 43;
+std::vector<SmoothnessRate> smoothness_rates(int threads);
+void smoothness_table(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+
 /// What `smoothness` proves of the smoothest class for every n >= `first`, and of those before.
 struct SmoothnessRange {
   int order;                ///< of the derivatives: sum rules - 1
@@ -80,16 +87,22 @@ Constants uniform_constants_7(int degree);
 /// next call.
 int uniform_start(const SchemeFamily& family, int degree);
 
-/// Theorems P to S: convergence, Conjecture 8 in d from degree 1, 3, 5 or 7 to all higher degrees, C_d < C_{d+2}.
+/// Theorems P to S: convergence, Conjecture 8 in d from degree 1, 3, ..., 11 to all higher degrees, C_d < C_{d+2}.
 Constants convergence_constants(int degree);
 std::vector<Check> convergence_checks(const Constants& constants, int degree, int threads);
 Constants all_higher_constants(int degree);
 std::vector<Check> all_higher_checks(const Constants& constants, int degree, int threads);
+/// The least degree that all_higher_checks compares with; those between follow from neighbours. Domain: 3 to 11, odd.
+int all_higher_from(int degree);
 std::vector<Check> limits_grow_checks(const Constants& constants, int threads);
 
 /// Theorem T: degree against degree + 2, for n >= large_n(degree). Domain: odd degree >= 5.
 Constants large_n_constants(int degree);
 std::vector<Check> large_n_checks(const Constants& constants, int degree, int threads);
+
+/// Theorem T (c): degree against degree + 2, for all n. Domain: odd degree from 13 to 191. Cost: for degree 13 five
+/// seconds on one thread, for 31 some minutes.
+std::vector<Check> every_n_checks(const Constants& constants, int degree, int threads);
 
 Constants limit_constants_stated();
 std::vector<Check> limit_constants_checks(const Constants& constants, int threads);

@@ -232,6 +232,21 @@ void state_rate(Ledger& ledger, const SchemeFamily& family, int degree, int star
                defect * power_of_two(L * L / 2 - r * L));
 }
 
+// Theorem W.
+
+SmoothnessRate rate_of(const std::string& n) { return smoothness_rate(std::stoi(n)); }
+
+KeptByScheme<SmoothnessRate>& known_rates() {
+  static KeptByScheme<SmoothnessRate> result(rate_of);
+  return result;
+}
+
+/// The larger distance of a quotient of positive numbers from 1.
+Ball distance_from_one(const Enclosure& above, const Enclosure& below) {
+  if (!above.is_bounded() || !below.is_bounded()) return Ball::indeterminate(proof_bits);
+  return abs(Ball::containing(above, proof_bits) / Ball::containing(below, proof_bits) - 1);
+}
+
 constexpr int starts[] = {24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 600};
 
 /// The first start for which the chain holds; it then holds for all later ones. Nothing if it never does.
@@ -264,6 +279,31 @@ SmoothnessRange find_range(const SchemeFamily& family, int degree) {
 Rational exponent_bound(const std::string& scheme) {
   const std::optional<FrequencyBound>& bound = known_bounds()(scheme);
   return bound ? std::max(bound->exponent, Rational(0)) : Rational(0);
+}
+
+std::vector<SmoothnessRate> smoothness_rates(int threads) {
+  std::vector<std::string> all;
+  for (int n = 2; n <= last_rate; ++n) all.push_back(text(n));
+  known_rates().prepare(all, threads);
+  std::vector<SmoothnessRate> rates;
+  for (const std::string& n : all) rates.push_back(known_rates()(n));
+  return rates;
+}
+
+void smoothness_table(Ledger& ledger, const SchemeFamily& family, int, int threads) {
+  known_bounds().prepare(family.schemes(2, last_rate, 1), threads);
+  Ball width(proof_bits), distance(proof_bits), late(proof_bits);
+  for (const SmoothnessRate& rate : smoothness_rates(threads)) {
+    width = max(width, distance_from_one(rate.largest, rate.predicted));
+    const Ball gap = distance_from_one(rate.product, rate.predicted);
+    if (rate.n >= 5) distance = max(distance, gap);
+    if (rate.n >= 20) late = max(late, gap);
+  }
+  const auto state = [&](const char* name, const char* id, const char* meaning, const char* formula,
+                         const Ball& number) { ledger.state(name, Side::above, id, meaning, formula, number); };
+  state("delta", "W.1", "beta_n/(mean over the orbit of the word) - 1", "the largest of the bounds over n", width);
+  state("e_5", "W.2", "|ln|lambda|/mean - 1|, n >= 5", "the largest over n >= 5", distance);
+  state("e_20", "W.3", "|ln|lambda|/mean - 1|, n >= 20", "the largest over n >= 20", late);
 }
 
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {

@@ -136,7 +136,7 @@ void describe_small(Theorem& t, const SchemeFamily& family, const SmoothnessRang
 void describe_smoothness_degree_one(Theorem& t) {
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "Smoothness for degree 1 and every n";
-  t.text = "docs/theorems/smoothness.tex, Theorem U";
+  t.text = "docs/theorems/variance-curves.tex, Theorem U";
   t.statement = {"For all n >= 2 the Hoelder exponent s of S_n lies in 2 - " + number("C") +
                      " N^(1 - log2(N)/2) < s <= 2, N = 2n - 1/2.",
                  "So all limits are C^1, s tends to 2 faster than every power of n, and no S_n is C^2.",
@@ -152,7 +152,7 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
                     rules = std::to_string(range.order + 1), first = std::to_string(range.first),
                     start = std::to_string(range.start);
   t.title = title_of("Smoothness", family, "degree " + d);
-  t.text = "docs/theorems/smoothness.tex, Theorem V";
+  t.text = "docs/theorems/variance-curves.tex, Theorem V";
   t.statement = {"For all n >= " + first + " all limits are C^" + order + ": their Hoelder exponent s is above " +
                  order + ", and at most " + rules + "."};
   t.ranges = {{first + " <= n < " + start, "a supersolution on cells of frequencies for each n"},
@@ -168,6 +168,36 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
     t.ranges.emplace_back("n to infinity", "Theorem V (c), without constants");
   }
   describe_small(t, family, range);
+}
+
+/// Contains s of S_n: from the bound by frequencies to that of the word.
+Enclosure exponent_range(const SmoothnessRate& rate) {
+  const Ball end = 2 - Ball::containing(rate.product, proof_bits) / log(Ball(2, proof_bits));
+  return {exponent_bound(scheme_family("primal").scheme(rate.n, 1)), end.enclosure().upper};
+}
+
+void describe_rate(Theorem& t, const SchemeFamily&) {
+  const auto number = [&](const char* name) { return plain(t.constants[name]); };
+  t.title = "The true rate of smoothness for degree 1";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem W";
+  t.statement = {
+      "There is a constant C with |(2 - s) ln 2 - beta_n| <= N^(C - log2(N)) for all n >= 2, N = 2n - 1/2: beta_n is "
+      "the "
+      "largest mean of h_n over a measure that is invariant under x -> 2x modulo 1, h_n(x) the sum of "
+      "phi_b^(2 pi k) exp(2 pi i k x) over odd |k| < N.",
+      "For n = 3, 11, 43, ... = (2^(2m+1) + 4)/12 it is a sharp rate: (2 - s)/(kappa (pi^2 (4n - 1)/(12 ln 2)) "
+      "|phi^(pi)|) tends to 1, kappa = 1 for even m and 2 for odd m; log(2 - s)/(log n)^2 has the upper limit "
+      "-1/(2 log 2).",
+      "For 2 <= n <= 43: the mean over the orbit of the word below is beta_n up to " + number("delta") +
+          " of it. (2 - s) ln 2 is at least ln|lambda|, by an eigenvalue of the word's product; that is the mean up "
+          "to " +
+          number("e_5") + " of it for n >= 5 and up to " + number("e_20") + " for n >= 20."};
+  t.ranges = {{"n to infinity", "a proof without a computer; C is not named"},
+              {"2 <= n <= 43", "the numbers above, each for one n"}};
+  for (const SmoothnessRate& rate : smoothness_rates(1))
+    t.values.emplace_back("s_" + text(rate.n), enclosure_text(exponent_range(rate), 13) + ", word " + rate.word +
+                                                   ", mean " + enclosure_text(rate.predicted, 7) + ", ln|lambda| " +
+                                                   enclosure_text(rate.product, 5));
 }
 
 void describe_limit_constants(Theorem& t) {
@@ -188,7 +218,7 @@ void describe_limit_constants(Theorem& t) {
 void describe_convergence(Theorem& t) {
   const int degree = t.degrees.front();
   t.title = "Convergence for every degree and every n";
-  t.text = "docs/theorems/variance-curves.tex, Theorem P";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem P";
   t.statement = {"S_n^d converges for all n >= 1 and all d <= 2n - 1.",
                  "The response D_M of one fit of degree d on M > d points, read off in the middle, is below 1 in "
                  "modulus except where sin w = 0, and the moduli of the transform of phi at xi + 2 pi k sum to at most "
@@ -216,12 +246,25 @@ void describe_large_n(Theorem& t) {
     t.ranges.emplace_back("all d >= 13", "(T.5) for 13 <= d <= 193; from 193 on they fall with d, 2n = d^2 + 1");
 }
 
+void describe_every_n(Theorem& t) {
+  const int degree = t.degrees.front(), next = degree + 2;
+  const std::string low = std::to_string(degree), high = std::to_string(next), first = std::to_string((degree + 3) / 2),
+                    start = std::to_string(large_n(degree));
+  t.degrees = {degree, next};
+  t.title = "Conjecture 8 in d for the degrees " + low + " and " + high + " and every n";
+  t.text = "docs/theorems/variance-curves.tex, Theorem T (b) and (c)";
+  t.statement = {"max psi_n^" + low + " < min psi_n^" + high + " for all n >= " + first + ".",
+                 "For smaller n the two schemes are the same, and so are the curves."};
+  t.ranges = {{first + " <= n < " + start, "the responses of the two rules, and a lower bound of the mean, for each n"},
+              {"n >= " + start, "bounds of mean and ripple that fall with n, (T.5)"}};
+}
+
 void describe_all_higher(Theorem& t) {
   const int degree = t.degrees.front();
   const std::string low = std::to_string(degree);
   t.title = "Conjecture 8 in d from degree " + low + " to all higher degrees and every n";
   if (degree == 1) {
-    t.text = "docs/theorems/variance-curves.tex, Theorem Q";
+    t.text = "docs/theorems/least-squares-schemes.tex, Theorem Q";
     t.statement = {"psi_n^1(x) <= 1/(2n - 1) < psi_n^d(x') for all n >= 2, all odd 3 <= d <= 2n - 1 and all x, x'."};
     t.ranges = {{"all d, all n", "a proof without a computer"},
                 {"2 <= n <= 8", "for confirmation only: exact values on a grid against the bounds of the proof"}};
@@ -229,7 +272,7 @@ void describe_all_higher(Theorem& t) {
   }
   t.text = "docs/theorems/variance-curves.tex, Theorem R";
   t.statement = {"max psi_n^" + low + " < min psi_n^d for all odd d > " + low + " and all n >= (d+1)/2."};
-  const int from = degree == 3 ? 7 : 2 * degree + 1;
+  const int from = all_higher_from(degree);
   for (int next = degree + 2; next < from; next += 2) {
     std::string runs = "conjecture-8-d --d " + low;
     for (int between = degree + 2; between < next; between += 2) runs += ", " + std::to_string(between);
@@ -241,13 +284,13 @@ void describe_all_higher(Theorem& t) {
                                           : "60";
   t.ranges.emplace_back(lemma + first + " <= n < " + start,
                         "psi_n^" + low + " bounded for each n, psi_n^d from its polynomials");
-  t.ranges.emplace_back(lemma + "n >= " + start, degree == 7 ? "the bounds of conjecture-8-d-large --d 7"
+  t.ranges.emplace_back(lemma + "n >= " + start, degree >= 7 ? "the bounds of conjecture-8-d-large --d " + low
                                                              : "conjecture-7 --d " + low + ", and one inequality");
 }
 
 void describe_limits_grow(Theorem& t) {
   t.title = "The limits of n max psi_n grow with the degree";
-  t.text = "docs/theorems/variance-curves.tex, Theorem S";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem S";
   t.statement = {"C_d < gamma_d^2/2 < C_{d+2} for every odd d, gamma_d = d binom(d-1, (d-1)/2)/2^(d-1).",
                  "C_d = d/pi + 1/(2 pi) - 1/(sqrt(3) pi^2) + o(1) as d grows.",
                  "So for each pair d_1 > d_2 and all sufficiently large n, max psi_n^{d_2} < min psi_n^{d_1}."};
@@ -284,6 +327,12 @@ std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
                [=, &family](Theorem& t) { describe(t, family); }};
 }
 
+/// A proof without constants of its own.
+Proof by_threads(int degree, std::vector<Check> (*checks)(const Constants&, int, int), void (*describe)(Theorem&)) {
+  return {degree, [](int) { return Constants(); },
+          [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
+}
+
 /// A proof whose functions take the degree.
 Proof by_degree(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
                 void (*describe)(Theorem&)) {
@@ -299,7 +348,7 @@ const std::vector<Entry>& entries() {
     std::vector<Entry> all;
     const std::string every = "every n >= (d+1)/2";
     const auto primal = [](const SchemeFamily& family) { return family.id == "primal"; };
-    const std::vector<int> degrees{1, 3, 5, 7, 9, 11, 13}, pairs{1, 3, 5, 7, 9, 11};
+    const std::vector<int> degrees{1, 3, 5, 7, 9, 11, 13}, pairs{1, 3, 5, 7, 9, 11, 13, 15};
     all.push_back(
         {{"conjecture-7",
           "max psi_n ~ 1/n; of max |psi_n'| ~ 1/n^2 the upper bound, while the rate is false: n^2 max |psi_n'| tends "
@@ -315,12 +364,15 @@ const std::vector<Entry>& entries() {
          higher,
          false,
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_n, describe_8_n); }});
-    all.push_back(
-        {{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", pairs},
-         {},
-         higher,
-         false,
-         [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_d, describe_8_d); }});
+    all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", pairs},
+                   {},
+                   higher,
+                   false,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family) || degree < 13) return found(degree, family, uniform_8_d, describe_8_d);
+                     if (degree > 41) return std::nullopt;
+                     return by_threads(degree, every_n_checks, describe_every_n);
+                   }});
     all.push_back(
         {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
          {{1, [](int) { return limit_constants_stated(); }, limit_constants_checks, describe_limit_constants}},
@@ -334,15 +386,17 @@ const std::vector<Entry>& entries() {
                      if (!primal(family)) return std::nullopt;
                      return by_degree(degree, convergence_constants, convergence_checks, describe_convergence);
                    }});
-    all.push_back(
-        {{"conjecture-8-d-all", "psi of degree d < psi of all higher degrees everywhere", "every n", {1, 3, 5, 7}},
-         {},
-         {"psi of degree d < psi of degree d + 2 for every n, from this degree up to 2 d + 1"},
-         false,
-         [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
-           if (!primal(family) || degree > 7) return std::nullopt;
-           return by_degree(degree, all_higher_constants, all_higher_checks, describe_all_higher);
-         }});
+    all.push_back({{"conjecture-8-d-all",
+                    "psi of degree d < psi of all higher degrees everywhere",
+                    "every n",
+                    {1, 3, 5, 7, 9, 11}},
+                   {},
+                   {"psi of degree d < psi of degree d + 2 for every n, from this degree up to 2 d + 1"},
+                   false,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family) || degree > 11) return std::nullopt;
+                     return by_degree(degree, all_higher_constants, all_higher_checks, describe_all_higher);
+                   }});
     all.push_back({{"smoothness",
                     "S_n^d is C^d, and its Hoelder exponent tends to d + 1 faster than every power of n",
                     "every n >= 2 for d = 1, every n >= 7 for d = 3",
@@ -364,6 +418,17 @@ const std::vector<Entry>& entries() {
                    [](int degree, const SchemeFamily& family) {
                      return found(degree, scheme_family(family.id == "primal" ? "dual" : family.id), smoothness,
                                   describe_smoothness);
+                   }});
+    all.push_back({{"rate",
+                    "2 - s of S_n is the largest mean of a function over an orbit of x -> 2x, up to its square",
+                    "n to infinity, with certified numbers for n <= 43",
+                    {1}},
+                   {},
+                   {"the symbols of other degrees and families"},
+                   false,
+                   [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (!primal(family) || degree != 1) return std::nullopt;
+                     return found(degree, family, smoothness_table, describe_rate);
                    }});
     all.push_back({{"conjecture-8-d-large",
                     "psi of degree d < psi of degree d + 2 everywhere",

@@ -1,5 +1,4 @@
-// docs/theorems/variance-curves.tex against the program: numbered inequalities, stated constants, and a source that
-// builds.
+// The papers in docs/theorems against the program: numbered inequalities, stated constants, and sources that build.
 
 #include <subcert/cmake/catch.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
@@ -18,20 +17,24 @@ std::string file_text(const std::string& path) {
   std::ifstream stream(path);
   std::ostringstream text;
   text << stream.rdbuf();
-  REQUIRE(text.str().size() > 1000);
+  REQUIRE(text.str().size() > 100);
   return text.str();
 }
 
-/// The text with the files that it reads in their places.
-std::string source() {
-  const std::string path = SUBCERT_THEOREM_TEXT, folder = path.substr(0, path.rfind('/') + 1);
-  std::string text = file_text(path);
+/// A paper with the files that it reads in their places.
+std::string paper(const std::string& name) {
+  const std::string folder = SUBCERT_THEOREM_TEXT;
+  std::string text = file_text(folder + "/" + name);
   const std::regex input(R"(\\input\{([^}]*)\})");
   for (std::smatch found; std::regex_search(text, found, input);)
     text.replace(static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()),
-                 file_text(folder + found[1].str() + ".tex"));
+                 file_text(folder + "/" + found[1].str() + ".tex"));
   return text;
 }
+
+const char* const papers[] = {"least-squares-schemes.tex", "variance-curves.tex"};
+
+std::string source() { return paper(papers[0]) + paper(papers[1]); }
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
   std::vector<std::string> found;
@@ -77,6 +80,9 @@ void check_cell(const std::string& text, const std::string& key, std::size_t col
 
 }  // namespace
 
+/// The numbers of theorems that take longer, which a long test runs.
+const std::set<std::string> costly{"T.16", "W.1", "W.2", "W.3"};
+
 TEST_CASE("the text has the numbered inequalities that the program runs") {
   std::set<std::string> run;
   for (const char* id : {"conjecture-7", "conjecture-8-n"}) {
@@ -92,6 +98,7 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
     for (const Check& check : prove("conjecture-8-d-large", degree).checks) run.insert(check.id);
   const auto tags = matches(source(), R"(\\tag\{([^}]*)\})");
   CHECK(as_set(tags).size() == tags.size());
+  run.insert(costly.begin(), costly.end());
   CHECK(as_set(tags) == run);
 }
 
@@ -122,6 +129,17 @@ TEST_CASE("the tables of the text state the constants of the program") {
     for (const Constant& one : stated_constants("conjecture-8-d-all", degree).all())
       CHECK(stated_constants("conjecture-7", degree)[one.name] == one.value);
   CHECK(matches(text, R"((% [0-9PT]:))").size() == rows);
+}
+
+TEST_CASE("the text has the numbers and constants of the theorems that take longer", "[long]") {
+  const std::string text = source();
+  const Constants rate = stated_constants("rate", 1);
+  for (const Constant& one : rate.all()) check_cell(text, "W:" + one.name, 1, one);
+  std::set<std::string> run;
+  for (const Check& check : prove("rate", 1, rate).checks) run.insert(check.id);
+  for (const Check& check : prove("conjecture-8-d", 13).checks) run.insert(check.id);
+  for (const Check& check : prove("conjecture-8-d-large", 13).checks) run.erase(check.id);
+  CHECK(run == costly);
 }
 
 TEST_CASE("the tables for section 7 state the constants that the program finds", "[long]") {
@@ -209,12 +227,26 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "lceil rceil alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu xi pi rho sigma tau varphi psi "
       "Gamma Delta Pi Phi Psi Omega Theta input H sqrt left right chi varpi nu epsilon omega iota vartheta theta mp "
       "arcsin appendix Lambda "
-      "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot");
+      "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot "
+      "equiv mathcal");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);
     CHECK(known.count(name) == 1);
   }
-  const auto labels = as_set(matches(text, R"(\\label\{([^}]*)\})"));
-  for (const std::string& name : matches(text, R"(\\ref\{([^}]*)\})")) CHECK(labels.count(name) == 1);
+  for (const char* name : papers) {
+    const std::string one = paper(name);
+    const auto labels = matches(one, R"(\\label\{([^}]*)\})"), items = matches(one, R"(\\bibitem\{([^}]*)\})");
+    CHECK(as_set(labels).size() == labels.size());
+    for (const std::string& label : matches(one, R"(\\ref\{([^}]*)\})")) {
+      CAPTURE(name, label);
+      CHECK(as_set(labels).count(label) == 1);
+    }
+    std::set<std::string> cited;
+    for (const std::string& list : matches(one, R"(\\cite(?:\[[^\]]*\])?\{([^}]*)\})")) {
+      std::istringstream keys(list);
+      for (std::string key; std::getline(keys, key, ',');) cited.insert(key);
+    }
+    CHECK(as_set(items) == cited);
+  }
 }

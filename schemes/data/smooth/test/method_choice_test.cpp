@@ -1,9 +1,11 @@
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/schemes/data/smooth/method_choice.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace subcert;
@@ -118,4 +120,35 @@ TEST_CASE("bands have the width of Student's quantiles") {
   CHECK(band_factor(0.95, {1, 1e6, 10}) == Approx(1.96).epsilon(1e-3));
   CHECK_FAILS(band_factor(1, {1, 10, 10}), domain);
   CHECK_FAILS(band_factor(0.95, {}), domain);
+}
+
+TEST_CASE("the number of points chosen is the one of the closed form, where the derivative and the noise are known") {
+  // The first digits of C_d, `subcert theorem limit-constants`.
+  for (const auto& [degree, limit] : {std::pair{1, 0.4044}, {3, 1.0446}, {5, 1.6858}})
+    for (const double best : {7.0, 10.0, 14.0}) {
+      const double N = 2 * best - 0.5;
+      const std::size_t count = 3000;
+      // Periodic data; the mean square of the derivative of order d + 1 is frequency^(2d + 2)/2.
+      const double periods = std::round(static_cast<double>(count) / (2 * std::numbers::pi * N) *
+                                        (1 + 0.2 * (degree - 1))),
+                   frequency = 2 * std::numbers::pi * periods / static_cast<double>(count);
+      const std::string widest = "primal:n=20,d=" + std::to_string(degree);
+      const double constant = mean_bias(make_scheme(widest).mask.curve()).constant.convert_to<double>() /
+                              std::pow(39.5, degree + 1);
+      const double bias = std::abs(constant) * std::pow(frequency, degree + 1) / std::numbers::sqrt2;
+      // The noise for which N^(2d + 3) = C_d sigma^2/((d + 1) B^2).
+      const double sigma = bias * std::sqrt((degree + 1) * std::pow(N, 2 * degree + 3) / limit);
+      double sum = 0;
+      const int draws = 5;
+      for (int seed = 0; seed < draws; ++seed) {
+        const Samples samples{{sampled(count, frequency, sigma, static_cast<unsigned long>(100 + seed))}};
+        for (const SmoothingCandidate& one : rank_schemes(samples, {known_noise(sigma)}, {Boundary::periodic})) {
+          if (one.degree != degree) continue;
+          sum += static_cast<double>(one.points) / 2;
+          break;
+        }
+      }
+      CAPTURE(degree, best, frequency * N, sigma, sum / draws);
+      CHECK(std::abs(sum / draws - best) < 0.2 * best);
+    }
 }

@@ -567,8 +567,9 @@ JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget)
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   const NormProof norms = norm_of_products(family, budget);
   JointSpectralRadius result;
-  result.product = scaled(
-      prove_product(scaled_family, find_product(scaled_family, budget.deadline), budget.deadline.later(grace)), unit);
+  result.product = scaled(prove_product(scaled_family, find_product(scaled_family, budget.deadline).written(),
+                                        budget.deadline.later(grace)),
+                          unit);
   result.radius = {*result.product.radius.lower, norms.bound()};
   result.exact = {Truth::unknown, "only norms were computed"};
   result.proof = norms;

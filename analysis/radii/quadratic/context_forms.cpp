@@ -63,7 +63,7 @@ struct LeadingVectors {
 
 std::optional<LeadingVectors> leading_vectors(const std::vector<Matrix>& matrices, const std::vector<int>& product,
                                               const Deadline& deadline) {
-  polytope::Candidate candidate{{product.rbegin(), product.rend()}};
+  polytope::Candidate candidate{polytope::turned(product)};
   candidate.radius = polytope::product_radius(matrices, candidate.word);
   const auto cycles = polytope::leading_cycles(matrices, {candidate}, simple_enough, deadline);
   if (cycles.size() != 1 || cycles[0].left.empty()) return std::nullopt;

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-using namespace subcert::schedule;
+namespace schedule = subcert::schedule;
 
 namespace {
 
@@ -34,23 +34,26 @@ void check_leaves(double least, const std::vector<double>& shares_of_rest) {
 }  // namespace
 
 TEST_CASE("shares of what is left leave time for the step after them") {
-  check_leaves(0.6, {family::triangular_form, family::symmetries, family::symmetries});  // the search of the radius
-  check_leaves(0.3, {block::commuting, block::norms, block::polytopes});                 // proofs
-  check_leaves(0.2, {block::closed_proof, block::larger_polytope});                      // the proof of a larger one
-  check_leaves(0.5, {block::opposite_as_one});                                           // the matrices told apart
-  check_leaves(0.3, {products::coordinates, products::runs});                            // looks with contexts
-  check_leaves(0.05, {forms::one_form, forms::contexts, forms::tree});                   // proofs
-  check_leaves(0.3, {forms::fine_proof});                                                // a proof with doubles
-  check_leaves(0.3, {curve::norms, curve::unstable});                                    // the radius
-  check_leaves(0.03, {surface::stability, surface::sobolev, surface::search});           // convergence
-  check_leaves(0.9, {surface::norms});
-  check_leaves(0.8, {orbit::all});
-  check_leaves(0.8, {p_radius::splitting});
+  check_leaves(0.6, {schedule::family::triangular_form, schedule::family::symmetries,
+                     schedule::family::symmetries});  // the search of the radius
+  check_leaves(0.3, {schedule::block::commuting, schedule::block::norms, schedule::block::polytopes});  // proofs
+  check_leaves(0.2, {schedule::block::closed_proof, schedule::block::larger_polytope});  // the proof of a larger one
+  check_leaves(0.5, {schedule::block::opposite_as_one});                                 // the matrices told apart
+  check_leaves(0.3, {schedule::products::coordinates, schedule::products::runs});        // looks with contexts
+  check_leaves(0.05, {schedule::forms::one_form, schedule::forms::contexts, schedule::forms::tree});  // proofs
+  check_leaves(0.3, {schedule::forms::fine_proof});                        // a proof with doubles
+  check_leaves(0.3, {schedule::curve::norms, schedule::curve::unstable});  // the radius
+  check_leaves(0.03,
+               {schedule::surface::stability, schedule::surface::sobolev, schedule::surface::search});  // convergence
+  check_leaves(0.9, {schedule::surface::norms});
+  check_leaves(0.8, {schedule::orbit::all});
+  check_leaves(0.8, {schedule::p_radius::splitting});
 }
 
 TEST_CASE("shares of a whole sum to at most one") {
-  CHECK(polytope::races < 1);  // the rest is for enclosing
-  CHECK(polytope::first_products + 3 * polytope::later_products <= polytope::races);
-  CHECK(std::max(polytope::first_race, polytope::last_look) <= polytope::races);
-  CHECK(polytope::large_extras * polytope::races + polytope::last_look <= polytope::races);
+  CHECK(schedule::polytope::races < 1);  // the rest is for enclosing
+  CHECK(schedule::polytope::first_products + 3 * schedule::polytope::later_products <= schedule::polytope::races);
+  CHECK(std::max(schedule::polytope::first_race, schedule::polytope::last_look) <= schedule::polytope::races);
+  CHECK(schedule::polytope::large_extras * schedule::polytope::races + schedule::polytope::last_look <=
+        schedule::polytope::races);
 }

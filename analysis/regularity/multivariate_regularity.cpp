@@ -1,6 +1,6 @@
 #include "multivariate_regularity.hpp"
 
-#include "holder_regularity.hpp"
+#include "regularity.hpp"
 #include "sobolev.hpp"
 #include "value_space.hpp"
 
@@ -327,6 +327,16 @@ MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Bu
   }
   return mask.has_factors() ? regularity_by_factors(mask.factors(), budget, bits)
                             : regularity_of_whole(mask, budget, bits);
+}
+
+Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const RegularityOptions& options) {
+  Regularity result;
+  if (mask.factors().size() == 1)
+    result.curve = holder_regularity(mask.curve(), options.levels, budget, options.proof, options.rounding,
+                                     options.bits);
+  else
+    result.surface = multivariate_regularity(mask, budget, options.bits);
+  return result;
 }
 
 bool MultivariateRegularity::is_closed() const {

@@ -17,24 +17,6 @@
 #include <system_error>
 
 namespace subcert::cli {
-namespace {
-
-constexpr std::size_t most_bytes = std::size_t{1} << 28;  // of an input: some, as /dev/zero, have no end
-
-std::string read_to_the_end(std::istream& stream, const std::string& name) {
-  std::string text;
-  for (std::size_t block = std::size_t{1} << 16; stream; block = std::min(2 * block, std::size_t{1} << 24)) {
-    const std::size_t old = text.size();
-    if (old > most_bytes) fail(ErrorKind::data, "{}: longer than {} MB", name, most_bytes >> 20);
-    text.resize(old + block);
-    stream.read(text.data() + old, static_cast<std::streamsize>(block));
-    text.resize(old + static_cast<std::size_t>(stream.gcount()));
-  }
-  if (!stream.eof()) fail(ErrorKind::data, "{}: cannot be read", name);
-  return text;
-}
-
-}  // namespace
 
 ExitCode exit_code(Truth answer) { return answer == Truth::yes ? done : answer == Truth::no ? failed : undecided; }
 
@@ -59,19 +41,6 @@ std::string exit_code_help() {
          "  65  a data file that cannot be used\n"
          "  66  a file that is missing or cannot be written\n"
          "  70  internal error";
-}
-
-std::string read_file(const std::string& path) {
-  if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);
-  if (std::filesystem::is_directory(path)) fail(ErrorKind::data, "{}: cannot be read", path);
-  std::ifstream stream(path, std::ios::binary);
-  return read_to_the_end(stream, path);
-}
-
-std::string input_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
-
-std::string read_input(const std::string& path) {
-  return path == standard_stream ? read_to_the_end(std::cin, input_name(path)) : read_file(path);
 }
 
 std::string json_text(Json json_object) {

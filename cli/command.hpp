@@ -8,6 +8,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/reports/facts/fact.hpp>
+#include <subcert/schemes/data/runtime/input.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <functional>
@@ -39,14 +40,10 @@ ExitCode exit_code(ErrorKind kind);
 /// The meanings, as help prints them.
 std::string exit_code_help();
 
-/// The name that means standard input where data are read, and standard output where answers are written.
-constexpr const char* standard_stream = "-";
-
-/// The content of a file. Errors: throws a data error, or missing_file.
-std::string read_file(const std::string& path);
-
-/// The same, or the content of standard input.
-std::string read_input(const std::string& path);
+using runtime::input_name;
+using runtime::read_file;
+using runtime::read_input;
+using runtime::standard_stream;
 
 /// Errors: throws missing_file where standard output did not take all that was printed, with the reason; `reason`, as
 /// errno has it, is that of an earlier failure if it is known. Throws ReaderLeft where the pipe is closed.
@@ -54,9 +51,6 @@ void require_output_written(int reason = 0);
 
 /// Whoever reads the answer has left: nothing is said about it.
 struct ReaderLeft {};
-
-/// What errors call an input: the path, or `standard input`.
-std::string input_name(const std::string& path);
 
 /// An answer with the field `subcert`, which tells the program that made it.
 std::string json_text(Json json_object);

@@ -76,15 +76,11 @@ Report report_bivariate(const ReportOptions& options) {
       "of "
       "each. A decimal number is compared in the printed digits. A whole number is meant exactly. C^k holds where the "
       "Hoelder exponent is above k, and fails where it is below.");
-  if (options.wants("published")) {
-    formats::ComparisonTable table{"bivariate", published.id, published.title, published.place, published.grid, {}};
-    for (const statements::PublishedCell& cell : published.cells) {
+  if (options.wants("published"))
+    add_published(section, "bivariate", published, [&](const statements::PublishedCell& cell) {
       const auto at = std::ranges::find(specifications, cell.scheme) - specifications.begin();
-      table.comparisons.push_back(compare_published(cell, facts[static_cast<std::size_t>(at)]));
-    }
-    section.paragraphs.push_back(verdict_sentence(table));
-    section.comparisons.push_back(std::move(table));
-  }
+      return compare_published(cell, facts[static_cast<std::size_t>(at)]);
+    });
   if (options.wants("schemes")) {
     formats::PlainTable table{
         "schemes", "The schemes, and what is proved about them", surface_facts_head({"scheme"}), {}};
@@ -95,9 +91,7 @@ Report report_bivariate(const ReportOptions& options) {
     }
     section.tables.push_back(std::move(table));
   }
-  Report report{"bivariate", statements::citation("bivariate"), {std::move(section)}};
-  report.listed = true;
-  return report;
+  return collection_report("bivariate", std::move(section));
 }
 
 }  // namespace subcert::reports

@@ -82,8 +82,8 @@ const statements::dyn_2015::NumericalRecipeSearch& ComputedQuantities::recipes()
   return recipes_.emplace(table, std::move(values));
 }
 
-formats::ComparisonTable empty_table(const statements::PublishedTable& table) {
-  return {"dyn-2015", table.id, table.title, table.place, table.grid, {}};
+formats::ComparisonTable empty_table(const statements::PublishedTable& table, const std::string& paper) {
+  return {paper, table.id, table.title, table.place, table.grid, {}};
 }
 
 std::string source_text(const statements::PublishedCell& cell) {
@@ -128,6 +128,23 @@ std::string verdict_sentence(const formats::ComparisonTable& table) {
   const auto wrong = table.count(ValueVerdict::mismatch), open = table.count(ValueVerdict::open);
   return fmt::format("{} of {} printed values match, {} {} not, {} {} open.", table.count(ValueVerdict::match),
                      table.values(), wrong, wrong == 1 ? "does" : "do", open, open == 1 ? "is" : "are");
+}
+
+void add_published(formats::Section& section, const std::string& collection,
+                   const statements::PublishedTable& published,
+                   const std::function<formats::Comparison(const statements::PublishedCell&)>& compare, int jobs) {
+  formats::ComparisonTable table = empty_table(published, collection);
+  table.comparisons.resize(published.cells.size());
+  parallel_tasks(published.cells.size(), jobs,
+                 [&](std::size_t k) { table.comparisons[k] = compare(published.cells[k]); });
+  section.paragraphs.push_back(verdict_sentence(table));
+  section.comparisons.push_back(std::move(table));
+}
+
+Report collection_report(const std::string& collection, formats::Section section) {
+  Report report{collection, statements::citation(collection), {std::move(section)}};
+  report.listed = true;
+  return report;
 }
 
 }  // namespace subcert::reports

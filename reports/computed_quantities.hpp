@@ -1,7 +1,6 @@
 #pragma once
 /// What the items of the report on Dyn, Heard, Hormann & Sharon 2015 share: schemes, certified numbers, comparisons.
 
-#include <subcert/proofs-checks/papers/registry.hpp>
 #include "report.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
@@ -9,8 +8,10 @@
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
+#include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -83,7 +84,15 @@ class ComputedQuantities {
   std::optional<statements::dyn_2015::NumericalRecipeSearch> recipes_;
 };
 
-formats::ComparisonTable empty_table(const statements::PublishedTable& table);
+formats::ComparisonTable empty_table(const statements::PublishedTable& table, const std::string& paper = "dyn-2015");
+
+/// Adds the table of a collection with each cell compared, and the sentence that counts the verdicts.
+void add_published(formats::Section& section, const std::string& collection,
+                   const statements::PublishedTable& published,
+                   const std::function<formats::Comparison(const statements::PublishedCell&)>& compare, int jobs = 1);
+
+/// The report on a collection of published values: one section.
+Report collection_report(const std::string& collection, formats::Section section);
 
 /// `[KEY] reference`; empty where the cell is of a paper's own table.
 std::string source_text(const statements::PublishedCell& cell);

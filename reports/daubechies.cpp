@@ -33,15 +33,10 @@ Report report_daubechies(const ReportOptions& options) {
   section.paragraphs.push_back(
       "D(2n) has n sum rules and 2n coefficients, which are not rational for n > 1. What is proved holds for all masks "
       "with n sum rules in a small neighbourhood of rounded coefficients, in which the mask that is meant lies.");
-  Report report{"daubechies", statements::citation("daubechies"), {}};
-  report.listed = true;
-  if (options.wants("published")) {
-    formats::ComparisonTable table{"daubechies", published.id, published.title, published.place, published.grid, {}};
-    for (const statements::PublishedCell& cell : published.cells)
-      table.comparisons.push_back(compare_number(cell, computed.exponent(cell.scheme).exponent));
-    section.paragraphs.push_back(verdict_sentence(table));
-    section.comparisons.push_back(std::move(table));
-  }
+  if (options.wants("published"))
+    add_published(section, "daubechies", published, [&](const statements::PublishedCell& cell) {
+      return compare_number(cell, computed.exponent(cell.scheme).exponent);
+    });
   if (options.wants("exponents")) {
     formats::PlainTable table{"exponents",
                               "Hoelder exponents of D4 to D42",
@@ -64,8 +59,7 @@ Report report_daubechies(const ReportOptions& options) {
     }
     section.tables.push_back(std::move(table));
   }
-  report.sections.push_back(std::move(section));
-  return report;
+  return collection_report("daubechies", std::move(section));
 }
 
 }  // namespace subcert::reports

@@ -5,7 +5,6 @@
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
@@ -90,7 +89,7 @@ void refute(formats::Comparison& comparison, const PropertyRange& range, const P
 }
 
 /// The verdict on `C^k for LOW < w < HIGH`, a sufficient condition, or on `exactly for`.
-formats::Comparison compare_range(const statements::PublishedCell& cell, int jobs) {
+formats::Comparison compare_range(const statements::PublishedCell& cell) {
   const ParametricScheme family = make_parametric_scheme(cell.scheme);
   const char letter = family.parameter;
   const bool is_exact = cell.quantity.ends_with(exactly);
@@ -101,7 +100,7 @@ formats::Comparison compare_range(const statements::PublishedCell& cell, int job
           cell.printed);
   const Rational length = printed->high - printed->low, width = length * share_left_open;
   const PropertyRange found = property_range(family.mask, *property, printed->low - 2 * length,
-                                             printed->high + 2 * length, {width, jobs, {Deadline::in(range_seconds)}});
+                                             printed->high + 2 * length, {width, 1, {Deadline::in(range_seconds)}});
   formats::Comparison comparison{cell.row,
                                  cell.column,
                                  family.specification,
@@ -160,21 +159,14 @@ const std::vector<std::string>& family_items() {
 
 Report report_families(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("families").table("ranges");
-  formats::ComparisonTable table{"families", published.id, published.title, published.place, published.grid, {}};
-  table.comparisons.resize(published.cells.size());
-  parallel_tasks(published.cells.size(), options.jobs,
-                 [&](std::size_t k) { table.comparisons[k] = compare_range(published.cells[k], 1); });
   formats::Section section{"ranges", "For which values of a parameter: published ranges, and what is proved", {}};
   section.paragraphs.push_back(
       "Ranges of a parameter for which the literature states convergence (C0) or smoothness, with the source of each. "
       "Such a statement is a sufficient condition, unless it says exactly: it matches where it lies in the range that "
       "is proved, and the whole range stands beside it, with the polynomials whose zeros are its ends. It "
       "mismatches where a value in it is refuted.");
-  section.paragraphs.push_back(verdict_sentence(table));
-  section.comparisons.push_back(std::move(table));
-  Report report{"families", statements::citation("families"), {std::move(section)}};
-  report.listed = true;
-  return report;
+  add_published(section, "families", published, compare_range, options.jobs);
+  return collection_report("families", std::move(section));
 }
 
 }  // namespace subcert::reports

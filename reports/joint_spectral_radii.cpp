@@ -72,18 +72,11 @@ Report report_joint_spectral_radii(const ReportOptions& options) {
   section.paragraphs.push_back(
       "Exact means that the product is proved to attain the radius; otherwise the width of the enclosure is given. The "
       "matrices are those of the certificates, and of the folder proofs-checks/papers/jsr/families.");
-  Report report{"jsr", statements::citation("jsr"), {}};
-  report.listed = true;
-  if (options.wants("published")) {
-    formats::ComparisonTable table{"jsr", published.id, published.title, published.place, published.grid, {}};
-    for (const statements::PublishedCell& cell : published.cells) {
+  if (options.wants("published"))
+    add_published(section, "jsr", published, [&](const statements::PublishedCell& cell) {
       const Enclosure& radius = families.at(cell.scheme)->radius.radius;
-      table.comparisons.push_back(
-          compare_number(cell, cell.quantity == "capacity" ? binary_logarithm(radius) : radius));
-    }
-    section.paragraphs.push_back(verdict_sentence(table));
-    section.comparisons.push_back(std::move(table));
-  }
+      return compare_number(cell, cell.quantity == "capacity" ? binary_logarithm(radius) : radius);
+    });
   if (options.wants("families")) {
     formats::PlainTable table{"families",
                               "Families of the literature",
@@ -96,8 +89,7 @@ Report report_joint_spectral_radii(const ReportOptions& options) {
     }
     section.tables.push_back(std::move(table));
   }
-  report.sections.push_back(std::move(section));
-  return report;
+  return collection_report("jsr", std::move(section));
 }
 
 }  // namespace subcert::reports

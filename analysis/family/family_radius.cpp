@@ -58,11 +58,8 @@ NormProof largest_norm(const MatrixFamily& family) {
 }
 
 Look look_at(const MatrixFamily& family, const Deadline& deadline) {
-  Look result{radius::find_product(family, deadline), 0};
-  // From left to right here, the letter applied first there.
-  const std::vector<int> word(result.word.rbegin(), result.word.rend());
-  result.radius = polytope::product_radius(radius::to_search_family(family).matrices, word);
-  return result;
+  const polytope::Candidate found = radius::find_product(family, deadline);
+  return {found.written(), polytope::product_radius(radius::to_search_family(family).matrices, found.word)};
 }
 
 /// det(matrix_at(w)) as a polynomial in the first letters, with these sizes, for some values of the others; nothing

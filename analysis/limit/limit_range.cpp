@@ -5,11 +5,9 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace subcert {
 namespace {
@@ -48,63 +46,13 @@ Integral integral_of_modulus(const WalkedCell& cell, double width) {
           (std::abs(sum) + rest) * width * (1 + 0x1p-50)};
 }
 
-CellForm form_at(const LimitCells& cells, std::int64_t index, int level) {
-  std::vector<int> digits;
-  for (int l = 0; l < level; ++l) {
-    const std::int64_t digit = modulo(index, cells.arity());
-    digits.push_back(static_cast<int>(digit));
-    index = (index - digit) / cells.arity();
-  }
-  CellForm form = cells.limit_form(static_cast<long>(index));
-  for (; !digits.empty(); digits.pop_back()) form = cells.child(form, digits.back(), {});
-  return form;
-}
-
-Rational left_end(const LimitCells& cells, const CellForm& form) {
-  return Rational(form.index) * power(Rational(cells.arity()), -form.level);
-}
-
-Rational width_of(const LimitCells& cells, const CellForm& form) { return power(Rational(cells.arity()), -form.level); }
-
-/// Visits cells that meet (from, to) inside; `judge` says yes, no, or unknown for split; the rest is `no` or unknown at
-/// the deepest level and when the time is up.
-Decision for_all_cells(const LimitCells& cells, const Rational& from, const Rational& to, const CellLimits& limits,
-                       const std::function<Decision(const CellForm&, bool inside)>& judge) {
-  require(from < to, "need from < to, got {} and {}", to_text(from), to_text(to));
-  const Integer begin = numerator(from) / denominator(from) - 1, end = numerator(to) / denominator(to) + 1;
-  require(begin >= cells.first_integer() - 1 && end <= cells.last_integer() + 1,
-          "need an interval inside the support [{}, {}], got {} ... {}", cells.first_integer(), cells.last_integer(),
-          to_text(from), to_text(to));
-  std::vector<CellForm> stack;
-  for (long k = end.convert_to<long>(); k >= begin.convert_to<long>(); --k) stack.push_back(cells.limit_form(k));
-  while (!stack.empty()) {
-    const CellForm form = std::move(stack.back());
-    stack.pop_back();
-    const Rational left = left_end(cells, form), right = left + width_of(cells, form);
-    if (right <= from || left >= to) continue;
-    Decision decision = judge(form, left >= from && right <= to);
-    if (decision.is_no()) return decision;
-    if (decision.is_yes()) continue;
-    const bool late = limits.deadline.expired();
-    if (late || form.level >= std::min(limits.levels, cells.deepest_level()))
-      return {Truth::unknown,
-              "undecided between " + to_text(left) + " and " + to_text(right) + (late ? ": the time is up" : "")};
-    for (int t = cells.arity() - 1; t >= 0; --t) stack.push_back(cells.child(form, t, {}));
-  }
-  return {Truth::yes, "proved on every cell"};
+Decision is_nonnegative(const Enclosure& minimum) {
+  if (*minimum.lower >= 0) return {Truth::yes, "the minimum is 0"};
+  if (*minimum.upper < 0) return {Truth::no, "the minimum is negative"};
+  return {Truth::unknown, "the minimum may be 0"};
 }
 
 }  // namespace
-
-LimitCell limit_cell(const Mask& mask, std::int64_t index, int level) {
-  const LimitCells cells(mask);
-  require(level >= 0 && level <= cells.deepest_level(), "limit_cell: need 0 <= level <= {}, got {}",
-          cells.deepest_level(), level);
-  const CellRange range = cells.range(form_at(cells, index, level));
-  LimitCell cell{{Rational(range.value_lower), Rational(range.value_upper)}, std::nullopt};
-  if (cells.has_slopes()) cell.slope = Enclosure{Rational(range.slope_lower), Rational(range.slope_upper)};
-  return cell;
-}
 
 LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
   require(options.relative_width > 0, "limit_range: need relative_width > 0, got {}", to_text(options.relative_width));
@@ -142,6 +90,7 @@ LimitRange limit_range(const Mask& mask, const LimitOptions& options) {
   result.minimum = signs ? extremes.lowest.negated() : Enclosure::exactly(0);
   result.sup_norm = {std::max(*result.maximum.lower, Rational(-*result.minimum.upper)),
                      std::max(*result.maximum.upper, Rational(-*result.minimum.lower))};
+  result.nonnegative = is_nonnegative(result.minimum);
   if (extremes.slopes) result.slope = extremes.steepest.enclosure();
   result.l1_norm = Enclosure::exactly(1);
   if (signs)
@@ -155,51 +104,30 @@ Decision is_positive(const Mask& mask, const Rational& from, const Rational& to,
   if (has_positive_mask(mask) && from < to && support.lower < from && to < support.upper)
     return {Truth::yes, "the mask is positive and the interval lies inside the support"};
   const LimitCells cells(mask);
-  return for_all_cells(cells, from, to, limits, [&](const CellForm& form, bool) {
+  require(from < to, "need from < to, got {} and {}", to_text(from), to_text(to));
+  const Integer begin = numerator(from) / denominator(from) - 1, end = numerator(to) / denominator(to) + 1;
+  require(begin >= cells.first_integer() - 1 && end <= cells.last_integer() + 1,
+          "need an interval inside the support [{}, {}], got {} ... {}", cells.first_integer(), cells.last_integer(),
+          to_text(from), to_text(to));
+  std::vector<CellForm> stack;
+  for (long k = end.convert_to<long>(); k >= begin.convert_to<long>(); --k) stack.push_back(cells.limit_form(k));
+  while (!stack.empty()) {
+    const CellForm form = std::move(stack.back());
+    stack.pop_back();
+    const Rational width = power(Rational(cells.arity()), -form.level), left = Rational(form.index) * width,
+                   right = left + width;
+    if (right <= from || left >= to) continue;
     const CellRange range = cells.range(form);
-    const Rational left = left_end(cells, form), right = left + width_of(cells, form);
-    if (range.value_lower > 0) return Decision{Truth::yes, ""};
-    if (left >= from && range.left_upper < 0) return Decision{Truth::no, "phi(" + to_text(left) + ") < 0"};
-    if (right <= to && range.right_upper < 0) return Decision{Truth::no, "phi(" + to_text(right) + ") < 0"};
-    return Decision{Truth::unknown, ""};
-  });
-}
-
-Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, const CellLimits& limits) {
-  const LimitCells cells(mask);
-  if (!cells.has_slopes()) return {Truth::unknown, cells.slope_reason()};
-  // With a derived scheme without negative coefficients, phi' >= 0 wherever no difference of the control data that
-  // matters is negative.
-  constexpr int data_levels = 8;
-  std::vector<LaurentPolynomial> differences;
-  if (sum_rules(mask) > 0 && !has_negative(divided_difference_scheme(mask, 1))) {
-    LaurentPolynomial data(1);
-    for (int l = 0; l <= data_levels; ++l) {
-      differences.push_back(data * (LaurentPolynomial(1) - LaurentPolynomial::monomial(1, 1)));
-      if (data.length() > 20'000) break;
-      data = data.dilated(mask.arity()) * mask.symbol();
-    }
+    if (range.value_lower > 0) continue;
+    if (left >= from && range.left_upper < 0) return {Truth::no, "phi(" + to_text(left) + ") < 0"};
+    if (right <= to && range.right_upper < 0) return {Truth::no, "phi(" + to_text(right) + ") < 0"};
+    const bool late = limits.deadline.expired();
+    if (late || form.level >= std::min(limits.levels, cells.deepest_level()))
+      return {Truth::unknown,
+              "undecided between " + to_text(left) + " and " + to_text(right) + (late ? ": the time is up" : "")};
+    for (int t = cells.arity() - 1; t >= 0; --t) stack.push_back(cells.child(form, t, {}));
   }
-  const Interval support = limit_support(mask);
-  return for_all_cells(cells, from, to, limits, [&](const CellForm& form, bool inside) {
-    const CellRange range = cells.range(form);
-    if (range.slope_lower >= 0) return Decision{Truth::yes, ""};
-    const Rational left = left_end(cells, form), right = left + width_of(cells, form);
-    if (inside && range.right_upper < range.left_lower)
-      return Decision{Truth::no, "phi(" + to_text(left) + ") > phi(" + to_text(right) + ")"};
-    if (static_cast<std::size_t>(form.level) < differences.size()) {
-      // phi' = arity^level sum of d_l phi_1(arity^level x - l), phi_1 with the same lower and a smaller upper end of
-      // support.
-      const auto low = Rational(form.index) - support.upper, high = Rational(form.index + 1) - support.lower;
-      const long first = Integer(numerator(low) / denominator(low)).convert_to<long>() - 1,
-                 last = Integer(numerator(high) / denominator(high)).convert_to<long>() + 1;
-      bool none_negative = true;
-      for (long l = first; l <= last && none_negative; ++l)
-        none_negative = differences[static_cast<std::size_t>(form.level)].coefficient(l) >= 0;
-      if (none_negative) return Decision{Truth::yes, ""};
-    }
-    return Decision{Truth::unknown, ""};
-  });
+  return {Truth::yes, "proved on every cell"};
 }
 
 }  // namespace subcert

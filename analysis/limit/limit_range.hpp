@@ -1,10 +1,11 @@
 #pragma once
-/// The basic limit function between grid points: certified extremes, norms, sign and monotonicity.
+/// The basic limit function between grid points: certified extremes, norms and sign.
 
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace subcert {
 
@@ -14,16 +15,20 @@ struct LimitOptions {
   Budget budget{Deadline::in(60)};
 };
 
-/// phi over the line: maximum, minimum (0 or below), largest |phi|, largest |phi'| (the best Lipschitz constant where
-/// phi is not C^1 but a proved polynomial between integers; absent, with the reason, where nothing is proved), and the
-/// integral of |phi|.
+/// phi over R^s: maximum, minimum (0 or below) and largest |phi|. In one variable also the largest |phi'| (the best
+/// Lipschitz constant where phi is not C^1 but a proved polynomial between integers; absent, with the reason, where
+/// nothing is proved) and the integral of |phi|.
 struct LimitRange {
   Enclosure maximum;
   Enclosure minimum;
   Enclosure sup_norm;
+  /// In several variables where phi has the end of the maximum, and of the minimum, that faces 0; empty where that is
+  /// 0, outside the support.
+  std::optional<std::vector<Rational>> highest = {}, lowest = {};
+  Decision nonnegative;  ///< phi everywhere; in several variables `no` names a point
   std::optional<Enclosure> slope;
   std::string slope_reason;
-  Enclosure l1_norm;
+  Enclosure l1_norm;        ///< no ends in several variables
   bool complete = false;    ///< all widths are as asked for; else time, memory or precision ran out
   std::uint64_t cells = 0;  ///< cells looked at
 };
@@ -33,14 +38,12 @@ struct LimitRange {
 /// throws Error, also as LimitCells. Proofs: docs/limit-enclosures.md.
 LimitRange limit_range(const Mask& mask, const LimitOptions& options = {});
 
-/// phi and phi' on one cell [index, index + 1] / arity^level; no slope where it is not proved to exist.
-struct LimitCell {
-  Enclosure value;
-  std::optional<Enclosure> slope;
-};
-
-/// Domain: as LimitCells; |index| < 2^61, level as LimitCells::deepest_level(). For many cells use LimitCells.
-LimitCell limit_cell(const Mask& mask, std::int64_t index, int level);
+/// Of a mask of one variable that is its own factor the same; of others branch and bound over the tiles M^-n (i +
+/// Gamma) of a set of digits, in exact arithmetic. Domain: a scheme that converges, with any dilation. Error: widths at
+/// most relative_width times the largest |phi| where `complete`. Errors: throws Error, as limit_values of several
+/// variables. Cost: a few hundred cells a level where phi is C^1 with sum rules of order 2 and its extremes are
+/// isolated, each with a sparse product. Proof: docs/surfaces.md.
+LimitRange limit_range(const LatticeMask& mask, const LimitOptions& options = {});
 
 /// How far cells are split to decide something: the deepest level, and when to end undecided; by default 60 seconds
 /// after this was made.
@@ -52,10 +55,5 @@ struct CellLimits {
 /// Whether phi > 0 on [from, to]. `no` names a point. Positive masks are decided at once (docs/limit-enclosures.md,
 /// section 8); else cells are split. Domain: as LimitCells; from < to.
 Decision is_positive(const Mask& mask, const Rational& from, const Rational& to, const CellLimits& limits = {});
-
-/// Whether phi' >= 0 on [from, to], so that phi does not decrease there. `no` names a cell where it decreases; unknown
-/// where a zero of phi' is met that neither the enclosures nor the differences of the control data resolve, as at an
-/// inner maximum. Domain: as LimitCells, slopes proved; from < to.
-Decision is_increasing(const Mask& mask, const Rational& from, const Rational& to, const CellLimits& limits = {});
 
 }  // namespace subcert

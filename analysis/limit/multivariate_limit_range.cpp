@@ -1,5 +1,4 @@
-#include "multivariate_limit_range.hpp"
-
+#include "limit_range.hpp"
 #include "limit_values.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
@@ -213,11 +212,11 @@ struct Peak {
     for (int n = 0; n < level; ++n) point = dilation.inverse_times(point);
   }
   Rational above(const Interval& range) const { return sign > 0 ? range.upper : Rational(-range.lower); }
-  AttainedExtreme extreme(bool bounded) const {
+  /// Of the largest value of the sign times the function.
+  Enclosure enclosure(bool bounded) const {
     Enclosure value = Enclosure::at_least(attained);
     if (bounded) value.upper = std::max(attained, aside);
-    if (sign > 0) return {value, point};
-    return {{value.upper ? std::optional<Rational>(-*value.upper) : std::nullopt, Rational(-attained)}, point};
+    return value;
   }
 };
 
@@ -228,14 +227,20 @@ class RangeSearch {
         options_(options),
         tiles_(tiling_.roots()) {}
 
-  MultivariateLimitRange run() {
+  LimitRange run() {
     attain();
     while (!modulus_ && split_all()) find_modulus();
-    MultivariateLimitRange result;
+    LimitRange result;
     result.complete = modulus_.has_value();
     while (modulus_ && !tiles_.empty()) result.complete = bound() && result.complete;
-    result.maximum = high_.extreme(modulus_.has_value());
-    result.minimum = low_.extreme(modulus_.has_value());
+    const bool bounded = modulus_.has_value();
+    const Enclosure lowest = low_.enclosure(bounded);
+    result.maximum = high_.enclosure(bounded);
+    result.minimum = {bounded ? std::optional<Rational>(-*lowest.upper) : std::nullopt, Rational(-*lowest.lower)};
+    result.sup_norm = Enclosure::at_least(std::max(high_.attained, low_.attained));
+    if (bounded) result.sup_norm.upper = std::max(*result.maximum.upper, *lowest.upper);
+    result.highest = high_.point;
+    result.lowest = low_.point;
     result.nonnegative = sign(result.minimum);
     result.cells = cells_;
     return result;
@@ -311,17 +316,17 @@ class RangeSearch {
     return complete;
   }
 
-  Decision sign(const AttainedExtreme& minimum) const {
+  Decision sign(const Enclosure& minimum) const {
     if (nonnegative_)
       return {Truth::yes, first_level_ == 1 ? "no coefficient of the mask is negative"
                                             : "no coefficient of the power " + std::to_string(first_level_) +
                                                   " of the scheme is negative"};
-    if (*minimum.value.upper < 0) {
+    if (*minimum.upper < 0) {
       std::string at;
-      for (const Rational& x : minimum.point) at += (at.empty() ? "" : ", ") + to_text(x);
-      return {Truth::no, "phi(" + at + ") = " + short_text(*minimum.value.upper)};
+      for (const Rational& x : low_.point) at += (at.empty() ? "" : ", ") + to_text(x);
+      return {Truth::no, "phi(" + at + ") = " + short_text(*minimum.upper)};
     }
-    if (minimum.value.lower && *minimum.value.lower >= 0) return {Truth::yes, "by bounds on all cells"};
+    if (minimum.lower && *minimum.lower >= 0) return {Truth::yes, "by bounds on all cells"};
     return {Truth::unknown, "the coefficients have both signs, the values found do not"};
   }
 
@@ -337,7 +342,8 @@ class RangeSearch {
 
 }  // namespace
 
-MultivariateLimitRange limit_range(const LatticeMask& mask, const LimitOptions& options) {
+LimitRange limit_range(const LatticeMask& mask, const LimitOptions& options) {
+  if (mask.factors().size() == 1) return limit_range(mask.curve(), options);
   require(options.relative_width > 0, "limit_range: need relative_width > 0, got {}", to_text(options.relative_width));
   return RangeSearch(mask, options).run();
 }

@@ -1,11 +1,12 @@
 #include "holder_regularity.hpp"
 
-#include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include "stability.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
+#include <subcert/analysis/radii/joint/rounded_family.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/analysis/transition/transition.hpp>
@@ -18,7 +19,7 @@ namespace subcert {
 namespace {
 
 constexpr long most_rows = 256;
-constexpr double unstable_share = 0.3;  // of the time, where another mask tells the exponent
+namespace shares = schedule::curve;
 
 /// Where the exponent stands among the integers.
 struct IntegerExponent {
@@ -62,7 +63,7 @@ GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regulari
   }
   GrowthPower growth;
   if (regularity.radius.growth.at_most) growth.at_most = *regularity.radius.growth.at_most + (exponent < rules ? 1 : 0);
-  const LevelNorms norms = level_norms(scheme, 6, deadline.later(0.5));
+  const LevelNorms norms = level_norms(scheme, 6, deadline.later(shares::growth_grace));
   if (std::any_of(norms.norms.begin(), norms.norms.end(), [](const Rational& norm) { return norm <= 1; }))
     growth.at_most = 0;
   else if (scheme.symbol().length() <= 64 * (mask.arity() - 1))
@@ -138,9 +139,9 @@ Decision decide_convergence(const Mask& mask, const HolderRegularity& regularity
   if (radius.contains(threshold) && !regularity.single.applies.is_yes() &&
       mask.symbol().length() <= most_rows * (mask.arity() - 1) &&
       has_eigenvalue(transition_matrices(divided_difference_scheme(mask, rules)), regularity.radius.product.word,
-                     threshold, deadline.after(0.5)))
+                     threshold, deadline.after(shares::convergence)))
     return large;
-  return converges(mask, {levels, deadline.after(0.5)});
+  return converges(mask, {levels, deadline.after(shares::convergence)});
 }
 
 /// The exponent of a scheme that converges is that of the reduced mask.
@@ -186,7 +187,7 @@ JointSpectralRadius radius_or_frequencies(const Mask& derived, const SingleRadiu
 HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget,
                                 const std::optional<MaskRounding>& rounding, int bits) {
   HolderRegularity result;
-  result.bounds = holder_bounds(mask, levels, budget.deadline.after(0.5));
+  result.bounds = holder_bounds(mask, levels, budget.deadline.after(shares::norms));
   const int rules = result.bounds.sum_rules, arity = mask.arity();
   const Mask derived = divided_difference_scheme(mask, rules);
   if (rounding) {
@@ -236,7 +237,7 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
   const bool needed = other.changes() && is_affine(other.mask) &&
                       (proof == HolderProof::certificate || has_stable_shifts(mask).is_no());
   if (!needed) return own_regularity(mask, levels, budget, rounding, bits);
-  HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(unstable_share), budget.memory},
+  HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(shares::unstable), budget.memory},
                                            rounding, bits);
   HolderRegularity stable = own_regularity(other.mask, levels, budget, rounding, bits);
   use_reduced(result, std::move(other), std::move(stable));

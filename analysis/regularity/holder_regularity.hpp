@@ -1,10 +1,11 @@
 #pragma once
 /// The Hoelder exponent, enclosed with proof.
 
-#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
-#include <subcert/analysis/radii/joint/single_radius.hpp>
 #include "holder_bound.hpp"
 #include "reduced_mask.hpp"
+
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/radii/joint/single_radius.hpp>
 
 #include <memory>
 

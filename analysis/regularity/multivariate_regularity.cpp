@@ -1,10 +1,11 @@
 #include "multivariate_regularity.hpp"
 
-#include "holder_regularity.hpp"
+#include "regularity.hpp"
 #include "sobolev.hpp"
 #include "value_space.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
@@ -17,12 +18,9 @@ namespace {
 
 constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
 
-constexpr double norm_share = 0.05, sobolev_share = 0.3, stability_share = 0.5;  // of the time that is left
+namespace shares = schedule::surface;
+
 constexpr int levels = 16;  // of norms, where they decide convergence
-constexpr double convergence_seconds = 5,
-                 convergence_grace = 0.5;            // for convergence, once the rest of the time is gone
-constexpr double search_share = 0.9;                 // of the time, so that some is left for that
-constexpr double first_slice = 2, slice_factor = 5;  // seconds for each of several dilations
 constexpr std::size_t largest_space = 256;
 
 /// Provided that the scheme converges.
@@ -93,8 +91,8 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
   for (const int order : sum_rules > 1 ? std::vector{1, sum_rules} : std::vector{1}) {
     DifferenceSpace space = difference_space(mask, order);
     if (space.family.size() > largest_space) break;
-    const Budget share{budget.deadline.after(0.5), budget.memory};
-    const NormProof norms = norm_of_products(space.family, {share.deadline.after(norm_share), share.memory});
+    const Budget share{budget.deadline.after(shares::convergence), budget.memory};
+    const NormProof norms = norm_of_products(space.family, {share.deadline.after(shares::norms), share.memory});
     JointSpectralRadius radius;
     if (norms.norm < 1) {
       radius.radius = Enclosure{std::nullopt, norms.bound()};
@@ -110,11 +108,11 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
 Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
-  const Deadline end = budget.deadline.later(convergence_grace);
-  Decision decision = converges(mask, {levels, end.after(0.5)});
+  const Deadline end = budget.deadline.later(shares::convergence_grace);
+  Decision decision = converges(mask, {levels, end.after(shares::convergence)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
-    auto found = shrinking_differences(mask, sum_rules, {end.at_most(convergence_seconds), budget.memory});
+    auto found = shrinking_differences(mask, sum_rules, {end.at_most(shares::convergence_seconds), budget.memory});
     if (found && !decision.is_yes())
       decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
                                                       : "the differences of the scheme shrink"};
@@ -131,7 +129,8 @@ void search_radius(const LatticeMask& mask, const std::optional<MultivariateSobo
   result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
   const std::vector<LatticeMask> masks = with_turned_dilations(mask);
   std::vector<DifferenceSpace> spaces;  // of the masks that had their turn
-  for (double slice = masks.size() > 1 ? first_slice : budget.deadline.remaining();; slice *= slice_factor) {
+  for (double slice = masks.size() > 1 ? shares::first_slice : budget.deadline.remaining();;
+       slice *= shares::slice_factor) {
     for (std::size_t k = 0; k < masks.size(); ++k) {
       if (k == spaces.size()) spaces.push_back(space_of_differences(masks[k], result, sobolev));
       const DifferenceSpace& space = spaces[k];
@@ -141,7 +140,7 @@ void search_radius(const LatticeMask& mask, const std::optional<MultivariateSobo
       }
       if (result.radius && result.space->is_of_values() && !space.is_of_values()) continue;
       const Budget share{budget.deadline.at_most(slice), budget.memory};
-      const NormProof norms = norm_of_products(space.family, {share.deadline.after(norm_share), share.memory});
+      const NormProof norms = norm_of_products(space.family, {share.deadline.after(shares::norms), share.memory});
       JointSpectralRadius radius = joint_spectral_radius(space.family, share, norms);
       if (result.radius && !radius.exact.is_yes() && radius.proved_upper() >= result.radius->proved_upper()) continue;
       result.space = space;
@@ -169,7 +168,8 @@ std::optional<Along> exponent_along(const LatticeMask& mask, const IsotropicSubs
   for (int order = first_order; order < first_order + most_orders; ++order) {
     auto space = value_space(mask, order, subspace.basis);
     if (!space || space->family.size() > largest_space) break;
-    JointSpectralRadius radius = joint_spectral_radius(space->family, {budget.deadline.after(0.5), budget.memory});
+    JointSpectralRadius radius = joint_spectral_radius(space->family,
+                                                       {budget.deadline.after(shares::along), budget.memory});
     sharpen(radius, space->family, bits + bits_of_powers, budget.deadline);
     Enclosure exponent = exponent_of_radius(radius.radius, subspace.classes, subspace.basis.size(),
                                             bits + bits_of_powers);
@@ -219,12 +219,12 @@ MultivariateRegularity regularity_of_whole(const LatticeMask& mask, const Budget
   MultivariateRegularity result;
   result.stable = {Truth::unknown, "the scheme is not proved to converge"};
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
-  decide_stability(mask, {budget.deadline.after(stability_share), budget.memory}, result);
-  const Budget searching{budget.deadline.after(search_share), budget.memory};
+  decide_stability(mask, {budget.deadline.after(shares::stability), budget.memory}, result);
+  const Budget searching{budget.deadline.after(shares::search), budget.memory};
   std::optional<MultivariateSobolev> sobolev;
   try {
     if (dilation.is_isotropic()) {
-      sobolev = decide_sobolev(mask, budget.deadline.after(sobolev_share), result);
+      sobolev = decide_sobolev(mask, budget.deadline.after(shares::sobolev), result);
       search_radius(mask, sobolev, searching, result);
     } else {
       search_along_subspaces(mask, searching, bits, result);
@@ -327,6 +327,16 @@ MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Bu
   }
   return mask.has_factors() ? regularity_by_factors(mask.factors(), budget, bits)
                             : regularity_of_whole(mask, budget, bits);
+}
+
+Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const RegularityOptions& options) {
+  Regularity result;
+  if (mask.factors().size() == 1)
+    result.curve = holder_regularity(mask.curve(), options.levels, budget, options.proof, options.rounding,
+                                     options.bits);
+  else
+    result.surface = multivariate_regularity(mask, budget, options.bits);
+  return result;
 }
 
 bool MultivariateRegularity::is_closed() const {

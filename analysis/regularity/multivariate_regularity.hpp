@@ -1,11 +1,11 @@
 #pragma once
 /// The Hoelder exponent in several variables, enclosed with proof.
 
-#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include "gram_function.hpp"
 #include "holder_bound.hpp"
 
 #include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 
 namespace subcert {
 

@@ -1,9 +1,9 @@
 #include "sobolev.hpp"
 
-#include <subcert/analysis/radii/joint/cost.hpp>
 #include "reduced_mask.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/radii/joint/cost.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 

@@ -1,5 +1,7 @@
 #include "utf8.hpp"
 
+#include <algorithm>
+
 namespace subcert {
 
 Character first_character(std::string_view text) {
@@ -16,6 +18,11 @@ Character first_character(std::string_view text) {
   const bool shortest = code >= (length == 4 ? 0x10000U : length == 3 ? 0x800U : 0x80U);
   const bool scalar = code <= 0x10FFFFU && (code < 0xD800U || code > 0xDFFFU);
   return {code, shortest && scalar ? length : 0};
+}
+
+std::string trimmed(std::string_view text) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+  return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
 }
 
 }  // namespace subcert

@@ -1,8 +1,9 @@
 #pragma once
-/// Characters of texts in UTF-8.
+/// Characters of texts in UTF-8, and the blanks about a text.
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace subcert {
@@ -15,5 +16,8 @@ struct Character {
 
 /// The first one of a text. Domain: not empty.
 Character first_character(std::string_view text);
+
+/// Without the blanks at its ends, which are spaces and tabs.
+std::string trimmed(std::string_view text);
 
 }  // namespace subcert

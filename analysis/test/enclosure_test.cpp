@@ -82,12 +82,13 @@ TEST_CASE("exact values inside a cell lie in its enclosures: phi and phi'") {
       }
     }
   }
-  const LimitCell cell = limit_cell(mask_of("bspline:degree=3"), -3, 1);  // [-3/2, -1]
-  CHECK(cell.value.contains(Rational(1, 48)));
-  CHECK(cell.value.contains(Rational(1, 6)));
-  REQUIRE(cell.slope);
-  CHECK(cell.slope->contains(Rational(1, 8)));
-  CHECK(cell.slope->contains(Rational(1, 2)));
+  const LimitCells cells(mask_of("bspline:degree=3"));
+  REQUIRE(cells.has_slopes());
+  const CellRange cell = cells.range(cells.child(cells.limit_form(-2), 1, {}));  // [-3/2, -1]
+  for (const Rational& value : {Rational(1, 48), Rational(1, 6)})
+    CHECK(within(value, cell.value_lower, cell.value_upper));
+  for (const Rational& slope : {Rational(1, 8), Rational(1, 2)})
+    CHECK(within(slope, cell.slope_lower, cell.slope_upper));
 }
 
 TEST_CASE("deep cells keep the scale of the oscillation") {
@@ -151,9 +152,6 @@ TEST_CASE("extremes, norms, sign and monotonicity of phi") {
   CHECK(is_positive(mask_of("primal:n=3"), Rational(-49, 10), Rational(49, 10)).is_yes());
   CHECK(is_positive(mask_of("dd:n=2"), Rational(-9, 10), Rational(9, 10)).is_yes());
   CHECK(is_positive(mask_of("dd:n=2"), Rational(-3, 2), Rational(0)).is_no());
-  CHECK(is_increasing(mask_of("bspline:degree=3"), -2, Rational(-1, 8)).is_yes());
-  CHECK(is_increasing(mask_of("bspline:degree=3"), Rational(1, 8), 1).is_no());
-  CHECK(is_increasing(mask_of("four-point:w=1/5"), -1, 0).truth == Truth::unknown);
   CHECK_THROWS_AS(is_positive(mask_of("dd:n=2"), 1, 0), Error);
 }
 
@@ -170,7 +168,7 @@ TEST_CASE("walks over cells end with what is proved: out of time, out of memory"
     CHECK(*part.l1_norm.lower <= *whole.l1_norm.upper);
     CHECK(*part.l1_norm.upper >= *whole.l1_norm.lower);
   }
-  const Decision late = is_increasing(mask, -1, 0, {40, Deadline::in(0)});
+  const Decision late = is_positive(mask, Rational(-9, 10), Rational(9, 10), {40, Deadline::in(0)});
   CHECK(late.truth == Truth::unknown);
   CHECK(late.reason.ends_with("the time is up"));
 }

@@ -1,7 +1,7 @@
 #include "specimens.hpp"
 
+#include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/limit/multivariate_limit_range.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -141,9 +141,9 @@ TEST_CASE("extremes of surfaces enclose all values") {
         "grid:points=2x2,d=1", "tensor:(bspline:degree=2,a=3)x(dd:n=2)", "box:[1,0;0,1;1,1]"}) {
     INFO(specification);
     const LatticeMask mask = surface(specification).mask.without_factors();
-    const MultivariateLimitRange range = limit_range(mask, {Rational(1, 1000), {Deadline::in(100)}});
+    const LimitRange range = limit_range(mask, {Rational(1, 1000), {Deadline::in(100)}});
     CHECK(range.complete);
-    const Enclosure &maximum = range.maximum.value, &minimum = range.minimum.value;
+    const Enclosure &maximum = range.maximum, &minimum = range.minimum;
     CHECK(*maximum.upper - *maximum.lower <= *maximum.lower / 1000);
     CHECK(*minimum.upper - *minimum.lower <= *maximum.lower / 1000);
     Rational largest = 0, smallest = 0;
@@ -158,28 +158,37 @@ TEST_CASE("extremes of surfaces enclose all values") {
 }
 
 TEST_CASE("extremes that are known") {
-  const MultivariateLimitRange loop = limit_range(surface("loop:").mask);
-  CHECK(*loop.maximum.value.lower == Rational(1, 2));
-  CHECK(loop.maximum.point == std::vector<Rational>{0, 0});
-  CHECK(*loop.maximum.value.upper - Rational(1, 2) <= Rational(1, 2'000'000));
-  CHECK(loop.minimum.value.is_exact());
-  CHECK(loop.minimum.point.empty());
+  const LimitRange loop = limit_range(surface("loop:").mask);
+  CHECK(*loop.maximum.lower == Rational(1, 2));
+  CHECK(loop.highest == std::vector<Rational>{0, 0});
+  CHECK(*loop.maximum.upper - Rational(1, 2) <= Rational(1, 2'000'000));
+  CHECK(loop.minimum.is_exact());
+  CHECK(loop.lowest->empty());
   // The largest and the least value of a product, from those of its factor: 1, and 1 times the least one.
   const LimitRange factor = limit_range(mask_of("dd:n=2"));
-  const MultivariateLimitRange product = limit_range(surface("tensor:(dd:n=2)x(dd:n=2)").mask);
-  CHECK(*product.maximum.value.lower == 1);
-  CHECK(*product.minimum.value.lower <= *factor.minimum.upper);
-  CHECK(*product.minimum.value.upper >= *factor.minimum.lower);
+  const LimitRange product = limit_range(surface("tensor:(dd:n=2)x(dd:n=2)").mask);
+  CHECK(*product.maximum.lower == 1);
+  CHECK(*product.minimum.lower <= *factor.minimum.upper);
+  CHECK(*product.minimum.upper >= *factor.minimum.lower);
   CHECK(product.nonnegative.is_no());
+  CHECK(product.sup_norm.lower == product.maximum.lower);
+  CHECK(product.sup_norm.upper == product.maximum.upper);
+  CHECK_FALSE(product.l1_norm.lower);
+  // A mask that is its own factor is one of one variable.
+  const LimitRange curve = limit_range(LatticeMask(mask_of("dd:n=2")));
+  CHECK(curve.maximum.lower == factor.maximum.lower);
+  CHECK(curve.l1_norm.upper == factor.l1_norm.upper);
+  CHECK(curve.nonnegative.is_no());
+  CHECK_FALSE(curve.highest);
   // Without memory or time the values that were found are lower bounds.
-  const MultivariateLimitRange late = limit_range(surface("butterfly:w=1/16").mask,
-                                                  {Rational(1, 1'000'000), {Deadline::in(0)}});
+  const LimitRange late = limit_range(surface("butterfly:w=1/16").mask, {Rational(1, 1'000'000), {Deadline::in(0)}});
   CHECK(!late.complete);
-  CHECK(*late.maximum.value.lower == 1);
-  CHECK(!late.maximum.value.upper);
-  CHECK(!late.minimum.value.lower);
-  const MultivariateLimitRange small = limit_range(surface("butterfly:w=1/16").mask,
-                                                   {Rational(1, 1'000'000), {Deadline::in(100), 1 << 16}});
+  CHECK(*late.maximum.lower == 1);
+  CHECK(!late.maximum.upper);
+  CHECK(!late.sup_norm.upper);
+  CHECK(!late.minimum.lower);
+  const LimitRange small = limit_range(surface("butterfly:w=1/16").mask,
+                                       {Rational(1, 1'000'000), {Deadline::in(100), 1 << 16}});
   CHECK(!small.complete);
-  CHECK(*small.maximum.value.lower == 1);
+  CHECK(*small.maximum.lower == 1);
 }

@@ -2,8 +2,8 @@
 // whole: two ways to the same numbers.
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/limit/multivariate_limit_range.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
@@ -74,9 +74,10 @@ void check_ranges(const Mask& mask, const LatticeMask& general) {
   } catch (const Error&) {
     return;  // the differences contract too slowly for it
   }
-  const MultivariateLimitRange box = limit_range(general, {Rational(1, 1000), Budget{Deadline::in(2)}});
-  check_overlap(range->maximum, box.maximum.value);
-  check_overlap(range->minimum, box.minimum.value);
+  const LimitRange box = limit_range(general, {Rational(1, 1000), Budget{Deadline::in(2)}});
+  check_overlap(range->maximum, box.maximum);
+  check_overlap(range->sup_norm, box.sup_norm);
+  check_overlap(range->minimum, box.minimum);
 }
 
 }  // namespace

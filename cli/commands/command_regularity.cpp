@@ -5,64 +5,20 @@
 #include <subcert/cli/width.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 
-#include <algorithm>
-
 namespace subcert::cli {
 namespace {
 
 constexpr double sobolev_share = 0.3;  // of the time, at most
 
-struct RegularityOptions : SearchOptions {
+struct RegularityCommandOptions : SearchOptions {
   std::string scheme;
   std::string certificate;
   std::string method = "radius";
   int levels = 16;
 };
 
-struct Answer {
-  Facts facts;
-  std::function<Certificate()> certificate;
-  Decision converges, exact;
-  bool complete;
-};
-
-Answer curve_answer(const Scheme& scheme, const RegularityOptions& options, const WantedWidth& wanted,
-                    const Budget& budget) {
-  const Mask& mask = scheme.mask.curve();
-  const Stopwatch watch;
-  options.progress("norms, products and polytopes");
-  std::optional<SobolevRegularity> sobolev;
-  if (is_affine(mask) && !scheme.rounding)  // otherwise holder_regularity says so
-    sobolev = sobolev_if_small(mask, budget.deadline.after(sobolev_share).later(1));
-  const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  const HolderRegularity regularity = holder_regularity(mask, options.levels, budget, proof, scheme.rounding,
-                                                        wanted.bits);
-  const JointSpectralRadius& deciding = regularity.deciding().radius;
-  const bool complete = deciding.is_closed() && wanted.holds(regularity.proved_exponent());
-  return {regularity_facts(scheme, regularity, sobolev, {watch.seconds(), wanted.digits, complete}),
-          [=] { return exponent_certificate(scheme.mask.curve(), regularity, scheme.rounding); }, regularity.converges,
-          deciding.exact, complete};
-}
-
-Answer surface_answer(const Scheme& scheme, const RegularityOptions& options, const WantedWidth& wanted,
-                      const Budget& budget) {
-  const Stopwatch watch;
-  options.progress("products and polytopes");
-  const MultivariateRegularity regularity = multivariate_regularity(scheme.mask, budget, wanted.bits);
-  const bool complete = regularity.is_closed() && wanted.holds(regularity.exponent);
-  // A certificate is about the mask, also of a tensor product.
-  const auto certificate = [=] {
-    return surface_certificate(scheme.mask,
-                               scheme.mask.has_factors()
-                                   ? multivariate_regularity(scheme.mask.without_factors(), budget, wanted.bits)
-                                   : regularity);
-  };
-  return {regularity_facts(scheme, regularity, {watch.seconds(), wanted.digits, complete}), certificate,
-          regularity.converges, regularity.exact, complete};
-}
-
 /// A lower end alone, within seconds also where matrices are far too large.
-ExitCode by_frequency(const RegularityOptions& options) {
+ExitCode by_frequency(const RegularityCommandOptions& options) {
   const Scheme scheme = make_linear_scheme(options.scheme);
   if (scheme.mask.dimension() != 1 || scheme.rounding || !is_affine(scheme.mask.curve()))
     fail(ErrorKind::usage,
@@ -80,25 +36,41 @@ ExitCode by_frequency(const RegularityOptions& options) {
   return bound && bound->exponent > 0 ? done : undecided;
 }
 
-ExitCode run(const RegularityOptions& options, const Budget& budget) {
+ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   if (options.method == "frequency") return by_frequency(options);
   const WantedWidth wanted = wanted_width(options);
   const Scheme scheme = make_linear_scheme(options.scheme);
-  const Answer found = (scheme.mask.dimension() == 1 ? curve_answer : surface_answer)(scheme, options, wanted, budget);
-  const WrittenCertificate certificate = write_certificate(options.certificate, found.certificate);
+  const LatticeMask& mask = scheme.mask;
+  const bool curve = mask.dimension() == 1;
+  const Stopwatch watch;
+  options.progress(curve ? "norms, products and polytopes" : "products and polytopes");
+  std::optional<SobolevRegularity> sobolev;
+  if (curve && is_affine(mask.curve()) && !scheme.rounding)  // otherwise the exponent says so
+    sobolev = sobolev_if_small(mask.curve(), budget.deadline.after(sobolev_share).later(1));
+  const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
+  const RegularityOptions how{wanted.bits, options.levels, proof, scheme.rounding};
+  const Regularity found = regularity_of(mask, budget, how);
+  const bool complete = found.is_closed() && wanted.holds(found.exponent());
+  const Facts list = regularity_facts(scheme, found, sobolev, {watch.seconds(), wanted.digits, complete});
+  // A certificate is about the mask, also of a tensor product.
+  const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
+    return exponent_certificate(
+        mask, curve || !mask.has_factors() ? found : regularity_of(mask.without_factors(), budget, how),
+        scheme.rounding);
+  });
   options.end_progress();
-  Json json = page_json(found.facts);
+  Json json = page_json(list);
   certificate.add_to(json);
-  options.answer(json, page_text(found.facts, 13) + certificate.text(found.exact.is_yes()));
+  options.answer(json, page_text(list, 13) + certificate.text(found.exact().is_yes()));
   certificate.failure.raise();
-  if (found.converges.is_no()) return failed;
-  return found.converges.is_yes() && found.complete ? done : undecided;
+  if (found.converges().is_no()) return failed;
+  return found.converges().is_yes() && complete ? done : undecided;
 }
 
 }  // namespace
 
 void add_regularity(Command& app) {
-  auto options = std::make_shared<RegularityOptions>();
+  auto options = std::make_shared<RegularityCommandOptions>();
   Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
                                 "subcert regularity primal:n=5 --certificate s5.cert", options, [=] {
                                   require_place(options->certificate);

@@ -10,7 +10,7 @@
 namespace subcert::cli {
 namespace {
 
-data::SmoothedSamples smoothed(const SmoothOptions& options, const NamedSamples& samples) {
+data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples) {
   const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
                                    options.constant, options.at == "data"};
   return smooth(samples, options.scheme, how, options.threads());
@@ -36,8 +36,8 @@ void smooth_stream(const SmoothOptions& options, const std::optional<double>& no
     fail(ErrorKind::usage, "--stream: --bands needs --noise, as its estimate needs all data");
   if (options.kind() == data::BandKind::simultaneous)
     fail(ErrorKind::usage, "--stream: --bands-kind simultaneous needs all data");
-  SampleStream input(options.samples);
-  NamedSamples head = input.head();
+  data::SampleStream input(options.samples);
+  data::NamedSamples head = input.head();
   head.noise = noise;
   const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
                                    options.constant};
@@ -76,7 +76,7 @@ ExitCode run(const SmoothOptions& options) {
     smooth_stream(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
   }
-  NamedSamples samples = read_samples(options.samples);
+  data::NamedSamples samples = data::read_samples(options.samples);
   if (noise) samples.noise = data::nearest_double(*noise);
   try {
     const SmoothPage page(options, samples, smoothed(options, samples));

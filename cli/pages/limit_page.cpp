@@ -76,19 +76,15 @@ ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, co
 }
 
 ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options, const Deadline& deadline) {
-  const LimitOptions wanted = limit_options(options, deadline);
-  if (scheme.mask.dimension() > 1) {
-    const MultivariateLimitRange range = limit_range(scheme.mask, wanted);
-    return print_range(scheme, limit_facts(range), range.complete, 13, options);
-  }
+  const bool curve = scheme.mask.dimension() == 1;
   LimitRange range;
   try {
-    range = limit_range(scheme.mask.curve(), wanted);
+    range = limit_range(scheme.mask, limit_options(options, deadline));
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::domain) throw;
+    if (error.kind() != ErrorKind::domain || !curve) throw;
     return refuse_unproved(scheme.specification, "no bounds of the limit function", {Truth::unknown, error.what()});
   }
-  return print_range(scheme, limit_facts(range), range.complete, 17, options);
+  return print_range(scheme, limit_facts(range), range.complete, curve ? 17 : 13, options);
 }
 
 }  // namespace subcert::cli

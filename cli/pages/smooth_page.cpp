@@ -1,5 +1,6 @@
 #include "smooth_page.hpp"
 
+#include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
@@ -63,7 +64,7 @@ std::string noise_line(const std::string& column, const data::NoiseEstimate& noi
 
 }  // namespace
 
-SmoothPage::SmoothPage(const SmoothOptions& how, const NamedSamples& what, data::SmoothedSamples smoothed)
+SmoothPage::SmoothPage(const SmoothOptions& how, const data::NamedSamples& what, data::SmoothedSamples smoothed)
     : options(how),
       samples(what),
       result(std::move(smoothed)),

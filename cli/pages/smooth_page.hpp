@@ -2,14 +2,14 @@
 /// What `subcert smooth` prints and draws.
 
 #include <subcert/cli/command.hpp>
-#include <subcert/cli/samples.hpp>
 #include <subcert/reports/formats/figure.hpp>
+#include <subcert/schemes/data/smooth/read_samples.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 
 namespace subcert::cli {
 
 struct SmoothOptions : CommonOptions {
-  SampleOptions samples;
+  data::SampleOptions samples;
   std::string noise;  ///< its standard deviation, where it is known
   std::string scheme;
   bool automatic = false;
@@ -32,10 +32,10 @@ struct SmoothPage {
   /// `how` and `what` must outlive the page.
   SmoothPage(const SmoothPage&) = delete;
   SmoothPage& operator=(const SmoothPage&) = delete;
-  SmoothPage(const SmoothOptions& how, const NamedSamples& what, data::SmoothedSamples smoothed);
+  SmoothPage(const SmoothOptions& how, const data::NamedSamples& what, data::SmoothedSamples smoothed);
 
   const SmoothOptions& options;
-  const NamedSamples& samples;
+  const data::NamedSamples& samples;
   data::SmoothedSamples result;
   bool bands;                                ///< whether there are any
   std::vector<std::string> header;           ///< of the columns

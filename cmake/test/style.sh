@@ -1,7 +1,8 @@
 #!/bin/sh
 # What a reader's eye should not have to do. Usage: style.sh format | width | tidy  (from the top of the source tree)
 #   format  every C++ file is as clang-format 14 leaves it
-#   width   no line of C++, CMake or shell, and of the Python package, is longer than 120 characters
+#   width   no line of C++, CMake or shell, and of the Python package, is longer than 120 characters; nor a line of the
+#           pages in docs, but for tables and what is indented as code
 #   tidy    no warning of the list in .clang-tidy in the sources that differ from the commit before the last (or from
 #           SUBCERT_STYLE_BASE); at most 8 of them unless SUBCERT_STYLE_ALL is set. Their headers go along. Benchmarks
 #           are in the style of their library.
@@ -19,6 +20,8 @@ case "$1" in
   width)
     sources '*.cpp' '*.hpp' '*.inc' '*.cmake' '*CMakeLists.txt' '*.sh' 'python/*.py' 'python/*.pyi' |
       xargs awk 'length($0) > 120 { print FILENAME ":" FNR ": " length($0) " characters"; bad = 1 } END { exit bad }'
+    ! sources 'docs/*.md' ':!docs/theorems' ':!docs/site' ':!docs/l1.md' ':!docs/holder-bounds.md' |
+      LC_ALL=C.UTF-8 xargs grep -nE '^[^|].{120}' | grep -vE '^[^:]+:[0-9]+:    '
     ;;
   tidy)
     clang-tidy --version 2>/dev/null | grep -q 'version 14\.' || skip "need clang-tidy 14"

@@ -557,6 +557,12 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   return certificate;
 }
 
+Certificate exponent_certificate(const LatticeMask& mask, const Regularity& regularity,
+                                 const std::optional<MaskRounding>& rounding) {
+  return regularity.curve ? exponent_certificate(mask.curve(), *regularity.curve, rounding)
+                          : surface_certificate(mask, *regularity.surface);
+}
+
 namespace {
 
 /// What needs no proofs of intervals, for all values from `low` to `high` but those within `margin` of `away`, in

@@ -6,8 +6,7 @@
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
-#include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 
 #include <optional>
 #include <string>
@@ -47,6 +46,11 @@ Certificate frequency_certificate(const Mask& mask, const std::optional<Frequenc
 /// Bounds of the exponent in several variables; without an upper end where the shifts are not proved stable. Domain:
 /// `regularity` is that of the mask. Errors: throws Error where nothing positive is proved from below.
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity);
+
+/// The one or the other. Errors: of a tensor product, whose certificate is about the mask, throws Error for what is
+/// proved by factors.
+Certificate exponent_certificate(const LatticeMask& mask, const Regularity& regularity,
+                                 const std::optional<MaskRounding>& rounding = std::nullopt);
 
 /// Of one piece of a range: for all values of the parameter from `low` to `high` the property holds, or for none.
 struct RangeCertificate {

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
@@ -16,11 +17,6 @@ namespace {
 constexpr std::size_t longest_head = 2'000'000;  // characters in which the first four lines end
 constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
-}
 
 /// The parts between `<=`.
 std::vector<std::string> parts_of(const std::string& claim) {

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 
 #include <fmt/ranges.h>
 
@@ -66,11 +67,6 @@ std::vector<Braces> braces(const std::string& text) {
     at = close;
   }
   return result;
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
 
 }  // namespace

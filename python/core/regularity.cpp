@@ -37,58 +37,44 @@ py::dict radius_dict(const JointSpectralRadius& radius, const std::vector<int>& 
 
 struct HolderEvidence {
   Scheme scheme;
-  HolderRegularity regularity;
+  Regularity regularity;
 };
 
+/// `certificate`: of what a certificate can hold, of a tensor product as a whole.
 std::shared_ptr<HolderEvidence> holder(const Scheme& scheme, int levels, double seconds, std::size_t memory, int bits,
                                        bool certificate, const py::object& progress) {
   return interruptible(progress, [&] {
+    const RegularityOptions options{bits, levels, certificate ? HolderProof::certificate : HolderProof::shortest,
+                                    scheme.rounding};
+    const bool whole = certificate && scheme.mask.dimension() > 1;
     return std::make_shared<HolderEvidence>(HolderEvidence{
         scheme,
-        holder_regularity(scheme.mask.curve(), levels, budget_of(seconds, memory),
-                          certificate ? HolderProof::certificate : HolderProof::shortest, scheme.rounding, bits)});
+        regularity_of(whole ? scheme.mask.without_factors() : scheme.mask, budget_of(seconds, memory), options)});
   });
 }
 
 /// What is exact, or in other letters than in JSON.
 py::dict holder_dict(const HolderEvidence& evidence) {
-  const HolderRegularity& regularity = evidence.regularity;
-  const HolderBound& bound = regularity.bounds.last();
-  return py::dict("exponent"_a = regularity.proved_exponent(), "radius"_a = regularity.radius.radius,
-                  "product"_a = regularity.radius.product.word, "converges"_a = regularity.converges,
-                  "stable"_a = regularity.stable, "bound"_a = py::make_tuple(bound.levels, bound.norm, bound.exponent),
-                  "logarithm"_a = py::make_tuple(regularity.logarithm.at_least, regularity.logarithm.at_most),
-                  // What the exponent is from, where the shifts are not stable.
-                  "closed"_a = regularity.deciding().radius.is_closed(), "sobolev"_a = py::none());
-}
-
-py::object holder_certificate(const HolderEvidence& evidence) {
-  const HolderRegularity& regularity = evidence.regularity;
-  return to_list(exponent_certificate(evidence.scheme.mask.curve(), regularity, evidence.scheme.rounding));
-}
-
-struct SurfaceEvidence {
-  Scheme scheme;
-  MultivariateRegularity regularity;
-};
-
-std::shared_ptr<SurfaceEvidence> surface_holder(const Scheme& scheme, double seconds, std::size_t memory, int bits,
-                                                bool certificate, const py::object& progress) {
-  return interruptible(progress, [&] {
-    const Budget budget = budget_of(seconds, memory);
-    return std::make_shared<SurfaceEvidence>(SurfaceEvidence{
-        scheme, multivariate_regularity(certificate ? scheme.mask.without_factors() : scheme.mask, budget, bits)});
-  });
-}
-
-py::dict surface_dict(const SurfaceEvidence& evidence) {
-  const MultivariateRegularity& regularity = evidence.regularity;
-  const auto& radius = regularity.radius;
-  return py::dict("exponent"_a = regularity.exponent, "radius"_a = radius ? radius->radius : Enclosure{},
+  const auto& [curve, surface] = evidence.regularity;
+  const JointSpectralRadius* radius = evidence.regularity.radius();
+  py::dict result("exponent"_a = evidence.regularity.exponent(), "radius"_a = radius ? radius->radius : Enclosure{},
                   "product"_a = radius ? radius->product.word : std::vector<int>{},
-                  "converges"_a = regularity.converges, "stable"_a = regularity.stable, "bound"_a = py::none(),
-                  "logarithm"_a = py::make_tuple(0, py::none()), "closed"_a = regularity.is_closed(),
-                  "sobolev"_a = regularity.sobolev);
+                  "converges"_a = evidence.regularity.converges(), "stable"_a = evidence.regularity.stable(),
+                  "closed"_a = evidence.regularity.is_closed(), "bound"_a = py::none(),
+                  "logarithm"_a = py::make_tuple(0, py::none()), "sobolev"_a = py::none());
+  if (surface) result["sobolev"] = surface->sobolev;
+  if (!curve) return result;
+  const HolderBound& bound = curve->bounds.last();
+  result["bound"] = py::make_tuple(bound.levels, bound.norm, bound.exponent);
+  result["logarithm"] = py::make_tuple(curve->logarithm.at_least, curve->logarithm.at_most);
+  return result;
+}
+
+/// None where the evidence is none that a certificate can hold.
+py::object holder_certificate(const HolderEvidence& evidence) {
+  const auto& surface = evidence.regularity.surface;
+  if (surface && !surface->space) return py::none();
+  return to_list(exponent_certificate(evidence.scheme.mask, evidence.regularity, evidence.scheme.rounding));
 }
 
 /// A family with the graph that restricts its products, if there is one.
@@ -183,18 +169,6 @@ void add_regularity(py::module_& module) {
           })
       .def("certificate", &holder_certificate);
   module.def("holder", &holder);
-  py::class_<SurfaceEvidence, std::shared_ptr<SurfaceEvidence>>(module, "SurfaceEvidence")
-      .def_property_readonly("exact", &surface_dict)
-      .def_property_readonly(
-          "facts",
-          [](const SurfaceEvidence& evidence) {
-            return page_json(facts::regularity_facts(evidence.scheme, evidence.regularity, {})).dump();
-          })
-      .def("certificate", [](const SurfaceEvidence& evidence) -> py::object {
-        if (!evidence.regularity.space) return py::none();
-        return to_list(surface_certificate(evidence.scheme.mask, evidence.regularity));
-      });
-  module.def("surface_holder", &surface_holder);
   module.def("frequency_bound", [](const Scheme& scheme, const py::object& progress) -> std::optional<Rational> {
     require(!scheme.rounding && is_affine(scheme.mask.curve()), "{}: need a mask of exact numbers with coset sums 1",
             scheme.specification);

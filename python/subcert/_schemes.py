@@ -145,6 +145,13 @@ class LinearScheme(Named):
         """
         return json.loads(_core.analyze(self._handle, levels, budget, progress))
 
+    def _holder(
+        self, levels: int, budget: float, memory: int, width: Optional[Exact], certificate: bool, progress: Progress
+    ) -> HolderExponent:
+        arguments = (self._handle, levels, budget, memory, bits_of(width))
+        again = Computation("holder", (*arguments, True, None))
+        return exponent_of(_core.holder(*arguments, certificate, progress), again)
+
 
 class Scheme(LinearScheme):
     """A linear scheme of one variable.
@@ -241,9 +248,7 @@ class Scheme(LinearScheme):
         attain the radius. `certificate`: look at once for evidence that a certificate can hold, also where a shorter
         argument exists.
         Raises DomainError for coset sums other than 1."""
-        arguments = (self._handle, levels, budget, memory, bits_of(width))
-        again = Computation("holder", (*arguments, True, None))
-        return exponent_of(_core.holder(*arguments, certificate, progress), again)
+        return self._holder(levels, budget, memory, width, certificate, progress)
 
     def frequency_bound(self, progress: Progress = None) -> Optional[Fraction]:
         """A proved lower end of the Hoelder exponent by a function of frequency; None where none is found.
@@ -351,9 +356,7 @@ class MultivariateScheme(LinearScheme):
         progress: Progress = None,
     ) -> HolderExponent:
         """The Hoelder exponent, enclosed with proof; the smallest over the directions of the dilation."""
-        arguments = (self._handle, budget, memory, bits_of(width))
-        again = Computation("surface_holder", (*arguments, True, None))
-        return exponent_of(_core.surface_holder(*arguments, certificate, progress), again)
+        return self._holder(16, budget, memory, width, certificate, progress)
 
     def converges(self, budget: float = 60, progress: Progress = None) -> Decision:
         """Whether the scheme converges uniformly for all bounded data."""

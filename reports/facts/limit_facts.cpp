@@ -9,20 +9,15 @@ Fact enclosed(std::string key, std::string label, const Enclosure& value) {
   return {std::move(key), std::move(label), enclosure_text(value), "", enclosure_json(value)};
 }
 
-/// `attained` is the end of the enclosure that is a value.
-Fact attained_fact(const char* name, const AttainedExtreme& extreme, const std::optional<Rational>& attained) {
-  Json json = enclosure_json(extreme.value);
-  json["point"] = extreme.point.empty() ? Json() : numbers_json(extreme.point);
-  return {name, name, enclosure_text(extreme.value),
-          extreme.point.empty() ? "outside the support"
-                                : "phi(" + coordinates_text(extreme.point) + ") = " + short_text(*attained),
-          std::move(json)};
-}
-
-Decision is_nonnegative(const Enclosure& minimum) {
-  if (*minimum.lower >= 0) return {Truth::yes, "the minimum is 0"};
-  if (*minimum.upper < 0) return {Truth::no, "the minimum is negative"};
-  return {Truth::unknown, "the minimum may be 0"};
+/// `attained`: the end of the enclosure that is a value.
+Fact extreme_fact(const char* name, const Enclosure& value, const std::optional<Rational>& attained,
+                  const std::optional<std::vector<Rational>>& point) {
+  Fact fact = enclosed(name, name, value);
+  if (!point) return fact;
+  fact.remark = point->empty() ? "outside the support"
+                               : "phi(" + coordinates_text(*point) + ") = " + short_text(*attained);
+  fact.json["point"] = point->empty() ? Json() : numbers_json(*point);
+  return fact;
 }
 
 template <class Range>
@@ -41,20 +36,14 @@ std::string coordinates_text(const std::vector<Rational>& point) {
 }
 
 Facts limit_facts(const LimitRange& range) {
-  return completed({enclosed("maximum", "maximum", range.maximum),
-                    enclosed("minimum", "minimum", range.minimum),
-                    {"derivative_sup", "largest |phi'|", range.slope ? enclosure_text(*range.slope) : "not known",
-                     range.slope_reason, enclosure_json(range.slope)},
-                    enclosed("l1_norm", "integral |phi|", range.l1_norm),
-                    decided("nonnegative", "nonnegative", is_nonnegative(range.minimum))},
-                   range);
-}
-
-Facts limit_facts(const MultivariateLimitRange& range) {
-  return completed({attained_fact("maximum", range.maximum, range.maximum.value.lower),
-                    attained_fact("minimum", range.minimum, range.minimum.value.upper),
-                    decided("nonnegative", "nonnegative", range.nonnegative)},
-                   range);
+  Facts list{extreme_fact("maximum", range.maximum, range.maximum.lower, range.highest),
+             extreme_fact("minimum", range.minimum, range.minimum.upper, range.lowest)};
+  if (range.l1_norm.lower)
+    append(list, {{"derivative_sup", "largest |phi'|", range.slope ? enclosure_text(*range.slope) : "not known",
+                   range.slope_reason, enclosure_json(range.slope)},
+                  enclosed("l1_norm", "integral |phi|", range.l1_norm)});
+  list.push_back(decided("nonnegative", "nonnegative", range.nonnegative));
+  return completed(std::move(list), range);
 }
 
 Facts variance_facts(const VarianceRange& range) {

@@ -4,13 +4,11 @@
 #include "fact.hpp"
 
 #include <subcert/analysis/limit/limit_range.hpp>
-#include <subcert/analysis/limit/multivariate_limit_range.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
 namespace subcert::facts {
 
 Facts limit_facts(const LimitRange& range);
-Facts limit_facts(const MultivariateLimitRange& range);
 Facts variance_facts(const VarianceRange& range);
 
 /// `1/2, -1`.

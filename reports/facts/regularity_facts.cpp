@@ -159,54 +159,49 @@ Fact surface_bound_fact(const std::optional<HolderBound>& bound) {
           bound_json(*bound)};
 }
 
-}  // namespace
-
-Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
-                       const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form) {
-  const Enclosure holder = regularity.proved_exponent();
-  Facts list = named(scheme.specification, scheme.title);
-  list.push_back(rounding_fact(scheme.rounding));
-  list.push_back(plain("sum_rules", "sum rules", regularity.bounds.sum_rules));
-  list.push_back(converges_fact(regularity.converges));
-  list.push_back(bound_fact("bound", regularity.bounds.last()));
-  list.push_back(levels_member(regularity.bounds));
-  append(list, radius_facts(regularity.radius, std::max(form.digits, most_digits)));
-  append(list, exact_facts(regularity.radius.exact, regularity.radius.is_closed()));
-  append(list, stable_facts(regularity.stable, regularity.converges.is_yes()));
-  list.push_back(reduced_fact(regularity));
-  list.push_back(exponent_fact(regularity, holder, form.digits));
-  if (holder.lower && *regularity.exponent.lower > 0) list.push_back(attained_fact(regularity));
-  list.push_back(logarithm_member(regularity.logarithm));
-  list.push_back(member("single", decision_json(regularity.single.applies)));
-  list.push_back(sobolev_fact(sobolev, regularity.stable));
-  if (!form.complete) list.push_back({"", "budget", "the polytope did not close; the enclosure reached is printed"});
-  list.push_back(member("seconds", form.seconds));
-  return list;
+Facts dilation_facts(const LatticeMask& mask) {
+  const Dilation& dilation = mask.dilation();
+  return {member("variables", mask.dimension()),
+          {"dilation", "dilation", dilation.to_text() + ", digits " + to_text(dilation.digits()), "", dilation.rows()},
+          member("digits", dilation.digits())};
 }
 
-Facts regularity_facts(const Scheme& scheme, const MultivariateRegularity& regularity, const RegularityForm& form) {
-  const Dilation& dilation = scheme.mask.dilation();
-  const auto& radius = regularity.radius;
+}  // namespace
+
+Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
+                       const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form) {
+  const auto& curve = regularity.curve;
+  const auto& surface = regularity.surface;
   Facts list = named(scheme.specification, scheme.title);
-  list.push_back(member("variables", scheme.mask.dimension()));
-  list.push_back(
-      {"dilation", "dilation", dilation.to_text() + ", digits " + to_text(dilation.digits()), "", dilation.rows()});
-  list.push_back(member("digits", dilation.digits()));
-  list.push_back(plain("sum_rules", "sum rules", regularity.sum_rules));
-  list.push_back(converges_fact(regularity.converges));
-  list.push_back(space_fact(regularity, dilation));
-  list.push_back(surface_bound_fact(regularity.bound));
-  if (radius)
+  append(list, curve ? Facts{rounding_fact(scheme.rounding)} : dilation_facts(scheme.mask));
+  list.push_back(plain("sum_rules", "sum rules", regularity.sum_rules()));
+  list.push_back(converges_fact(regularity.converges()));
+  if (curve)
+    append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});
+  else
+    append(list, {space_fact(*surface, scheme.mask.dilation()), surface_bound_fact(surface->bound)});
+  if (const JointSpectralRadius* radius = regularity.radius())
     append(list, radius_facts(*radius, std::max(form.digits, most_digits)));
   else
     append(list, {member("radius", nullptr), member("blocks", nullptr), member("product", ""),
                   member("method", "factors of a tensor product"), member("vertices", nullptr)});
-  append(list, exact_facts(regularity.exact, regularity.is_closed()));
-  append(list, stable_facts(regularity.stable, true));
-  list.push_back(exponent_fact(regularity, scheme.mask.has_factors() && !radius, form.digits));
-  list.push_back(sobolev_fact(regularity.sobolev, regularity.stable));
-  if (!regularity.is_closed() && !regularity.converges.is_no())
-    list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});
+  // Of the mask itself, also where the exponent is that of the reduced one.
+  append(list, curve ? exact_facts(curve->radius.exact, curve->radius.is_closed())
+                     : exact_facts(surface->exact, surface->is_closed()));
+  append(list, stable_facts(regularity.stable(), !curve || curve->converges.is_yes()));
+  if (curve) {
+    const Enclosure holder = curve->proved_exponent();
+    append(list, {reduced_fact(*curve), exponent_fact(*curve, holder, form.digits)});
+    if (holder.lower && *curve->exponent.lower > 0) list.push_back(attained_fact(*curve));
+    append(list, {logarithm_member(curve->logarithm), member("single", decision_json(curve->single.applies)),
+                  sobolev_fact(sobolev, curve->stable)});
+    if (!form.complete) list.push_back({"", "budget", "the polytope did not close; the enclosure reached is printed"});
+  } else {
+    append(list, {exponent_fact(*surface, scheme.mask.has_factors() && !surface->radius, form.digits),
+                  sobolev_fact(surface->sobolev, surface->stable)});
+    if (!surface->is_closed() && !surface->converges.is_no())
+      list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});
+  }
   list.push_back(member("seconds", form.seconds));
   return list;
 }

@@ -4,8 +4,7 @@
 #include "fact.hpp"
 
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
-#include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -20,9 +19,9 @@ struct RegularityForm {
   bool complete = true;  ///< the enclosure is as narrow as was asked for
 };
 
-Facts regularity_facts(const Scheme& scheme, const HolderRegularity& regularity,
+/// `sobolev`: of one variable.
+Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form);
-Facts regularity_facts(const Scheme& scheme, const MultivariateRegularity& regularity, const RegularityForm& form);
 
 /// What a supersolution in frequency proves.
 Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds);

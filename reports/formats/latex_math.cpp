@@ -497,11 +497,6 @@ bool all_changed(const MathNode& node) {
   return all > 0 && all == changed;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
-
 MathNode read_latex(std::string_view text) { return Reader(text).whole(); }
 
 }  // namespace subcert::formats

@@ -53,9 +53,6 @@ Leaves leaves(const MathNode& node);
 /// It has leaves, and all are.
 bool all_changed(const MathNode& node);
 
-/// Without blanks at its ends.
-std::string trimmed(const std::string& text);
-
 /// The formula as a row. Brackets and bars that match are one node with what is between them. Domain: at most 5000
 /// characters, 50 levels; \text holds plain UTF-8 without formulas, everything else is ASCII. Errors: throws a domain
 /// error that names the command and its 1-based position for what is not known or not closed.

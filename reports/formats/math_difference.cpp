@@ -1,5 +1,7 @@
 #include "math_difference.hpp"
 
+#include <subcert/analysis/symbol/utf8.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>

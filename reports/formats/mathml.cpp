@@ -4,6 +4,8 @@
 #include "latex_math.hpp"
 #include "math_difference.hpp"
 
+#include <subcert/analysis/symbol/utf8.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -243,7 +245,7 @@ Elements row_elements(Row row, std::size_t from, std::size_t to, Style style, bo
 }
 
 std::string math(const Elements& elements, const std::string& attributes, std::string_view latex) {
-  std::string source = trimmed(std::string(latex));
+  std::string source = trimmed(latex);
   std::ranges::replace(source, '\n', ' ');
   return tag("math", attributes,
              tag("semantics", "", one(elements) + tag("annotation", " encoding=\"application/x-tex\"", html(source))));

@@ -1,8 +1,8 @@
 #include "attains.hpp"
 
-#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include "attained_cycles.hpp"
 
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/polytope_search/incremental_simplex.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,6 @@ namespace {
 constexpr std::size_t largest_size = 12, most_products = 64, most_words = 8, longest_word = 12, most_vertices = 300;
 constexpr int longest = 4;            // products of the family
 constexpr long turns = 24;            // roots of unity of such orders are made 1
-constexpr double seconds = 1;         // for all
-constexpr double share = 0.1;         // of the time
 constexpr double rounding = 1e-9;     // of a norm
 constexpr double inside = 1e-6;       // by which a norm is below 1 where images have to lie inside
 constexpr long longest_entry = 2000;  // bits of a vertex
@@ -344,7 +343,7 @@ std::optional<ClosedOrbit> closed_orbit(const MatrixFamily& family, const std::v
   for (const std::vector<int>& word : words)
     if (word.size() <= longest_word && short_words.size() < most_words) short_words.push_back(word);
   if (family.size() > largest_size) return std::nullopt;
-  const Budget its{budget.deadline.after(share).at_most(seconds), budget.memory};
+  const Budget its{budget.deadline.after(schedule::orbit::all).at_most(schedule::orbit::seconds), budget.memory};
   std::set<int> tried;
   for (const std::vector<int>& word : short_words) {
     std::size_t count = family.count();

@@ -7,6 +7,7 @@
 
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/quadratic/long_products.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/timed_roots.hpp>
 
@@ -17,8 +18,7 @@ namespace {
 
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 3;  // of each search
-constexpr double triangularising_share = 0.2, symmetries_share = 0.1, first_look_share = 0.02, least_share = 0.05;
-constexpr double first_slice = 0.05;  // seconds for a block that seems smaller
+namespace shares = schedule::family;
 
 void require_small(const MatrixFamily& family) {
   require(FamilyLimits::hold(family.count(), family.size()),
@@ -35,7 +35,7 @@ class BlockSearch {
       families_.push_back(triangular.block(k));
       const bool number = triangular.sizes[k] == 1;
       radii_.push_back(number ? radius::radius_of_numbers(families_[k])
-                              : radius::first_look(families_[k], within(first_look_share * seconds_)));
+                              : radius::first_look(families_[k], within(shares::first_look * seconds_)));
       norms_.push_back(std::get<NormProof>(radii_[k].proof));
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (!number) open_.push_back(k);
@@ -49,7 +49,7 @@ class BlockSearch {
     double work = 0;
     for (const std::size_t k : open_) work += cost(k);
     for (const std::size_t k : open_) {
-      improve(k, std::max(least_share * seconds_, budget_.deadline.remaining() * cost(k) / work));
+      improve(k, std::max(shares::least_of_block * seconds_, budget_.deadline.remaining() * cost(k) / work));
       work -= cost(k);
     }
   }
@@ -65,7 +65,7 @@ class BlockSearch {
     const Deadline end = budget_.deadline.at_most(seconds);
     const bool smaller = *radii_[k].radius.lower < best_ * (1 - rounding);
     // A block that seems smaller only has to get below the best lower bound: ever longer searches.
-    for (double slice = smaller ? first_slice : seconds; !is_settled(k) && !end.expired(); slice *= 2) {
+    for (double slice = smaller ? shares::first_seconds : seconds; !is_settled(k) && !end.expired(); slice *= 2) {
       if (smaller) {
         lower_by_quadratic_form(k, {end.at_most(slice), budget_.memory});
         if (is_settled(k)) break;
@@ -158,7 +158,7 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   result.radius = {*leader.radius.lower, Rational(0)};
   for (const JointSpectralRadius& block : result.by_blocks()->blocks)
     result.radius.upper = std::max(*result.radius.upper, *block.radius.upper);
-  const Deadline proving = budget.deadline.later(0.5);
+  const Deadline proving = budget.deadline.later(shares::grace_of_blocks);
   settle_exactness(result, family, search.families(), proving);
   if (result.is_closed() || result.exact.is_yes() || (target && result.proved_upper() <= *target)) return result;
   const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
@@ -329,12 +329,12 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
                               target ? std::optional(*target / unit) : std::nullopt),
         unit);
   }
-  const Budget later{budget.deadline.later(1), budget.memory};
+  const Budget later{budget.deadline.later(shares::grace_of_one_matrix), budget.memory};
   const auto of_one_matrix = target ? std::nullopt : radius_of_one_matrix(family, later.deadline);
   BlockTriangular triangular = radius::with_symmetries(
-      radius::balanced(block_triangularise(family, budget.deadline.after(triangularising_share)),
-                       budget.deadline.after(symmetries_share)),
-      budget.deadline.after(symmetries_share));
+      radius::balanced(block_triangularise(family, budget.deadline.after(shares::triangular_form)),
+                       budget.deadline.after(shares::symmetries)),
+      budget.deadline.after(shares::symmetries));
   const bool one_block = triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size());
   JointSpectralRadius result = one_block ? radius::radius_of_one_block(family, budget, known, target)
                                          : radius_by_blocks(family, std::move(triangular), budget, known, target);

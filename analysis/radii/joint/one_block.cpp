@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/quadratic/long_products.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 
@@ -21,27 +22,19 @@
 namespace subcert::radius {
 namespace {
 
+namespace shares = schedule::block;
+
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 12;
-constexpr std::size_t short_word = 8;   // letters
-constexpr double short_grace = 0.1;     // seconds for their proofs
-constexpr double norm_share = 0.05;     // of the time
-constexpr double polytope_share = 0.5;  // of the time that is left; the rest is for its proof and quadratic forms
-constexpr double exact_share = 0.6;     // of the time for a proof: that a closed polytope may take of it
-constexpr double larger_share = 0.3;    // of what is left then, for the search of another one
-constexpr double grace = 0.5;           // seconds that a proof may take in any case
-constexpr double alone_share = 0.05;    // of the time that polytopes have before forms are sought beside them,
-constexpr double most_alone = 10;       // in seconds
+constexpr std::size_t short_word = 8;                // letters
 constexpr auto look = std::chrono::milliseconds(2);  // between looks at the time that they have had
 constexpr double same_radius = 1e-9;                 // of products, relatively
 constexpr std::size_t most_commuting = 64;
 constexpr slong eigenvalue_bits = 320;
-constexpr double merged_share = 0.5;  // for opposite matrices as one, where they were to be told apart in the end
-constexpr double commuting_share = 0.2, commuting_seconds = 2;  // for a polytope where the radius is known without
 
 /// When proofs of products end: short ones are proved in any case.
 struct ProductDeadline {
-  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(end.later(short_grace)) {}
+  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(end.later(shares::grace_of_short)) {}
   const Deadline& operator()(const std::vector<int>& word) const {
     return word.size() <= short_word ? of_short : of_long;
   }
@@ -233,13 +226,16 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
                 const std::optional<Rational>& target, bool cones) {
   Attempt result{{}, {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
   result.candidate = find_polytope(family, searching, cones, true, quadratic::long_products);
-  const auto proving = [&](double share) { return Budget{budget.deadline.after(share).later(grace), budget.memory}; };
+  const auto proving = [&](double share) {
+    return Budget{budget.deadline.after(share).later(shares::grace), budget.memory};
+  };
   result.product = prove_product(family, result.candidate.word(0), proving(1).deadline);
-  result.polytope = certify_polytope(family, result.candidate, proving(result.candidate.closed ? exact_share : 1));
+  result.polytope = certify_polytope(family, result.candidate,
+                                     proving(result.candidate.closed ? shares::closed_proof : 1));
   if (!result.polytope && result.candidate.closed && !budget.deadline.expired()) {
     // Too many vertices for a proof in this time: a smaller polytope, of a little more than the radius.
-    PolytopeCandidate larger = find_polytope(family, {budget.deadline.after(larger_share), budget.memory}, cones,
-                                             false);
+    PolytopeCandidate larger = find_polytope(family, {budget.deadline.after(shares::larger_polytope), budget.memory},
+                                             cones, false);
     result.polytope = certify_polytope(family, larger, proving(1));
     if (result.polytope) result.candidate = std::move(larger);
   }
@@ -295,7 +291,7 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   const auto seek_polytopes = [&] {
     const StopScope scope(&polytopes_end);
     const Deadline end = budget.deadline.after(1);
-    result.polytopes = best_attempt(family, {end.after(polytope_share), memory}, {end, memory}, target);
+    result.polytopes = best_attempt(family, {end.after(shares::polytopes), memory}, {end, memory}, target);
     const Attempt& found = result.polytopes;
     const double radius = found.product.radius.lower->convert_to<double>(), other = radius_of_forms;
     if ((found.candidate.closed && found.polytope) || *found.product.radius.lower >= known || found.reaches(target) ||
@@ -306,7 +302,7 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   const auto seek_forms = [&] {
     const StopScope scope(&forms_end);
     const Budget its{budget.deadline.after(1), memory};
-    const Deadline alone = its.deadline.after(alone_share).at_most(most_alone);
+    const Deadline alone = its.deadline.after(shares::alone).at_most(shares::alone_seconds);
     while (!alone.expired() && !forms_begin.try_acquire_for(look)) continue;
     if (its.deadline.expired()) return;
     FormAttempt forms;
@@ -375,7 +371,7 @@ std::optional<ClosedOrbit> closed_orbit_of(const MatrixFamily& family, const Pol
                                            const Budget& budget) {
   std::vector<std::vector<int>> words;
   for (std::size_t k = 0; k < candidate.maximizing; ++k) words.push_back(candidate.word(k));
-  return closed_orbit(family, words, {budget.deadline.later(grace), budget.memory});
+  return closed_orbit(family, words, {budget.deadline.later(shares::grace), budget.memory});
 }
 
 /// Words of one letter, of those that symmetries exchange one, if they are few; then the others that may attain the
@@ -397,8 +393,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   if (auto isometries = prove_isometries(scaled_family, budget.deadline))
     return radius_of_isometries(scaled_family, std::move(*isometries), unit, budget.deadline);
-  const NormProof norms = known ? *known
-                                : norm_of_products(family, {budget.deadline.after(norm_share), budget.memory}, count);
+  const NormProof norms = known
+                              ? *known
+                              : norm_of_products(family, {budget.deadline.after(shares::norms), budget.memory}, count);
   auto [found, forms] = attempt_both(scaled_family, budget, target ? std::optional(*target / unit) : std::nullopt,
                                      norms.bound() / unit);
   const PolytopeCandidate& candidate = found.candidate;
@@ -475,8 +472,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
 /// By the different matrices.
 JointSpectralRadius radius_of_merged(const DifferentMatrices& different, const Budget& budget,
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
-  const auto largest = largest_of_commuting(different.family, budget.deadline.after(commuting_share));
-  const Deadline end = largest ? budget.deadline.after(commuting_share).at_most(commuting_seconds) : budget.deadline;
+  const auto largest = largest_of_commuting(different.family, budget.deadline.after(shares::commuting));
+  const Deadline end = largest ? budget.deadline.after(shares::commuting).at_most(shares::commuting_seconds)
+                               : budget.deadline;
   JointSpectralRadius result = radius_of_different(different.family, different.places.size(), {end, budget.memory},
                                                    known, target);
   if (largest && !result.exact.is_yes()) {
@@ -501,8 +499,8 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
                                         const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   const DifferentMatrices equal = different_matrices(family), up_to_sign = different_matrices(family, true);
   if (up_to_sign.originals.size() == equal.originals.size()) return radius_of_merged(equal, budget, known, target);
-  JointSpectralRadius merged = radius_of_merged(up_to_sign, {budget.deadline.after(merged_share), budget.memory}, known,
-                                                target);
+  JointSpectralRadius merged = radius_of_merged(
+      up_to_sign, {budget.deadline.after(shares::opposite_as_one), budget.memory}, known, target);
   if (!std::holds_alternative<GraphProof>(merged.proof)) return merged;
   // A graph tells opposite letters apart, so it has to be found once more; what is exact remains so.
   JointSpectralRadius result = radius_of_merged(equal, budget, known, target);
@@ -529,7 +527,7 @@ std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Ratio
   AttainedGraph attained = *proof->attained;
   const RationalMatrix matrix = transposed(family.product(attained.product));
   const auto factor = leading_factor(matrix, product.eigenvalue, eigenvalue_bits,
-                                     Deadline::in(budget.deadline.remaining() + grace));
+                                     Deadline::in(budget.deadline.remaining() + shares::grace));
   if (const auto seed = factor ? seed_of(matrix, *factor, {}) : std::nullopt) {
     attained.number = factor->number(attained.product.size());
     attained.seed = *seed;
@@ -567,8 +565,9 @@ JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget)
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   const NormProof norms = norm_of_products(family, budget);
   JointSpectralRadius result;
-  result.product = scaled(
-      prove_product(scaled_family, find_product(scaled_family, budget.deadline), budget.deadline.later(grace)), unit);
+  result.product = scaled(prove_product(scaled_family, find_product(scaled_family, budget.deadline).written(),
+                                        budget.deadline.later(shares::grace)),
+                          unit);
   result.radius = {*result.product.radius.lower, norms.bound()};
   result.exact = {Truth::unknown, "only norms were computed"};
   result.proof = norms;

@@ -3,6 +3,7 @@
 #include "block_triangular.hpp"
 #include "cost.hpp"
 
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::size_t most_forms = 256;
 constexpr int largest_power = 64;
-constexpr double splitting_share = 0.2;  // of the time
 
 using Exponents = std::vector<int>;
 using Form = std::map<Exponents, Rational>;
@@ -113,7 +113,7 @@ std::optional<PRadius> p_radius(const MatrixFamily& family, int p, int bits, con
   require(has_p_radius(family, p), "p_radius: need an even p, or matrices without negative entries, got p = {}", p);
   Enclosure most = Enclosure::exactly(0);
   std::size_t size = 1;
-  for (const MatrixFamily& part : parts_of(family, p, deadline.after(splitting_share))) {
+  for (const MatrixFamily& part : parts_of(family, p, deadline.after(schedule::p_radius::splitting))) {
     const auto sum = sum_of_powers(part, p, bits, deadline);
     if (!sum) return std::nullopt;
     most = {std::max(*most.lower, *sum->lower), std::max(*most.upper, *sum->upper)};

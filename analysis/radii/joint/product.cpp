@@ -1,10 +1,10 @@
 #include "product.hpp"
 
-#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include "cost.hpp"
 #include "leading_factor.hpp"
 #include "rounded_family.hpp"
 
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>

@@ -52,10 +52,9 @@ PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget
   return result;
 }
 
-std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline) {
+polytope::Candidate find_product(const MatrixFamily& family, const Deadline& deadline) {
   const polytope::ProductSearchOptions options{quick_length, quick_width, quick_nearness, {deadline}};
-  const auto found = polytope::search_products(to_search_family(family), options);
-  return found.front().written();
+  return polytope::search_products(to_search_family(family), options).front();
 }
 
 FloatingEigenvalue leading_eigenvalue(const RationalMatrix& matrix) {

@@ -34,8 +34,8 @@ struct PolytopeCandidate : polytope::SearchResult {
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones = true, bool exact = true,
                                 const polytope::ProductSource& more_products = {});
 
-/// The word, from left to right, of a product of large averaged radius: a quick look.
-std::vector<int> find_product(const MatrixFamily& family, const Deadline& deadline);
+/// A product of large averaged radius: a quick look.
+polytope::Candidate find_product(const MatrixFamily& family, const Deadline& deadline);
 
 /// value * 2^exponent, near an eigenvalue of largest modulus; 0 for the zero matrix. Domain: any entries.
 struct FloatingEigenvalue {

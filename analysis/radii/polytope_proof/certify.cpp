@@ -1,8 +1,8 @@
 #include "polytope_proof.hpp"
 
-#include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include "orbit.hpp"
 
+#include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/symbol/boost_numbers.hpp>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 
 #include "polytope_run.hpp"
 
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
@@ -12,23 +13,17 @@ namespace subcert::polytope {
 
 namespace {
 
+namespace shares = schedule::polytope;
+
 constexpr std::size_t max_maximizing = 12;  // products that roots are made of; more are shifts of a continuum of them
 
-// Shares of the whole time. A polytope that closes exactly is worth most of it; enclosing gets the rest.
-constexpr double first_products = 0.35, later_products = 0.175;
-constexpr double first_race = 0.84, all_races = 0.91, last_race = 0.7;
-constexpr double early_share = 0.2;  // of that patience, before long products are looked for
-constexpr double last_share = 0.5;   // of what is left for races at last, where forms come after polytopes
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
 // gets a wider look for a better product, and more time each round.
 constexpr double first_patience = 20, later_patience = 30;
 // Small extra vertices need fewer others. Some polytopes close with large ones alone, or with a little more than the
 // radius after half as many vertices.
 constexpr double small_reach = 0.3, large_reach = 0.9;
-constexpr double large_share = 0.2;                       // of the time for races
-constexpr double least_race = 0.1;                        // seconds
-constexpr double least_slice = 0.02, largest_slice = 60;  // seconds of a run before it is the turn of the other one
-constexpr double clearly_ahead = 0.6;                     // ratio of the shares of open images
+constexpr double clearly_ahead = 0.6;  // ratio of the shares of open images
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 // What a look for products costs: a multiplication of matrices for each product of so many letters as are usual.
@@ -63,29 +58,31 @@ std::size_t bytes_of(const SearchResult& result) {
 class Search {
  public:
   Search(const SearchFamily& family, const SearchOptions& options)
-      : options_(options), seconds_(options.budget.deadline.remaining()), races_(Deadline::in(all_races * seconds_)) {
+      : options_(options),
+        seconds_(options.budget.deadline.remaining()),
+        races_(Deadline::in(shares::races * seconds_)) {
     family_[0] = family_[1] = family;
     for (Matrix& a : family_[1].matrices) a = a.transposed();
     family_[1].symmetry = family.symmetry.transposed();
   }
 
   SearchResult run() {
-    look_for_products(product_looks[0], first_products);
+    look_for_products(product_looks[0], shares::first_products);
     if (candidates_.front().radius == 0) return vanishing();
     if (!options_.exact) return enclosed();
-    if (race(std::min(least_race + first_patience * work_, first_race * seconds_), 1)) return closed();
+    if (race(std::min(shares::least_race + first_patience * work_, shares::first_race * seconds_), 1)) return closed();
     const double before = work_;
-    look_for_products(product_looks[1], later_products);
-    double patience = std::min(least_race + later_patience * (work_ - before), left_for_races());
+    look_for_products(product_looks[1], shares::later_products);
+    double patience = std::min(shares::least_race + later_patience * (work_ - before), left_for_races());
     if (forms_follow()) {
-      if (race(early_share * patience, 2)) return closed();
+      if (race(shares::early_race * patience, 2)) return closed();
       look_for_more_products();
-      patience *= 1 - early_share;
+      patience *= 1 - shares::early_race;
     }
-    if (race(patience, 2) || race_with_large_extras(large_share * all_races * seconds_)) return closed();
-    if (work_ > last_race * seconds_ || races_.expired() || full()) return enclosed();
-    look_for_products(product_looks[2], later_products);
-    return race((forms_follow() ? last_share : 1) * left_for_races(), 2) ? closed() : enclosed();
+    if (race(patience, 2) || race_with_large_extras(shares::large_extras * shares::races * seconds_)) return closed();
+    if (work_ > shares::last_look * seconds_ || races_.expired() || full()) return enclosed();
+    look_for_products(product_looks[2], shares::later_products);
+    return race((forms_follow() ? shares::last_race : 1) * left_for_races(), 2) ? closed() : enclosed();
   }
 
  private:
@@ -96,7 +93,7 @@ class Search {
   std::size_t memory_of_products() const { return options_.budget.memory / 4; }
   std::size_t memory_of_polytopes() const { return options_.budget.memory - memory_of_products(); }
 
-  double left_for_races() const { return all_races * seconds_ - work_; }
+  double left_for_races() const { return shares::races * seconds_ - work_; }
   bool full() const { return runs_[0] && runs_[1] && runs_[0]->full() && runs_[1]->full(); }
 
   // Looks for products and gives up what is built on a worse one.
@@ -112,7 +109,7 @@ class Search {
   }
 
   void look_for_more_products() {
-    const Deadline end = races_.at_most(later_products * seconds_);
+    const Deadline end = races_.at_most(shares::later_products * seconds_);
     const double seconds = end.remaining();
     take(options_.more_products(family_[0], candidates_.front().radius, {end, memory_of_products()}));
     work_ += seconds - end.remaining();
@@ -168,7 +165,7 @@ class Search {
   bool race(double seconds, std::size_t sides) {
     const double end = work_ + seconds;
     const auto left = [&] { return races_.expired() ? 0 : end - work_; };
-    const auto first_slice = [&] { return std::clamp(left() / 64, least_slice, largest_slice); };
+    const auto first_slice = [&] { return std::clamp(left() / 64, shares::least_slice, shares::largest_slice); };
     double slice = sides == 1 ? seconds : first_slice();
     for (int round = 0; left() > 0 && !full(); ++round) {
       // Every fourth round the one behind gets its turn as well.
@@ -247,7 +244,7 @@ class Search {
 
   // Images divided by (1 + excess) radius, the excess smaller as long as time and memory last. Forms enclose better.
   SearchResult enclosed() {
-    const Deadline end = forms_follow() ? deadline().at_most((1 - all_races) * seconds_) : deadline();
+    const Deadline end = forms_follow() ? deadline().at_most((1 - shares::races) * seconds_) : deadline();
     SearchResult best;
     const double radius = candidates_.front().radius;
     const std::size_t side = runs_[0] && runs_[1] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
@@ -263,7 +260,7 @@ class Search {
       options_.tolerance = std::min(options_.tolerance, inner_share * excess);
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
       if (run->advance(no_limit, end) != PolytopeRun::State::closed) break;
-      run->finish(end.after(0.5));
+      run->finish(end.after(shares::enclosing_proof));
       std::move(*run).report(best);
       best.transposed = side == 1;
     }

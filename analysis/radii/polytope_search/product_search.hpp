@@ -21,6 +21,9 @@ bool is_finite(const SearchFamily& family);
 /// Whether g A_i g^-1 = A_g(i) for all elements g of its group, up to rounding. Domain: finite entries.
 bool has_symmetry(const SearchFamily& family);
 
+/// The same letters from the other end: a product is written from left to right, and its last matrix is applied first.
+inline std::vector<int> turned(const std::vector<int>& word) { return {word.rbegin(), word.rend()}; }
+
 /// A product A_{w_k} ... A_{w_1}, written as the word w_1 ... w_k (the letter applied first comes first). Canonical:
 /// the word is primitive and the least of its cyclic shifts and of those of its images under the symmetry.
 struct Candidate {
@@ -28,7 +31,7 @@ struct Candidate {
   double radius = 0;      ///< rho(product)^(1/k)
 
   /// The letters as the product is written, from left to right.
-  std::vector<int> written() const { return {word.rbegin(), word.rend()}; }
+  std::vector<int> written() const { return turned(word); }
   /// The product of the transposed matrices that is transposed to this one.
   Candidate transposed() const { return {written(), radius}; }
 };

@@ -4,6 +4,7 @@
 
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/radii/polytope_search/root_cycles.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 
 #include <algorithm>
@@ -25,7 +26,6 @@ constexpr double first_level = 1.1;  // that g is above the largest norm at firs
 constexpr int steps_per_weight = 1000;
 constexpr double first_step = 1e-3, longest_step = 1;
 constexpr int most_halvings = 25;                                      // of a step
-constexpr double worthwhile = 0.5;                                     // of the time that a descent takes
 constexpr double least_gain = 1e-3;                                    // of a step
 constexpr std::size_t matrices_per_step = 5, matrices_per_state = 50;  // that a descent holds, about
 constexpr std::size_t worth_threads = 64;                              // matrices
@@ -63,7 +63,7 @@ struct LeadingVectors {
 
 std::optional<LeadingVectors> leading_vectors(const std::vector<Matrix>& matrices, const std::vector<int>& product,
                                               const Deadline& deadline) {
-  polytope::Candidate candidate{{product.rbegin(), product.rend()}};
+  polytope::Candidate candidate{polytope::turned(product)};
   candidate.radius = polytope::product_radius(matrices, candidate.word);
   const auto cycles = polytope::leading_cycles(matrices, {candidate}, simple_enough, deadline);
   if (cycles.size() != 1 || cycles[0].left.empty()) return std::nullopt;
@@ -275,7 +275,7 @@ bool ContextForms::grow(const Budget& budget) {
   const double entries = std::pow(static_cast<double>(family_.matrices.front().rows()), 2);
   const double bytes = 8 * entries * static_cast<double>(states * (matrices_per_step * count + matrices_per_state));
   if (count == 1 || states > most_states || bytes > static_cast<double>(budget.memory) ||
-      worthwhile * static_cast<double>(count) * seconds_ > budget.deadline.remaining())
+      schedule::forms::next_contexts * static_cast<double>(count) * seconds_ > budget.deadline.remaining())
     return false;
   const Stopwatch stopwatch;
   if (family_.symmetry.is_dense()) family_.symmetry = {};

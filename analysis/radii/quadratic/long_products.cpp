@@ -3,6 +3,7 @@
 #include "ellipsoidal_coordinates.hpp"
 
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,10 @@ namespace {
 
 using polytope::Matrix;
 
-constexpr double coordinates_share = 0.5, runs_share = 0.2;  // of the time
-constexpr std::size_t contexts[] = {256, 1024, 4096};        // of last letters, for a look each
-constexpr std::size_t images_per_context = 4;                // that go on
+namespace shares = schedule::products;
+
+constexpr std::size_t contexts[] = {256, 1024, 4096};  // of last letters, for a look each
+constexpr std::size_t images_per_context = 4;          // that go on
 constexpr std::size_t path_length = 600, starts = 100, longest_run = 400;
 constexpr std::ptrdiff_t longest_product = 200;
 constexpr double near = 2e-3;     // products so far below the best are reported
@@ -160,10 +162,10 @@ class Cycles {
 
 std::vector<polytope::Candidate> long_products(const polytope::SearchFamily& family, double radius,
                                                const Budget& budget) {
-  const std::vector<Matrix> matrices = ellipsoidal_coordinates(family, radius, budget.deadline.after(coordinates_share))
-                                           .matrices;
+  const std::vector<Matrix> matrices =
+      ellipsoidal_coordinates(family, radius, budget.deadline.after(shares::coordinates)).matrices;
   Cycles cycles(family, matrices, radius);
-  cycles.look_at_runs(budget.deadline.after(runs_share));
+  cycles.look_at_runs(budget.deadline.after(shares::runs));
   for (const std::size_t count : contexts) {
     const double before = cycles.best();
     cycles.look_into(Beam(matrices, count, budget.memory).longest_path(budget.deadline), budget.deadline);

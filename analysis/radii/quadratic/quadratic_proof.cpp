@@ -3,6 +3,7 @@
 #include "graph_prover.hpp"
 
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,28 +15,22 @@ namespace {
 using quadratic::EllipsoidalCoordinates;
 using quadratic::ProductTree;
 
-// Of the time that is left: for the first form, for contexts, and for their tree.
-constexpr double shape_share = 0.3, contexts_share = 0.78, tree_share = 0.55;
+namespace shares = schedule::forms;
+
 constexpr double useful = 0.98;          // what longer contexts leave of the excess of their bound over the radius
 constexpr int most_useless = 2;          // contexts one after the other
-constexpr double look_share = 0.4;       // of the time for contexts: for a look whether words are few already
-constexpr double first_look = 0.1;       // seconds, of the first ones
 constexpr double most_work = 2e10;       // of a proof; a checker takes a few seconds for it, the verified one a minute
 constexpr double most_fine_work = 1e8;   // with long numbers
 constexpr double work_per_second = 8e9;  // of all cores, and some to spare
-constexpr double kept_share = 0.5;       // of the time for trees, for one that keeps the product
 constexpr double kept_excess = 1e-7;     // that the radius is above the bound of its words, relatively
 constexpr double kept_slacks[] = {4, 32};  // times what proofs lose: that its words are below their bound
 constexpr double full_trees = 8;           // that the search for the least bound and the proof cost, about
 constexpr double fine_factor = 60;         // that work with long numbers costs more
-constexpr double fine_share = 0.7;         // of the time for a proof
-constexpr double grace = 0.5;              // seconds that it may take beyond the time
 // Of bounds above the goal, relatively. A proof loses 1e-11.
 constexpr double least_excess = 2e-11, goal_below = 1.5e-11, excess_step = 8;
 constexpr int bisections = 3;
 constexpr int most_moves = 8;               // of the exact matrices to other coordinates
 constexpr std::size_t most_isometric = 10;  // the size of matrices
-constexpr double isometry_seconds = 0.5;
 
 /// A family in coordinates in which its orbits are round, and those that make its norms small, counted from there.
 struct Shape {
@@ -147,9 +142,9 @@ class Search {
   /// whose tree has the goal for its bound; or, of the last ones and the one form, those whose proof has the least
   /// bound.
   std::optional<GraphProof> run(const quadratic::StateForms& one, quadratic::ContextForms contexts) {
-    const Deadline contexts_end = budget_.deadline.after(contexts_share);
+    const Deadline contexts_end = budget_.deadline.after(shares::contexts);
     quadratic::StateForms states;
-    double seconds = first_look;
+    double seconds = shares::first_look;
     for (int useless = 0; useless < most_useless;) {
       // A long product costs time of its own, and so do the ends of words on it.
       const Deadline looking = for_trees().at_most(seconds);
@@ -163,12 +158,12 @@ class Search {
       const Stopwatch stopwatch;
       const double excess = contexts.forms().bound - radius_;
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
-      seconds = std::max(first_look, look_share * stopwatch.seconds());
+      seconds = std::max(shares::first_look, shares::look * stopwatch.seconds());
       useless = contexts.forms().bound - radius_ < useful * excess ? 0 : useless + 1;
     }
     const Deadline trees_end = for_trees();
     if (states.product.empty()) states = with_product(contexts, trees_end);
-    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end.after(kept_share)))
+    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end.after(shares::kept_tree)))
       if (auto proof = attained(states, *kept)) return proof;
     std::optional<FormedTree> best;
     const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
@@ -191,7 +186,7 @@ class Search {
 
  private:
   double goal() const { return radius_ * (1 - goal_below); }
-  Deadline for_trees() const { return budget_.deadline.after(tree_share); }
+  Deadline for_trees() const { return budget_.deadline.after(shares::tree); }
   double remaining() const { return budget_.deadline.remaining(); }
   double fine_work() const { return std::min(most_fine_work, work_per_second / 2 / fine_factor * remaining()); }
   int bits_of(const ProductTree& tree) const {
@@ -207,8 +202,9 @@ class Search {
   /// Of two numbers of digits, the larger first if that may be in time.
   template <class Prove>
   auto with_bits(int bits, const Prove& prove) const {
-    const Deadline end = budget_.deadline.later(grace);
-    auto proof = bits > quadratic::double_bits ? prove(bits, end.after(fine_share)) : decltype(prove(bits, end))();
+    const Deadline end = budget_.deadline.later(shares::grace);
+    auto proof = bits > quadratic::double_bits ? prove(bits, end.after(shares::fine_proof))
+                                               : decltype(prove(bits, end))();
     return proof ? std::move(proof) : prove(quadratic::double_bits, end);
   }
 
@@ -246,7 +242,7 @@ class Search {
     };
     auto graph = with_bits(bits_of(tree), prove);
     if (!graph) {
-      auto other = kept_tree(forms, kept_slacks[1], most_work, for_trees().after(kept_share));
+      auto other = kept_tree(forms, kept_slacks[1], most_work, for_trees().after(shares::kept_tree));
       if (!other) return std::nullopt;
       tree = std::move(*other);
       graph = prove(quadratic::double_bits, budget_.deadline);
@@ -277,7 +273,7 @@ std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, c
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
   double radius = target.convert_to<double>();
-  const Shape shape = shape_of(family, radius, budget.deadline.after(shape_share));
+  const Shape shape = shape_of(family, radius, budget.deadline.after(shares::one_form));
   for (const polytope::Matrix& m : shape.round.family.matrices) radius = std::max(radius, polytope::spectral_radius(m));
   if (!(radius > 0)) return std::nullopt;
   const quadratic::ContextForms one(shape.round.family, shape.coordinates);
@@ -295,7 +291,7 @@ std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const
   // That combination of them which is nearest to the form that floating point finds.
   const std::vector<std::size_t> free = free_columns(forms);
   const auto guess = quadratic::ellipsoidal_coordinates(radius::to_search_family(family), 0,
-                                                        deadline.at_most(isometry_seconds));
+                                                        deadline.at_most(shares::isometry_seconds));
   const auto near = radius::to_rational(guess.to.transposed() * guess.to);
   if (!near) return std::nullopt;
   RationalMatrix form(n, n);

@@ -18,8 +18,6 @@ constexpr long rounded_bits = 256;  // of the factors
 
 using IntegerVector = std::vector<Integer>;
 
-Rational two_to(long exponent) { return power(Rational(2), exponent); }
-
 /// No row of a zero has an entry in a column of another coordinate.
 bool leaves_zeros_alone(const RationalMatrix& matrix, const IntegerVector& vector) {
   for (std::size_t i = 0; i < vector.size(); ++i)

@@ -7,6 +7,8 @@
 
 namespace subcert::subradius {
 
+inline Rational two_to(long exponent) { return power(Rational(2), exponent); }
+
 /// Whether the subradius is the averaged spectral radius of the product of the cycle of a proof: yes, or unknown with
 /// the step that is missing. The true vertices are the images of the eigenvector, within a factor near 1 of those of
 /// the proof. Domain: `proof` belongs to this family, which is transposed where it says so; `radius` encloses that

@@ -18,8 +18,6 @@ constexpr int spare_bits = 64;
 
 using IntegerVector = std::vector<Integer>;
 
-Rational two_to(long exponent) { return power(Rational(2), exponent); }
-
 bool is_positive(const IntegerVector& x) {
   return std::all_of(x.begin(), x.end(), [](const Integer& c) { return c > 0; });
 }

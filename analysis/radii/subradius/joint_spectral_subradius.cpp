@@ -68,6 +68,12 @@ class SubradiusSearch {
     std::size_t proved = 0;  ///< vertices of the last proof that was tried
   };
 
+  /// From the letters of a product as it is written to those in the order in which the search applies its matrices, and
+  /// back: of transposed matrices they are the same.
+  static std::vector<int> between_orders(const std::vector<int>& word, bool of_transposed) {
+    return of_transposed ? word : polytope::turned(word);
+  }
+
   bool is_enough() const {
     const Rational &lower = *best_.radius.lower, &upper = *best_.radius.upper;
     const auto &least = target_.lower, &most = target_.upper;
@@ -92,8 +98,7 @@ class SubradiusSearch {
         search_family_,
         {.max_length = look.products.length, .width = look.products.width, .budget = share, .least = true});
     found.resize(std::min(polytope::sort_candidates(found, true), most_products));
-    // The letter applied first stands at the end of a word.
-    for (const polytope::Candidate& candidate : found) try_product({candidate.word.rbegin(), candidate.word.rend()});
+    for (const polytope::Candidate& candidate : found) try_product(candidate.written());
   }
 
   /// Whether a product has a smaller radius than the best so far. It is grown from, and with those of equal radius.
@@ -120,8 +125,7 @@ class SubradiusSearch {
     for (const bool of_transposed : {false, true}) {
       const std::vector<Integer>& first = of_transposed ? leading.left : leading.right;
       if (first.empty()) continue;
-      std::vector<int> cycle = leading.product.word;  // the letter applied first in front
-      if (!of_transposed) std::reverse(cycle.begin(), cycle.end());
+      std::vector<int> cycle = between_orders(leading.product.word, of_transposed);
       std::vector<polytope::Matrix> matrices;
       for (const RationalMatrix& matrix : of_transposed ? transposed_ : family_)
         matrices.push_back(radius::to_double(Rational(1) / leading.rate * matrix));
@@ -154,9 +158,7 @@ class SubradiusSearch {
         if (!found.closed || !settle(growth, *proof)) best_.antinorm = std::move(proof);
       }
     }
-    std::vector<int> word = found.smaller;  // the letter applied first in front
-    if (!growth.transposed) std::reverse(word.begin(), word.end());
-    return !word.empty() && try_product(word);
+    return !found.smaller.empty() && try_product(between_orders(found.smaller, growth.transposed));
   }
 
   /// Once more with vertices in place of images on the boundary, so that the product is seen to attain the subradius.

@@ -114,38 +114,49 @@ RationalMatrix refinement_matrix(int n) {
   return matrix;
 }
 
-/// Row i of the printed matrices up to the first zeros: 2i entries r, s, r, s, ..., as many as the row has room for.
-/// The rows below the middle mirror those above it.
-Outcome matrix_a(const Context& context) {
+/// A matrix for each n: the printed entries, r or s by column so many times, are those that were derived, and the
+/// values of phi_n at -2n+2, -2n+3, ... are an eigenvector. `also` checks what else is said.
+template <class Times, class Also>
+Outcome matrix_as_printed(const Context& context, RationalMatrix (*derive)(int n), const Times& times,
+                          const Also& also) {
   const Formula r = context.formula("r"), s = context.formula("s");
   const int most = context.reach(8, 20);
   Trial trial;
   for (int n = 1; n <= most && !trial.failed(); ++n) {
-    const RationalMatrix derived = refinement_matrix(n);
-    const auto size = derived.rows();
+    const RationalMatrix derived = derive(n);
+    const std::size_t size = derived.rows();
     const LimitValues phi = limit_values(s_n(n), 0);
     for (std::size_t i = 0; i < size; ++i) {
       Rational image = 0;
       for (std::size_t j = 0; j < size; ++j) {
-        const auto reaches = [size](std::size_t row, std::size_t column) {
-          return column < 2 * (row + 1) || 2 * (row + 1) >= size;
-        };
-        const bool inside = reaches(i, j) && reaches(size - 1 - i, size - 1 - j);
-        const Rational printed = inside ? (j % 2 == 0 ? r : s)({{"n", n}}) : Rational(0);
-        trial.equal(printed, derived(i, j),
+        trial.equal(times(size, i, j) * (j % 2 == 0 ? r : s)({{"n", n}}), derived(i, j),
                     at("n", n) + ", row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1));
         image += derived(i, j) * phi.at(-2 * n + 2 + static_cast<long>(j));
       }
       trial.equal(phi.at(-2 * n + 2 + static_cast<long>(i)), image,
                   at("n", n) + ", the eigenvector at row " + std::to_string(i + 1));
     }
-    for (std::size_t j = 0; j < size; ++j) {
-      Rational sum = 0;
-      for (std::size_t i = 0; i < size; ++i) sum += derived(i, j);
-      trial.equal(1, sum, at("n", n) + ", sum of column " + std::to_string(j + 1));
-    }
+    also(trial, n, derived);
   }
   return trial.over(range(1, most));
+}
+
+/// Row i of the printed matrices up to the first zeros: 2i entries r, s, r, s, ..., as many as the row has room for.
+/// The rows below the middle mirror those above it.
+Outcome matrix_a(const Context& context) {
+  const auto times = [](std::size_t size, std::size_t i, std::size_t j) {
+    const auto reaches = [size](std::size_t row, std::size_t column) {
+      return column < 2 * (row + 1) || 2 * (row + 1) >= size;
+    };
+    return reaches(i, j) && reaches(size - 1 - i, size - 1 - j) ? 1 : 0;
+  };
+  return matrix_as_printed(context, refinement_matrix, times, [](Trial& trial, int n, const RationalMatrix& derived) {
+    for (std::size_t j = 0; j < derived.columns(); ++j) {
+      Rational sum = 0;
+      for (std::size_t i = 0; i < derived.rows(); ++i) sum += derived(i, j);
+      trial.equal(1, sum, at("n", n) + ", sum of column " + std::to_string(j + 1));
+    }
+  });
 }
 
 /// The (2n-1) x (2n-1) matrix with the columns beyond the middle added to their mirror images.
@@ -160,39 +171,24 @@ RationalMatrix folded_matrix(int n) {
 }
 
 /// The folded matrix as printed: r and s where one of the two mirrored columns is reached, twice that where both are.
+/// No entry is below the one above it, and no row equals the one before it.
 Outcome matrix_a_tilde(const Context& context) {
-  const Formula r = context.formula("r"), s = context.formula("s");
-  const int most = context.reach(8, 20);
-  Trial trial;
-  for (int n = 1; n <= most && !trial.failed(); ++n) {
-    const RationalMatrix derived = folded_matrix(n);
-    const std::size_t size = derived.rows();
-    const LimitValues phi = limit_values(s_n(n), 0);
-    for (std::size_t i = 0; i < size; ++i) {
-      Rational image = 0;
-      bool grows = i == 0;
-      for (std::size_t j = 0; j < size; ++j) {
-        const Rational unit = (j % 2 == 0 ? r : s)({{"n", n}});
-        // Printed: the row i+1 holds 2(i+1) entries from the left, and what passes the last column is folded back.
-        const std::size_t row_length = 2 * (i + 1);
-        const std::size_t folded = row_length > size ? row_length - size : 0;
-        const bool twice = j + 1 < size && j + 1 + folded >= size;
-        const Rational printed = j < row_length ? Rational((twice ? 2 : 1) * unit) : Rational(0);
-        trial.equal(printed, derived(i, j),
-                    at("n", n) + ", row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1));
-        if (i > 0) {
-          trial.require(derived(i, j) >= derived(i - 1, j),
-                        at("n", n) + ": row " + std::to_string(i + 1) + " is not above the one before it");
-          grows = grows || derived(i, j) > derived(i - 1, j);
-        }
-        image += derived(i, j) * phi.at(-2 * n + 2 + static_cast<long>(j));
+  // Printed: the row i+1 holds 2(i+1) entries from the left, and what passes the last column is folded back.
+  const auto times = [](std::size_t size, std::size_t i, std::size_t j) {
+    const std::size_t row_length = 2 * (i + 1), folded = row_length > size ? row_length - size : 0;
+    return j >= row_length ? 0 : j + 1 < size && j + 1 + folded >= size ? 2 : 1;
+  };
+  return matrix_as_printed(context, folded_matrix, times, [](Trial& trial, int n, const RationalMatrix& derived) {
+    for (std::size_t i = 1; i < derived.rows(); ++i) {
+      const std::string row = at("n", n) + ": row " + std::to_string(i + 1);
+      bool grows = false;
+      for (std::size_t j = 0; j < derived.columns(); ++j) {
+        trial.require(derived(i, j) >= derived(i - 1, j), row + " is not above the one before it");
+        grows = grows || derived(i, j) > derived(i - 1, j);
       }
-      trial.require(grows, at("n", n) + ": row " + std::to_string(i + 1) + " equals the one before it");
-      trial.equal(phi.at(-2 * n + 2 + static_cast<long>(i)), image,
-                  at("n", n) + ", the eigenvector at row " + std::to_string(i + 1));
+      trial.require(grows, row + " equals the one before it");
     }
-  }
-  return trial.over(range(1, most));
+  });
 }
 
 /// The two rows from which the value at -n follows: the last one is twice the row n-1, and r in the last place.

@@ -98,11 +98,7 @@ TEST_CASE("facts: exponents have the fields of the contract, whatever was found"
                                     "loop:", "zwart-powell:", "tensor:(dd:n=1)x(dd:n=2)"}) {
     CAPTURE(specification);
     const Scheme scheme = make_linear_scheme(specification);
-    Facts list;
-    if (scheme.mask.dimension() == 1)
-      list = regularity_facts(scheme, holder_regularity(scheme.mask.curve(), 4, budget), std::nullopt, {});
-    else
-      list = regularity_facts(scheme, multivariate_regularity(scheme.mask, budget), {});
+    const Facts list = regularity_facts(scheme, regularity_of(scheme.mask, budget, {.levels = 4}), std::nullopt, {});
     check_list(list);
     const Json json = page_json(list);
     for (const char* key :

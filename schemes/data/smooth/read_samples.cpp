@@ -1,17 +1,17 @@
-#include "samples.hpp"
+#include "read_samples.hpp"
 
-#include "command.hpp"
-#include "line_input.hpp"
+#include "uniform_grid.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/smooth/uniform_grid.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
+#include <subcert/schemes/data/runtime/input.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace subcert::cli {
+namespace subcert::data {
 /// Which columns of a table hold what.
 struct ColumnUse {
   std::optional<std::size_t> x;
@@ -23,11 +23,11 @@ namespace {
 
 constexpr double largest_value = 1e150;  // squares stay finite
 
-std::string column_name(const data::Table& table, std::size_t column) {
+std::string column_name(const Table& table, std::size_t column) {
   return table.header.empty() ? "column " + std::to_string(column + 1) : table.header[column];
 }
 
-std::size_t find_column(const data::Table& table, const std::string& option, const std::string& text) {
+std::size_t find_column(const Table& table, const std::string& option, const std::string& text) {
   const auto named = std::find(table.header.begin(), table.header.end(), text);
   if (named != table.header.end()) return static_cast<std::size_t>(named - table.header.begin());
   const auto number = parse_rational(text);
@@ -38,7 +38,7 @@ std::size_t find_column(const data::Table& table, const std::string& option, con
   fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}", option, text, table.columns, known);
 }
 
-std::string place(const SampleOptions& options, const data::Table& table, std::size_t row, std::size_t column) {
+std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
   return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
 }
 
@@ -51,11 +51,11 @@ std::optional<Rational> given_spacing(const SampleOptions& options) {
 }
 
 /// The positions in a column, which increase, also from the one before these rows.
-std::vector<double> read_positions(const SampleOptions& options, const data::Table& table, std::size_t column,
+std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column,
                                    std::optional<double> before = std::nullopt) {
   std::vector<double> x;
   x.reserve(table.rows());
-  const auto shown = [](double value) { return to_decimal(data::decimal_value(value), 9, Rounding::nearest); };
+  const auto shown = [](double value) { return to_decimal(decimal_value(value), 9, Rounding::nearest); };
   for (std::size_t i = 0; i < table.rows(); ++i) {
     x.push_back(table.values[i * table.columns + column]);
     if (std::isnan(x.back()))
@@ -69,11 +69,11 @@ std::vector<double> read_positions(const SampleOptions& options, const data::Tab
 }
 
 /// Sets origin and spacing, or names the spacing that is farthest from the mean.
-void set_grid(const SampleOptions& options, const data::Table& table, std::size_t column, data::Samples& samples) {
+void set_grid(const SampleOptions& options, const Table& table, std::size_t column, Samples& samples) {
   std::vector<double> x = read_positions(options, table, column);
   const auto shown = [](const Rational& value) { return to_decimal(value, 9, Rounding::nearest); };
-  const auto decimal = [&](std::size_t i) { return data::decimal_value(x[i]); };
-  const data::UniformGrid grid = data::uniform_grid(x);
+  const auto decimal = [&](std::size_t i) { return decimal_value(x[i]); };
+  const UniformGrid grid = uniform_grid(x);
   if (!grid.uniform && options.irregular == "fit") {
     samples.positions = std::move(x);
   } else if (const std::size_t worst = grid.worst; !grid.uniform) {
@@ -89,8 +89,8 @@ void set_grid(const SampleOptions& options, const data::Table& table, std::size_
 }
 
 /// Prior weights, with 0 for rows that lack a value.
-void set_weights(const SampleOptions& options, const data::Table& table, const std::vector<std::size_t>& values,
-                 std::optional<std::size_t> weights, data::Samples& samples) {
+void set_weights(const SampleOptions& options, const Table& table, const std::vector<std::size_t>& values,
+                 std::optional<std::size_t> weights, Samples& samples) {
   std::vector<Rational> result;  // none as long as all are 1
   if (weights) result.reserve(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -98,8 +98,8 @@ void set_weights(const SampleOptions& options, const data::Table& table, const s
       const double value = table.values[i * table.columns + *weights];
       if (!(value >= 0))
         fail(ErrorKind::data, "{}: expected a weight >= 0; found {}", place(options, table, i, *weights),
-             (std::isnan(value) ? "a missing value" : data::shortest_text(value)));
-      result.push_back(data::decimal_value(value));
+             (std::isnan(value) ? "a missing value" : shortest_text(value)));
+      result.push_back(decimal_value(value));
     }
     for (const std::size_t column : values) {
       if (!std::isnan(table.values[i * table.columns + column])) continue;
@@ -113,7 +113,7 @@ void set_weights(const SampleOptions& options, const data::Table& table, const s
   samples.weights = std::move(result);
 }
 
-ColumnUse find_columns(const SampleOptions& options, const data::Table& table) {
+ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   ColumnUse use;
   if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
   const bool none = options.x == "none";
@@ -134,7 +134,7 @@ ColumnUse find_columns(const SampleOptions& options, const data::Table& table) {
   return use;
 }
 
-NamedSamples named_columns(const data::Table& table, const ColumnUse& use) {
+NamedSamples named_columns(const Table& table, const ColumnUse& use) {
   NamedSamples samples;
   samples.separator = table.columns == 1 ? ',' : table.separator;
   samples.x_name = use.x ? column_name(table, *use.x) : "x";
@@ -144,7 +144,7 @@ NamedSamples named_columns(const data::Table& table, const ColumnUse& use) {
 }
 
 /// Sets values and weights to those of the rows.
-void set_rows(const SampleOptions& options, const data::Table& table, const ColumnUse& use, data::Samples& samples) {
+void set_rows(const SampleOptions& options, const Table& table, const ColumnUse& use, Samples& samples) {
   set_weights(options, table, use.values, use.weights, samples);
   for (std::size_t k = 0; k < use.values.size(); ++k) {
     auto& column = samples.columns[k];
@@ -154,7 +154,7 @@ void set_rows(const SampleOptions& options, const data::Table& table, const Colu
       const double value = table.values[i * table.columns + use.values[k]];
       if (std::abs(value) > largest_value)
         fail(ErrorKind::data, "{}: expected at most 1e150 in modulus; found {}",
-             place(options, table, i, use.values[k]), data::shortest_text(value));
+             place(options, table, i, use.values[k]), shortest_text(value));
       column.push_back(std::isnan(value) ? 0 : value);
     }
   }
@@ -162,10 +162,10 @@ void set_rows(const SampleOptions& options, const data::Table& table, const Colu
 
 }  // namespace
 
-std::string SampleOptions::name() const { return input_name(file); }
+std::string SampleOptions::name() const { return runtime::input_name(file); }
 
 NamedSamples read_samples(const SampleOptions& options) {
-  const data::Table table = data::parse_table(read_input(options.file), options.name(), data::Missing::keep);
+  const Table table = parse_table(runtime::read_input(options.file), options.name(), Missing::keep);
   const ColumnUse use = find_columns(options, table);
   NamedSamples samples = named_columns(table, use);
   if (use.x) set_grid(options, table, *use.x, samples);
@@ -180,14 +180,14 @@ NamedSamples read_samples(const SampleOptions& options) {
 class SampleStream::State {
  public:
   explicit State(const SampleOptions& options)
-      : options_(options), input_(options.file), reader_(options.name(), data::Missing::keep) {
+      : options_(options), input_(options.file), reader_(options.name(), Missing::keep) {
     const auto spacing = given_spacing(options);
     while (!head_ || (use_.x && !spacing && positions_.size() < 2))
       if (!read()) break;
     reader_.finish();
     if (use_.x) {
-      head_->origin = data::decimal_value(positions_.front());
-      if (positions_.size() > 1) head_->spacing = data::decimal_value(positions_[1]) - head_->origin;
+      head_->origin = decimal_value(positions_.front());
+      if (positions_.size() > 1) head_->spacing = decimal_value(positions_[1]) - head_->origin;
     }
     if (spacing) head_->spacing = *spacing;
     grid_.emplace(head_->origin, head_->spacing);
@@ -204,7 +204,7 @@ class SampleStream::State {
         fail(ErrorKind::data,
              "{}, line {}: expected {}, on the grid of spacing {}; found the position {} (--spacing sets it)",
              options_.name(), lines_[i], to_decimal(grid_->expected(), 9, Rounding::nearest),
-             to_decimal(head_->spacing, 9, Rounding::nearest), data::shortest_text(positions_[i]));
+             to_decimal(head_->spacing, 9, Rounding::nearest), shortest_text(positions_[i]));
     positions_.clear();
     lines_.clear();
     return std::exchange(rows_, NamedSamples{});
@@ -215,7 +215,7 @@ class SampleStream::State {
   bool read() {
     std::string text;
     if (!input_.read_lines(text)) return false;
-    const data::Table& table = reader_.read(text);
+    const Table& table = reader_.read(text);
     if (table.rows() == 0) return true;
     if (!head_) {
       use_ = find_columns(options_, table);
@@ -240,11 +240,11 @@ class SampleStream::State {
   }
 
   SampleOptions options_;
-  LineInput input_;
-  data::TableReader reader_;
+  runtime::LineInput input_;
+  TableReader reader_;
   ColumnUse use_;
   std::optional<NamedSamples> head_;
-  std::optional<data::GridCheck> grid_;
+  std::optional<GridCheck> grid_;
   NamedSamples rows_;              // that were read and not taken
   std::vector<double> positions_;  // of these
   std::vector<std::size_t> lines_;
@@ -257,4 +257,4 @@ const NamedSamples& SampleStream::head() const { return state_->head(); }
 bool SampleStream::weighted() const { return state_->weighted(); }
 std::optional<NamedSamples> SampleStream::next() { return state_->next(); }
 
-}  // namespace subcert::cli
+}  // namespace subcert::data

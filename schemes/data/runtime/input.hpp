@@ -1,9 +1,21 @@
 #pragma once
-/// Lines of a file or of standard input, as they come.
+/// Files and standard input, whole or by lines as they come.
 
 #include <string>
 
-namespace subcert::cli {
+namespace subcert::runtime {
+
+/// The name that means standard input where data are read, and standard output where answers are written.
+constexpr const char* standard_stream = "-";
+
+/// The content of a file. Errors: throws a data error, or missing_file.
+std::string read_file(const std::string& path);
+
+/// The same, or the content of standard input.
+std::string read_input(const std::string& path);
+
+/// What errors call an input: the path, or `standard input`.
+std::string input_name(const std::string& path);
 
 class LineInput {
  public:
@@ -23,4 +35,4 @@ class LineInput {
   std::string rest_;  // of a line that is not whole
 };
 
-}  // namespace subcert::cli
+}  // namespace subcert::runtime

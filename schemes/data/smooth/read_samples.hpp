@@ -1,15 +1,14 @@
 #pragma once
 /// Samples of functions, read from a table.
 
-#include <subcert/schemes/data/formats/table.hpp>
-#include <subcert/schemes/data/smooth/samples.hpp>
+#include "samples.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace subcert::cli {
+namespace subcert::data {
 
 struct SampleOptions {
   std::string file;
@@ -25,7 +24,7 @@ struct SampleOptions {
 };
 
 /// Samples with the names of their columns in the file.
-struct NamedSamples : data::Samples {
+struct NamedSamples : Samples {
   std::string x_name;
   std::vector<std::string> names;
   char separator = ',';
@@ -59,4 +58,4 @@ class SampleStream {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace subcert::cli
+}  // namespace subcert::data

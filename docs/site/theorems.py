@@ -21,13 +21,15 @@ CHECKLIST = """# Who decides which line
 
 For a referee: each number of the two papers, the command that decides it, the source with its computation
 (in `proofs-checks/theorems/`), the constants that it bounds, and what is compared. Made from the program's answers by
-`docs/site/theorems.py tables`; a long test compares it with them. `subcert theorem ID --d D --all` prints every single inequality
-with both sides and its margin, `--json` exact ends; `--family` runs the same for the other families (Theorem G, V).
+`docs/site/theorems.py tables`; a long test compares it with them. `subcert theorem ID --d D --all` prints every
+single inequality with both sides and its margin, `--json` exact ends; `--family` runs the same for the other families
+(Theorems G, V).
 
-How to check the checker: [the tests](../../proofs-checks/theorems/test) move every constant by one part in a hundred to its wrong
-side and ask that its inequality fails; compare bounds with exact means, values, slopes and exponents of single schemes, which other
-parts of the program compute; and draw random points for suprema. Enclosures are Arb balls. Lines without a number are proved in the
-text alone. In the first paper (I) no proof but that of Theorem P rests on numbers that are not decided by hand; its lines here confirm them.
+How to check the checker: [the tests](../../proofs-checks/theorems/test) move every constant by one part in a hundred
+to its wrong side and ask that its inequality fails; compare bounds with exact means, values, slopes and exponents of
+single schemes, which other parts of the program compute; and draw random points for suprema. Enclosures are Arb balls.
+Lines without a number are proved in the text alone. In the first paper the numbers of Theorems P and S are elementary,
+those of Q and W confirm and compare.
 
 | line | paper | command | source | constants | what is compared |
 |---|---|---|---|---|---|

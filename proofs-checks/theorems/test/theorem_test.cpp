@@ -64,7 +64,7 @@ TEST_CASE("where nothing is proved the answer is unknown and says what is missin
   const Theorem theorem = prove("conjecture-7", 99);
   CHECK(theorem.decision.truth == Truth::unknown);
   CHECK_FALSE(theorem.missing.empty());
-  for (const auto& [id, degree] : {std::pair{"conjecture-8-d-all", 9}, {"conjecture-8-d-large", 3}}) {
+  for (const auto& [id, degree] : {std::pair{"conjecture-8-d-all", 13}, {"conjecture-8-d-large", 3}}) {
     CHECK(prove(id, degree).decision.truth == Truth::unknown);
     CHECK_FALSE(prove(id, degree).missing.empty());
   }

@@ -240,3 +240,32 @@ def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=Fals
             assert start.grow(numbers[::-1] if from_above else numbers), (n, d, steps, order, bound, j, start.assigned)
             lines += start.lines
     return lines + ["end"]
+
+
+def written(*arguments, **how):
+    return "; ".join(contraction(*arguments, **how))
+
+
+BY_HAND = ("l1 3 1; bounds - -; contraction 1 1 1; start 0; split 0; leaf 8 -2 0 2; again 0; start 1; split 0; split 1; "
+           "leaf 8 -3 0 -5 5 0 3; again 0; split 1; again 0; again 0; end")
+# of the mean of two data, any number between them: 0 or 2 times the difference
+PAIR = ("l1 2 0; bounds - -; contraction 1 1 2; start 0; split 0; leaf 1 0 0; again 0; start 1; split 0; split 1; "
+        "leaf 1 -1 0 0 1; leaf 1 -1 0 1 0; split 1; leaf 1 0 -1 0 1; leaf 1 0 -1 1 0; end")
+MEDIAN = "--l1 3,0 --contraction 2,1,1"
+SIX = "--l1 6,1 --lower 73/100 --contraction 1,1,3/5"
+
+MATRICES = []
+ACCEPTED = [
+    ("l1-by-hand", "--l1 3,1 --contraction 1,1,1", BY_HAND),
+    ("l1-pair", "--l1 2,0 --contraction 1,1,2", PAIR),
+    ("l1-3-twice", "--l1 3,1 --lower 33/100 --contraction 2,1,5/8", written(3, 1, 2, 1, "5/8")),
+    ("l1-4", "--l1 4,1 --contraction 1,1,7/6", written(4, 1, 1, 1, "7/6")),
+    ("l1-4-twice", "--l1 4,1 --lower 1/16 --contraction 2,1,11/12", written(4, 1, 2, 1, "11/12", thin=(0, 1))),
+    ("l1-4-from-above", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True)),
+    ("l1-5-second", "--l1 5,2 --contraction 1,2,31/32 --lower 9/200", written(5, 2, 1, 2, "31/32")),
+    ("l1-6", SIX, written(6, 1, 1, 1, "3/5")),
+    ("l1-6-second", "--l1 6,1 --contraction 1,2,3/4", written(6, 1, 1, 2, "3/4")),
+    ("l1-6-cubic", "--l1 6,3 --contraction 1,1,433/480", written(6, 3, 1, 1, "433/480")),
+    ("l1-median", MEDIAN, written(3, 0, 2, 1, 1, thin=(0, 1))),
+    ("l1-median-from-above", MEDIAN, written(3, 0, 2, 1, 1, early=True, from_above=True)),
+]

@@ -252,7 +252,7 @@ MATRICES = []
 ACCEPTED = [
     ("l1-by-hand", "--l1 3,1 --contraction 1,1,1", BY_HAND),
     ("l1-pair", "--l1 2,0 --contraction 1,1,2", PAIR),
-    ("l1-3-twice", "--l1 3,1 --lower 33/100 --contraction 2,1,5/8", written(3, 1, 2, 1, "5/8")),
+    ("l1-3-twice", "--l1 3,1 --lower 83/100 --contraction 2,1,5/16", written(3, 1, 2, 1, "5/16")),
     ("l1-4", "--l1 4,1 --contraction 1,1,7/6", written(4, 1, 1, 1, "7/6")),
     ("l1-4-twice", "--l1 4,1 --lower 1/16 --contraction 2,1,11/12", written(4, 1, 2, 1, "11/12", thin=(0, 1))),
     ("l1-4-from-above", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True)),
@@ -268,8 +268,8 @@ CHANGED = [
     ("l1-6-lower", "l1-6", "--l1 6,1 --lower 73/100", []),
     ("l1-6-contraction", "l1-6", "--l1 6,1 --contraction 1,1,6/10", []),
     ("l1-by-hand-bounds", "l1-by-hand", None, [("bounds - -", "bounds 1/3 C7")]),
-    # numbers and bounds need not be reduced, and a bound may be larger; a multiplier may be 0 where the vertex has a sign
-    ("l1-by-hand-loose", "l1-by-hand", "--l1 3,1 --contraction 1,1,5/4", [("1 1 1\n", "1 1 10/8\n"), ("leaf 8 -2 0 2", "leaf 16 -4 0 4")]),
+    # numbers need not be reduced
+    ("l1-by-hand-loose", "l1-by-hand", "--l1 3,1 --contraction 1,1,8/8", [("1 1 1\n", "1 1 3/3\n"), ("leaf 8 -2 0 2", "leaf 16 -4 0 4")]),
     # the last window first, and a leaf where the other was not split
     ("l1-pair-other-order", "l1-pair", None, [("split 0\nleaf 1 0 0\nagain 0\n", "leaf 1 0 0\n"), (
         "split 0\nsplit 1\nleaf 1 0 -1 1 0\nleaf 1 0 -1 0 1\nsplit 1\nleaf 1 -1 0 1 0", "split 1\nsplit 0\nleaf 1 0 -1 1 0\nleaf 1 -1 0 1 0\nsplit 0\nleaf 1 0 -1 0 1")]),

@@ -241,6 +241,7 @@ TEST_CASE("contractions of fits of least absolute deviations are verified, state
   CHECK(asked("contraction 1,1 of l1:points=3,d=1 <= 0.9").code == 1);
   CHECK(asked("contraction 2,1 of l1:points=3 <= 1").code == 1);
   CHECK(asked("1/2 <= l1:points=3,d=1").code == 1);
+  CHECK(asked("1/2 <= l1:points=3,d=1 <= 1").code == 1);
   for (const char* bad :
        {"contraction 1,1 of l1:points=3", "contraction 1,1 l1:points=3 <= 1", "contraction 1,1 of dd:n=2 <= 1",
         "1 <= contraction 1,1 of l1:points=3 <= 1", "contraction 1,1 of l1:points=3x3 <= 1",

@@ -236,6 +236,35 @@ def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=Fals
     return lines + ["end"]
 
 
+def orbit(n, d, steps, offset, factor, values, levels):
+    """The lines of an orbit: the first full vertex that gives a fit for each window."""
+    full = [v for v in vertices(n, d) if v.count("0") == d + 1]
+    lines = [f"orbit {steps} {offset} {factor} {' '.join(map(str, values))}"]
+    at = [Q(4 * r - 2 * (n - 1)) for r in range(n)]
+    for _ in range(levels):
+        chosen, following = [], []
+        for data in (values[i:i + n] for i in range(len(values) - n + 1)):
+            for v in full:
+                nodes = [r for r in range(n) if v[r] == "0"]
+
+                def fit(x):
+                    total = Q(0)
+                    for r in nodes:
+                        term = Q(data[r])
+                        for c in nodes:
+                            term *= (x - at[c]) / (at[r] - at[c]) if c != r else 1
+                        total += term
+                    return total
+                rest = [data[r] - fit(at[r]) for r in range(n)]
+                if all(v[r] == "0" or rest[r] * (1 if v[r] == "+" else -1) >= 0 for r in range(n)):
+                    chosen.append(v)
+                    following += [fit(-1), fit(1)]
+                    break
+        lines.append(f"fits {' '.join(chosen)}")
+        values = following
+    return lines
+
+
 def written(*arguments, **how):
     return "; ".join(contraction(*arguments, **how))
 
@@ -248,6 +277,13 @@ PAIR = ("l1 2 0; bounds - -; contraction 1 1 2; start 0; split 0; leaf 1 0 0; ag
 MEDIAN = "--l1 3,0 --contraction 2,1,1"
 SIX = "--l1 6,1 --lower 73/100 --contraction 1,1,3/5"
 
+# of the edge of a kink
+KINK = "; ".join(orbit(6, 1, 1, 0, "5/12", [0] * 8 + [95, 133, 165], 4))
+NEGATIVE = "; ".join(orbit(6, 1, 1, 0, "5/12", [0] * 8 + [-95, -133, -165], 4))
+SHIFTED = "; ".join(orbit(6, 1, 1, 1, "10/24", [0] * 9 + [95, 133, 165], 4))
+TWICE = "; ".join(orbit(6, 1, 2, 0, "25/144", [0] * 8 + [95, 133, 165], 5))
+UPPER = "--l1 6,1 --lower 73/100 --upper 158/125"
+
 MATRICES = []
 ACCEPTED = [
     ("l1-by-hand", "--l1 3,1 --contraction 1,1,1", BY_HAND),
@@ -258,6 +294,10 @@ ACCEPTED = [
     ("l1-4-from-above", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True)),
     ("l1-5-second", "--l1 5,2 --contraction 1,2,31/32 --lower 9/200", written(5, 2, 1, 2, "31/32")),
     ("l1-6", SIX, written(6, 1, 1, 1, "3/5")),
+    ("l1-6-kink", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {KINK}; end")),
+    ("l1-6-kink-negative", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {NEGATIVE}; end")),
+    ("l1-6-kink-shifted", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {SHIFTED}; end")),
+    ("l1-6-kink-twice", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {TWICE}; end")),
     ("l1-6-second", "--l1 6,1 --contraction 1,2,3/4", written(6, 1, 1, 2, "3/4")),
     ("l1-6-cubic", "--l1 6,3 --contraction 1,1,433/480", written(6, 3, 1, 1, "433/480")),
     ("l1-median", MEDIAN, written(3, 0, 2, 1, 1, thin=(0, 1))),
@@ -267,6 +307,8 @@ ACCEPTED = [
 CHANGED = [
     ("l1-6-lower", "l1-6", "--l1 6,1 --lower 73/100", []),
     ("l1-6-contraction", "l1-6", "--l1 6,1 --contraction 1,1,6/10", []),
+    ("l1-6-kink-lower", "l1-6-kink", "--l1 6,1 --lower 73/100", []),
+    ("l1-6-kink-both", "l1-6-kink", f"{UPPER} --contraction 1,1,3/5", []),
     ("l1-by-hand-bounds", "l1-by-hand", None, [("bounds - -", "bounds 1/3 C7")]),
     # numbers need not be reduced
     ("l1-by-hand-loose", "l1-by-hand", "--l1 3,1 --contraction 1,1,8/8", [("1 1 1\n", "1 1 3/3\n"), ("leaf 8 -2 0 2", "leaf 16 -4 0 4")]),
@@ -347,6 +389,36 @@ REJECTED = [
     *changes("l1-5-bound", "l1-5-second", BOUND, "1 2 31/32", "1 2 309/320"),
     *changes("l1-5-first", "l1-5-second", "line", "1 2 31/32", "1 1 31/32", "1 3 31/32", "2 2 31/32"),
     *changes("l1-twice-bound", "l1-4-from-above", BOUND, "2 1 11/12", "2 1 109/120"),
+    # orbits
+    *((f"l1-kink-{name}", "l1-6-kink", options, reason, []) for name, options, reason in (
+        ("upper", "--l1 6,1 --lower 73/100 --upper 1263034/1000000", "the orbit does not prove the upper end"),
+        ("upper-0", "--l1 6,1 --lower 73/100 --upper 0", "the orbit does not prove the upper end"),
+        ("upper-negative", "--l1 6,1 --lower 73/100 --upper -1", "an exponent is negative or too large"),
+        ("upper-large", "--l1 6,1 --lower 73/100 --upper 10001", "an exponent is negative or too large"),
+        ("lower", "--l1 6,1 --lower 74/100 --upper 158/125", "does not prove the lower end"))),
+    ("l1-kink-twice", "l1-6-kink-twice", "--l1 6,1 --lower 73/100 --upper 1263034/1000000", "the orbit does not prove the upper end", []),
+    ("l1-no-orbit", "l1-6", UPPER, "expected 'orbit'", []),
+    ("l1-kink-no-limits", "l1-6-kink", "--l1 6,1 --contraction 1,1,1", "where no limits are proved", [("1 1 3/5", "1 1 1")]),
+    ("l1-orbit-degree", "l1-5-second", None, "of a degree above 1", [("\nend", "\norbit 1 0 1/3 0 0 0 0 0 0 0 0 1\nfits 0\nend")]),
+    *changes("l1-orbit-steps", "l1-6-kink", "number outside 1..8", "orbit 1 0", "orbit 0 0", "orbit 9 0", "orbit -1 0"),
+    *changes("l1-orbit-offset", "l1-6-kink", "number outside 0..4096", "orbit 1 0", "orbit 1 -1", "orbit 1 4097"),
+    *changes("l1-orbit-number", "l1-6-kink", "not an integer", "95 133", "95/1 133", "x 133"),
+    *changes("l1-orbit-half", "l1-6-kink", "the factor of an orbit is a power of 1/2", "0 5/12 0", "0 1/2 0", "0 -1/4 0", "0 1 0", "0 2/4 0", "0 -1 0"),
+    *changes("l1-orbit-factor", "l1-6-kink", "are not met again", "0 5/12 0", "0 5/11 0", "0 -5/12 0", "0 0 0", "0 3/2 0", "0 1/3 0"),
+    *changes("l1-orbit-values", "l1-6-kink", "are not met again", "95 133 165", "95 133 164", "95 132 165"),
+    *changes("l1-orbit-sign", "l1-6-kink", "a residual has not the sign", "95 133 165", "95 100 165", "95 133 1000", "-95 -133 -165"),
+    *changes("l1-orbit-shifted", "l1-6-kink", "are not met again", "orbit 1 0", "orbit 1 1"),
+    *changes("l1-orbit-outside", "l1-6-kink", "met again outside of what is known", "orbit 1 0", "orbit 1 2"),
+    *changes("l1-orbit-short", "l1-6-kink", "wrong number of fields", "0 95 133 165", "95 133"),
+    *changes("l1-orbit-run", "l1-6-kink", "too few values of one sign", "\n" + KINK.split("; ")[-1], ""),
+    *changes("l1-orbit-no-fits", "l1-6-kink", "expected 'fits'", "\n" + "\n".join(KINK.split("; ")[1:]), ""),
+    *changes("l1-orbit-no-second", "l1-6-kink-twice", "expected 'fits'", "\n" + "\n".join(TWICE.split("; ")[2:]), ""),
+    *changes("l1-orbit-second", "l1-6-kink-twice", "are not met again", "0 25/144 0", "0 25/143 0"),
+    *changes("l1-orbit-fields", "l1-6-kink", "wrong number of fields", "fits +--+00 ", "fits ", "fits +--+00 +--+00 "),
+    *changes("l1-orbit-vertex", "l1-6-kink", "is not that of a full vertex", "fits +--+00", "fits ++--00", "fits +--+0", "fits 000000", "fits 0",
+             "fits +--+0x"),
+    *changes("l1-orbit-end", "l1-6-kink", "text after 'end'", "\nend", "\nend\nend"),
+    *changes("l1-orbit-more", "l1-6-kink", "expected 'end'", "\nend", "\nstart 2\nend"),
 ]
 # name, options, lines from the second one on, and the reason; the first vertex of a median is +-0, the second +0-
 HEAD = "l1 3 0; bounds - -; contraction 2 1 1/2; start 0"

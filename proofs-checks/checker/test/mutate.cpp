@@ -115,7 +115,7 @@ std::vector<Case> read_cases(const std::string& directory) {
       is_l1 = is_l1 || option == "--l1";
       if (option == "--logarithm") logarithm = value;
       if (option == "--lower" || option == "--upper" || option == "--exact" || option == "--logarithm") continue;
-      exponent = exponent || option == "--mask" || option == "--surface";
+      exponent = exponent || option == "--mask" || option == "--surface" || option == "--l1";
       subject.insert(subject.end(),
                      {option, option == "--matrices" || option == "--subradius" ? directory + "/" + value : value});
     }
@@ -143,7 +143,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     }
     if (!upper && !exact) {  // no upper end is known
       c.false_claims.push_back(claim(rough ? mpq_class(*rough) + 1 : mpq_class(lower.value_or(0) + 2), none));
-      if (!rough && lower && !is_l1)
+      if (!rough && lower)
         c.false_claims.push_back(claim(exponent && !is_range ? lower : none, *lower - mpq_class("1/10")));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");

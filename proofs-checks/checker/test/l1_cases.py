@@ -281,6 +281,7 @@ SIX = "--l1 6,1 --lower 73/100 --contraction 1,1,3/5"
 KINK = "; ".join(orbit(6, 1, 1, 0, "5/12", [0] * 8 + [95, 133, 165], 4))
 NEGATIVE = "; ".join(orbit(6, 1, 1, 0, "5/12", [0] * 8 + [-95, -133, -165], 4))
 SHIFTED = "; ".join(orbit(6, 1, 1, 1, "10/24", [0] * 9 + [95, 133, 165], 4))
+MIRRORED = "; ".join(orbit(6, 1, 1, 1, "5/12", [165, 133, 95] + [0] * 8, 4))
 TWICE = "; ".join(orbit(6, 1, 2, 0, "25/144", [0] * 8 + [95, 133, 165], 5))
 UPPER = "--l1 6,1 --lower 73/100 --upper 158/125"
 
@@ -297,6 +298,7 @@ ACCEPTED = [
     ("l1-6-kink", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {KINK}; end")),
     ("l1-6-kink-negative", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {NEGATIVE}; end")),
     ("l1-6-kink-shifted", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {SHIFTED}; end")),
+    ("l1-6-kink-mirrored", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {MIRRORED}; end")),
     ("l1-6-kink-twice", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {TWICE}; end")),
     ("l1-6-second", "--l1 6,1 --contraction 1,2,3/4", written(6, 1, 1, 2, "3/4")),
     ("l1-6-cubic", "--l1 6,3 --contraction 1,1,433/480", written(6, 3, 1, 1, "433/480")),

@@ -2249,7 +2249,7 @@ var check_certificate = (() => {
     return values.map(sign).some(now => {
       run = now && now === last ? run + 1 : now ? 1 : 0;
       last = now;
-      return run >= length;
+      return run === length;
     });
   }
   // Values that are met again, times the factor, after some steps, with a limit that is not 0

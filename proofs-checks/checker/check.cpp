@@ -108,7 +108,8 @@ class Checker {
     if (!claim_.upper && !reader_.at("orbit")) return;
     require(proved.bound < 1, "an orbit proves nothing where no limits are proved");
     const L1Orbit orbit = read_orbit(*claim_.l1, reader_, arithmetic_);
-    require(!claim_.upper || abs(orbit.factor) >= 1 / power_of_upper(2, *claim_.upper * mpz_class(orbit.steps)),
+    if (!claim_.upper) return;
+    require(abs(orbit.factor) >= 1 / power_of_upper(2, *claim_.upper * mpz_class(orbit.steps)),
             "the orbit does not prove the upper end");
   }
 
@@ -651,12 +652,12 @@ Claim read_l1_claim(Options& given) {
 
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
-  if (given["--l1"] || given["--contraction"]) return read_l1_claim(given);
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
              &surface = given["--surface"], &dilation = given["--dilation"], &radius = given["--matrices"],
              &subradius = given["--subradius"], &matrices = subradius ? subradius : radius, &lower = given["--lower"],
              &upper = given["--upper"], &exact = given["--exact"], &logarithm = given["--logarithm"],
-             &file = given["FILE"];
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
+  if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   require(file && mask.has_value() + surface.has_value() + radius.has_value() + subradius.has_value() == 1 &&
               mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&

@@ -164,7 +164,7 @@ class Start {
 
   void read_again() {
     const mpz_class number = parse_integer(reader_.take("again", 1, 1)[0]);
-    require(number >= 0 && number < mpz_class(leaves_.size()), "there is no leaf of that number yet");
+    require(number >= 0 && number < leaves_.size(), "there is no leaf of that number yet");
     check_signs(leaves_[number.get_ui()]);
   }
 
@@ -229,7 +229,8 @@ class Start {
       values[target_ + i - 2 * firsts_[level - 1]] = ((contraction_.order - i) % 2 == 0 ? scale : mpz_class(-scale)) *
                                                      binomial(contraction_.order, i);
     std::size_t end = multipliers.size(), window = windows_.size();
-    while (level-- > 0) {
+    while (true) {
+      --level;
       const std::size_t first = firsts_[level], last = lasts_[level];
       window -= last - first + 1;
       Vector data(last - first + rule_.points);
@@ -255,7 +256,6 @@ class Start {
       values = Vector(2 * (lasts_[level - 1] - firsts_[level - 1] + 1));
       for (std::size_t m = 0; m < data.size(); ++m) values[first + m - 2 * firsts_[level - 1]] = data[m];
     }
-    return values;
   }
 
   // ---- a residual that is not zero at one point of the space of the equalities ----
@@ -332,11 +332,11 @@ Rationals refined(const L1Rule& rule, const std::vector<std::string>& vertices, 
 
 /// Whether so many values of one sign follow each other.
 bool has_run(const Rationals& values, std::size_t length) {
-  std::size_t run = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const int sign = sgn(values[i]);
-    run = sign == 0 ? 0 : run > 0 && sign == sgn(values[i - 1]) ? run + 1 : 1;
-    if (run == length) return true;
+  std::size_t positive = 0, negative = 0;
+  for (const mpq_class& value : values) {
+    positive = value > 0 ? positive + 1 : 0;
+    negative = value < 0 ? negative + 1 : 0;
+    if (positive == length || negative == length) return true;
   }
   return false;
 }

@@ -290,6 +290,7 @@ ACCEPTED = [
     ("l1-by-hand", "--l1 3,1 --contraction 1,1,1", BY_HAND),
     ("l1-pair", "--l1 2,0 --contraction 1,1,2", PAIR),
     ("l1-3-twice", "--l1 3,1 --lower 83/100 --contraction 2,1,5/16", written(3, 1, 2, 1, "5/16")),
+    ("l1-3-half", "--l1 3,1 --lower 1/2", written(3, 1, 2, 1, "1/2")),
     ("l1-4", "--l1 4,1 --contraction 1,1,7/6", written(4, 1, 1, 1, "7/6")),
     ("l1-4-twice", "--l1 4,1 --lower 1/16 --contraction 2,1,11/12", written(4, 1, 2, 1, "11/12", thin=(0, 1))),
     ("l1-4-from-above", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True)),
@@ -419,6 +420,8 @@ REJECTED = [
     *changes("l1-orbit-fields", "l1-6-kink", "wrong number of fields", "fits +--+00 ", "fits ", "fits +--+00 +--+00 "),
     *changes("l1-orbit-vertex", "l1-6-kink", "is not that of a full vertex", "fits +--+00", "fits ++--00", "fits +--+0", "fits 000000", "fits 0",
              "fits +--+0x"),
+    *changes("l1-orbit-degenerate", "l1-4-from-above", "is not that of a full vertex", "\nend",
+             "\norbit 1 0 1/3 0 0 0 0 0 0 1\nfits 0+-0 0+-0 0+-0 +--+\nend", "\norbit 1 0 1/3 0 0 0 0 0 0 1\nfits +--+ 0+-0 0+-0 0+-0\nend"),
     *changes("l1-orbit-end", "l1-6-kink", "text after 'end'", "\nend", "\nend\nend"),
     *changes("l1-orbit-more", "l1-6-kink", "expected 'end'", "\nend", "\nstart 2\nend"),
 ]

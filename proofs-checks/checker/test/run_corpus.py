@@ -145,7 +145,7 @@ if mode == "usage":
                 "6,1,1 --lower 1", "6,5 --lower 1", "1,0 --lower 1", "17,1 --lower 1", "16,7 --lower 1", "6,-1 --lower 1", "x,1 --lower 1",
                 "6,1 --lower x", "6,1 --exact |[-1,1]@1,0,1|^1/1", "6,1 --lower 1 --matrices golden.mat", "6,1 --lower 1 --logarithm 0",
                 *(f"6,1 --contraction {fields}" for fields in ("1,1", "1,1,1,1", "0,1,1", "9,1,1", "1,0,1", "1,3,1", "1,1,-1", "1,1,x", "")))),
-            (64, "--contraction 1,1,1 golden.cert"), (64, "--l1 6,1 --lower 1"), (66, "--l1 6,1 --lower 1 none.cert"), (66, "--l1 13,1 --lower 1 none.cert"),
+            (64, "--contraction 1,1,1 golden.cert"), (64, "--contraction 1,1,1 --lower 1/2 golden.cert"), (64, "--l1 6,1 --contraction 1,1,1"), (64, "--l1 6,1 --lower 1"), (66, "--l1 6,1 --lower 1 none.cert"), (66, "--l1 13,1 --lower 1 none.cert"),
             (64, "--contraction 1,1,1 --mask [1,2,1]/2 --arity 2 --lower 1 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (66, f"{golden} /dev/null"), (64, f"{golden} --FILE golden.cert"),
             (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{golden} golden.cert")]:

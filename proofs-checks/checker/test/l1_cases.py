@@ -78,9 +78,10 @@ def solve(rows, right, cost):
 class Start:
     """The tree for one difference."""
 
-    def __init__(self, rule, steps, order, bound, j, thin=(), early=False):
+    def __init__(self, rule, steps, order, bound, j, thin=(), early=False, deep=None):
         self.n, self.d = rule
         self.steps, self.order, self.bound, self.j, self.thin, self.early = steps, order, bound, j, thin, early
+        self.deep = deep  # windows that all have this vertex are split to the end
         low, high, levels = j, j + order, []
         for _ in range(steps):
             low, high = low // 2, high // 2
@@ -194,11 +195,16 @@ class Start:
         return all(w in self.assigned and (c := self.assigned[w][r]) in ("0", "+-"[value < 0]) for (w, r), value in multipliers.items())
 
     def close(self):
+        if self.deep and len(self.assigned) < len(self.windows) and all(v == self.deep for v in self.assigned.values()):
+            return False
+        if self.deep and len(self.assigned) == len(self.windows) and (multipliers := self.thin_multipliers()) is not None:
+            self.lines.append(f"thin {self.text(multipliers)[1]}")
+            return True
         for k, multipliers in enumerate(self.leaves):
             if self.fits(multipliers):
                 self.lines.append(f"again {k}")
                 return True
-        if self.thin and (multipliers := self.thin_multipliers()) is not None:
+        if self.thin and not self.deep and (multipliers := self.thin_multipliers()) is not None:
             self.lines.append(f"thin {self.text(multipliers)[1]}")
             return True
         if (self.early or len(self.assigned) == len(self.windows)) and (multipliers := self.leaf()) is not None:
@@ -223,13 +229,13 @@ class Start:
         return True
 
 
-def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False):
+def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None):
     """The lines of a certificate from the second one on."""
     bound = Q(bound)
     lines = [f"l1 {n} {d}", "bounds - -", f"contraction {steps} {order} {bound}"]
     for j in range(2**steps):
         if j <= (2 * n - 3 - order - j) % 2**steps:
-            start = Start((n, d), steps, order, bound, j, thin, early)
+            start = Start((n, d), steps, order, bound, j, thin, early, deep)
             numbers = list(range(len(start.windows)))
             assert start.grow(numbers[::-1] if from_above else numbers), (n, d, steps, order, bound, j, start.assigned)
             lines += start.lines
@@ -304,6 +310,7 @@ ACCEPTED = [
     ("l1-6-second", "--l1 6,1 --contraction 1,2,3/4", written(6, 1, 1, 2, "3/4")),
     ("l1-6-cubic", "--l1 6,3 --contraction 1,1,433/480", written(6, 3, 1, 1, "433/480")),
     ("l1-median", MEDIAN, written(3, 0, 2, 1, 1, thin=(0, 1))),
+    ("l1-median-deep", "--l1 3,0 --contraction 3,1,1", written(3, 0, 3, 1, 1, thin=(2,), early=True, from_above=True, deep="+-0")),
     ("l1-median-from-above", MEDIAN, written(3, 0, 2, 1, 1, early=True, from_above=True)),
 ]
 # name, accepted case that is changed, other options or None, changes of its text
@@ -414,6 +421,7 @@ REJECTED = [
     *changes("l1-orbit-outside", "l1-6-kink", "met again outside of what is known", "orbit 1 0", "orbit 1 2"),
     *changes("l1-orbit-short", "l1-6-kink", "wrong number of fields", "0 95 133 165", "95 133"),
     *changes("l1-orbit-run", "l1-6-kink", "too few values of one sign", "\n" + KINK.split("; ")[-1], ""),
+    *changes("l1-orbit-run-of-zeros", "l1-6-kink-shifted", "too few values of one sign", "\n" + SHIFTED.split("; ")[-1], ""),
     *changes("l1-orbit-no-fits", "l1-6-kink", "expected 'fits'", "\n" + "\n".join(KINK.split("; ")[1:]), ""),
     *changes("l1-orbit-no-second", "l1-6-kink-twice", "expected 'fits'", "\n" + "\n".join(TWICE.split("; ")[2:]), ""),
     *changes("l1-orbit-second", "l1-6-kink-twice", "are not met again", "0 25/144 0", "0 25/143 0"),

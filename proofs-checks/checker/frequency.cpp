@@ -175,7 +175,7 @@ class Frequencies {
   const mpq_class& bound() const { return bound_; }
   std::size_t size() const { return (arity_ - 1) * cells_; }
 
-  /// Theorem 35.
+  /// Theorem 40.
   void check(const Vector& weights) {
     const Cell end = inner();
     const mpz_class factor = bound_.get_num() * denominator_, rest = factor - end.stay * bound_.get_den();

@@ -1,4 +1,4 @@
-// A bound of the joint spectral radius by frequencies: section 4.16 of ../certificates/SPEC.md.
+// A bound of the joint spectral radius by frequencies: section 4.17 of ../certificates/SPEC.md.
 #pragma once
 
 #include "scheme.hpp"

@@ -162,7 +162,7 @@ class Shells {
     return result;
   }
 
-  /// Theorem 35 with these weights, with room for a check that rounds.
+  /// Theorem 40 with these weights, with room for a check that rounds.
   bool prove(const Rational& bound, const std::vector<Integer>& weights) const {
     std::vector<Ball> v;
     for (const Integer& weight : weights) v.emplace_back(Rational(weight), bits);

@@ -1,4 +1,4 @@
-"""Bounds by frequencies (4.16). Each bound is the least one, up to 10^-36, that its weights prove: whatever makes a number of the
+"""Bounds by frequencies (4.17). Each bound is the least one, up to 10^-36, that its weights prove: whatever makes a number of the
 check smaller accepts a file of REJECTED, and whatever makes one larger rejects one of ACCEPTED."""
 
 ACCEPTED = [

@@ -13,7 +13,7 @@ namespace {
 constexpr double feasible = 1e-9;    // violations below this are rounding
 constexpr double pivot_size = 1e-9;  // entries below this are no pivots
 
-const Rational zero = 0, minus_one = -1;
+const Rational zero = 0;
 const Rational& at(const Row& row, std::size_t j) { return j < row.size() ? row[j] : zero; }
 
 std::optional<RationalMatrix> solved(const RationalMatrix& system, const RationalMatrix& wanted) {
@@ -26,18 +26,12 @@ std::optional<RationalMatrix> solved(const RationalMatrix& system, const Rationa
 
 }  // namespace
 
-const Rational& ConeProgram::entry(std::size_t row, std::size_t coordinate) const {
-  if (margin_ && coordinate + 1 == dimension_) return by_margin_[row] ? minus_one : zero;
-  return at(*rows_[row], coordinate);
-}
-
-void ConeProgram::add(const Row& row, bool by_margin) {
+void ConeProgram::add(const Row& row) {
   rows_.push_back(&row);
-  by_margin_.push_back(by_margin);
   double largest = 0;
   const std::size_t begin = entries_.size();
   for (std::size_t j = 0; j < dimension_; ++j) {
-    entries_.push_back(entry(rows_.size() - 1, j).convert_to<double>());
+    entries_.push_back(at(row, j).convert_to<double>());
     largest = std::max(largest, std::abs(entries_.back()));
   }
   if (largest > 0)
@@ -160,7 +154,7 @@ std::optional<ConeBound> ConeProgram::exact_bound(const Row& objective) const {
   if (!used.empty()) {
     RationalMatrix system(used.size(), used.size()), wanted(used.size(), 1);
     for (std::size_t e = 0; e < open.size(); ++e) {
-      for (std::size_t i = 0; i < used.size(); ++i) system(e, i) = entry(used[i], open[e]);
+      for (std::size_t i = 0; i < used.size(); ++i) system(e, i) = at(*rows_[used[i]], open[e]);
       wanted(e, 0) = -at(objective, open[e]);
     }
     const auto solution = solved(system, wanted);
@@ -172,8 +166,8 @@ std::optional<ConeBound> ConeProgram::exact_bound(const Row& objective) const {
   }
   for (std::size_t j = 0; j < dimension_; ++j) {
     Rational sum = at(objective, j);
-    for (const auto& [row, factor] : result.multipliers) sum += factor * entry(row, j);
-    if (!is_boxed(j) && sum != 0) return std::nullopt;
+    for (const auto& [row, factor] : result.multipliers) sum += factor * at(*rows_[row], j);
+    if (j >= boxed_ && sum != 0) return std::nullopt;
     result.bound += abs(sum);
   }
   return result;
@@ -185,20 +179,25 @@ std::optional<ConeBound> ConeProgram::bound(const Row& objective, double enough)
   return exact_bound(objective);
 }
 
-std::optional<ConeBound> ConeProgram::largest_margin() {
-  Row margin(dimension_, 0);
-  margin.back() = 1;
-  return bound(margin, -1);
+std::optional<std::size_t> ConeProgram::unbounded_coordinate() const {
+  std::optional<std::size_t> found;
+  double most = pivot_size;
+  for (std::size_t k = 0; k < dimension_; ++k)
+    if (!basis_[k].is_row && basis_[k].index >= boxed_ && y_[k] > most) {
+      most = y_[k];
+      found = basis_[k].index;
+    }
+  return found;
 }
 
 std::optional<std::vector<Rational>> ConeProgram::maximiser() const {
   RationalMatrix system(dimension_, dimension_), wanted(dimension_, 1);
   for (std::size_t k = 0; k < dimension_; ++k) {
     if (basis_[k].is_row)
-      for (std::size_t j = 0; j < dimension_; ++j) system(k, j) = entry(basis_[k].index, j);
+      for (std::size_t j = 0; j < dimension_; ++j) system(k, j) = at(*rows_[basis_[k].index], j);
     else
       system(k, basis_[k].index) = 1;
-    if (!basis_[k].is_row) wanted(k, 0) = is_boxed(basis_[k].index) ? basis_[k].sign : 0;
+    if (!basis_[k].is_row) wanted(k, 0) = basis_[k].index < boxed_ ? basis_[k].sign : 0;
   }
   const auto solution = solved(system, wanted);
   if (!solution) return std::nullopt;

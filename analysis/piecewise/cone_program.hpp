@@ -22,23 +22,19 @@ struct ConeBound {
 /// are solved for in rationals, and what they prove is what is returned.
 class ConeProgram {
  public:
-  /// With a margin there is one more coordinate t, |t| <= 1. Domain: boxed <= dimension.
-  ConeProgram(std::size_t dimension, std::size_t boxed, bool margin = false)
-      : dimension_(dimension + (margin ? 1 : 0)), boxed_(boxed), margin_(margin) {}
+  /// Domain: boxed <= dimension.
+  ConeProgram(std::size_t dimension, std::size_t boxed) : dimension_(dimension), boxed_(boxed) {}
 
-  /// Asks for row.x >= 0, or for row.x >= t. Domain: at most `dimension` coordinates; the row outlives the program.
-  void add(const Row& row, bool by_margin = false);
+  /// Domain: at most `dimension` coordinates; the row outlives the program.
+  void add(const Row& row);
 
   /// A bound, the least one up to rounding of the search, or one that is at most `enough`; nothing where the search
   /// fails. Domain: at most `dimension` coordinates. Cost: dimension^2 + rows * dimension operations in double
   /// precision a pivot, then an exact linear system of as many rows as the basis has.
   std::optional<ConeBound> bound(const Row& objective, double enough);
 
-  /// The same for the form t. Domain: a program with a margin. The bound is 0 exactly where no point of the cone has
-  /// all rows positive that were added with the margin; all of these with a multiplier vanish on the cone then.
-  std::optional<ConeBound> largest_margin();
-  /// The last point of the search.
-  const std::vector<double>& point() const { return x_; }
+  /// The free coordinate on which the last bound of the search leans most; nothing where it leans on none.
+  std::optional<std::size_t> unbounded_coordinate() const;
 
   /// A point at which the last bound is attained, exactly feasible; nothing where it is not attained there.
   std::optional<std::vector<Rational>> maximiser() const;
@@ -54,19 +50,13 @@ class ConeProgram {
   bool run(double enough);
   std::optional<std::size_t> leaving(const std::vector<double>& entering, std::size_t salt) const;
   std::optional<std::pair<Constraint, double>> violated() const;
-  bool is_boxed(std::size_t coordinate) const {
-    return coordinate < boxed_ || (margin_ && coordinate + 1 == dimension_);
-  }
-  double width(std::size_t coordinate) const { return is_boxed(coordinate) ? 1 : free_width; }
-  const Rational& entry(std::size_t row, std::size_t coordinate) const;
+  double width(std::size_t coordinate) const { return coordinate < boxed_ ? 1 : free_width; }
   std::optional<ConeBound> exact_bound(const Row& objective) const;
 
   static constexpr double free_width = 1e5;  // in the search alone; a bound never rests on it
 
   std::size_t dimension_, boxed_;
-  bool margin_;
   std::vector<const Row*> rows_;
-  std::vector<bool> by_margin_;
   std::vector<double> entries_;  // rows divided by their largest moduli, one after the other
   std::vector<Constraint> basis_;
   std::vector<double> inverse_;  // [basis constraint][coordinate]: column of the inverse

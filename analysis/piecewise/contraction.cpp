@@ -27,10 +27,6 @@ Rational value_at(const Row& form, const std::vector<Rational>& x) {
   return sum;
 }
 
-bool is_zero(const Row& row) {
-  return std::all_of(row.begin(), row.end(), [](const Rational& entry) { return entry == 0; });
-}
-
 /// (-1)^(order - s) binom(order, s) for s = 0, ..., order.
 Row difference_form(int order) {
   Row form{order % 2 == 0 ? 1 : -1};
@@ -110,9 +106,19 @@ SignMasks masks_of(const std::vector<int>& signs) {
 struct KnownFactors {
   ResidualFactors factors;
   std::vector<SignMasks> masks;  // of each window
-  std::size_t windows = 0;       // the others have factors 0
   std::size_t listed = 0;        // its number in the tree plus one; 0: not yet there
 };
+
+/// No piece: the two values of the fit are variables, or one where the fit is constant.
+Piece free_piece(const Rule& rule) {
+  Piece piece{std::vector<int>(rule.points, 0), rule.degree == 0 ? std::size_t{1} : 2, {}, {}};
+  for (std::size_t phase = 0; phase < 2; ++phase) {
+    Row output(rule.points + piece.own, 0);
+    output[rule.points + std::min(phase, piece.own - 1)] = 1;
+    piece.outputs.push_back(std::move(output));
+  }
+  return piece;
+}
 
 /// The tree of one start.
 class TreeSearch {
@@ -120,24 +126,27 @@ class TreeSearch {
   TreeSearch(const Rule& rule, const ContractionOptions& options, long start, Rational known)
       : rule_(rule),
         options_(options),
-        function_(rule.is_function()),
         plan_(dependence(rule, options.steps, options.order, start)),
         difference_(difference_form(options.order)),
-        best_(std::move(known)) {
+        best_(std::move(known)),
+        free_(free_piece(rule)) {
     tree_.start = start;
     tree_.windows = plan_.windows;
     const auto order = static_cast<std::size_t>(options.order);
     const std::size_t data = plan_.levels[0].count;
-    boxed_ = dimension_ = data > order ? data - order : 0;
+    boxed_ = data > order ? data - order : 0;
     for (const Dependence::Level& level : plan_.levels) values_.emplace_back(level.count);
     values_[0] = data_by_differences(data, order);
     for (const Piece& piece : rule.pieces) piece_masks_.push_back(masks_of(piece.signs));
-    path_.resize(plan_.windows.size());
+    piece_masks_.emplace_back();
+    path_.assign(plan_.windows.size(), rule.pieces.size());
   }
 
+  /// Looks for large bounds, so that the tree becomes small.
+  void dive(std::size_t salt);
   /// False where time is up or a program failed.
   bool run() {
-    visit(0, {});
+    visit();
     return !stopped_;
   }
 
@@ -146,56 +155,49 @@ class TreeSearch {
   ContractionTree take_tree() { return std::move(tree_); }
 
  private:
-  struct Mark {
-    std::size_t dimension, rows;
+  struct Program {
+    ConeProgram cone;
+    Row form;
+    std::optional<ConeBound> found;
   };
-  using RowFactors = std::vector<std::pair<std::size_t, Rational>>;
 
-  // The path: rows of the cells of its windows, in the differences of the data and the variables of their own.
-  Mark push(std::size_t depth);
-  void pop(const Mark& mark) {
-    dimension_ = mark.dimension;
-    rows_.resize(mark.rows);
-    places_.resize(mark.rows);
-  }
+  // The path: rows of the cells of its windows, in the differences of the data and the variables of the pieces.
+  void lay_out();
   Row over_path(const Row& form, const WindowPlace& place, std::size_t own_begin) const;
   Row objective() const;
-  const Piece& piece(std::size_t window) const { return rule_.pieces[path_[window]]; }
-  int level(std::size_t window) const { return plan_.windows[window].level; }
+  bool is_free(std::size_t window) const { return path_[window] == rule_.pieces.size(); }
+  const Piece& piece(std::size_t window) const { return is_free(window) ? free_ : rule_.pieces[path_[window]]; }
+  Program solve(double enough);
+  std::optional<std::size_t> window_to_split(const ConeProgram& program) const;
 
   // Factors.
-  std::optional<KnownFactors> factors_of(const RowFactors& rows, bool of_difference) const;
-  bool have_signs_of_path(const KnownFactors& known, std::size_t depth) const;
-  bool may_witness(std::size_t window) const { return level(window) == 0 || piece(window).own == 0; }
-  bool has_witness(const KnownFactors& known, std::size_t depth) const;
-  KnownFactors* first_that_fits(std::vector<KnownFactors>& pool, std::size_t depth, bool thin);
-  void use(KnownFactors& known, ProofNode::Kind kind);
+  std::optional<KnownFactors> factors_of(const ConeBound& bound) const;
+  bool have_signs_of_path(const KnownFactors& known) const;
+  bool close_by_known();
+  bool close(const Program& program, bool last);
+  void use(KnownFactors& known);
 
-  // The tree.
-  void visit(std::size_t depth, const std::vector<double>& point);
-  void visit_child(std::size_t depth, const std::vector<double>& point);
-  void close_leaf(std::size_t depth);
-  bool close_thin(std::size_t depth, std::vector<double>& point);
-  bool lies_inside(const std::vector<double>& point, std::size_t from) const;
-  void keep_data(const Row& form, const ConeProgram& program);
+  void visit();
+  void keep_data(const Program& program);
 
   const Rule& rule_;
   const ContractionOptions& options_;
-  const bool function_;
   const Dependence plan_;
   const Row difference_;
   Rational best_;
+  const Piece free_;
   std::vector<Rational> data_;
   ContractionTree tree_;
   bool stopped_ = false;
 
+  std::vector<std::size_t> path_;  // the piece of each window, or the number of pieces: free
   std::size_t boxed_ = 0, dimension_ = 0;
   std::vector<std::vector<Row>> values_;  // [level][index]
   std::vector<Row> rows_;
   std::vector<std::pair<std::size_t, std::size_t>> places_;  // window and row of its cell, of each row
-  std::vector<std::size_t> path_;                            // pieces
+  std::vector<std::size_t> owners_;                          // the window of each variable beyond the data
   std::vector<SignMasks> piece_masks_;
-  std::vector<KnownFactors> leaves_, thin_;
+  std::vector<KnownFactors> leaves_;
 };
 
 // A form in the data of a window and its own variables, in those of the path.
@@ -209,22 +211,27 @@ Row TreeSearch::over_path(const Row& form, const WindowPlace& place, std::size_t
   return result;
 }
 
-TreeSearch::Mark TreeSearch::push(std::size_t depth) {
-  const Mark mark{dimension_, rows_.size()};
-  const WindowPlace& place = plan_.windows[depth];
-  dimension_ += piece(depth).own;
-  for (std::size_t i = 0; i < piece(depth).cell.size(); ++i) {
-    rows_.push_back(over_path(piece(depth).cell[i], place, mark.dimension));
-    places_.emplace_back(depth, i);
+void TreeSearch::lay_out() {
+  rows_.clear();
+  places_.clear();
+  owners_.clear();
+  for (std::size_t window = 0; window < path_.size(); ++window) {
+    const WindowPlace& place = plan_.windows[window];
+    const std::size_t begin = boxed_ + owners_.size();
+    owners_.insert(owners_.end(), piece(window).own, window);
+    for (std::size_t i = 0; i < piece(window).cell.size(); ++i) {
+      rows_.push_back(over_path(piece(window).cell[i], place, begin));
+      places_.emplace_back(window, i);
+    }
+    const auto next = static_cast<std::size_t>(place.level) + 1;
+    for (long phase = 0; phase < 2; ++phase) {
+      const long index = 2 * place.window + phase - plan_.levels[next].first;
+      if (index >= 0 && index < static_cast<long>(plan_.levels[next].count))
+        values_[next][static_cast<std::size_t>(index)] = over_path(
+            piece(window).outputs[static_cast<std::size_t>(phase)], place, begin);
+    }
   }
-  const auto next = static_cast<std::size_t>(place.level) + 1;
-  for (long phase = 0; phase < 2; ++phase) {
-    const long index = 2 * place.window + phase - plan_.levels[next].first;
-    if (index >= 0 && index < static_cast<long>(plan_.levels[next].count))
-      values_[next][static_cast<std::size_t>(index)] = over_path(piece(depth).outputs[static_cast<std::size_t>(phase)],
-                                                                 place, mark.dimension);
-  }
-  return mark;
+  dimension_ = boxed_ + owners_.size();
 }
 
 Row TreeSearch::objective() const {
@@ -233,30 +240,46 @@ Row TreeSearch::objective() const {
   return result;
 }
 
+TreeSearch::Program TreeSearch::solve(double enough) {
+  lay_out();
+  Program program{ConeProgram(dimension_, boxed_), objective(), std::nullopt};
+  for (const Row& row : rows_) program.cone.add(row);
+  program.found = program.cone.bound(program.form, enough);
+  return program;
+}
+
+// One whose fit is free and moves the difference, of the last level that has such.
+std::optional<std::size_t> TreeSearch::window_to_split(const ConeProgram& program) const {
+  if (const auto coordinate = program.unbounded_coordinate())
+    if (const std::size_t window = owners_[*coordinate - boxed_]; is_free(window)) return window;
+  for (std::size_t window = path_.size(); window-- > 0;)
+    if (is_free(window)) return window;
+  return std::nullopt;
+}
+
 // From the last level down: the form in the values of a level becomes one in the values of the level before, the
 // factors of each window being the linear rule that takes its place.
-std::optional<KnownFactors> TreeSearch::factors_of(const RowFactors& rows, bool of_difference) const {
+std::optional<KnownFactors> TreeSearch::factors_of(const ConeBound& bound) const {
   KnownFactors result;
-  result.factors.of_window.assign(plan_.windows.size(), Row(rule_.points, 0));
-  result.masks.resize(plan_.windows.size());
-  std::vector<Row> added(plan_.windows.size());
-  for (const auto& [row, factor] : rows) {
+  result.factors.of_window.assign(path_.size(), Row(rule_.points, 0));
+  result.masks.resize(path_.size());
+  std::vector<Row> added(path_.size());
+  for (const auto& [row, factor] : bound.multipliers) {
     const auto [window, place] = places_[row];
     add_multiple(added[window], factor, piece(window).cell[place]);
   }
   std::vector<Row> forms;
   for (const Dependence::Level& level : plan_.levels) forms.emplace_back(level.count, 0);
-  if (of_difference) forms.back() = difference_;
-  for (std::size_t window = plan_.windows.size(); window-- > 0;) {
+  forms.back() = difference_;
+  for (std::size_t window = path_.size(); window-- > 0;) {
     const auto level = static_cast<std::size_t>(plan_.windows[window].level);
     Row form = added[window];
     for (long phase = 0; phase < 2; ++phase) {
       const long index = 2 * plan_.windows[window].window + phase - plan_.levels[level + 1].first;
       if (index < 0 || index >= static_cast<long>(plan_.levels[level + 1].count)) continue;
-      const Rational& factor = forms[level + 1][static_cast<std::size_t>(index)];
-      if (factor != 0) add_multiple(form, factor, piece(window).outputs[static_cast<std::size_t>(phase)]);
+      add_multiple(form, forms[level + 1][static_cast<std::size_t>(index)],
+                   piece(window).outputs[static_cast<std::size_t>(phase)]);
     }
-    form.resize(std::max(form.size(), rule_.points), 0);
     const auto begin = static_cast<std::size_t>(plan_.windows[window].window - plan_.levels[level].first);
     for (std::size_t r = 0; r < form.size(); ++r) {
       if (form[r] == 0) continue;
@@ -264,140 +287,82 @@ std::optional<KnownFactors> TreeSearch::factors_of(const RowFactors& rows, bool 
       forms[level][begin + r] += form[r];
       result.factors.of_window[window][r] = form[r];
       (form[r] > 0 ? result.masks[window].positive : result.masks[window].negative) |= std::uint64_t{1} << r;
-      result.windows = std::max(result.windows, window + 1);
     }
   }
   const auto norm = difference_norm(forms[0], options_.order);
-  if (!norm || (!of_difference && !is_zero(forms[0]))) return std::nullopt;
+  if (!norm) return std::nullopt;
   result.factors.bound = *norm;
   return result;
 }
 
-bool TreeSearch::have_signs_of_path(const KnownFactors& known, std::size_t depth) const {
-  if (known.windows > depth + 1) return false;
-  for (std::size_t window = known.windows; window-- > 0;) {
+bool TreeSearch::have_signs_of_path(const KnownFactors& known) const {
+  for (std::size_t window = path_.size(); window-- > 0;) {
     const SignMasks& signs = piece_masks_[path_[window]];
-    if ((known.masks[window].positive & signs.negative) != 0 || (known.masks[window].negative & signs.positive) != 0)
-      return false;
+    const SignMasks& own = known.masks[window];
+    if ((own.positive & signs.negative) != 0 || (own.negative & signs.positive) != 0) return false;
+    if (is_free(window) && (own.positive | own.negative) != 0) return false;
   }
   return true;
 }
 
-// A residual with a factor that vanishes on the cell though it does not do so where the cell's equations hold.
-bool TreeSearch::has_witness(const KnownFactors& known, std::size_t depth) const {
-  for (std::size_t window = 0; window <= depth; ++window) {
-    if (!may_witness(window)) continue;
-    const SignMasks& signs = piece_masks_[path_[window]];
-    const std::uint64_t places = (known.masks[window].positive | known.masks[window].negative) &
-                                 (signs.positive | signs.negative);
-    if (places == 0) continue;
-    if (level(window) == 0) return true;
-    std::size_t row = 0;
-    for (std::size_t r = 0; r < rule_.points; ++r) {
-      if (piece(window).signs[r] == 0) continue;
-      if ((places >> r & 1) != 0 && !is_zero(over_path(piece(window).cell[row], plan_.windows[window], 0))) return true;
-      ++row;
-    }
+void TreeSearch::use(KnownFactors& known) {
+  if (!options_.keep_trees) return;
+  if (known.listed == 0) {
+    tree_.leaves.push_back(known.factors);
+    known.listed = tree_.leaves.size();
   }
+  tree_.nodes.push_back({false, known.listed - 1});
+}
+
+// What was found last is asked first.
+bool TreeSearch::close_by_known() {
+  for (std::size_t i = leaves_.size(); i-- > 0;)
+    if (have_signs_of_path(leaves_[i])) {
+      use(leaves_[i]);
+      return true;
+    }
   return false;
 }
 
-// What served last is asked first.
-KnownFactors* TreeSearch::first_that_fits(std::vector<KnownFactors>& pool, std::size_t depth, bool thin) {
-  for (std::size_t i = pool.size(); i-- > 0;)
-    if (have_signs_of_path(pool[i], depth) && (!thin || has_witness(pool[i], depth))) return &pool[i];
-  return nullptr;
-}
-
-void TreeSearch::use(KnownFactors& known, ProofNode::Kind kind) {
-  if (!options_.keep_trees) return;
-  std::vector<ResidualFactors>& list = kind == ProofNode::Kind::leaf ? tree_.leaves : tree_.thin;
-  if (known.listed == 0) {
-    list.push_back(known.factors);
-    known.listed = list.size();
+bool TreeSearch::close(const Program& program, bool last) {
+  if (!program.found || (!last && program.found->bound > best_)) return false;
+  auto known = factors_of(*program.found);
+  if (!known || (!last && known->factors.bound > best_)) return false;
+  if (known->factors.bound > best_) {
+    best_ = known->factors.bound;
+    keep_data(program);
   }
-  tree_.nodes.push_back({kind, known.listed - 1});
-}
-
-bool TreeSearch::lies_inside(const std::vector<double>& point, std::size_t from) const {
-  if (point.size() < dimension_) return false;
-  for (std::size_t i = from; i < rows_.size(); ++i) {
-    double value = 0;
-    for (std::size_t j = 0; j < rows_[i].size(); ++j) value += rows_[i][j].convert_to<double>() * point[j];
-    if (value < clearly) return false;
-  }
+  leaves_.push_back(std::move(*known));
+  use(leaves_.back());
   return true;
 }
 
-void TreeSearch::visit(std::size_t depth, const std::vector<double>& point) {
-  if (options_.keep_trees) tree_.nodes.push_back({ProofNode::Kind::split, depth});
-  for (std::size_t index = 0; index < rule_.pieces.size() && !stopped_; ++index) {
-    path_[depth] = index;
-    visit_child(depth, point);
-  }
+void TreeSearch::keep_data(const Program& program) {
+  data_.clear();
+  const auto x = program.cone.maximiser();
+  if (!x || value_at(program.form, *x) != best_) return;
+  for (const Row& row : values_[0]) data_.push_back(value_at(row, *x));
 }
 
-void TreeSearch::visit_child(std::size_t depth, const std::vector<double>& point) {
-  const bool leaf = depth + 1 == plan_.windows.size();
-  if (KnownFactors* known = first_that_fits(leaf ? leaves_ : thin_, depth, !leaf))
-    return use(*known, leaf ? ProofNode::Kind::leaf : ProofNode::Kind::thin);
+void TreeSearch::visit() {
+  if (stopped_ || close_by_known()) return;
   if (options_.deadline.expired()) {
     stopped_ = true;
     return;
   }
-  const Mark mark = push(depth);
-  if (leaf) {
-    close_leaf(depth);
-  } else {
-    std::vector<double> inside = point;
-    if (lies_inside(point, mark.rows) || !close_thin(depth, inside)) visit(depth + 1, inside);
-  }
-  pop(mark);
-}
-
-void TreeSearch::close_leaf(std::size_t) {
-  ConeProgram program(dimension_, boxed_);
-  for (const Row& row : rows_) program.add(row);
-  const Row form = objective();
-  const auto found = program.bound(form, best_.convert_to<double>() - clearly);
-  std::optional<KnownFactors> known;
-  if (found) known = factors_of(found->multipliers, true);
-  if (!known) {
+  const Program program = solve(best_.convert_to<double>() - clearly);
+  const auto window = window_to_split(program.cone);
+  const bool last = std::none_of(path_.begin(), path_.end(), [&](std::size_t p) { return p == rule_.pieces.size(); });
+  if (close(program, last)) return;
+  if (last || !window) {
     stopped_ = true;
     return;
   }
-  if (known->factors.bound > best_) {
-    best_ = known->factors.bound;
-    keep_data(form, program);
-  }
-  leaves_.push_back(std::move(*known));
-  use(leaves_.back(), ProofNode::Kind::leaf);
+  if (options_.keep_trees) tree_.nodes.push_back({true, *window});
+  for (path_[*window] = 0; path_[*window] < rule_.pieces.size(); ++path_[*window]) visit();
 }
 
-void TreeSearch::keep_data(const Row& form, const ConeProgram& program) {
-  data_.clear();
-  const auto x = program.maximiser();
-  if (!x || value_at(form, *x) != best_) return;
-  for (const Row& row : values_[0]) data_.push_back(value_at(row, *x));
-}
-
-// Where a rule is no function, levels beyond the second are left out: the theorem does not speak of them.
-bool TreeSearch::close_thin(std::size_t depth, std::vector<double>& point) {
-  if (!function_ && level(depth) > 1) return false;
-  ConeProgram program(dimension_, boxed_, true);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const std::size_t window = places_[i].first;
-    program.add(rows_[i], may_witness(window) && !is_zero(rows_[i]));
-  }
-  const auto found = program.largest_margin();
-  point = program.point();
-  if (!found || found->bound != 0) return false;
-  auto known = factors_of(found->multipliers, false);
-  if (!known || !has_witness(*known, depth)) return false;
-  thin_.push_back(std::move(*known));
-  use(thin_.back(), ProofNode::Kind::thin);
-  return true;
-}
+void TreeSearch::dive(std::size_t salt) { (void)salt; }
 
 }  // namespace
 

@@ -25,15 +25,11 @@ struct ResidualFactors {
   Rational bound;              ///< the sum of moduli of the form in the differences of the data
 };
 
-/// Preorder: a split has one child for each piece of the next window.
+/// Preorder: the node that is split has one child for each piece of a window; a leaf has factors that are zero at
+/// windows without a piece, and otherwise have the signs of the pieces: factor * residual >= 0.
 struct ProofNode {
-  enum class Kind {
-    split,
-    leaf,  ///< factors have the signs of the cell: factor * residual >= 0
-    thin   ///< the same, and the difference is replaced by zero: the residuals with a factor vanish on the cell
-  };
-  Kind kind;
-  std::size_t index = 0;  ///< of the window that is split, or of the factors
+  bool split;
+  std::size_t index;  ///< of the window, or of the factors
 };
 
 /// Of the difference with index `start`. Windows of one level follow each other, level after level.
@@ -41,7 +37,6 @@ struct ContractionTree {
   long start;
   std::vector<WindowPlace> windows;
   std::vector<ResidualFactors> leaves;  ///< in the order of their first use
-  std::vector<ResidualFactors> thin;
   std::vector<ProofNode> nodes;
 };
 
@@ -62,10 +57,10 @@ struct ContractionOptions {
   bool keep_trees = false;
 };
 
-/// The least such bound, by a tree of linear programs. Nothing past the deadline, or where a program fails. Domain:
-/// 1 <= order <= degree + 1, 1 <= steps <= 8; at most 64 points; with each piece the rule has those with all signs
-/// turned and with the order of data turned. Errors: throws a domain error. Cost: a comparison of signs for each piece
-/// of a window in each combination of pieces before it that has an interior, and a program where no factors known fit.
+/// The least such bound, by a tree of linear programs in which the fits of windows without a piece are free. Nothing
+/// past the deadline, or where a program fails. Domain: 1 <= order <= degree + 1, 1 <= steps <= 8; at most 64 points;
+/// with each piece the rule has those with all signs turned and with the order of data turned. Errors: throws a domain
+/// error. Cost: a program of as many rows as the pieces have for each node that no factors known close.
 std::optional<Contraction> contraction(const Rule& rule, const ContractionOptions& options);
 
 }  // namespace subcert::piecewise

@@ -142,8 +142,6 @@ class TreeSearch {
     path_.assign(plan_.windows.size(), rule.pieces.size());
   }
 
-  /// Looks for large bounds, so that the tree becomes small.
-  void dive(std::size_t salt);
   /// False where time is up or a program failed.
   bool run() {
     visit();
@@ -361,8 +359,6 @@ void TreeSearch::visit() {
   if (options_.keep_trees) tree_.nodes.push_back({true, *window});
   for (path_[*window] = 0; path_[*window] < rule_.pieces.size(); ++path_[*window]) visit();
 }
-
-void TreeSearch::dive(std::size_t salt) { (void)salt; }
 
 }  // namespace
 

@@ -2,9 +2,12 @@
 /// Binary rules that fit polynomials and are linear on polyhedral cells of their data, also with several fits to one
 /// datum.
 
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/mask.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace subcert::piecewise {
@@ -37,5 +40,13 @@ struct Rule {
 /// The largest sum of moduli of an output: the least Lipschitz constant of one step in the maximum norm. Domain: a
 /// function with at least one piece.
 Rational lipschitz_constant(const Rule& rule);
+
+/// The largest modulus of an output where no datum exceeds 1, for whatever fits. Nothing past the deadline, or where a
+/// program fails. Cost: two small linear programs for each piece.
+std::optional<Rational> largest_output(const Rule& rule, const Deadline& deadline = {});
+
+/// The mask of a rule whose pieces all have the same outputs. Indices as of `first`, the index of the first datum of
+/// window 0: datum j stands at j / 2 for the next level.
+std::optional<Mask> linear_mask(const Rule& rule, long first);
 
 }  // namespace subcert::piecewise

@@ -157,8 +157,6 @@ std::optional<Rule> least_absolute_rule(int points, int degree, std::size_t most
   return rule;
 }
 
-bool skips_middle(int points, int degree) { return points == degree + 2 && points % 2 == 1; }
-
 Decision unique_minimiser(int points, int degree, const std::optional<Rule>& rule) {
   const std::string theorem = "of degree 1 exactly 3 points and 2 mod 4 points have one minimiser for every datum";
   if (degree == 1) return {points == 2 || points == 3 || points % 4 == 2 ? Truth::yes : Truth::no, theorem};

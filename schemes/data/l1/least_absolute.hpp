@@ -21,7 +21,4 @@ std::optional<piecewise::Rule> least_absolute_rule(int points, int degree, std::
 /// not too many; else unknown.
 Decision unique_minimiser(int points, int degree, const std::optional<piecewise::Rule>& rule);
 
-/// Skips the middle datum: N = D + 2 odd. The rule is then linear.
-bool skips_middle(int points, int degree);
-
 }  // namespace subcert::data

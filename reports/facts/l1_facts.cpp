@@ -55,7 +55,7 @@ Fact contraction_fact(const std::optional<piecewise::Contraction>& found) {
           {{"steps", found->steps}, {"order", found->order}, {"bound", to_text(found->bound)}, {"data", data}}};
 }
 
-Fact converges_fact(const Decision& converges) {
+Fact limits_fact(const Decision& converges) {
   Fact fact{"converges", "limits",
             converges.is_yes()  ? "the scheme converges"
             : converges.is_no() ? "the scheme does not converge"
@@ -88,7 +88,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   else
     list.push_back(member("mask", Json()));
   list.push_back(contraction_fact(limit.contraction));
-  list.push_back(converges_fact(limit.converges));
+  list.push_back(limits_fact(limit.converges));
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""

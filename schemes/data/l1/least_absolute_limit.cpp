@@ -78,7 +78,9 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
           options.steps);
   require(options.order >= 0 && options.order <= degree + 1, "l1 limit: need 0 <= order <= {}, got {}", degree + 1,
           options.order);
-  LeastAbsoluteLimit result{.points = points, .degree = degree};
+  LeastAbsoluteLimit result;
+  result.points = points;
+  result.degree = degree;
   const std::optional<Rule> rule = least_absolute_rule(points, degree);
   result.unique = unique_minimiser(points, degree, rule);
   if (rule) {

@@ -1,5 +1,6 @@
 #include "least_absolute_deviation.hpp"
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
@@ -34,7 +35,7 @@ std::vector<const Piece*> pieces_of(const Rule& rule, const std::vector<Rational
 }
 
 /// Integers with many equal ones, and some outliers.
-std::vector<Rational> random_data(Random& random, std::size_t count) {
+std::vector<Rational> data_with_outliers(Random& random, std::size_t count) {
   std::vector<Rational> f;
   for (std::size_t i = 0; i < count; ++i)
     f.emplace_back(random.integer(0, 5) == 0 ? random.integer(-1000, 1000) : random.integer(-2, 2));
@@ -114,10 +115,10 @@ TEST_CASE("the pieces of random data have the least sum of moduli, and all of th
   for (const auto& [points, degree] : std::vector<std::pair<int, int>>{{3, 1}, {6, 1}, {5, 2}, {6, 3}, {5, 0}}) {
     const auto rule = least_absolute_rule(points, degree);
     const RegressionWindow window = l1_window({{points}, degree, {}});
-    Random random(static_cast<unsigned>(points * 4 + degree));
+    Random random;
     for (const auto round : rounds(60)) {
       (void)round;
-      const std::vector<Rational> f = random_data(random, rule->points);
+      const std::vector<Rational> f = data_with_outliers(random, rule->points);
       const auto found = pieces_of(*rule, f);
       REQUIRE_FALSE(found.empty());
       Rational sum = 0;
@@ -132,7 +133,7 @@ TEST_CASE("the pieces of random data have the least sum of moduli, and all of th
 TEST_CASE("the pieces are what reweighting tends to") {
   const auto rule = least_absolute_rule(6, 1);
   const L1Fitter fitter(l1_window({{6}, 1, {}}), {1e-22, 2000, 0, false});
-  Random random(7);
+  Random random;
   for (const auto round : rounds(40)) {
     (void)round;
     std::vector<Rational> f;
@@ -196,10 +197,10 @@ TEST_CASE("no data exceed the bound of a contraction, and those that it names at
     REQUIRE_FALSE(found->data.empty());
     CHECK(largest_difference(found->data, of.order) == 1);
     CHECK(ratio_fits(found->data).first == found->bound);
-    Random random(static_cast<unsigned>(of.points));
+    Random random;
     for (const auto round : rounds(30)) {
       (void)round;
-      const auto [refined, bound] = ratio_fits(random_data(random, rule->points + 3));
+      const auto [refined, bound] = ratio_fits(data_with_outliers(random, rule->points + 3));
       CHECK(refined <= bound);
     }
   }

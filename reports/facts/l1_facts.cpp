@@ -64,6 +64,17 @@ Fact limits_fact(const Decision& converges) {
   return fact;
 }
 
+Fact edge_fact(const std::optional<piecewise::EdgeOrbit>& edge) {
+  if (!edge) return member("edge", Json());
+  std::vector<std::string> values;
+  for (const Rational& value : edge->values) values.push_back(to_text(value));
+  return {"edge",
+          "edge",
+          fmt::format("0, ..., 0, {}, ...", fmt::join(values, ", ")),
+          fmt::format("at the next level the same times {}", edge->factor),
+          {{"factor", to_text(edge->factor)}, {"values", values}}};
+}
+
 }  // namespace
 
 int points_of_curve(const DataDependentScheme& scheme) {
@@ -89,9 +100,11 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
     list.push_back(member("mask", Json()));
   list.push_back(contraction_fact(limit.contraction));
   list.push_back(limits_fact(limit.converges));
+  list.push_back(edge_fact(limit.edge));
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""
+                  : limit.edge           ? "enclosed with proof: from below by the contraction, from above by the edge"
                   : limit.exponent.upper ? "enclosed with proof"
                                          : "of all limits, for every choice of minimisers; a proved lower bound",
                   enclosure_json(limit.exponent)});

@@ -102,6 +102,8 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
     if (!rule) result.converges.reason = "there are too many pieces";
     if (result.converges.is_yes())
       if (const auto exponent = proved_exponent(*result.contraction)) result.exponent.lower = exponent->lower;
+    if (degree == 1 && result.converges.is_yes() && rule->is_function()) result.edge = edge_orbit(*rule);
+    if (result.edge) result.exponent.upper = log_ratio(1 / result.edge->factor, 2).upper;
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include "least_absolute.hpp"
 
 #include <subcert/analysis/piecewise/contraction.hpp>
+#include <subcert/analysis/piecewise/edge_orbit.hpp>
 #include <subcert/analysis/symbol/mask.hpp>
 
 #include <optional>
@@ -32,8 +33,9 @@ struct LeastAbsoluteLimit {
   std::optional<piecewise::Contraction> contraction;
   /// For all data and all choices of minimisers, from window to window and from level to level.
   Decision converges;
-  /// Of all limits: the lower end by the contraction, for linear rules as holder_regularity; no ends where convergence
-  /// is not proved.
+  std::optional<piecewise::EdgeOrbit> edge;  ///< of degree 1, where minimisers are unique
+  /// Of all limits: the lower end by the contraction, the upper one by the orbit; for linear rules as
+  /// holder_regularity; no ends where convergence is not proved.
   Enclosure exponent;
 };
 

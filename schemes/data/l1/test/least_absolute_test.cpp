@@ -227,12 +227,30 @@ TEST_CASE("factors of a contraction reproduce polynomials and bound the differen
   }
 }
 
+TEST_CASE("data that repeat themselves at an edge") {
+  const auto rule = least_absolute_rule(6, 1);
+  const auto six = edge_orbit(*rule);
+  REQUIRE(six);
+  CHECK(six->factor == Rational(5, 12));
+  CHECK(six->values == std::vector<Rational>{1, Rational(7, 5), Rational(33, 19)});
+  // The same by two steps of the rule itself, from more zeros.
+  std::vector<Rational> f(12, 0);
+  f.insert(f.end(), six->values.begin(), six->values.end());
+  f = step(*rule, step(*rule, f));
+  const auto edge = std::find_if(f.begin(), f.end(), [](const Rational& entry) { return entry != 0; });
+  REQUIRE(f.end() - edge >= 3);
+  for (long i = 0; i < 3; ++i) CHECK(edge[i] == Rational(25, 144) * six->values[static_cast<std::size_t>(i)]);
+  CHECK_THROWS_AS(edge_orbit(*least_absolute_rule(4, 1)), Error);
+}
+
 TEST_CASE("limits of least absolute deviations: what is decided") {
   const LeastAbsoluteLimit six = least_absolute_limit(6, 1, {});
   CHECK(six.converges.is_yes());
   CHECK(six.contraction->bound == Rational(3, 5));
   CHECK(*six.exponent.lower > Rational(7369, 10000));
   CHECK(*six.exponent.lower < Rational(7370, 10000));
+  CHECK(*six.exponent.upper > Rational(12630, 10000));
+  CHECK(*six.exponent.upper < Rational(12631, 10000));
   const LeastAbsoluteLimit four = least_absolute_limit(4, 1, {});
   CHECK(four.converges.is_yes());
   CHECK(four.contraction->steps == 2);

@@ -309,14 +309,15 @@ void TreeSearch::use(KnownFactors& known) {
     tree_.leaves.push_back(known.factors);
     known.listed = tree_.leaves.size();
   }
-  tree_.nodes.push_back({false, known.listed - 1});
+  tree_.nodes.push_back({false, static_cast<std::uint32_t>(known.listed - 1)});
 }
 
-// What was found last is asked first.
+// What served last is asked first.
 bool TreeSearch::close_by_known() {
   for (std::size_t i = leaves_.size(); i-- > 0;)
     if (have_signs_of_path(leaves_[i])) {
-      use(leaves_[i]);
+      std::swap(leaves_[i], leaves_.back());
+      use(leaves_.back());
       return true;
     }
   return false;
@@ -356,7 +357,7 @@ void TreeSearch::visit() {
     stopped_ = true;
     return;
   }
-  if (options_.keep_trees) tree_.nodes.push_back({true, *window});
+  if (options_.keep_trees) tree_.nodes.push_back({true, static_cast<std::uint32_t>(*window)});
   for (path_[*window] = 0; path_[*window] < rule_.pieces.size(); ++path_[*window]) visit();
 }
 

@@ -29,7 +29,7 @@ struct ResidualFactors {
 /// windows without a piece, and otherwise have the signs of the pieces: factor * residual >= 0.
 struct ProofNode {
   bool split;
-  std::size_t index;  ///< of the window, or of the factors
+  std::uint32_t index;  ///< of the window, or of the factors
 };
 
 /// Of the difference with index `start`. Windows of one level follow each other, level after level.

@@ -40,7 +40,7 @@ ExitCode analyze_l1(const AnalyzeOptions& options) {
   const DataDependentScheme scheme = make_l1_scheme(options.scheme);
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(points_of_curve(scheme), scheme.rules.degree,
                                                                     {.deadline = Deadline::in(options.budget)});
-  options.answer(l1_facts(scheme, limit), 14);
+  options.answer(l1_facts(scheme, limit), 13);
   return limit.converges.truth == Truth::unknown ? undecided : done;
 }
 

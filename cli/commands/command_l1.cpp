@@ -26,6 +26,9 @@ ExitCode run(const L1Options& options) {
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
       points, degree, {options.steps, options.order, Deadline::in(options.budget), !options.certificate.empty()});
   const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
+    if (points == degree + 1)
+      fail(ErrorKind::undecided,
+           "certificate: the fit interpolates its data; ask for one of the mask, by 'regularity'");
     if (!limit.contraction) fail(ErrorKind::undecided, "certificate: no contraction was found within the budget");
     return contraction_certificate(points, degree, *limit.contraction);
   });
@@ -33,7 +36,7 @@ ExitCode run(const L1Options& options) {
   const Facts list = l1_facts(scheme, limit);
   Json json = page_json(list);
   certificate.add_to(json);
-  options.answer(json, page_text(list, 14) + certificate.text(false));
+  options.answer(json, page_text(list, 13) + certificate.text(false));
   certificate.failure.raise();
   return exit_code(limit.converges.truth);
 }

@@ -1,7 +1,5 @@
 #include "program.hpp"
 
-#include <fstream>
-
 using namespace subcert::testing;
 
 TEST_CASE("l1: the fields of the contract, and a certificate that is verified and refused when one factor is changed") {
@@ -26,12 +24,12 @@ TEST_CASE("l1: the fields of the contract, and a certificate that is verified an
   REQUIRE(leaf != std::string::npos);
   const std::size_t digit = text.find_first_of("123456789", leaf);
   text[digit] = text[digit] == '1' ? '2' : '1';
-  std::ofstream(file) << text;
+  folder.write("l1.cert", text);
   CHECK(run("verify " + file).code == 1);
 }
 
 TEST_CASE("l1: rules of several minimisers, linear ones, and those that do not converge") {
-  CHECK(contains(run("l1 l1:points=6,d=1").out, "minimiser     unique for every datum"));
+  CHECK(contains(run("l1 l1:points=6,d=1").out, "minimiser    unique for every datum"));
   const Run four = run("l1 l1:points=4,d=1");
   CHECK(four.code == 0);
   CHECK(contains(four.out, "not unique"));
@@ -43,6 +41,9 @@ TEST_CASE("l1: rules of several minimisers, linear ones, and those that do not c
   CHECK(linear.at("mask") == "[-35,-45,126,210,0,0,210,126,-45,-35]/256@-4");
   CHECK(has_digits(linear.at("exponent"), "lower", "0.86723298807198"));
   CHECK(run_json("l1 l1:points=5,d=2").at("contraction").at("order") == 2);
+  const Folder folder;
+  const std::string file = folder / "l1.cert";
+  CHECK(contains(run("l1 l1:points=2,d=1 --certificate " + file).out, "not written: the fit interpolates its data"));
   CHECK(run_json("l1 l1:points=30 --budget 1", 2).at("converges") == "unknown");
   CHECK(run_json("l1 l1:points=7 --steps 2 --budget 0.01", 2).at("contraction").is_null());
   CHECK(run("analyze l1:points=6 --budget 5").out.starts_with("scheme"));

@@ -36,7 +36,7 @@ std::optional<Contraction> best_order(const Rule& rule, int steps, const LimitOp
 }
 
 std::optional<Contraction> find_contraction(const Rule& rule, const LimitOptions& options) {
-  if (options.steps > 0) return best_order(rule, options.steps, options);
+  if (options.steps > 0 || rule.degree == 0) return best_order(rule, std::max(options.steps, 1), options);
   std::optional<Contraction> best;
   for (int steps = 1; steps <= most_steps && !options.deadline.expired(); ++steps) {
     auto found = best_order(rule, steps, options);

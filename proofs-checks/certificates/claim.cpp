@@ -39,7 +39,8 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D, or "
+       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "or "
        "contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }

@@ -2094,6 +2094,19 @@ var check_certificate = (() => {
     visit([], 0);
     return [...found].sort();
   }
+  const is_full = (vertex, {degree}) => vertex.split('0').length === degree + 2;
+  const l1_position = (points, r) => BigInt(4 * r - 2 * (points - 1));  // in quarters of the spacing
+  // The polynomial through the data where the vertex has 0, and through the data plus 1 at the first other places
+  function l1_fit(vertex, data, degree) {
+    const places = range_of(vertex.length), at = r => l1_position(vertex.length, r);
+    const nodes = [...places.filter(r => vertex[r] === '0').map(r => [r, data[r]]),
+                   ...places.filter(r => vertex[r] !== '0').map(r => [r, plus(data[r], 1n)])].slice(0, degree + 1);
+    return x => nodes.reduce((total, [r, y]) => {
+      spend(100 * nodes.length, bits(y.n), bits(y.d));
+      return reduced(plus(total, nodes.reduce(
+        (term, [c]) => c === r ? term : over(times(term, x - at(c)), at(r) - at(c)), y)));
+    }, fraction(0n));
+  }
   // The tree of a difference: D^order f at the place `start` of level `steps`
   class CellTree {
     constructor(reader, rule, vertices, contraction, start) {
@@ -2110,10 +2123,9 @@ var check_certificate = (() => {
         for (let i = level.low; i <= level.high; ++i) this.level_of.push(k);
       });
       this.cell = Array(this.level_of.length).fill(null);
-      this.full = vertex => vertex.split('0').length - 1 === degree + 1;
-      this.powers = range_of(points).map(r => range_of(degree + 1).map(k => this.position(r) ** BigInt(k)));
+      this.full = vertex => is_full(vertex, rule);
+      this.powers = range_of(points).map(r => range_of(degree + 1).map(k => l1_position(points, r) ** BigInt(k)));
     }
-    position(r) { return BigInt(4 * r - 2 * (this.points - 1)); }
     node() {
       const word = this.reader.peek();
       if (word === 'split') this.split();
@@ -2212,20 +2224,56 @@ var check_certificate = (() => {
       return this.levels.some((one, level) => range_of(one.high - one.low + 1).some(k => {
         const vertex = this.cell[one.number + k], i = one.low + k, data = data_of(level, i);
         if (!vertex || data.includes(undefined)) return false;
-        const zero = range_of(this.points).filter(r => vertex[r] === '0');
-        const other = range_of(this.points).filter(r => vertex[r] !== '0');
-        const nodes = [...zero.map(r => [r, data[r]]), ...other.map(r => [r, plus(data[r], 1n)])].slice(0, this.degree + 1);
-        const fit = x => {
-          spend(100 * nodes.length ** 2);
-          return reduced(nodes.reduce((total, [r, y]) => plus(total, nodes.reduce((term, [c]) => c === r ? term :
-            over(times(term, x - this.position(c)), this.position(r) - this.position(c)), y)), fraction(0n)));
-        };
+        const fit = l1_fit(vertex, data, this.degree);
         [fit(-1n), fit(1n)].forEach((y, e) => known.set(`${level + 1} ${2 * i + e}`, y));
-        return this.full(vertex) && strict.some(({w, r}) => w === one.number + k && minus(data[r], fit(this.position(r))).n);
+        return this.full(vertex) && strict.some(({w, r}) => w === one.number + k && minus(data[r], fit(l1_position(this.points, r))).n);
       }));
     }
   }
-  function check_l1(reader, {l1, lower, contraction}) {
+  function refined(reader, l1, vertices, values) {  // the next level of an orbit
+    const {points, degree} = l1, count = values.length - points + 1;
+    demand(2 * count <= 4096, too_much_work);
+    return reader.read('fits', count).flatMap((vertex, i) => {
+      demand(vertices.has(vertex) && is_full(vertex, l1), 'a fit is not that of a full vertex');
+      const data = values.slice(i, i + points), fit = l1_fit(vertex, data, degree);
+      data.forEach((y, r) => {
+        const residual = sign(minus(y, fit(l1_position(points, r))));
+        demand(vertex[r] === '0' || residual === 0 || (vertex[r] === '+') === (residual > 0),
+               'a residual has not the sign of the vertex');
+      });
+      return [fit(-1n), fit(1n)];
+    });
+  }
+  function has_run(values, length) {  // of one sign
+    let run = 0, last = 0;
+    return values.map(sign).some(now => {
+      run = now && now === last ? run + 1 : now ? 1 : 0;
+      last = now;
+      return run >= length;
+    });
+  }
+  // Values that are met again, times the factor, after some steps, with a limit that is not 0
+  function read_orbit(reader, l1) {
+    demand(l1.degree < 2, 'an orbit of fits of a degree above 1 proves nothing');
+    const length = 2 * l1.points - 1, fields = reader.read('orbit', 3 + length, 3 + 4096);
+    const steps = small(fields[0], 1, 8), factor = rational(fields[2]), power_of_2 = /^10*$/;
+    let place = small(fields[1], 0, 4096);
+    demand(abs(factor.n) !== 1n || !power_of_2.test(factor.d.toString(2)), 'the factor of an orbit is a power of 1/2');
+    const levels = [fields.slice(3).map(token => fraction(integer(token)))], vertices = new Set(l1_vertices(l1));
+    for (let level = 1; level <= steps || reader.peek() === 'fits'; ++level) {
+      const now = refined(reader, l1, vertices, levels[level - 1]);
+      levels.push(now);
+      if (level < steps) continue;
+      const before = levels[level - steps];
+      demand(place + before.length <= now.length, 'the values of an orbit are met again outside of what is known');
+      spend(before.length);
+      demand(before.every((x, i) => !minus(now[place + i], times(factor, x)).n), 'the values of an orbit are not met again');
+      place *= 2;
+    }
+    demand(has_run(levels[levels.length - 1], length), 'an orbit has too few values of one sign next to each other');
+    return {steps, factor};
+  }
+  function check_l1(reader, {l1, lower, upper, contraction}) {
     const proved = read_contraction(reader.read('contraction', 3), l1), vertices = l1_vertices(l1);
     const {steps, order, bound} = proved, starts = 2 ** steps;
     for (let start = 0; start < starts; ++start) {
@@ -2237,11 +2285,16 @@ var check_certificate = (() => {
     demand(!contraction || (contraction.steps === steps && contraction.order === order &&
                             contraction.bound.n === bound.n && contraction.bound.d === bound.d),
            'the claim is about another contraction');
-    if (!lower) return;
-    const exponent = times(lower, BigInt(steps));
-    check_ends(exponent, null, 1);
-    const most = power_below(2n, minus(0n, exponent));
-    demand(!less(most, bound), 'the contraction does not prove the lower end');
+    if (lower) {
+      const exponent = times(lower, BigInt(steps));
+      check_ends(exponent, null, 1);
+      demand(!less(power_below(2n, minus(0n, exponent)), bound), 'the contraction does not prove the lower end');
+    }
+    if (!upper && reader.peek() !== 'orbit') return;
+    demand(less(bound, 1n), 'an orbit proves nothing where no limits are proved');
+    const orbit = read_orbit(reader, l1), exponent = upper && times(upper, BigInt(orbit.steps));
+    check_ends(null, exponent, 0);
+    demand(!upper || !less(abs_of(orbit.factor), over(1n, power_below(2n, exponent))), 'the orbit does not prove the upper end');
   }
 
   // ---- The claim and the command line -------------------------------------------------------------------------------
@@ -2255,8 +2308,9 @@ var check_certificate = (() => {
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
-       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q] FILE    (fits of degree D to N points by
-                     least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents of limits)
+       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
+                     to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents of
+                     limits)
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
@@ -2286,8 +2340,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       none('mask', 'arity', 'for', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
-    const l1 = has('l1') && some('contraction', 'lower') &&
-      none(...names.filter(name => !['l1', 'contraction', 'lower'].includes(name)));
+    const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
+      none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
     return {options, rough, kind: l1 ? check_l1 : curve ? check_curve : surface ? check_surface : of_family};
@@ -2321,7 +2375,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const l1 = read_l1(options.l1), lower = options.lower === undefined ? null : rational(options.lower);
     const contraction =
       options.contraction === undefined ? null : read_contraction(options.contraction.split(','), l1);
-    return {options, kind: check_l1, l1, contraction, lower, head: `l1 ${l1.points} ${l1.degree}`};
+    const upper = options.upper === undefined ? null : rational(options.upper);
+    return {options, kind: check_l1, l1, contraction, lower, upper, head: `l1 ${l1.points} ${l1.degree}`};
   }
   function read_range(text, claim) {
     const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/s.exec(text) || [];
@@ -2340,9 +2395,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return rounding;
   }
   const number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
-  function text_of_l1({options, contraction, lower}) {
+  function text_of_l1({options, contraction, lower, upper}) {
     const {steps, order, bound} = contraction || {};
-    return [lower && `${number(lower)} <= Hoelder exponent`,
+    return [lower && `${number(lower)} <= Hoelder exponent${upper ? ` <= ${number(upper)}` : ''}`,
             contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
       ` of least absolute deviations ${options.l1}`;
   }

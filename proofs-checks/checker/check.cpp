@@ -105,6 +105,11 @@ class Checker {
     if (claim_.lower)
       require(proved.bound <= power_of_exponent(2, *claim_.lower * mpz_class(proved.steps)),
               "the contraction does not prove the lower end");
+    if (!claim_.upper && !reader_.at("orbit")) return;
+    require(proved.bound < 1, "an orbit proves nothing where no limits are proved");
+    const L1Orbit orbit = read_orbit(*claim_.l1, reader_, arithmetic_);
+    require(!claim_.upper || abs(orbit.factor) >= 1 / power_of_upper(2, *claim_.upper * mpz_class(orbit.steps)),
+            "the orbit does not prove the upper end");
   }
 
   /// Section 4.10: the number that the joint spectral radius is said to be.
@@ -251,6 +256,12 @@ class Checker {
     return power_lower(base, whole - lower) / power(base, whole.get_ui());
   }
 
+  /// At most base^exponent, for an upper end.
+  static mpq_class power_of_upper(unsigned base, const mpq_class& upper) {
+    require(upper >= 0 && upper <= most_exponent, "an exponent is negative or too large");
+    return power_lower(base, upper);
+  }
+
   /// An exponent s of a scheme of this order m of sum rules says JSR^root = factor * base^-s, provided that s < m.
   void show_exponent(unsigned base, const mpq_class& factor, std::size_t order) {
     lower_.reset();
@@ -259,10 +270,7 @@ class Checker {
     if (claim_.lower) {
       upper_ = factor * power_of_exponent(base, *claim_.lower);
     }
-    if (claim_.upper) {
-      require(*claim_.upper >= 0 && *claim_.upper <= most_exponent, "an exponent is negative or too large");
-      lower_ = factor / power_lower(base, *claim_.upper);
-    }
+    if (claim_.upper) lower_ = factor / power_of_upper(base, *claim_.upper);
   }
 
   /// The radius is below that of no exponent and above that of as many derivatives as there are sum rules.
@@ -560,9 +568,11 @@ constexpr const char* usage =
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
-    "       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q] FILE    (fits of degree D to N points "
-    "by\n"
-    "                     least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents of limits)\n"
+    "       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree "
+    "D\n"
+    "                     to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents "
+    "of\n"
+    "                     limits)\n"
     "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to "
     "the\n"
     "                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: "
@@ -609,12 +619,14 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
   claim.subject = mask + " with " + kind + " " + scale;
 }
 
-/// Fits of least absolute deviations: a contraction of differences, or a lower end, or both.
+/// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
 Claim read_l1_claim(Options& given) {
   const auto &l1 = given["--l1"], &contraction = given["--contraction"], &lower = given["--lower"],
-             &file = given["FILE"];
+             &upper = given["--upper"], &file = given["FILE"];
   const auto count = std::count_if(given.begin(), given.end(), [](const auto& option) { return option.second; });
-  require(l1 && file && (contraction || lower) && count == 2 + contraction.has_value() + lower.has_value(), usage);
+  require(l1 && file && (contraction || lower) && (lower || !upper) &&
+              count == 2 + contraction.has_value() + lower.has_value() + upper.has_value(),
+          usage);
   Claim claim;
   claim.file = *file;
   claim.l1 = parse_l1_rule(*l1);
@@ -622,6 +634,10 @@ Claim read_l1_claim(Options& given) {
   if (lower) {
     claim.lower = parse_rational(*lower);
     claim.text = claim.lower->get_str() + " <= Hoelder exponent";
+  }
+  if (upper) {
+    claim.upper = parse_rational(*upper);
+    claim.text += " <= " + claim.upper->get_str();
   }
   if (contraction) {
     claim.contraction = parse_contraction(split(*contraction, ","), *claim.l1);

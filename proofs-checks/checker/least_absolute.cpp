@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t most_points = 16, most_steps = 8;
 constexpr std::uint64_t most_patterns = 1UL << 18;  // subsets of degree + 1 places, with signs of the others
+constexpr std::size_t most_values = 4096;           // of a level of an orbit
 constexpr std::size_t most_kept = 1UL << 22;        // multipliers of the leaves of a start
 
 std::uint64_t binomial(std::uint64_t n, std::uint64_t k) {
@@ -77,6 +78,33 @@ class Vertices {
   std::set<std::string> signs_;
 };
 
+/// It has degree + 1 places with 0.
+bool is_full(const L1Rule& rule, const std::string& vertex) {
+  return static_cast<std::size_t>(std::count(vertex.begin(), vertex.end(), '0')) == rule.degree + 1;
+}
+
+/// Place r of a window, in quarters of the spacing from its centre.
+mpz_class position(const L1Rule& rule, std::size_t r) { return mpz_class(4 * r) - mpz_class(2 * (rule.points - 1)); }
+
+/// At a position: the polynomial through the data where the vertex is 0, and through data plus 1 at the first other
+/// places that it needs.
+mpq_class fitted(const L1Rule& rule, const std::string& vertex, const Rationals& data, const mpz_class& x,
+                 Arithmetic& arithmetic) {
+  std::vector<std::pair<mpz_class, mpq_class>> nodes;
+  for (const bool zero : {true, false})
+    for (std::size_t r = 0; r < vertex.size() && nodes.size() <= rule.degree; ++r)
+      if ((vertex[r] == '0') == zero) nodes.emplace_back(position(rule, r), data[r] + (zero ? 0 : 1));
+  mpq_class result = 0;
+  for (const auto& [at, value] : nodes) {
+    arithmetic.spend((4000 + bits(value.get_num()) + bits(value.get_den())) * nodes.size());
+    mpq_class term = value;
+    for (const auto& [other, unused] : nodes)
+      if (other != at) term *= ratio(x - other, at - other);
+    result += term;
+  }
+  return result;
+}
+
 /// A fit of one window of a level: of the data begin, begin + 1, ...
 struct Window {
   std::size_t level;
@@ -108,7 +136,7 @@ class Start {
     for (std::size_t level = 0; level < contraction.steps; ++level)
       for (std::size_t begin = firsts_[level]; begin <= lasts_[level]; ++begin)
         windows_.push_back({level, begin, nullptr});
-    degenerate_ = std::any_of(vertices.begin(), vertices.end(), [this](const auto& v) { return is_degenerate(v); });
+    all_full_ = std::all_of(vertices.begin(), vertices.end(), [&rule](const auto& v) { return is_full(rule, v); });
   }
 
   /// A node of the tree, and all that is below it.
@@ -124,10 +152,6 @@ class Start {
   }
 
  private:
-  bool is_degenerate(const std::string& vertex) const {
-    return static_cast<std::size_t>(std::count(vertex.begin(), vertex.end(), '0')) < rule_.degree + 1;
-  }
-
   void read_split() {
     Window& window = windows_[parse_size(reader_.take("split", 1, 1)[0], 0, windows_.size() - 1)];
     require(!window.vertex, "a window is split twice");
@@ -169,8 +193,8 @@ class Start {
     for (const mpz_class& c : carried_to_data(multipliers, 0))
       require(c == 0, "the residuals of a thin cell do not sum to 0");
     const auto level_of = [this](const auto& one) { return windows_[one.first / rule_.points].level; };
-    require(!degenerate_ || std::all_of(multipliers.begin(), multipliers.end(),
-                                        [&](const auto& one) { return level_of(one) <= 1; }),
+    require(all_full_ || std::all_of(multipliers.begin(), multipliers.end(),
+                                     [&](const auto& one) { return level_of(one) <= 1; }),
             "a cell that is thin from level 2 on, and a degenerate vertex");
     const auto on_data = [&](const auto& one) { return level_of(one) == 0 && sign_at(one.first) != '0'; };
     require(std::any_of(multipliers.begin(), multipliers.end(), on_data) || has_residual(multipliers),
@@ -197,9 +221,6 @@ class Start {
     }
   }
 
-  /// Place r of a window, in quarters of the spacing from its centre.
-  mpz_class position(std::size_t r) const { return mpz_class(4 * r) - mpz_class(2 * (rule_.points - 1)); }
-
   /// What is left of the data's coefficients once the fits are gone: of the form that is bounded, times the scale.
   Vector carried_to_data(const Multipliers& multipliers, const mpz_class& scale) {
     std::size_t level = contraction_.steps;
@@ -220,7 +241,7 @@ class Start {
         mpz_class power = 1;
         for (mpz_class& moment : moments[i]) {
           arithmetic_.add_product(moment, value, power);
-          power *= position(r);
+          power *= position(rule_, r);
         }
       }
       for (std::size_t i = 0; i < moments.size(); ++i)
@@ -239,57 +260,38 @@ class Start {
 
   // ---- a residual that is not zero at one point of the space of the equalities ----
 
-  /// Values of the levels from their first one on, as far as the windows that make them were split.
-  using Values = std::vector<std::optional<mpq_class>>;
-
-  /// Whether there is a multiplier of a residual with a sign, of a window with a vertex that is not degenerate, that is
-  /// not zero at the point of the theorem.
+  /// Whether there is a multiplier of a residual with a sign, of a window with a full vertex, that is not zero at the
+  /// point of Theorem 36.
   bool has_residual(const Multipliers& multipliers) {
-    Values values(lasts_[0] - firsts_[0] + rule_.points);
+    std::size_t first = firsts_[0];  // of the values, which are known as far as the windows that make them were split
+    std::vector<std::optional<mpq_class>> values(lasts_[0] - first + rule_.points);
     mpq_class datum = 1;
     for (auto& value : values) {
       value = datum;
       datum *= 1009;
     }
     for (std::size_t level = 0, window = 0; level < contraction_.steps; ++level) {
-      Values next(2 * (lasts_[level] - firsts_[level] + 1));
-      for (std::size_t i = 0; i + firsts_[level] <= lasts_[level]; ++i, ++window) {
-        const Window& one = windows_[window];
-        const Values data(values.begin() + static_cast<std::ptrdiff_t>(i),
-                          values.begin() + static_cast<std::ptrdiff_t>(i + rule_.points));
-        if (!one.vertex || !std::all_of(data.begin(), data.end(), [](const auto& x) { return x.has_value(); }))
-          continue;
+      std::vector<std::optional<mpq_class>> next;
+      for (std::size_t begin = firsts_[level]; begin <= lasts_[level]; ++begin, ++window) {
+        const auto from = values.begin() + static_cast<std::ptrdiff_t>(begin - first);
+        const auto to = from + static_cast<std::ptrdiff_t>(rule_.points);
+        next.resize(next.size() + 2);
+        const std::string* vertex = windows_[window].vertex;
+        if (!vertex || std::find(from, to, std::nullopt) != to) continue;
+        Rationals data;
+        for (auto value = from; value != to; ++value) data.push_back(**value);
         for (const auto& [place, value] : multipliers)
-          if (place / rule_.points == window && sign_at(place) != '0' && !is_degenerate(*one.vertex)) {
-            const std::size_t r = place % rule_.points;
-            if (fitted(*one.vertex, data, position(r)) != *data[r]) return true;
-          }
-        next[2 * i] = fitted(*one.vertex, data, -1);
-        next[2 * i + 1] = fitted(*one.vertex, data, 1);
+          if (const std::size_t r = place % rule_.points;
+              place / rule_.points == window && sign_at(place) != '0' && is_full(rule_, *vertex) &&
+              fitted(rule_, *vertex, data, position(rule_, r), arithmetic_) != data[r])
+            return true;
+        next[next.size() - 2] = fitted(rule_, *vertex, data, -1, arithmetic_);
+        next.back() = fitted(rule_, *vertex, data, 1, arithmetic_);
       }
-      if (level + 1 == contraction_.steps) break;
-      values.assign(lasts_[level + 1] - firsts_[level + 1] + rule_.points, std::nullopt);
-      for (std::size_t m = 0; m < values.size(); ++m) values[m] = next[firsts_[level + 1] + m - 2 * firsts_[level]];
+      values = std::move(next);
+      first = 2 * firsts_[level];
     }
     return false;
-  }
-
-  /// The polynomial through the data where the vertex is 0, and through data plus 1 at the first other places that it
-  /// needs, at a position.
-  mpq_class fitted(const std::string& vertex, const Values& data, const mpz_class& x) {
-    std::vector<std::pair<mpz_class, mpq_class>> nodes;
-    for (const char wanted : {'0', '1'})
-      for (std::size_t r = 0; r < vertex.size() && nodes.size() <= rule_.degree; ++r)
-        if ((vertex[r] == '0') == (wanted == '0')) nodes.emplace_back(position(r), *data[r] + (wanted == '0' ? 0 : 1));
-    arithmetic_.spend(4000 * nodes.size() * nodes.size());
-    mpq_class result = 0;
-    for (const auto& [at, value] : nodes) {
-      mpq_class term = value;
-      for (const auto& [other, unused] : nodes)
-        if (other != at) term *= ratio(x - other, at - other);
-      result += term;
-    }
-    return result;
   }
 
   const L1Rule& rule_;
@@ -300,10 +302,44 @@ class Start {
   std::size_t target_;
   std::vector<std::size_t> firsts_, lasts_;  // windows of the levels
   std::vector<Window> windows_;
-  bool degenerate_;  // some vertex is
+  bool all_full_;  // the vertices
   std::vector<Multipliers> leaves_;
   std::size_t kept_ = 0;
 };
+
+/// The fits of a level of an orbit, which the line says by their vertices; the next level.
+Rationals refined(const L1Rule& rule, const std::vector<std::string>& vertices, const Rationals& values, Reader& reader,
+                  Arithmetic& arithmetic) {
+  const std::size_t count = values.size() - rule.points + 1;
+  require(2 * count <= most_values, too_much_work);
+  Rationals next;
+  const Fields fields = reader.take("fits", count, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string vertex(fields[i]);
+    require(std::binary_search(vertices.begin(), vertices.end(), vertex) && is_full(rule, vertex),
+            "a fit is not that of a full vertex");
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i);
+    const Rationals data(begin, begin + static_cast<std::ptrdiff_t>(rule.points));
+    for (std::size_t r = 0; r < rule.points; ++r) {
+      const int sign = vertex[r] == '0' ? 0 : vertex[r] == '+' ? 1 : -1;
+      require(sgn(mpq_class(data[r] - fitted(rule, vertex, data, position(rule, r), arithmetic))) * sign >= 0,
+              "a residual has not the sign of the vertex");
+    }
+    for (const int x : {-1, 1}) next.push_back(fitted(rule, vertex, data, x, arithmetic));
+  }
+  return next;
+}
+
+/// Whether so many values of one sign follow each other.
+bool has_run(const Rationals& values, std::size_t length) {
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const int sign = sgn(values[i]);
+    run = sign == 0 ? 0 : run > 0 && sign == sgn(values[i - 1]) ? run + 1 : 1;
+    if (run == length) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -340,6 +376,30 @@ Contraction read_contraction(const L1Rule& rule, Reader& reader, Arithmetic& ari
     Start(rule, vertices, contraction, j, reader, arithmetic).read_node();
   }
   return contraction;
+}
+
+L1Orbit read_orbit(const L1Rule& rule, Reader& reader, Arithmetic& arithmetic) {
+  require(rule.degree <= 1, "an orbit of fits of a degree above 1 proves nothing");
+  const std::size_t shortest = 2 * rule.points - 1;
+  const Fields fields = reader.take("orbit", 3 + shortest, 3 + most_values);
+  L1Orbit orbit{parse_size(fields[0], 1, most_steps), parse_rational(fields[2])};
+  std::size_t place = parse_size(fields[1], 0, most_values);  // where the values are met again
+  require(abs(orbit.factor.get_num()) != 1 || mpz_popcount(orbit.factor.get_den_mpz_t()) != 1,
+          "the factor of an orbit is a power of 1/2");
+  std::vector<Rationals> levels(1);
+  for (std::size_t i = 3; i < fields.size(); ++i) levels[0].emplace_back(parse_integer(fields[i]));
+  const std::vector<std::string> vertices = Vertices(rule, arithmetic).list();
+  for (std::size_t level = 1; level <= orbit.steps || reader.at("fits"); ++level) {
+    levels.push_back(refined(rule, vertices, levels.back(), reader, arithmetic));
+    if (level < orbit.steps) continue;
+    const Rationals &before = levels[level - orbit.steps], &now = levels[level];
+    require(place + before.size() <= now.size(), "the values of an orbit are met again outside of what is known");
+    for (std::size_t i = 0; i < before.size(); ++i)
+      require(now[place + i] == orbit.factor * before[i], "the values of an orbit are not met again");
+    place *= 2;
+  }
+  require(has_run(levels.back(), shortest), "an orbit has too few values of one sign next to each other");
+  return orbit;
 }
 
 }  // namespace subcert_check

@@ -27,4 +27,13 @@ Contraction parse_contraction(const Fields& fields, const L1Rule& rule);
 /// Reads what follows the line `bounds`, and shows the contraction that its first line says.
 Contraction read_contraction(const L1Rule& rule, Reader& reader, Arithmetic& arithmetic);
 
+/// Data that are met again, times the factor, after so many steps; the factor is not a power of 1/2, up to its sign.
+struct L1Orbit {
+  std::size_t steps = 0;
+  mpq_class factor;
+};
+
+/// Reads an orbit, and shows that it is one whose limit is not 0. Domain: the limits exist.
+L1Orbit read_orbit(const L1Rule& rule, Reader& reader, Arithmetic& arithmetic);
+
 }  // namespace subcert_check

@@ -631,7 +631,7 @@ let check arguments =
   let rough = Option.bind (find "--upper") after_c in
   let text, theorem, shown =
     if has "--l1" then begin
-      require (only [ "--l1"; "--contraction" ] && (has "--lower" || has "--contraction")) usage;
+      require (only [ "--l1"; "--contraction"; "--upper" ] && (has "--lower" || (has "--contraction" && not (has "--upper")))) usage;
       raise (Sections.Undecided "claims about fits of least absolute deviations are decided by subcert-check")
     end
     else if has "--matrices" || has "--subradius" then begin

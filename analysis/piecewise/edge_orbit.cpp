@@ -8,8 +8,8 @@
 namespace subcert::piecewise {
 namespace {
 
-constexpr int search_steps = 24;    // after which the pieces of a patch have settled, if they do
-constexpr int positive_levels = 8;  // in which positive values in a row are looked for
+constexpr int search_steps = 24;        // after which the pieces of a patch have settled, if they do
+constexpr std::size_t most_levels = 8;  // in which positive values in a row are looked for
 
 Rational value_at(const Row& form, const std::vector<Rational>& x) {
   Rational sum = 0;
@@ -57,24 +57,64 @@ Rational rounded(const Rational& value) {
   return Rational(to_integer(value * unit, Rounding::nearest)) / unit;
 }
 
-bool is_orbit(const Rule& rule, const EdgeOrbit& orbit) {
-  const std::vector<Rational> next = evolved(rule, orbit.values).values;
-  if (next.size() <= orbit.values.size() || orbit.factor <= 0 || orbit.factor >= 1) return false;
-  for (std::size_t i = 0; i < orbit.values.size(); ++i)
-    if (next[i] != orbit.factor * orbit.values[i]) return false;
+/// The values of the next level from data that stand alone; the pieces of their windows are added to the list.
+std::vector<Rational> refined(const Rule& rule, const std::vector<Rational>& data, std::vector<std::size_t>& pieces) {
+  std::vector<Rational> next;
+  for (std::size_t i = 0; i + rule.points <= data.size(); ++i) {
+    const auto begin = data.begin() + static_cast<long>(i);
+    const std::vector<Rational> window(begin, begin + static_cast<long>(rule.points));
+    const Piece& piece = piece_of(rule, window);
+    pieces.push_back(static_cast<std::size_t>(&piece - rule.pieces.data()));
+    for (const Row& output : piece.outputs) next.push_back(value_at(output, window));
+  }
+  return next;
+}
+
+bool repeats(const std::vector<Rational>& data, const std::vector<Rational>& next, std::size_t offset,
+             const Rational& factor) {
+  if (offset + data.size() > next.size()) return false;
+  for (std::size_t i = 0; i < data.size(); ++i)
+    if (next[offset + i] != factor * data[i]) return false;
   return true;
 }
 
-bool becomes_positive(const Rule& rule, std::vector<Rational> patch) {
-  for (int level = 0; level < positive_levels && patch.size() < 40 * rule.points; ++level) {
-    std::size_t in_a_row = 0;
-    for (const Rational& value : patch) {
-      in_a_row = value > 0 ? in_a_row + 1 : 0;
-      if (in_a_row == 2 * rule.points - 2) return true;
-    }
-    patch = evolved(rule, patch).values;
+bool has_positive_run(const std::vector<Rational>& data, std::size_t length) {
+  std::size_t run = 0;
+  for (const Rational& value : data) {
+    run = value > 0 ? run + 1 : 0;
+    if (run == length) return true;
   }
   return false;
+}
+
+/// Fills in the levels; false where the data do not repeat themselves or do not become positive.
+bool prove(const Rule& rule, EdgeOrbit& orbit) {
+  const std::size_t run = 2 * rule.points - 1;
+  std::vector<Rational> data(orbit.zeros, 0);
+  data.insert(data.end(), orbit.values.begin(), orbit.values.end());
+  if (data.size() < run) return false;
+  for (std::size_t level = 0; level < most_levels; ++level) {
+    std::vector<Rational> next = refined(rule, data, orbit.pieces.emplace_back());
+    if (level == 0) {
+      const auto edge = std::find_if(next.begin(), next.end(), [](const Rational& value) { return value != 0; });
+      const auto at = static_cast<std::size_t>(edge - next.begin());
+      if (at < orbit.zeros) return false;
+      orbit.offset = at - orbit.zeros;
+    }
+    if (!repeats(data, next, orbit.offset << level, orbit.factor)) return false;
+    data = std::move(next);
+    if (has_positive_run(data, run)) return true;
+  }
+  return false;
+}
+
+std::optional<EdgeOrbit> proved(const Rule& rule, const EdgeOrbit& orbit) {
+  if (orbit.factor <= 0 || orbit.factor >= 1) return std::nullopt;
+  for (std::size_t zeros = 0; zeros <= 2 * rule.points; ++zeros) {
+    EdgeOrbit filled{orbit.values, orbit.factor, zeros};
+    if (prove(rule, filled)) return filled;
+  }
+  return std::nullopt;
 }
 
 /// The eigenvector of the pieces in which a patch is, if its eigenvalue is the rational number near this one.
@@ -89,7 +129,7 @@ std::optional<EdgeOrbit> read_off(const Rule& rule, const std::vector<Rational>&
     if (vector[0] == 0) continue;
     EdgeOrbit orbit{{}, factor};
     for (const Rational& value : vector) orbit.values.push_back(value / vector[0]);
-    if (is_orbit(rule, orbit) && becomes_positive(rule, orbit.values)) return orbit;
+    if (auto found = proved(rule, orbit)) return found;
   }
   return std::nullopt;
 }

@@ -15,12 +15,15 @@ namespace subcert::piecewise {
 struct EdgeOrbit {
   std::vector<Rational> values;
   Rational factor;
+  /// With so many zeros before the values, the data of each level stand at offset * 2^level of the next one, times the
+  /// factor; the pieces of all windows, level after level, until 2 * points - 1 values in a row are positive.
+  std::size_t zeros = 0, offset = 0;
+  std::vector<std::vector<std::size_t>> pieces = {};
 };
 
-/// Looks for one from a step and a kink, and checks it by substitution: the orbit, and that 2 * points - 2 values in a
-/// row are positive at some later level, all of which descendants are at least the least of these. Domain: a function
-/// whose values never leave the range of the data. Nothing where none was found, as where the factor is not rational.
-/// Cost: some hundred steps on few windows.
+/// Looks for one from a step and a kink, and checks it by substitution. What descends from 2 * points - 1 positive
+/// values in a row is at least the least of these. Domain: a function whose values never leave the range of the data.
+/// Nothing where none was found, as where the factor is not rational. Cost: some hundred steps on few windows.
 std::optional<EdgeOrbit> edge_orbit(const Rule& rule);
 
 }  // namespace subcert::piecewise

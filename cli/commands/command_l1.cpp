@@ -30,7 +30,7 @@ ExitCode run(const L1Options& options) {
       fail(ErrorKind::undecided,
            "certificate: the fit interpolates its data; ask for one of the mask, by 'regularity'");
     if (!limit.contraction) fail(ErrorKind::undecided, "certificate: no contraction was found within the budget");
-    return contraction_certificate(points, degree, *limit.contraction);
+    return contraction_certificate(*data::least_absolute_rule(points, degree), *limit.contraction, limit.edge);
   });
   options.end_progress();
   const Facts list = l1_facts(scheme, limit);

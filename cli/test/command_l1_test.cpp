@@ -17,6 +17,7 @@ TEST_CASE("l1: the fields of the contract, and a certificate that is verified an
   CHECK(has_digits(six.at("exponent"), "lower", "0.736965"));
   CHECK(has_digits(six.at("exponent"), "upper", "1.263034"));
   CHECK(six.at("edge").at("factor") == "5/12");
+  CHECK(six.at("certificate").at("upper").is_string());
   CHECK(six.at("stays_in_range") == true);
   CHECK(run("verify " + file).code == 0);
   std::string text = content(file);

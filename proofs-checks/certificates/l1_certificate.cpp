@@ -1,0 +1,89 @@
+#include "l1_certificate.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+using piecewise::ContractionTree;
+using piecewise::ResidualFactors;
+using piecewise::Row;
+
+/// The factors of all windows over their least common denominator.
+std::string leaf_line(const ResidualFactors& factors) {
+  Integer common = 1;
+  for (const Row& row : factors.of_window)
+    for (const Rational& factor : row) common = lcm(common, denominator(factor));
+  std::string line = "leaf " + common.str();
+  for (const Row& row : factors.of_window)
+    for (const Rational& factor : row) line += " " + numerator(factor * Rational(common)).str();
+  return line + "\n";
+}
+
+std::string tree_lines(const ContractionTree& tree) {
+  std::string lines = fmt::format("start {}\n", tree.start);
+  std::size_t seen = 0;  // leaves that were written out
+  for (const piecewise::ProofNode& node : tree.nodes) {
+    if (node.split)
+      lines += fmt::format("split {}\n", node.index);
+    else if (node.index < seen)
+      lines += fmt::format("again {}\n", node.index);
+    else
+      lines += leaf_line(tree.leaves[seen++]);
+  }
+  return lines;
+}
+
+/// -log2(number) / steps with 15 places, if it is positive and more than rounding leaves.
+std::optional<std::string> exponent_text(const Rational& number, int steps, Rounding rounding) {
+  if (number >= 1 || number <= 0) return std::nullopt;
+  const Enclosure logarithm = log_ratio(1 / number, 2);
+  const Rational end = (rounding == Rounding::down ? *logarithm.lower : *logarithm.upper) / steps;
+  const Rational unit = power(Rational(10), 15);
+  const Rational rounded = Rational(to_integer(end * unit, rounding)) / unit;
+  if (rounded <= 0) return std::nullopt;
+  return to_text(rounded);
+}
+
+std::string orbit_lines(const piecewise::Rule& rule, const piecewise::EdgeOrbit& orbit) {
+  Integer common = 1;
+  for (const Rational& value : orbit.values) common = lcm(common, denominator(value));
+  std::string lines = fmt::format("orbit 1 {} {}", orbit.offset, orbit.factor);
+  for (std::size_t i = 0; i < orbit.zeros; ++i) lines += " 0";
+  for (const Rational& value : orbit.values) lines += " " + numerator(value * Rational(common)).str();
+  lines += "\n";
+  for (const std::vector<std::size_t>& level : orbit.pieces) {
+    lines += "fits";
+    for (const std::size_t piece : level) {
+      lines += " ";
+      for (const int sign : rule.pieces[piece].signs) lines += sign > 0 ? '+' : sign < 0 ? '-' : '0';
+    }
+    lines += "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+Certificate contraction_certificate(const piecewise::Rule& rule, const piecewise::Contraction& contraction,
+                                    const std::optional<piecewise::EdgeOrbit>& edge) {
+  require(!contraction.trees.empty(), "certificate: need the trees of the contraction");
+  Certificate certificate;
+  certificate.claim.lower = exponent_text(contraction.bound, contraction.steps, Rounding::down);
+  certificate.claim.subject = L1Subject{
+      std::to_string(rule.points), std::to_string(rule.degree),
+      fmt::format("{},{},{}", contraction.steps, contraction.order, to_text(contraction.bound))};
+  for (const ContractionTree& tree : contraction.trees) certificate.sections.push_back({tree_lines(tree)});
+  if (edge && certificate.claim.lower) {
+    certificate.claim.upper = exponent_text(edge->factor, 1, Rounding::up);
+    certificate.sections.push_back({orbit_lines(rule, *edge)});
+  }
+  certificate.bounds = certificate.claim;
+  return certificate;
+}
+
+}  // namespace subcert

@@ -133,6 +133,7 @@ void add_gallery(Command& app);
 void add_compare(Command& app);
 void add_map(Command& app);
 void add_jsr(Command& app);
+void add_l1(Command& app);
 void add_verify(Command& app);
 void add_conjecture(Command& app);
 void add_merge(Command& app);

@@ -4,6 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
+#include <subcert/reports/facts/l1_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/reports/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -31,6 +32,18 @@ Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Dead
   return known.convergence;
 }
 
+/// Of the exact rule behind a scheme that acts on data.
+ExitCode analyze_l1(const AnalyzeOptions& options) {
+  if (!options.plot.empty() || !options.html.empty())
+    fail(ErrorKind::usage, "{}: pictures are of linear schemes, got {}", options.html.empty() ? "--plot" : "--html",
+         options.scheme);
+  const DataDependentScheme scheme = make_l1_scheme(options.scheme);
+  const data::LeastAbsoluteLimit limit = data::least_absolute_limit(points_of_curve(scheme), scheme.rules.degree,
+                                                                    {.deadline = Deadline::in(options.budget)});
+  options.answer(l1_facts(scheme, limit), 13);
+  return limit.converges.truth == Truth::unknown ? undecided : done;
+}
+
 ExitCode run(const AnalyzeOptions& options) {
   require_picture_name(options.plot);
   const std::string picture = options.html.empty() ? "--plot" : "--html";
@@ -40,6 +53,7 @@ ExitCode run(const AnalyzeOptions& options) {
     options.answer(family_facts(make_parametric_scheme(options.scheme)), 14);
     return done;
   }
+  if (is_l1_specification(options.scheme)) return analyze_l1(options);
   const Deadline deadline = Deadline::in(options.budget);
   const Scheme scheme = make_linear_scheme(options.scheme);
   require_drawable(options.plot, scheme);

@@ -89,8 +89,8 @@ void add_verify(Command& app) {
   command.option("FILE", options->files, "Certificates, or folders of them").required();
   command.option("--claim", options->claim,
                  "What is to be proved, as '1.99 <= primal:n=5 <= 2', '2 <= four-point:w for w=1/20..1/10', "
-                 "'radius FILE <= 3/2', '1 <= subradius FILE', or 'dd:n=2 = 4-log|[-4,1]@4,0,1/1000|^1/1 with |log "
-                 "h|^1', in place of what "
+                 "'radius FILE <= 3/2', '1 <= subradius FILE', 'contraction 1,1 of l1:points=6,d=1 <= 3/5', or "
+                 "'dd:n=2 = 4-log|[-4,1]@4,0,1/1000|^1/1 with |log h|^1', in place of what "
                  "the certificate says of itself");
   command.flag(
       "--print-claim", options->print_claim,

@@ -226,3 +226,31 @@ TEST_CASE("a certificate is asked for the claim that is stated") {
   CHECK(asked("1.618 <= radius " + matrices + " <= 1.6181").code == 0);
   CHECK(asked("radius " + matrices + " <= 1.618").code == 1);
 }
+
+TEST_CASE("contractions of fits of least absolute deviations are verified, stated and printed") {
+  const Folder folder;
+  const std::string file = folder / "l1.cert";
+  std::ofstream(file, std::ios::binary)
+      << "subcert-certificate 3\nl1 3 1\nbounds - -\ncontraction 1 1 1\nstart 0\nsplit 0\nleaf 8 -2 0 2\nagain 0\n"
+         "start 1\nsplit 0\nsplit 1\nleaf 8 -3 0 -5 5 0 3\nagain 0\nsplit 1\nagain 0\nagain 0\nend\n";
+  const std::string proved = file + ": VERIFIED |D^1 S^1 f| <= 1 |D^1 f| of least absolute deviations 3,1\n";
+  const auto asked = [&](const std::string& claim) { return run("verify " + file + " --claim '" + claim + "'"); };
+  CHECK(run("verify " + file).out == proved);
+  CHECK(run("verify --print-claim " + file).out == "--l1 3,1 --contraction 1,1,1 " + file + "\n");
+  CHECK(asked("contraction 1,1 of l1:points=3,d=1 <= 1").out == proved);
+  CHECK(asked("contraction 1,1 of l1:points=3,d=1 <= 0.9").code == 1);
+  CHECK(asked("contraction 2,1 of l1:points=3 <= 1").code == 1);
+  CHECK(asked("1/2 <= l1:points=3,d=1").code == 1);
+  CHECK(asked("1/2 <= l1:points=3,d=1 <= 1").code == 1);
+  for (const char* bad :
+       {"contraction 1,1 of l1:points=3", "contraction 1,1 l1:points=3 <= 1", "contraction 1,1 of dd:n=2 <= 1",
+        "1 <= contraction 1,1 of l1:points=3 <= 1", "contraction 1,1 of l1:points=3x3 <= 1",
+        "contraction 0,1 of l1:points=3 <= 1", "l1:points=3 <= 1"}) {
+    CAPTURE(bad);
+    CHECK(asked(bad).code == 64);
+  }
+  std::ofstream(file, std::ios::binary) << "subcert-certificate 3\nl1 3 1\nbounds - -\nstart 0\n";
+  const Run none = run("verify " + file);
+  CHECK(none.code == 65);
+  CHECK(none.err.find("line 4: expected contraction STEPS ORDER BOUND") != std::string::npos);
+}

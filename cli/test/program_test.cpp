@@ -100,7 +100,7 @@ TEST_CASE("verdicts have exit codes of their own") {
 }
 
 TEST_CASE("help names an example in every subcommand") {
-  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "range", "jsr", "verify", "limit",
+  for (const char* command : {"reproduce", "analyze", "mask", "regularity", "range", "jsr", "l1", "verify", "limit",
                               "variance", "refine", "smooth", "experiment", "completion"}) {
     const Run result = run(std::string(command) + " --help");
     CAPTURE(command);
@@ -138,7 +138,7 @@ TEST_CASE("every option that takes a number refuses what is not one, or not fini
   };
   const std::string help = run("--help").out;
   std::size_t tried = 0;
-  for (const std::string& command : words(help.substr(help.find("Subcommands:")), "\n  ([a-z]+) "))
+  for (const std::string& command : words(help.substr(help.find("Subcommands:")), "\n  ([a-z0-9]+) "))
     for (const std::string& option : words(run(command + " --help").out, "\n  (--[a-z-]+) (?:INT|UINT|FLOAT|NUMBER)"))
       for (const char* value : {"nan", "inf", "-inf", "1e999", "''", "-nan", "0x1p3", "1,5"}) {
         const Run result = run(command + " " + option + " " + value);

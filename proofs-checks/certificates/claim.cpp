@@ -3,9 +3,11 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <string_view>
@@ -16,6 +18,7 @@ namespace {
 constexpr std::size_t longest_head = 2'000'000;  // characters in which the first four lines end
 constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
+constexpr std::string_view contracts = "contraction ";
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -36,8 +39,17 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'",
+       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "or "
+       "contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
+}
+
+/// Of one variable.
+L1Subject l1_subject(const std::string& scheme) {
+  const L1Scheme rule = make_l1_scheme(scheme).rules;
+  if (rule.points.size() > 1) fail(ErrorKind::usage, "--claim: {} is no rule of one variable", scheme);
+  return {std::to_string(rule.points[0]), std::to_string(rule.degree)};
 }
 
 ClaimSubject stated_subject(const std::string& subject) {
@@ -49,11 +61,28 @@ ClaimSubject stated_subject(const std::string& subject) {
     return MaskSubject{family.mask.to_text(family.parameter), std::to_string(family.mask.arity()),
                        trimmed(subject.substr(at + range.size()))};
   }
+  if (is_l1_specification(subject)) return l1_subject(subject);
   const Scheme scheme = make_linear_scheme(subject);
   if (scheme.mask.dimension() > 1) return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text()};
   if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
   return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};
+}
+
+/// `contraction STEPS,ORDER of SCHEME <= BOUND`, if the claim is one.
+std::optional<CertificateClaim> stated_contraction(const std::string& words) {
+  constexpr std::string_view of = " of ";
+  const std::vector<std::string> parts = parts_of(words);
+  if (!parts[0].starts_with(contracts)) return std::nullopt;
+  const std::size_t at = parts[0].find(of);
+  const std::optional<Rational> bound = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+  if (!bound || at == std::string::npos) refuse(words);
+  L1Subject subject = l1_subject(trimmed(parts[0].substr(at + of.size())));
+  subject.contraction = fmt::format("{},{}", trimmed(parts[0].substr(contracts.size(), at - contracts.size())),
+                                    to_text(*bound));
+  CertificateClaim claim;
+  claim.subject = subject;
+  return claim;
 }
 
 /// A power of a logarithm.
@@ -73,6 +102,7 @@ struct SubjectLine {
   std::string operator()(const FamilySubject& of) const {
     return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
   }
+  std::string operator()(const L1Subject& of) const { return fmt::format("l1 {} {}", of.points, of.degree); }
 };
 
 ClaimSubject read_subject(const std::string& line, const std::string& file) {
@@ -85,12 +115,14 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "exponent") return MaskSubject{first, second, more};
   if (kind == "surface") return SurfaceSubject{first, second};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
-  fail(ErrorKind::data, "{}, line 2: expected exponent, surface, radius or subradius", file);
+  if (kind == "l1") return L1Subject{first, second};
+  fail(ErrorKind::data, "{}, line 2: expected exponent, surface, radius, subradius or l1", file);
 }
 
-/// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, and
-/// of roughness.
+/// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of
+/// roughness, and of a contraction.
 bool may_lack_lower(const CertificateClaim& claim) {
+  if (std::holds_alternative<L1Subject>(claim.subject)) return true;
   const auto* mask = std::get_if<MaskSubject>(&claim.subject);
   if (!claim.upper) return mask != nullptr;
   return claim.says_rough() || (mask && !mask->range.empty()) || std::holds_alternative<FamilySubject>(claim.subject);
@@ -111,6 +143,11 @@ struct SubjectArguments {
   std::vector<std::string> operator()(const FamilySubject& of) const {
     return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};
   }
+  std::vector<std::string> operator()(const L1Subject& of) const {
+    std::vector<std::string> arguments{"--l1", of.points + "," + of.degree};
+    if (!of.contraction.empty()) arguments.insert(arguments.end(), {"--contraction", of.contraction});
+    return arguments;
+  }
 };
 
 }  // namespace
@@ -119,10 +156,16 @@ std::string head_text(const CertificateClaim& claim) {
   const std::string head = fmt::format("subcert-certificate 3\n{}\nbounds {} {}\n",
                                        std::visit(SubjectLine{}, claim.subject), claim.lower.value_or("-"),
                                        claim.upper.value_or("-"));
+  if (const auto* rule = std::get_if<L1Subject>(&claim.subject)) {
+    std::string fields = rule->contraction;
+    std::replace(fields.begin(), fields.end(), ',', ' ');
+    return fmt::format("{}{}{}\n", head, contracts, fields);
+  }
   return claim.exact ? fmt::format("{}{}{}\n", head, is_exactly, *claim.exact) : head;
 }
 
 CertificateClaim stated_claim(const std::string& words) {
+  if (const auto contraction = stated_contraction(words)) return *contraction;
   const std::vector<std::string> parts = parts_of(words);
   // One part is the subject; of two, the first is a number or the second is.
   const auto number = [](const std::string& text) { return parse_number(text); };
@@ -161,6 +204,12 @@ CertificateClaim read_claim(const std::string& text, const std::string& file) {
   claim.subject = read_subject(subject, file);
   if (lower != "-") claim.lower = lower;
   if (upper != "-") claim.upper = upper;
+  if (auto* rule = std::get_if<L1Subject>(&claim.subject)) {
+    if (!exact.starts_with(contracts))
+      fail(ErrorKind::data, "{}, line 4: expected contraction STEPS ORDER BOUND", file);
+    rule->contraction = exact.substr(contracts.size());
+    std::replace(rule->contraction.begin(), rule->contraction.end(), ' ', ',');
+  }
   if (exact.starts_with(is_exactly)) claim.exact = exact.substr(is_exactly.size());
   if (!claim.lower && !claim.exact && !may_lack_lower(claim))
     fail(ErrorKind::data, "{}, line 3: expected a bound, as no claim of this kind has 'bounds {} {}'", file, lower,

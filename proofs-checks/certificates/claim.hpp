@@ -22,7 +22,12 @@ struct FamilySubject {
   std::string count, size;                   ///< empty where the claim is stated about a file
   std::optional<std::string> matrices = {};  ///< the file of the matrices, where it is not beside the certificate
 };
-using ClaimSubject = std::variant<MaskSubject, SurfaceSubject, FamilySubject>;
+/// Fits of least absolute deviations.
+struct L1Subject {
+  std::string points, degree;
+  std::string contraction = {};  ///< STEPS,ORDER,BOUND, or empty; not empty in a certificate
+};
+using ClaimSubject = std::variant<MaskSubject, SurfaceSubject, FamilySubject, L1Subject>;
 
 /// Decimals with 15 places, more for tiny numbers, rounded outward; an upper end `C2` says that limits are not C^2.
 struct ClaimedEnds {
@@ -40,7 +45,7 @@ struct CertificateClaim : ClaimedEnds {
   std::optional<int> logarithm = {};
 };
 
-/// The first lines of a certificate, up to what the number is.
+/// The first lines of a certificate, up to what the number is, or the contraction.
 std::string head_text(const CertificateClaim& claim);
 
 /// What the text of a certificate says it proves. `file`: the name by which errors call it. Errors: throws a data error
@@ -51,6 +56,8 @@ CertificateClaim read_claim(const std::string& text, const std::string& file);
 /// number as in SPEC.md, section 1. SUBJECT is a scheme, whose exponent is meant; a family with a parameter, as
 /// `four-point:w for w=1/100..19/100`; or `radius FILE` or `subradius FILE`, of the matrices in that file. LOWER and
 /// UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer shifts are stable.
+/// Of `l1:points=6,d=1` the rule of least absolute deviations is meant; `LOWER <= SUBJECT [<= UPPER]` is about its limits,
+/// `contraction STEPS,ORDER of SUBJECT <= UPPER` about differences.
 /// Errors: throws a usage error for another text, and for a scheme with rounded coefficients, of which a claim needs
 /// the distance.
 CertificateClaim stated_claim(const std::string& words);

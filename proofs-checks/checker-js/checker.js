@@ -2051,6 +2051,252 @@ var check_certificate = (() => {
     prove(reader, read_differences(reader, transition, rules, den), {below: at_most(fraction(1n), true)});
   }
 
+  // ---- 4.16: fits of least absolute deviations ----------------------------------------------------------------------
+  const choose = (n, k) => range_of(k).reduce((result, i) => result * (n - i) / (i + 1), 1);
+  function read_l1(text) {
+    const parts = text.split(',');
+    demand(parts.length === 2, 'a rule of least absolute deviations is N,DEGREE');
+    const points = small(parts[0], 2, 16), degree = small(parts[1], 0, points - 2);
+    demand(choose(points, degree + 1) * 2 ** (points - degree - 1) <= 2 ** 18,
+           'a rule with more signs than the checker allows');
+    return {points, degree};
+  }
+  function read_contraction(fields, {degree}) {
+    demand(fields.length === 3, 'a contraction is STEPS, ORDER and BOUND');
+    const steps = small(fields[0], 1, 8), order = small(fields[1], 1, degree + 1), bound = rational(fields[2]);
+    demand(bound.n >= 0n, 'the bound of a contraction is negative');
+    return {steps, order, bound};
+  }
+  // The vertices of U: each is found from signs of all places but degree + 1, by the Lagrange polynomials of those. All
+  // numbers are below 2^53.
+  function l1_vertices({points, degree}) {
+    const found = new Set(), places = range_of(points);
+    spend(choose(points, degree + 1) * 2 ** (points - degree - 1) * 2);
+    const visit = (basis, from) => {
+      if (basis.length <= degree) {
+        for (let r = from; r < points; ++r) visit([...basis, r], r + 1);
+        return;
+      }
+      const others = places.filter(r => !basis.includes(r));
+      const lagrange = (b, x) => basis.reduce((product, c) => c === b ? product : product * (x - c), 1);
+      const inner = basis.map(b => ({b, at: lagrange(b, b), values: others.map(r => lagrange(b, r))}));
+      for (let signs = 0; signs < 2 ** others.length; ++signs) {
+        const u = others.map((_, k) => signs >> k & 1 ? 1 : -1);
+        const vertex = Array(points);
+        others.forEach((r, k) => { vertex[r] = u[k] > 0 ? '+' : '-'; });
+        if (inner.every(({b, at, values}) => {
+          const ratio = -values.reduce((total, value, k) => total + u[k] * value, 0) * Math.sign(at);
+          vertex[b] = ratio === Math.abs(at) ? '+' : ratio === -Math.abs(at) ? '-' : '0';
+          return Math.abs(ratio) <= Math.abs(at);
+        })) found.add(vertex.join(''));
+      }
+    };
+    visit([], 0);
+    return [...found].sort();
+  }
+  const is_full = (vertex, {degree}) => vertex.split('0').length === degree + 2;
+  const l1_position = (points, r) => BigInt(4 * r - 2 * (points - 1));  // in quarters of the spacing
+  // The polynomial through the data where the vertex has 0, and through the data plus 1 at the first other places
+  function l1_fit(vertex, data, degree) {
+    const places = range_of(vertex.length), at = r => l1_position(vertex.length, r);
+    const nodes = [...places.filter(r => vertex[r] === '0').map(r => [r, data[r]]),
+                   ...places.filter(r => vertex[r] !== '0').map(r => [r, plus(data[r], 1n)])].slice(0, degree + 1);
+    return x => nodes.reduce((total, [r, y]) => {
+      spend(100 * nodes.length, bits(y.n), bits(y.d));
+      return reduced(plus(total, nodes.reduce(
+        (term, [c]) => c === r ? term : over(times(term, x - at(c)), at(r) - at(c)), y)));
+    }, fraction(0n));
+  }
+  // The tree of a difference: D^order f at the place `start` of level `steps`
+  class CellTree {
+    constructor(reader, rule, vertices, contraction, start) {
+      const {points, degree} = rule;
+      Object.assign(this, {reader, points, degree, vertices, ...contraction, start, leaves: [], kept: 0});
+      this.levels = [];  // the windows of each: first, last, and the number of the first one in the order of all
+      for (let low = start, high = start + this.order, level = this.steps; level-- > 0; high += points - 1) {
+        [low, high] = [Math.floor(low / 2), Math.floor(high / 2)];
+        this.levels[level] = {low, high};
+      }
+      this.level_of = [];
+      this.levels.forEach((level, k) => {
+        level.number = this.level_of.length;
+        for (let i = level.low; i <= level.high; ++i) this.level_of.push(k);
+      });
+      this.cell = Array(this.level_of.length).fill(null);
+      this.full = vertex => is_full(vertex, rule);
+      this.powers = range_of(points).map(r => range_of(degree + 1).map(k => l1_position(points, r) ** BigInt(k)));
+    }
+    node() {
+      const word = this.reader.peek();
+      if (word === 'split') this.split();
+      else if (word === 'again') this.again();
+      else if (word === 'thin') this.thin();
+      else this.leaf();
+    }
+    split() {
+      const w = small(this.reader.read('split', 1)[0], 0, this.cell.length - 1);
+      demand(!this.cell[w], 'a window is split twice');
+      for (const vertex of this.vertices) {
+        this.cell[w] = vertex;
+        this.node();
+      }
+      this.cell[w] = null;
+    }
+    again() {
+      const number = integer(this.reader.read('again', 1)[0]);
+      demand(number >= 0n && number < BigInt(this.leaves.length), 'there is no leaf of that number yet');
+      this.check_signs(this.leaves[Number(number)]);
+    }
+    leaf() {
+      const [scale_token, ...tokens] = this.reader.read('leaf', this.cell.length * this.points + 1);
+      const scale = integer(scale_token);
+      demand(scale > 0n, 'a denominator must be positive');
+      const multipliers = this.multipliers(tokens);
+      demand((this.kept += multipliers.length) <= 2 ** 22, too_much_work);
+      this.check_signs(multipliers);
+      let form = this.form_on_data(multipliers, scale);
+      for (let i = 0; i < this.order; ++i) {
+        let total = 0n;
+        form = form.map(x => total += x);
+      }
+      const {n, d} = this.bound;
+      demand(norm(form) * d <= n * scale, 'the multipliers of a leaf do not prove the bound');
+      this.leaves.push(multipliers);
+    }
+    thin() {
+      const multipliers = this.multipliers(this.reader.read('thin', this.cell.length * this.points));
+      this.check_signs(multipliers);
+      demand(this.form_on_data(multipliers, 0n).every(x => !x), 'the residuals of a thin cell do not sum to 0');
+      demand(this.vertices.every(this.full) || multipliers.every(({w}) => this.level_of[w] < 2),
+             'a cell that is thin from level 2 on, and a degenerate vertex');
+      const strict = multipliers.filter(({w, r}) => this.cell[w][r] !== '0');
+      demand(strict.some(({w}) => this.level_of[w] === 0) || this.is_residual(strict),
+             'no inequality of a thin cell is shown to be one');
+    }
+    multipliers(tokens) {  // those that are not 0
+      spend(tokens.length / 2);
+      const result = [];
+      tokens.forEach((token, k) => {
+        if (token === '0') return;
+        const value = integer(token), w = Math.floor(k / this.points), r = k % this.points;
+        spend(this.degree + 1, bits(value), 64);
+        result.push({w, r, value});
+      });
+      return result;
+    }
+    check_signs(multipliers) {
+      spend(1 + multipliers.length / 2);
+      for (const {w, r, value} of multipliers) {
+        demand(this.cell[w], 'a multiplier of a window that was not split');
+        const c = this.cell[w][r];
+        demand(c === '0' || (c === '+') === (value > 0n), 'a multiplier has the wrong sign');
+      }
+    }
+    // What is left of the difference, times the scale, when the fits are replaced from the last level to the first
+    form_on_data(multipliers, scale) {
+      let value = new Map(), k = multipliers.length;  // coefficients of the data of a level
+      for (let i = 0; i <= this.order; ++i)
+        value.set(this.start + i, scale * BigInt((this.order - i) % 2 ? -choose(this.order, i) : choose(this.order, i)));
+      for (let level = this.steps - 1; level >= 0; --level) {
+        const {low, high, number} = this.levels[level], next = new Map();
+        const moments = range_of(high - low + 1).map(() => Array(this.degree + 1).fill(0n));
+        for (; k && multipliers[k - 1].w >= number; --k) {
+          const {w, r, value: multiplier} = multipliers[k - 1], i = w - number;
+          next.set(low + i + r, (next.get(low + i + r) || 0n) + multiplier);
+          this.powers[r].forEach((x, j) => { moments[i][j] += multiplier * x; });
+        }
+        spend(moments.length * (this.degree + 1) / 2);
+        moments.forEach((all, i) => {
+          const left = value.get(2 * (low + i)) || 0n, right = value.get(2 * (low + i) + 1) || 0n;
+          demand(all.every((x, j) => x === (j % 2 ? right - left : right + left)),
+                 'the multipliers of a window do not take its fit away');
+        });
+        value = next;
+      }
+      const {low, high} = this.levels[0];
+      return range_of(high - low + this.points).map(m => value.get(low + m) || 0n);
+    }
+    // Whether one of these residuals, of windows with full vertices, is not 0 at the point of Theorem 36
+    is_residual(strict) {
+      const {low} = this.levels[0], known = new Map();  // [level, place] -> value
+      const data_of = (level, i) => range_of(this.points).map(r => level ? known.get(`${level} ${i + r}`)
+                                                                     : fraction(1009n ** BigInt(i + r - low)));
+      return this.levels.some((one, level) => range_of(one.high - one.low + 1).some(k => {
+        const vertex = this.cell[one.number + k], i = one.low + k, data = data_of(level, i);
+        if (!vertex || data.includes(undefined)) return false;
+        const fit = l1_fit(vertex, data, this.degree);
+        [fit(-1n), fit(1n)].forEach((y, e) => known.set(`${level + 1} ${2 * i + e}`, y));
+        return this.full(vertex) && strict.some(({w, r}) => w === one.number + k && minus(data[r], fit(l1_position(this.points, r))).n);
+      }));
+    }
+  }
+  function refined(reader, l1, vertices, values) {  // the next level of an orbit
+    const {points, degree} = l1, count = values.length - points + 1;
+    demand(2 * count <= 4096, too_much_work);
+    return reader.read('fits', count).flatMap((vertex, i) => {
+      demand(vertices.has(vertex) && is_full(vertex, l1), 'a fit is not that of a full vertex');
+      const data = values.slice(i, i + points), fit = l1_fit(vertex, data, degree);
+      data.forEach((y, r) => {
+        const residual = sign(minus(y, fit(l1_position(points, r))));
+        demand(vertex[r] === '0' || residual === 0 || (vertex[r] === '+') === (residual > 0),
+               'a residual has not the sign of the vertex');
+      });
+      return [fit(-1n), fit(1n)];
+    });
+  }
+  function has_run(values, length) {  // of one sign
+    let run = 0, last = 0;
+    return values.map(sign).some(now => {
+      run = now && now === last ? run + 1 : now ? 1 : 0;
+      last = now;
+      return run >= length;
+    });
+  }
+  // Values that are met again, times the factor, after some steps, with a limit that is not 0
+  function read_orbit(reader, l1) {
+    demand(l1.degree < 2, 'an orbit of fits of a degree above 1 proves nothing');
+    const length = 2 * l1.points - 1, fields = reader.read('orbit', 3 + length, 3 + 4096);
+    const steps = small(fields[0], 1, 8), factor = rational(fields[2]), power_of_2 = /^10*$/;
+    let place = small(fields[1], 0, 4096);
+    demand(abs(factor.n) !== 1n || !power_of_2.test(factor.d.toString(2)), 'the factor of an orbit is a power of 1/2');
+    const levels = [fields.slice(3).map(token => fraction(integer(token)))], vertices = new Set(l1_vertices(l1));
+    for (let level = 1; level <= steps || reader.peek() === 'fits'; ++level) {
+      const now = refined(reader, l1, vertices, levels[level - 1]);
+      levels.push(now);
+      if (level < steps) continue;
+      const before = levels[level - steps];
+      demand(place + before.length <= now.length, 'the values of an orbit are met again outside of what is known');
+      spend(before.length);
+      demand(before.every((x, i) => !minus(now[place + i], times(factor, x)).n), 'the values of an orbit are not met again');
+      place *= 2;
+    }
+    demand(has_run(levels[levels.length - 1], length), 'an orbit has too few values of one sign next to each other');
+    return {steps, factor};
+  }
+  function check_l1(reader, {l1, lower, upper, contraction}) {
+    const proved = read_contraction(reader.read('contraction', 3), l1), vertices = l1_vertices(l1);
+    const {steps, order, bound} = proved, starts = 2 ** steps;
+    for (let start = 0; start < starts; ++start) {
+      const mirror = 2 * l1.points - 3 - order - start, rest = (mirror % starts + starts) % starts;
+      if (start > rest) continue;
+      reader.read(`start ${start}`);
+      new CellTree(reader, l1, vertices, proved, start).node();
+    }
+    demand(!contraction || (contraction.steps === steps && contraction.order === order &&
+                            contraction.bound.n === bound.n && contraction.bound.d === bound.d),
+           'the claim is about another contraction');
+    if (lower) {
+      const exponent = times(lower, BigInt(steps));
+      check_ends(exponent, null, 1);
+      demand(!less(power_below(2n, minus(0n, exponent)), bound), 'the contraction does not prove the lower end');
+    }
+    if (!upper && reader.peek() !== 'orbit') return;
+    demand(less(bound, 1n), 'an orbit proves nothing where no limits are proved');
+    const orbit = read_orbit(reader, l1), exponent = upper && times(upper, BigInt(orbit.steps));
+    check_ends(null, exponent, 0);
+    demand(!upper || !less(abs_of(orbit.factor), over(1n, power_below(2n, exponent))), 'the orbit does not prove the upper end');
+  }
+
   // ---- The claim and the command line -------------------------------------------------------------------------------
   const usage = `usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE
        subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'
@@ -2062,6 +2308,9 @@ var check_certificate = (() => {
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
+       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
+                     to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents of
+                     limits)
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
@@ -2070,8 +2319,8 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'subradius', 'lower',
-                   'upper', 'exact', 'logarithm'];
+    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'subradius', 'l1',
+                   'contraction', 'lower', 'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2091,13 +2340,16 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       none('mask', 'arity', 'for', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
-    demand(has('FILE') && (curve || surface || family), usage);
+    const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
+      none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
+    demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: curve ? check_curve : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : curve ? check_curve : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
     const {options, rough, kind} = read_options(words);
+    if (kind === check_l1) return read_l1_claim(options);
     const claim = {options, kind, lower: options.lower === undefined ? null : rational(options.lower), upper: null};
     if (kind === check_radius) claim.of_family = {what: 'radius', file: options.matrices};
     if (kind === check_subradius) claim.of_family = {what: 'subradius', file: options.subradius};
@@ -2119,6 +2371,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     }
     return claim;
   }
+  function read_l1_claim(options) {
+    const l1 = read_l1(options.l1), lower = options.lower === undefined ? null : rational(options.lower);
+    const contraction =
+      options.contraction === undefined ? null : read_contraction(options.contraction.split(','), l1);
+    const upper = options.upper === undefined ? null : rational(options.upper);
+    return {options, kind: check_l1, l1, contraction, lower, upper, head: `l1 ${l1.points} ${l1.degree}`};
+  }
   function read_range(text, claim) {
     const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/s.exec(text) || [];
     const form = 'a range is w=LOW..HIGH with rationals LOW < HIGH';
@@ -2135,8 +2394,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     demand(sign(rounding.eps) > 0, form);
     return rounding;
   }
+  const number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
+  function text_of_l1({options, contraction, lower, upper}) {
+    const {steps, order, bound} = contraction || {};
+    return [lower && `${number(lower)} <= Hoelder exponent${upper ? ` <= ${number(upper)}` : ''}`,
+            contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
+      ` of least absolute deviations ${options.l1}`;
+  }
   function text_of({options, of_family, lower, upper, rough, interval}) {
-    const relation = interval ? ' < ' : ' <= ', number = x => x.d === 1n ? `${x.n}` : `${x.n}/${x.d}`;
+    const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
     const exact = options.exact !== undefined, power =
       options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
@@ -2173,7 +2439,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    claim.exact = read_root(reader, claim);
+    claim.exact = claim.l1 ? null : read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }
@@ -2216,7 +2482,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     } catch (error) {
       return {exit: 1, line: `REJECTED ${reason(error)}, line ${reader.line}`};
     }
-    return {exit: 0, line: `VERIFIED ${text_of(claim)}`};
+    return {exit: 0, line: `VERIFIED ${(claim.l1 ? text_of_l1 : text_of)(claim)}`};
   };
 })();
 

@@ -4,6 +4,7 @@
 
 #include "attained.hpp"
 #include "graph.hpp"
+#include "least_absolute.hpp"
 #include "parameter.hpp"
 #include "quadratic.hpp"
 #include "rounding.hpp"
@@ -35,7 +36,8 @@ std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool expo
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
 /// family or its subradius. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k =
-/// `rough`. Without any of them: the shifts are stable.
+/// `rough`. Without any of them: the shifts are stable. Or about fits of least absolute deviations: that differences
+/// contract, or that limits have an exponent.
 struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
@@ -50,6 +52,8 @@ struct Claim {
   std::size_t exact_order = 0;
   std::string exact_text;
   std::optional<std::size_t> logarithm;
+  std::optional<L1Rule> l1;
+  std::optional<Contraction> contraction;
   std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
 };
 
@@ -69,9 +73,11 @@ class Checker {
       parse_size(bounds[1].substr(1), 1, 500);
     else if (bounds[1] != "-")
       parse_rational(bounds[1]);
-    if (claim_.exact || reader_.at("exact")) read_exact();
+    if (claim_.exact || (!claim_.l1 && reader_.at("exact"))) read_exact();
     if (claim_.subradius)
       read_subradius(claim_.family, {claim_.lower, claim_.upper, exact_}, reader_, arithmetic_);
+    else if (claim_.l1)
+      read_l1();
     else
       read_proof();
     reader_.take("end", 0, 0);
@@ -90,6 +96,20 @@ class Checker {
       show_attained(claim_.mask);
       if (of_scheme_) show_convergence(of_scheme_(), 1, false);
     }
+  }
+
+  /// Section 4.16: the contraction of the claim, or one by which limits have the exponent of the claim.
+  void read_l1() {
+    const Contraction proved = read_contraction(*claim_.l1, reader_, arithmetic_);
+    require(!claim_.contraction || *claim_.contraction == proved, "the claim is about another contraction");
+    if (claim_.lower)
+      require(proved.bound <= power_of_exponent(2, *claim_.lower * mpz_class(proved.steps)),
+              "the contraction does not prove the lower end");
+    if (!claim_.upper && !reader_.at("orbit")) return;
+    require(proved.bound < 1, "an orbit proves nothing where no limits are proved");
+    const L1Orbit orbit = read_orbit(*claim_.l1, reader_, arithmetic_);
+    require(!claim_.upper || abs(orbit.factor) >= 1 / power_of_upper(2, *claim_.upper * mpz_class(orbit.steps)),
+            "the orbit does not prove the upper end");
   }
 
   /// Section 4.10: the number that the joint spectral radius is said to be.
@@ -228,22 +248,29 @@ class Checker {
     return family;
   }
 
+  /// At most base^-exponent, for a lower end of an exponent.
+  mpq_class power_of_exponent(unsigned base, const mpq_class& lower) const {
+    require(lower > 0 || (claim_.range && lower == 0), "the lower end of an exponent must be positive");
+    require(lower <= most_exponent, "the lower end of an exponent is too large");
+    const mpz_class whole = lower.get_num() / lower.get_den() + 1;
+    return power_lower(base, whole - lower) / power(base, whole.get_ui());
+  }
+
+  /// At most base^exponent, for an upper end.
+  static mpq_class power_of_upper(unsigned base, const mpq_class& upper) {
+    require(upper >= 0 && upper <= most_exponent, "an exponent is negative or too large");
+    return power_lower(base, upper);
+  }
+
   /// An exponent s of a scheme of this order m of sum rules says JSR^root = factor * base^-s, provided that s < m.
   void show_exponent(unsigned base, const mpq_class& factor, std::size_t order) {
     lower_.reset();
     upper_.reset();
     above_ = factor / power(base, order);
     if (claim_.lower) {
-      const mpq_class& lower = *claim_.lower;
-      require(lower > 0 || (claim_.range && lower == 0), "the lower end of an exponent must be positive");
-      require(lower <= most_exponent, "the lower end of an exponent is too large");
-      const mpz_class whole = lower.get_num() / lower.get_den() + 1;
-      upper_ = factor * power_lower(base, whole - lower) / power(base, whole.get_ui());
+      upper_ = factor * power_of_exponent(base, *claim_.lower);
     }
-    if (claim_.upper) {
-      require(*claim_.upper >= 0 && *claim_.upper <= most_exponent, "an exponent is negative or too large");
-      lower_ = factor / power_lower(base, *claim_.upper);
-    }
+    if (claim_.upper) lower_ = factor / power_of_upper(base, *claim_.upper);
   }
 
   /// The radius is below that of no exponent and above that of as many derivatives as there are sum rules.
@@ -541,6 +568,11 @@ constexpr const char* usage =
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
+    "       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree "
+    "D\n"
+    "                     to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents "
+    "of\n"
+    "                     limits)\n"
     "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to "
     "the\n"
     "                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: "
@@ -555,8 +587,9 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices",
-                           "--subradius", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+  for (const char* name :
+       {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices", "--subradius", "--l1",
+        "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -586,8 +619,39 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
   claim.subject = mask + " with " + kind + " " + scale;
 }
 
+/// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
+Claim read_l1_claim(Options& given) {
+  const auto &l1 = given["--l1"], &contraction = given["--contraction"], &lower = given["--lower"],
+             &upper = given["--upper"], &file = given["FILE"];
+  const auto count = std::count_if(given.begin(), given.end(), [](const auto& option) { return option.second; });
+  require(l1 && file && (contraction || lower) && (lower || !upper) &&
+              count == 2 + contraction.has_value() + lower.has_value() + upper.has_value(),
+          usage);
+  Claim claim;
+  claim.file = *file;
+  claim.l1 = parse_l1_rule(*l1);
+  claim.head = "l1 " + std::to_string(claim.l1->points) + " " + std::to_string(claim.l1->degree);
+  if (lower) {
+    claim.lower = parse_rational(*lower);
+    claim.text = claim.lower->get_str() + " <= Hoelder exponent";
+  }
+  if (upper) {
+    claim.upper = parse_rational(*upper);
+    claim.text += " <= " + claim.upper->get_str();
+  }
+  if (contraction) {
+    claim.contraction = parse_contraction(split(*contraction, ","), *claim.l1);
+    const std::string difference = "|D^" + std::to_string(claim.contraction->order);
+    claim.text += (lower ? " and " : "") + difference + " S^" + std::to_string(claim.contraction->steps) +
+                  " f| <= " + claim.contraction->bound.get_str() + " " + difference + " f|";
+  }
+  claim.text += " of least absolute deviations " + *l1;
+  return claim;
+}
+
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
+  if (given["--l1"] || given["--contraction"]) return read_l1_claim(given);
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
              &surface = given["--surface"], &dilation = given["--dilation"], &radius = given["--matrices"],
              &subradius = given["--subradius"], &matrices = subradius ? subradius : radius, &lower = given["--lower"],

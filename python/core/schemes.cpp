@@ -3,6 +3,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
+#include <subcert/reports/facts/l1_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -16,6 +17,15 @@ std::string analysis_of(const Scheme& scheme, int levels, double budget, const p
   return interruptible(progress, [&] {
     const facts::Analysis known = facts::analysis(scheme, {{levels, Deadline::in(budget)}});
     return page_json(facts::scheme_facts(scheme, known)).dump();
+  });
+}
+
+std::string l1_analysis_of(const DataDependentScheme& scheme, int steps, int order, double budget,
+                           const py::object& progress) {
+  return interruptible(progress, [&] {
+    const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
+        facts::points_of_curve(scheme), scheme.rules.degree, {steps, order, Deadline::in(budget), false});
+    return page_json(facts::l1_facts(scheme, limit)).dump();
   });
 }
 
@@ -61,6 +71,7 @@ void add_schemes(py::module_& module) {
   module.def("multivariate_families", [] { return help_of(multivariate_families()); });
   module.def("facts", &facts_of);
   module.def("analyze", &analysis_of);
+  module.def("analyze_l1", &l1_analysis_of);
   module.def("remaining_factor", &remaining_factor);
   module.def("symbol_text", [](const LaurentPolynomial& symbol) { return symbol.to_text(); });
   module.def("symbol_latex", [](const LaurentPolynomial& symbol) { return symbol.to_latex(); });

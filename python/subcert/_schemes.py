@@ -390,6 +390,17 @@ class DataDependentScheme(Named):
     def dimension(self) -> int:
         return self._handle.dimension
 
+    def analyze(self, steps: int = 0, order: int = 0, budget: float = 60, progress: Progress = None) -> dict[str, Any]:
+        """The page of `subcert l1 --json`: what is proved of the exact rule behind a scheme of curves.
+
+        Raises UsageError for schemes of grids.
+
+        >>> import subcert
+        >>> subcert.scheme("l1:points=6").analyze()["contraction"]["bound"]
+        '3/5'
+        """
+        return json.loads(_core.analyze_l1(self._handle, steps, order, budget, progress))
+
 
 AnyScheme = Union[Scheme, MultivariateScheme, DataDependentScheme]
 

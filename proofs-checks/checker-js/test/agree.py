@@ -29,6 +29,8 @@ def claims_of(options):
     for option in ("--matrices", "--subradius"):
         if option in values:
             values[option] = str(directory / values[option])
+    if "--contraction" in values and chance.randrange(2):
+        del values["--contraction"]
     subject = [word for pair in values.items() for word in pair]
     rough = upper is not None and upper.startswith("C")
     ends = [(lower, upper), (lower, None), (None, upper), (None, None)]

@@ -16,6 +16,7 @@ from pathlib import Path
 import cycle_cases
 import edge_cases
 import graph_cases
+import l1_cases
 import make_surfaces
 import single_cases
 import subradius_cases
@@ -669,7 +670,7 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
-    modules = edge_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases
+    modules = edge_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases
     for name, family in [case for module in modules for case in module.MATRICES]:
         write_matrices(name, family)
     for name, options, lines in [case for module in modules for case in module.ACCEPTED]:

@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -26,7 +27,7 @@ constexpr double max_seconds = 150;
 constexpr double max_seconds = 5;  // of the processor, for one claim
 #endif
 
-/// A claim that a certificate with these lines `exact` and `root` might prove.
+/// A claim that a certificate with these lines `exact`, or `contraction`, and `root` might prove.
 struct ExactClaim {
   Claim claim;
   std::string exact, root;
@@ -80,6 +81,17 @@ std::string with_other_root(const std::string& root, const mpq_class& factor) {
   return join(fields);
 }
 
+/// The bounds of contractions are attained, all but those that are said with an exponent of more steps than one.
+void add_contraction(const Claim& subject, Case& c) {
+  const auto at = std::find(subject.begin(), subject.end(), "--contraction");
+  if (at == subject.end()) return;
+  std::vector<std::string> fields = split(at[1], ',');
+  fields[2] = mpq_class(mpq_class(fields[2]) * mpq_class("999999999999/1000000000000")).get_str();
+  Claim smaller{subject.begin(), at};
+  smaller.insert(smaller.end(), {"--contraction", join(fields, ',')});
+  c.false_numbers.push_back({smaller, "contraction " + join(fields), {}});
+}
+
 std::vector<Case> read_cases(const std::string& directory) {
   std::vector<Case> cases;
   std::ifstream list(directory + "/claims.txt");
@@ -91,7 +103,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     std::optional<mpq_class> lower, upper;
     std::optional<int> rough;  // no derivatives of this order
     std::optional<std::string> exact, logarithm;
-    bool exponent = false, is_range = false;
+    bool exponent = false, is_range = false, is_l1 = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
       is_range = is_range || option == "--for";
@@ -100,9 +112,10 @@ std::vector<Case> read_cases(const std::string& directory) {
       else if (option == "--upper")
         upper = mpq_class(value);
       if (option == "--exact") exact = value;
+      is_l1 = is_l1 || option == "--l1";
       if (option == "--logarithm") logarithm = value;
       if (option == "--lower" || option == "--upper" || option == "--exact" || option == "--logarithm") continue;
-      exponent = exponent || option == "--mask" || option == "--surface";
+      exponent = exponent || option == "--mask" || option == "--surface" || option == "--l1";
       subject.insert(subject.end(),
                      {option, option == "--matrices" || option == "--subradius" ? directory + "/" + value : value});
     }
@@ -135,6 +148,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     }
     std::ifstream file(directory + "/" + c.name + ".cert");
     for (std::string text; std::getline(file, text);) c.lines.push_back(text);
+    if (is_l1) add_contraction(subject, c);
     for (const mpq_class& factor : {mpq_class(2), mpq_class(1, 2)}) {
       if (!exact) break;
       const std::string other = with_other_zero(*exact, factor);
@@ -366,7 +380,7 @@ class Campaign {
     for (const ExactClaim& other : c.false_numbers) {
       Lines changed = lines;
       for (std::size_t i = 0; i < changed.size(); ++i) {
-        if (changed[i].starts_with("exact ")) changed[i] = other.exact;
+        if (changed[i].starts_with("exact ") || changed[i].starts_with("contraction ")) changed[i] = other.exact;
         if (changed[i].starts_with("root ") && i < c.lines.size() && changed[i] == c.lines[i]) changed[i] = other.root;
       }
       write(text_of(changed));

@@ -140,6 +140,13 @@ if mode == "usage":
             (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
             (66, "--subradius golden.mat --upper 2 none.cert"),
             (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
+            *((64, f"--l1 {rule} golden.cert") for rule in (
+                "6,1", "6,1 --upper 1", "6,1 --contraction 1,1,1 --upper 1", "6,1 --lower 1/2 --upper C1", "6,1 --lower 1/2 --upper x", "14,1 --lower 1", "6,1 --lower 1 --mask [1,1]", "6,1 --lower 1 --arity 2", "6 --lower 1",
+                "6,1,1 --lower 1", "6,5 --lower 1", "1,0 --lower 1", "17,1 --lower 1", "16,7 --lower 1", "6,-1 --lower 1", "x,1 --lower 1",
+                "6,1 --lower x", "6,1 --exact |[-1,1]@1,0,1|^1/1", "6,1 --lower 1 --matrices golden.mat", "6,1 --lower 1 --logarithm 0",
+                *(f"6,1 --contraction {fields}" for fields in ("1,1", "1,1,1,1", "0,1,1", "9,1,1", "1,0,1", "1,3,1", "1,1,-1", "1,1,x", "")))),
+            (64, "--contraction 1,1,1 golden.cert"), (64, "--l1 6,1 --lower 1"), (66, "--l1 6,1 --lower 1 none.cert"), (66, "--l1 13,1 --lower 1 none.cert"),
+            (64, "--contraction 1,1,1 --mask [1,2,1]/2 --arity 2 --lower 1 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (66, f"{golden} /dev/null"), (64, f"{golden} --FILE golden.cert"),
             (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
@@ -173,6 +180,11 @@ else:
             text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
             text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
             text += f" for all masks within={within}" if within else ""
+            if "--l1" in values:
+                steps, order, bound = values.get("--contraction", "0,0,0").split(",")
+                parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []
+                parts += [f"|D^{order} S^{steps} f| <= {Fraction(bound)} |D^{order} f|"] if "--contraction" in values else []
+                text = f"VERIFIED {' and '.join(parts)} of least absolute deviations {values['--l1']}"
             expect(name, result == (0, text, ""), result)
         else:
             rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]

@@ -56,6 +56,11 @@ expect 64 --mask "$linear" --arity 2 --upper C2 --logarithm 0 hat-rough.cert
 expect 64 --matrices golden.mat --upper C2 golden.cert
 expect 1 --mask '[1,1,1,1]/2' --arity 2 --upper C2 trapezoid-rough.cert
 expect 2 --mask "$hat" --arity 2 bspline-1.cert --within 1/100,1 --lower 9/10
+expect 2 --l1 6,1 --contraction 1,1,3/5 l1-6.cert
+expect 2 --l1 6,1 --lower 7/10 l1-6.cert
+expect 64 --l1 6,1 l1-6.cert
+expect 2 --l1 6,1 --lower 7/10 --upper 2 l1-6.cert
+expect 64 --l1 6,1 --upper 2 l1-6.cert
 expect 0 --mask '[1,1,1,1]/2' --arity 2 --lower 1 trapezoid-reduced.cert
 expect 0 --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 1 --show trapezoid-reduced.cert
 echo "$output" | grep -qx 'coefficient 3 is 1/2'

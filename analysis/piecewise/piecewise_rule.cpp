@@ -1,0 +1,57 @@
+#include "piecewise_rule.hpp"
+
+#include "cone_program.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+
+#include <algorithm>
+
+namespace subcert::piecewise {
+
+bool Rule::is_function() const {
+  return std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.own == 0; });
+}
+
+Rational lipschitz_constant(const Rule& rule) {
+  require(rule.is_function() && !rule.pieces.empty(), "Lipschitz constant: need a rule with one answer to each datum");
+  Rational largest = 0;
+  for (const Piece& piece : rule.pieces)
+    for (const Row& output : piece.outputs) {
+      Rational sum = 0;
+      for (const Rational& entry : output) sum += abs(entry);
+      largest = std::max(largest, sum);
+    }
+  return largest;
+}
+
+std::optional<Rational> largest_output(const Rule& rule, const Deadline& deadline) {
+  Rational largest = 0;
+  for (const Piece& piece : rule.pieces) {
+    ConeProgram program(rule.points + piece.own, rule.points);
+    for (const Row& row : piece.cell) program.add(row);
+    for (Row output : piece.outputs)
+      for (const int sign : {1, -1}) {
+        if (deadline.expired()) return std::nullopt;
+        if (sign < 0)
+          for (Rational& entry : output) entry = -entry;
+        const auto bound = program.bound(output, 0);
+        if (!bound) return std::nullopt;
+        largest = std::max(largest, bound->bound);
+      }
+  }
+  return largest;
+}
+
+std::optional<Mask> linear_mask(const Rule& rule, long first) {
+  if (rule.pieces.empty() || !rule.is_function()) return std::nullopt;
+  const std::vector<Row>& outputs = rule.pieces.front().outputs;
+  for (const Piece& piece : rule.pieces)
+    if (piece.outputs != outputs) return std::nullopt;
+  // Datum r of window 0 has the index first + r; output `phase` of it has the coefficient of phase - 2 (first + r).
+  std::vector<Rational> coefficients(2 * rule.points, 0);
+  for (std::size_t r = 0; r < rule.points; ++r)
+    for (std::size_t phase = 0; phase < 2; ++phase) coefficients[2 * (rule.points - 1 - r) + phase] = outputs[phase][r];
+  return Mask(LaurentPolynomial(coefficients, -2 * (first + static_cast<long>(rule.points) - 1)), 2);
+}
+
+}  // namespace subcert::piecewise

@@ -1,0 +1,52 @@
+#pragma once
+/// Binary rules that fit polynomials and are linear on polyhedral cells of their data, also with several fits to one
+/// datum.
+
+#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/numbers.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace subcert::piecewise {
+
+/// A linear form; coordinates beyond its end are zero.
+using Row = std::vector<Rational>;
+
+/// One piece. Its variables are the data of the window and `own` further ones, which are free within the cell.
+/// Residual r is datum r minus the value of the fit there; signs[r] = 1: it is >= 0, -1: <= 0, 0: it is zero on the
+/// whole piece.
+struct Piece {
+  std::vector<int> signs;
+  std::size_t own = 0;
+  std::vector<Row> cell;     ///< signs[r] times residual r, >= 0; one for each sign that is not 0, in their order
+  std::vector<Row> outputs;  ///< the two of the window: values of the fit
+};
+
+/// Window i reads the data i, ..., i + points - 1, fits a polynomial of degree `degree` at most and gives two of its
+/// values, 2i and 2i + 1 of the next level. Whatever fit is taken for whatever data lies in a piece, and all pieces
+/// whose signs are those of its residuals, but for places where a residual or a sign is zero, have it too.
+struct Rule {
+  std::size_t points = 0;
+  int degree = 0;
+  std::vector<Piece> pieces;
+
+  /// Whether each datum has one answer: no piece has variables of its own. Such a rule is continuous.
+  bool is_function() const;
+};
+
+/// The largest sum of moduli of an output: the least Lipschitz constant of one step in the maximum norm. Domain: a
+/// function with at least one piece.
+Rational lipschitz_constant(const Rule& rule);
+
+/// The largest modulus of an output where no datum exceeds 1, for whatever fits. Nothing past the deadline, or where a
+/// program fails. Cost: two small linear programs for each piece.
+std::optional<Rational> largest_output(const Rule& rule, const Deadline& deadline = {});
+
+/// The mask of a rule whose pieces all have the same outputs. Indices as of `first`, the index of the first datum of
+/// window 0: datum j stands at j / 2 for the next level.
+std::optional<Mask> linear_mask(const Rule& rule, long first);
+
+}  // namespace subcert::piecewise

@@ -1,0 +1,65 @@
+// subcert l1 SCHEME
+
+#include <subcert/cli/checker.hpp>
+#include <subcert/proofs-checks/certificates/l1_certificate.hpp>
+#include <subcert/reports/facts/l1_facts.hpp>
+
+namespace subcert::cli {
+namespace {
+
+struct L1Options : CommonOptions {
+  std::string scheme;
+  std::string certificate;
+  int steps = 0;
+  int order = 0;
+  double budget = 60;
+};
+
+ExitCode run(const L1Options& options) {
+  if (!is_l1_specification(options.scheme))
+    fail(ErrorKind::usage, "{}: need a scheme of the family l1, as l1:points=6,d=1", options.scheme);
+  const DataDependentScheme scheme = make_l1_scheme(options.scheme);
+  const int points = points_of_curve(scheme), degree = scheme.rules.degree;
+  if (options.order > degree + 1)
+    fail(ErrorKind::usage, "--order: need at most d + 1 = {}, got {}", degree + 1, options.order);
+  options.progress("linear programs");
+  const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
+      points, degree, {options.steps, options.order, Deadline::in(options.budget), !options.certificate.empty()});
+  const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
+    if (points == degree + 1)
+      fail(ErrorKind::undecided,
+           "certificate: the fit interpolates its data; ask for one of the mask, by 'regularity'");
+    if (!limit.contraction) fail(ErrorKind::undecided, "certificate: no contraction was found within the budget");
+    return contraction_certificate(points, degree, *limit.contraction);
+  });
+  options.end_progress();
+  const Facts list = l1_facts(scheme, limit);
+  Json json = page_json(list);
+  certificate.add_to(json);
+  options.answer(json, page_text(list, 13) + certificate.text(false));
+  certificate.failure.raise();
+  return exit_code(limit.converges.truth);
+}
+
+}  // namespace
+
+void add_l1(Command& app) {
+  auto options = std::make_shared<L1Options>();
+  Command command = add_command(app, "l1",
+                                "What is proved about a scheme of local l1 regression: limits, exponent, range",
+                                "subcert l1 l1:points=6,d=1 --certificate l1.cert", options, [=] {
+                                  require_place(options->certificate);
+                                  return run(*options);
+                                });
+  command.option("--steps", options->steps, "Steps of the contraction; 0: the fewest that contract")
+      .within(0, 8)
+      .with_default();
+  command.option("--order", options->order, "Order of the differences; 0: the one that proves most")
+      .within(0, 4)
+      .with_default();
+  command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
+  command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
+  add_scheme(command, options->scheme, true);
+}
+
+}  // namespace subcert::cli

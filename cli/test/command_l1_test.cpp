@@ -1,0 +1,59 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("l1: the fields of the contract, and a certificate that is verified and refused when one factor is changed") {
+  const Folder folder;
+  const std::string file = folder / "l1.cert";
+  const auto six = run_json("l1 l1:points=6,d=1 --certificate " + file);
+  CHECK(six.at("unique") == true);
+  CHECK(six.at("pieces") == 38);
+  CHECK(six.at("contraction").at("steps") == 1);
+  CHECK(six.at("contraction").at("order") == 1);
+  CHECK(six.at("contraction").at("bound") == "3/5");
+  CHECK(six.at("contraction").at("data").size() == 7);
+  CHECK(six.at("converges") == "yes");
+  CHECK(six.at("lipschitz") == "9/2");
+  CHECK(has_digits(six.at("exponent"), "lower", "0.736965"));
+  CHECK(has_digits(six.at("exponent"), "upper", "1.263034"));
+  CHECK(six.at("edge").at("factor") == "5/12");
+  CHECK(six.at("stays_in_range") == true);
+  CHECK(run("verify " + file).code == 0);
+  std::string text = content(file);
+  const std::size_t leaf = text.find("leaf ");
+  REQUIRE(leaf != std::string::npos);
+  const std::size_t digit = text.find_first_of("123456789", leaf);
+  text[digit] = text[digit] == '1' ? '2' : '1';
+  folder.write("l1.cert", text);
+  CHECK(run("verify " + file).code == 1);
+}
+
+TEST_CASE("l1: rules of several minimisers, linear ones, and those that do not converge") {
+  CHECK(contains(run("l1 l1:points=6,d=1").out, "minimiser    unique for every datum"));
+  const Run four = run("l1 l1:points=4,d=1");
+  CHECK(four.code == 0);
+  CHECK(contains(four.out, "not unique"));
+  CHECK(contains(four.out, "|D S^2 f| <= 11/12 |D f|"));
+  const Run median = run("l1 l1:points=5,d=0 --steps 1");
+  CHECK(median.code == 1);
+  CHECK(contains(median.out, "does not converge"));
+  const auto linear = run_json("l1 l1:points=5,d=3 --steps 1");
+  CHECK(linear.at("mask") == "[-35,-45,126,210,0,0,210,126,-45,-35]/256@-4");
+  CHECK(has_digits(linear.at("exponent"), "lower", "0.86723298807198"));
+  CHECK(run_json("l1 l1:points=5,d=2").at("contraction").at("order") == 2);
+  const Folder folder;
+  const std::string file = folder / "l1.cert";
+  CHECK(contains(run("l1 l1:points=2,d=1 --certificate " + file).out, "not written: the fit interpolates its data"));
+  CHECK(run_json("l1 l1:points=30 --budget 1", 2).at("converges") == "unknown");
+  CHECK(run_json("l1 l1:points=7 --steps 2 --budget 0.01", 2).at("contraction").is_null());
+  CHECK(run("analyze l1:points=6 --budget 5").out.starts_with("scheme"));
+}
+
+TEST_CASE("l1: bad input") {
+  check_fails(run("l1 dd:n=2"), 64, "dd:n=2: need a scheme of the family l1, as l1:points=6,d=1");
+  CHECK(run("l1 l1:points=6x6").code == 64);
+  CHECK(run("l1 l1:points=6,residuals=joint").code == 64);
+  CHECK(run("l1 l1:points=6 --order 3").code == 64);
+  CHECK(run("l1 l1:points=6 --steps 9").code == 64);
+  CHECK(run("l1 l1:points=6 --certificate /nowhere/at/all.cert").code == 66);
+}

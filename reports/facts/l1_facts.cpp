@@ -1,0 +1,114 @@
+#include "l1_facts.hpp"
+
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace subcert::facts {
+namespace {
+
+Fact unique_fact(const Decision& unique) {
+  Fact fact{"unique", "minimiser",
+            unique.is_yes()  ? "unique for every datum"
+            : unique.is_no() ? "not unique for some data"
+                             : "unknown whether it is unique",
+            unique.reason};
+  if (unique.truth != Truth::unknown) fact.json = unique.is_yes();
+  return fact;
+}
+
+Fact pieces_fact(const std::optional<std::size_t>& pieces) {
+  if (!pieces) return {"pieces", "pieces", "too many to be listed", "", Json()};
+  return plain("pieces", "pieces", *pieces);
+}
+
+Facts range_facts(const data::LeastAbsoluteLimit& limit) {
+  Fact fact{"stays_in_range", "values", "unknown whether they leave the range of the data", limit.range.reason};
+  if (limit.range.is_yes()) fact.text = "never leave the range of the data";
+  if (limit.range.is_no())
+    fact.text = fmt::format("at most {} in one step where no datum exceeds 1", *limit.largest_output);
+  if (limit.range.truth != Truth::unknown) fact.json = limit.range.is_yes();
+  Fact largest = member("largest_value", Json());
+  if (limit.range.is_yes()) largest.json = "1";
+  if (limit.largest_output) largest.json = to_text(*limit.largest_output);
+  return {fact, largest};
+}
+
+Fact lipschitz_fact(const std::optional<Rational>& lipschitz) {
+  if (!lipschitz) return member("lipschitz", Json());
+  return {"lipschitz", "Lipschitz", to_text(*lipschitz), "of one step, in the maximum norm; no smaller one",
+          to_text(*lipschitz)};
+}
+
+Fact contraction_fact(const std::optional<piecewise::Contraction>& found) {
+  if (!found) return {"contraction", "contraction", "unknown", "none within the budget", Json()};
+  const std::string difference = found->order == 1 ? "D" : fmt::format("D^{}", found->order);
+  const std::string steps = found->steps == 1 ? "S" : fmt::format("S^{}", found->steps);
+  std::vector<std::string> data;
+  for (const Rational& datum : found->data) data.push_back(to_text(datum));
+  return {"contraction",
+          "contraction",
+          fmt::format("|{0} {1} f| <= {2} |{0} f|", difference, steps, found->bound),
+          data.empty() ? "" : fmt::format("attained by the data {}", fmt::join(data, ", ")),
+          {{"steps", found->steps}, {"order", found->order}, {"bound", to_text(found->bound)}, {"data", data}}};
+}
+
+Fact limits_fact(const Decision& converges) {
+  Fact fact{"converges", "limits",
+            converges.is_yes()  ? "the scheme converges"
+            : converges.is_no() ? "the scheme does not converge"
+                                : "unknown whether the scheme converges",
+            converges.reason, to_text(converges.truth)};
+  return fact;
+}
+
+Fact edge_fact(const std::optional<piecewise::EdgeOrbit>& edge) {
+  if (!edge) return member("edge", Json());
+  std::vector<std::string> values;
+  for (const Rational& value : edge->values) values.push_back(to_text(value));
+  return {"edge",
+          "edge",
+          fmt::format("0, ..., 0, {}, ...", fmt::join(values, ", ")),
+          fmt::format("at the next level the same times {}", edge->factor),
+          {{"factor", to_text(edge->factor)}, {"values", values}}};
+}
+
+}  // namespace
+
+int points_of_curve(const DataDependentScheme& scheme) {
+  if (scheme.rules.points.size() != 1 || scheme.rules.options.joint_residuals)
+    fail(ErrorKind::usage, "{}: need a scheme of curves with separate residuals, as l1:points=6,d=1",
+         scheme.specification);
+  return scheme.rules.points[0];
+}
+
+Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit) {
+  Facts list = named(scheme.specification, scheme.title);
+  list.push_back({"", "what follows",
+                  "holds for least absolute deviations, which the fits come near to with many iterations and a small "
+                  "delta"});
+  list.push_back(unique_fact(limit.unique));
+  list.push_back(pieces_fact(limit.pieces));
+  append(list, range_facts(limit));
+  list.push_back(lipschitz_fact(limit.lipschitz));
+  if (limit.mask)
+    list.push_back({"mask", "linear", limit.mask->symbol().to_mask_text(), "the rule has this mask",
+                    limit.mask->symbol().to_mask_text()});
+  else
+    list.push_back(member("mask", Json()));
+  list.push_back(contraction_fact(limit.contraction));
+  list.push_back(limits_fact(limit.converges));
+  list.push_back(edge_fact(limit.edge));
+  const bool known = limit.exponent.lower || limit.exponent.upper;
+  list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
+                  !known                 ? ""
+                  : limit.edge           ? "enclosed with proof: from below by the contraction, from above by the edge"
+                  : limit.exponent.upper ? "enclosed with proof"
+                                         : "of all limits, for every choice of minimisers; a proved lower bound",
+                  enclosure_json(limit.exponent)});
+  return list;
+}
+
+}  // namespace subcert::facts

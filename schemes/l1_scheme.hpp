@@ -12,6 +12,7 @@ struct L1Options {
   int iterations = 6;            ///< reweighted fits after the ordinary one; 0 leaves the ordinary one
   double tolerance = 0;          ///< a window stops once no fitted value at a node moves by more than this
   bool joint_residuals = false;  ///< r is the Euclidean norm over the coordinates of a point, else each has its own
+  bool exact = false;            ///< the least absolute polynomials themselves, on curves; the other options are idle
 };
 
 /// points = {p}: windows of p consecutive data; {p, q}: p columns times q rows of a grid; {p, q, r}: the same in r

@@ -129,6 +129,7 @@ const bool use_wide_lanes = __builtin_cpu_supports("avx2") != 0;
 }  // namespace
 
 void L1Fitter::fit(const double* data, std::size_t dimension, double* out, Workspace& workspace) const {
+  if (exact_) return fit_exactly(data, dimension, out);
   const Shape s{window_.nodes(),  window_.outputs(),  window_.terms(),      dimension,
                 at_nodes_.data(), at_outputs_.data(), inverse_norms_.data()};
   const std::size_t counts[] = {s.nodes,

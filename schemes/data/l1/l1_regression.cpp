@@ -95,6 +95,17 @@ RegressionWindow::RegressionWindow(std::vector<Position> nodes, int degree, std:
 
 namespace {
 
+/// The exact fitter of a window of a line.
+LeastAbsoluteFitter exact_fitter(const RegressionWindow& window) {
+  const std::vector<Position>& nodes = window.node_points();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    require(nodes[i].size() == 1 && nodes[i][0] == nodes[0][0] + Rational(i),
+            "L1Fitter: exact fits need nodes of a line at distance 1");
+  std::vector<Rational> outputs;
+  for (const Position& output : window.output_points()) outputs.push_back(output[0] - nodes[0][0]);
+  return {static_cast<int>(nodes.size()), window.degree(), std::move(outputs)};
+}
+
 template <class Number>
 std::vector<Number> flat(const std::vector<std::vector<Rational>>& rows) {
   std::vector<Number> result;
@@ -130,6 +141,20 @@ L1Fitter::L1Fitter(const RegressionWindow& window, const L1Options& options)
   require(options.iterations >= 0, "L1Fitter: need iterations >= 0, got {}", options.iterations);
   require(options.tolerance >= 0, "L1Fitter: need tolerance >= 0, got {}", options.tolerance);
   for (const auto& row : window.at_nodes()) inverse_norms_.push_back(static_cast<double>(Rational(1 / dot(row, row))));
+  if (!options.exact) return;
+  require(!options.joint_residuals, "L1Fitter: exact fits need separate residuals");
+  exact_ = exact_fitter(window);
+}
+
+void L1Fitter::fit_exactly(const double* data, std::size_t dimension, double* out) const {
+  const std::size_t nodes = window_.nodes(), outputs = window_.outputs();
+  std::vector<double> in(nodes), fits(outputs);
+  for (std::size_t c = 0; c < dimension; ++c)
+    for (std::size_t l = 0; l < lanes; ++l) {
+      for (std::size_t i = 0; i < nodes; ++i) in[i] = data[(c * nodes + i) * lanes + l];
+      exact_->fit(in.data(), fits.data());
+      for (std::size_t o = 0; o < outputs; ++o) out[(c * outputs + o) * lanes + l] = fits[o];
+    }
 }
 
 std::vector<double> L1Fitter::fit(const std::vector<double>& data, std::size_t dimension) const {

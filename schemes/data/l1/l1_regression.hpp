@@ -1,10 +1,13 @@
 #pragma once
 /// Local l1 regression by iteratively reweighted least squares: the fit behind the data-dependent schemes.
 
+#include "least_absolute_fit.hpp"
+
 #include <subcert/analysis/symbol/numbers.hpp>
 #include <subcert/schemes/l1_scheme.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace subcert::data {
@@ -49,7 +52,8 @@ std::vector<Rational> weighted_fit(const RegressionWindow& window, const std::ve
 /// Fits many windows of one shape in double precision.
 class L1Fitter {
  public:
-  /// Domain: delta > 0, iterations >= 0, tolerance >= 0. Errors: throws a domain error.
+  /// Domain: delta > 0, iterations >= 0, tolerance >= 0; exact: at most 64 nodes of a line at distance 1 in increasing
+  /// order, separate residuals. Errors: throws a domain error.
   L1Fitter(const RegressionWindow& window, const L1Options& options);
 
   const RegressionWindow& window() const { return window_; }
@@ -66,9 +70,9 @@ class L1Fitter {
 
   /// Fits `lanes` windows of points with `dimension` coordinates: data[(c * nodes + i) * lanes + l] is coordinate c of
   /// the datum at node i of window l, out[(c * outputs + o) * lanes + l] the fit. A window's result does not depend on
-  /// the others. Domain: finite data; where |residual| exceeds 1e150, or sqrt(delta) times 1e13, weights lose their
-  /// meaning in double precision (docs/l1.md). Cost: (iterations + 1) * nodes * terms^2 operations for each coordinate
-  /// and window.
+  /// the others. Domain: finite data, refused otherwise where the fit is exact; where |residual| exceeds 1e150, or
+  /// sqrt(delta) times 1e13, weights lose their meaning in double precision (docs/l1.md). Cost: (iterations + 1) *
+  /// nodes * terms^2 operations for each coordinate and window.
   void fit(const double* data, std::size_t dimension, double* out, Workspace& workspace) const;
 
   /// One window: data[i * dimension + c] to the fits at out[o * dimension + c].
@@ -79,11 +83,14 @@ class L1Fitter {
   double objective(const std::vector<double>& data, const std::vector<double>& fitted, std::size_t dimension = 1) const;
 
  private:
+  void fit_exactly(const double* data, std::size_t dimension, double* out) const;
+
   RegressionWindow window_;
   L1Options options_;
   std::vector<double> at_nodes_;    // [k][i]
   std::vector<double> at_outputs_;  // [k][o]
   std::vector<double> inverse_norms_;
+  std::optional<LeastAbsoluteFitter> exact_;
 };
 
 }  // namespace subcert::data

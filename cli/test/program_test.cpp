@@ -156,7 +156,7 @@ TEST_CASE("every option that takes a number refuses what is not one, or not fini
 TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("analyse dd:n=2").err, "there is no command 'analyse'; did you mean 'analyze'?"));
   CHECK(run("analyse dd:n=2").code == 64);
-  CHECK(contains(run("mask ddd:n=2").err, "did you mean 'dd'?"));
+  CHECK(contains(run("mask duall:n=2").err, "did you mean 'dual'?"));
   CHECK(contains(run("mask fourpoint:w=1/16").err, "did you mean 'four-point'?"));
   CHECK(contains(run("mask chaikn").err, "did you mean 'chaikin'?"));
   CHECK(contains(run("--nosuch").err, "there is no option '--nosuch' before a command"));

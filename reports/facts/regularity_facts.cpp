@@ -80,6 +80,7 @@ Fact exponent_fact(const HolderRegularity& regularity, const Enclosure& holder, 
   if (!holder.lower && !holder.upper) return exponent_fact(no_exponent_text(regularity.converges), "", holder, digits);
   std::string text = enclosure_text(holder, std::max(digits, usual_digits));
   if (!holder.upper) return exponent_fact(std::move(text), "a proved lower bound", holder, digits);
+  if (holder.is_exact()) return exponent_fact(std::move(text), "exactly, with proof", holder, digits);
   const int most = holder.telling_digits(std::max(digits, 17));
   return exponent_fact(std::move(text),
                        "enclosed with proof" + (regularity.deciding().radius.is_closed()
@@ -168,6 +169,11 @@ Facts dilation_facts(const LatticeMask& mask) {
 
 }  // namespace
 
+Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits) {
+  if (regularity.curve) return exponent_fact(*regularity.curve, regularity.curve->proved_exponent(), digits);
+  return exponent_fact(*regularity.surface, scheme.mask.has_factors() && !regularity.surface->radius, digits);
+}
+
 Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form) {
   const auto& curve = regularity.curve;
@@ -190,15 +196,13 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                      : exact_facts(surface->exact, surface->is_closed()));
   append(list, stable_facts(regularity.stable(), !curve || curve->converges.is_yes()));
   if (curve) {
-    const Enclosure holder = curve->proved_exponent();
-    append(list, {reduced_fact(*curve), exponent_fact(*curve, holder, form.digits)});
-    if (holder.lower && *curve->exponent.lower > 0) list.push_back(attained_fact(*curve));
+    append(list, {reduced_fact(*curve), exponent_fact(scheme, regularity, form.digits)});
+    if (curve->proved_exponent().lower && *curve->exponent.lower > 0) list.push_back(attained_fact(*curve));
     append(list, {logarithm_member(curve->logarithm), member("single", decision_json(curve->single.applies)),
                   sobolev_fact(sobolev, curve->stable)});
     if (!form.complete) list.push_back({"", "budget", "the polytope did not close; the enclosure reached is printed"});
   } else {
-    append(list, {exponent_fact(*surface, scheme.mask.has_factors() && !surface->radius, form.digits),
-                  sobolev_fact(surface->sobolev, surface->stable)});
+    append(list, {exponent_fact(scheme, regularity, form.digits), sobolev_fact(surface->sobolev, surface->stable)});
     if (!surface->is_closed() && !surface->converges.is_no())
       list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});
   }

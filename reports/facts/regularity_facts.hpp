@@ -23,6 +23,9 @@ struct RegularityForm {
 Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form);
 
+/// The line of the exponent alone. `digits`: at least.
+Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits);
+
 /// What a supersolution in frequency proves.
 Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds);
 

@@ -1,21 +1,24 @@
 #include "scheme_facts.hpp"
 
 #include "exponents.hpp"
+#include "regularity_facts.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
-#include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace subcert::facts {
 namespace {
 
-constexpr double norm_share = 0.5;   // of the time that is left, at most
-constexpr double exact_grace = 0.5;  // seconds more for exact values
+constexpr double regularity_share = 0.5, regularity_seconds = 2;  // of the time that is left, at most
+constexpr int exponent_digits = 12;                               // at least, where it is closed
+constexpr double exact_grace = 0.5;                               // seconds more for exact values
 
 void add_values(Analysis& known, const Mask& mask, const AnalysisOptions& options) {
   try {
@@ -29,22 +32,38 @@ void add_values(Analysis& known, const Mask& mask, const AnalysisOptions& option
   }
 }
 
-Fact smoothness_fact(const SmoothnessProof& proof, bool by_factors) {
-  const std::string open = fmt::format("C^{} not proved: {}", proof.order + 1, proof.obstacle);
-  Json json{{"proved", proof.order}};
-  if (!by_factors) json["evidence"] = proof.evidence;
-  json["obstacle"] = proof.obstacle;
+/// C^k from positive coefficients or norms, or from the exponent where that tells more, and whether C^(k+1) is refuted.
+Fact smoothness_fact(const SmoothnessProof& proof, const Enclosure& exponent, bool by_factors) {
+  const auto below = static_cast<int>(exponent.lower ? ceil_index(*exponent.lower) - 1 : 0);
+  const bool by_exponent = below > proof.order;
+  const int order = std::max(proof.order, below);
+  const bool refuted = exponent.upper && *exponent.upper < order + 1;
+  const std::string evidence = by_exponent ? fmt::format("the exponent is above {}", order) : proof.evidence;
+  const std::string obstacle = refuted       ? fmt::format("the exponent is below {}", order + 1)
+                               : by_exponent ? fmt::format("the exponent is not proved to be above {}", order + 1)
+                                             : proof.obstacle;
+  const std::string next = fmt::format("C^{} {}: {}", order + 1, refuted ? "refuted" : "not proved", obstacle);
+  const bool told = by_exponent || !by_factors;
+  Json json{{"proved", order}};
+  if (told) json["evidence"] = evidence;
+  json["refuted"] = refuted ? Json(order + 1) : Json(nullptr);
+  json["obstacle"] = obstacle;
   return {"smoothness", "smoothness",
-          by_factors ? fmt::format("C^{} proved, by the factors; {}", proof.order, open)
-                     : fmt::format("C^{} proved: {}\n{}", proof.order, proof.evidence, open),
+          told ? fmt::format("C^{} proved: {}\n{}", order, evidence, next)
+               : fmt::format("C^{} proved, by the factors; {}", order, next),
           "", std::move(json)};
 }
 
+/// Exactly, or where that would not be read, rounded.
 std::string integers_text(const LimitValues& integers) {
+  constexpr std::size_t longest = 40;
+  const bool exact = std::ranges::all_of(integers.values,
+                                         [](const Rational& value) { return to_text(value).size() <= longest; });
   std::string text;
   for (std::size_t i = 0; i < integers.values.size(); ++i)
-    text += fmt::format("{}phi({}) = {}", i ? ", " : "", to_text(integers.point(i)), to_text(integers.values[i]));
-  return text;
+    text += fmt::format("{}phi({}) = {}", i ? ", " : "", to_text(integers.point(i)),
+                        exact ? to_text(integers.values[i]) : to_decimal(integers.values[i], 9, Rounding::nearest));
+  return exact ? text : text + "; rounded, exact with --json";
 }
 
 Fact variance_fact(const Mask& mask, const VarianceGrid& grid, const Rational& mean) {
@@ -77,31 +96,30 @@ Fact bias_fact(const Mask& mask) {
 
 Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
   const LatticeMask& mask = scheme.mask;
+  const Deadline& deadline = options.limits.deadline;
   const auto next = [&](const char* what) {
     if (options.progress) options.progress(what);
   };
   Analysis known;
+  const bool curve = mask.dimension() == 1;
+  const auto add_regularity = [&](const Deadline& time) {
+    next("exponent");
+    known.regularity = regularity_of(mask, {time}, {.levels = options.limits.levels, .rounding = scheme.rounding});
+  };
   next("convergence");
   if (!mask.has_factors() && !mask.dilation().isotropic_subspaces().empty()) {
-    const MultivariateRegularity regularity = multivariate_regularity(mask, {options.limits.deadline});
-    known.convergence = regularity.converges;
-    known.stable = regularity.stable;
-    known.exponent = regularity.exponent;
-    known.surface_sobolev = regularity.sobolev;
+    add_regularity(deadline);
+    known.convergence = known.regularity->converges();
     return known;
   }
   known.convergence = converges(mask, options.limits);
   if (!known.convergence.is_yes() || !mask.has_factors()) return known;
   known.smoothness = proved_smoothness(mask, options.limits);
-  if (mask.dimension() > 1) return known;
-  next("norms of the difference scheme");
-  const Mask& curve = mask.curve();
-  const Deadline& deadline = options.limits.deadline;
-  known.bound = holder_bounds(curve, options.limits.levels, deadline.after(norm_share)).last();
-  known.stable = has_stable_shifts(curve);
-  known.sobolev = sobolev_if_small(curve, deadline);
+  add_regularity(deadline.after(regularity_share).at_most(regularity_seconds));
+  if (!curve) return known;
+  known.sobolev = sobolev_if_small(mask.curve(), deadline);
   next("limit values");
-  add_values(known, curve, options);
+  add_values(known, mask.curve(), options);
   return known;
 }
 
@@ -110,19 +128,16 @@ Facts scheme_facts(const Scheme& scheme, const Analysis& known) {
   const bool converges = known.convergence.is_yes();
   Facts list = mask_facts(scheme);
   list.push_back(decided("convergence", "convergence", known.convergence));
-  if (known.smoothness && converges) list.push_back(smoothness_fact(*known.smoothness, !curve));
-  if (known.bound) list.push_back(bound_fact("Hoelder", *known.bound));
-  if (known.exponent)
-    list.push_back({"holder", converges ? "exponent" : "", enclosure_text(*known.exponent, 12),
-                    "Hoelder, as far as subcert regularity gets in the time", enclosure_json(known.exponent)});
-  if (known.stable) {
-    if (curve)
-      list.push_back(sobolev_fact(known.sobolev, *known.stable));
-    else
-      list.push_back({"sobolev", known.surface_sobolev ? "Sobolev" : "",
-                      enclosure_text(known.surface_sobolev.value_or(Enclosure{}), 12), "",
-                      enclosure_json(known.surface_sobolev)});
-    list.push_back(decided("stable", converges ? "stable" : "", *known.stable));
+  if (const auto& regularity = known.regularity) {
+    if (known.smoothness) list.push_back(smoothness_fact(*known.smoothness, regularity->exponent(), !curve));
+    if (regularity->curve) list.push_back(bound_fact("Hoelder", regularity->curve->bounds.last()));
+    Fact exponent = exponent_fact(scheme, *regularity, exponent_digits),
+         sobolev = curve ? sobolev_fact(known.sobolev, regularity->stable())
+                         : sobolev_fact(regularity->surface->sobolev, regularity->stable());
+    if (!converges) exponent.label = "";
+    if (!curve && !converges) sobolev.label = "";
+    append(list, {exponent, sobolev});
+    list.push_back(decided("stable", converges ? "stable" : "", regularity->stable()));
   }
   if (!known.skipped.empty()) list.push_back({"skipped", "values", "skipped: " + known.skipped, "", known.skipped});
   if (const auto& integers = known.integers)

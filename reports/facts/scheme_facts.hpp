@@ -5,7 +5,7 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/regularity/holder_bound.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -28,11 +28,8 @@ Facts mask_facts(const Scheme& scheme);
 struct Analysis {
   Decision convergence;
   std::optional<SmoothnessProof> smoothness;  ///< of tensor products that of the roughest factor
-  std::optional<HolderBound> bound;           ///< by norms
-  std::optional<Enclosure> exponent;          ///< of surfaces, as far as the search gets
-  std::optional<Decision> stable;
-  std::optional<SobolevRegularity> sobolev;
-  std::optional<Enclosure> surface_sobolev;
+  std::optional<Regularity> regularity;       ///< as far as the search gets in a few seconds
+  std::optional<SobolevRegularity> sobolev;   ///< of curves
   std::optional<LimitValues> integers;
   std::optional<VarianceGrid> grid;
   std::optional<Rational> mean;

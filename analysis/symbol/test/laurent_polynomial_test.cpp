@@ -113,8 +113,9 @@ TEST_CASE("printing and reading") {
   CHECK(LaurentPolynomial::parse("-z^-1+3/6").to_text() == "-z^-1 + 1/2");
   CHECK(LaurentPolynomial::parse("z^1/2-(1+z)^2/z").to_text() == "-z^-1 - 2 - 1/2*z");
   CHECK(LaurentPolynomial::parse("(1-z^2)/(1+z)*z^-3").to_text() == "z^-3 - z^-2");
+  CHECK(LaurentPolynomial::parse("(1+z)^2(3-z)/2z^3") == LaurentPolynomial::parse("(1+z)^2*(3-z)/(2*z^3)"));
   for (const char* text :
-       {"", "z^", "z+", "2**z", "x", "1/0", "z z", "z^99999999", "z^1000000*z", "(z", "1,5", "1/(1+z)", "0^-1"})
+       {"", "z^", "z+", "2**z", "x", "1/0", "z 2", "1/2z", "z^99999999", "z^1000000*z", "(z", "1,5", "1/(1+z)", "0^-1"})
     CHECK_THROWS_AS(LaurentPolynomial::parse(text), ParseError);
   for (const char* text : {"", "[", "]", "[]", "[1,]", "[1]/0", "[1]/-2", "[1]/1/2", "[1]x", "[1]@", "[1]@1/2", "[1]@a",
                            "[1]@99999999999", "1,2", "[a]", "[1][2]"})

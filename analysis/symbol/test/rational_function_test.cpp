@@ -26,11 +26,19 @@ TEST_CASE("expressions in a parameter") {
   CHECK(read("0.25*w-.5") == read("w/4-1/2"));
   CHECK(read("w-w").to_text('w') == "0");
   CHECK(read("2^3*w^0") == RationalFunction(8));
+  // Without stars: behind a divisor only where it can be meant in one way.
+  CHECK(read("2w(1-w)w^2") == read("2*w*(1-w)*w^2"));
+  CHECK(read("(1+w)/2w") == read("(1+w)/(2*w)"));
+  CHECK(read("3*(1+w)/2w*w") == read("3*(1+w)/2"));
+  for (const char* bad : {"1/2(1+w)", "(1+w)/2(1-w)", "w/2w", "1/w w", "(1+w)/(2)w/w(2)"}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS(read(bad), ParseError);
+  }
 }
 
 TEST_CASE("what is no expression") {
   for (const char* bad :
-       {"",      " ",    "w+",  "(w",   "w)",      "w w",           "2w",
+       {"",      " ",    "w+",  "(w",   "w)",      "w 2",           "1/2w",
         "v",     "w^-1", "w^w", "w^65", "1/(w-w)", "1/0",           "--w",
         "w^1.5", "1..5", "1e3", "*w",   "()",      "(w^40)*(w^40)", "((99999999999999999999)^64)^64"}) {
     CAPTURE(bad);
@@ -76,7 +84,8 @@ TEST_CASE("expressions in several letters") {
   CHECK(both("2/(4*v-6*w)") == both("-1/(3*w-2*v)"));
   CHECK(both("(1+v)/(2+2*w)").to_text("xy") == "(1/2*x+1/2)/(y+1)");
   CHECK(both("v-v").is_zero());
-  for (const char* bad : {"u", "v w", "v/(w-w)", "v^25", "v^13*v^12", "(v+w)^25", "(1+v)/", "vw"}) {
+  CHECK(both("(1+v)/2vw") == both("(1+v)/(2*v*w)"));
+  for (const char* bad : {"u", "v 2", "v/(w-w)", "v^25", "v^13*v^12", "(v+w)^25", "(1+v)/", "1/2vw"}) {
     CAPTURE(bad);
     CHECK_THROWS_AS(both(bad), ParseError);
   }

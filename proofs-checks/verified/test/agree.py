@@ -44,6 +44,8 @@ def decided(name, arguments):
     # Whether a word keeps a form.
     if "--exact" in options and " quadratic " in text and not re.search("\ncycle | single ", text):
         return False
+    if "--mask" in options and re.search(r"\nblock \d+ frequency ", text):
+        return False
     if options & {"--matrices", "--subradius"}:
         return True
     ends = options - {"--mask", "--arity"}

@@ -1,3 +1,4 @@
+#include <nlohmann/json.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/experiments/mustafa-hameed/parts.hpp>
 

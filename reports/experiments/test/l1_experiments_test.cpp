@@ -1,3 +1,4 @@
+#include <nlohmann/json.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>

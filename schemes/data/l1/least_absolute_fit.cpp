@@ -101,7 +101,7 @@ class RationalData {
     difference_factors(nodes, count, factors.data());
     Rational sum = 0;
     for (int i = 0; i < count; ++i) sum += factors[static_cast<std::size_t>(i)] * (*this)[nodes[i]];
-    return sign(sum);
+    return sum > 0 ? 1 : sum < 0 ? -1 : 0;
   }
 
  private:

@@ -97,7 +97,8 @@ DataDependentScheme make_l1_scheme(std::string_view specification) {
   const Piece family{specification.substr(0, colon), 0};
   if (family.text != family_name) fail(family, "the family l1, as in " + l1_usage);
   if (colon == std::string_view::npos) fail(family, l1_usage);
-  std::vector<Piece> pieces = split({specification.substr(colon + 1), colon + 1}, ',');
+  const Piece body{specification.substr(colon + 1), colon + 1};
+  std::vector<Piece> pieces = body.text.empty() ? std::vector<Piece>{} : split(body, ',');
   const bool exact = take_exact(pieces);
   Fields fields(family, pieces, l1_usage);
 

@@ -3,7 +3,9 @@
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
+#include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <vector>
 
 namespace subcert {
@@ -16,114 +18,118 @@ void require_window(int points, int degree) {
           "outlier remainder: need 0 <= degree <= 3 and degree + 1 < points <= 64, got {} and {}", degree, points);
 }
 
-// Twice the positions about the centre of the window: outputs stand at -1/2 and 1/2.
-long twice_position(int points, int r) { return 2L * r - (points - 1); }
+bool next_subset(std::vector<int>& subset, int count) {
+  for (std::size_t k = subset.size(); k-- > 0;)
+    if (subset[k] + static_cast<int>(subset.size() - k) < count) {
+      ++subset[k];
+      for (std::size_t j = k + 1; j < subset.size(); ++j) subset[j] = subset[j - 1] + 1;
+      return true;
+    }
+  return false;
+}
 
-/// The reweighted fits of the datum 1 at one place, as values of the polynomial at the nodes. A fitted value that is 0
-/// has a weight without bound for delta -> 0, and stays 0: such nodes are zeros of all further fits.
+std::vector<int> first_subset(int size) {
+  std::vector<int> result(static_cast<std::size_t>(size));
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
+/// The reweighted fits of the datum 1 at one place, as values of the polynomial at the nodes and outputs. By the
+/// formula of Cauchy and Binet a weighted fit is the mean of the interpolating polynomials of all sets of D + 1 nodes,
+/// weighted by the product of the weights there and the square of their Vandermonde determinant: nothing but values of
+/// polynomials of both signs is added. A value that is 0 has a weight without bound for delta -> 0 and stays 0: then
+/// only sets with that node count.
 class OutlierFits {
  public:
-  OutlierFits(int points, int degree, int place, slong bits)
-      : points_(points), terms_(degree + 1), place_(place), bits_(bits) {
+  OutlierFits(int points, int degree, int place, slong bits) : points_(points), place_(place), bits_(bits) {
+    std::vector<int> nodes = first_subset(degree + 1);
+    Rational total = 0;
+    std::vector<Rational> sums(static_cast<std::size_t>(points), 0);
+    do {
+      Rational square = 1;
+      for (const int a : nodes)
+        for (const int b : nodes)
+          if (a != b) square *= std::abs(a - b);
+      total += square;
+      Set& set = sets_.emplace_back(Set{nodes, Ball(square, bits), {}});
+      if (std::find(nodes.begin(), nodes.end(), place) == nodes.end()) continue;
+      for (int r = 0; r < points + 2; ++r) {
+        Rational value = square;
+        for (const int b : nodes)
+          if (b != place) value *= (position(r) - b) / Rational(place - b);
+        if (r < points) sums[static_cast<std::size_t>(r)] += value;
+        set.values.emplace_back(value, bits);
+      }
+    } while (next_subset(nodes, points));
     fit(std::vector<Ball>(static_cast<std::size_t>(points), Ball(1, bits)));
-    std::vector<long> kept;
     for (int r = 0; r < points; ++r)
-      if (r != place && ordinary_value(r) == 0) kept.push_back(twice_position(points, r));
-    zeros_ = kept;
-    for (const long zero : zeros_) values_[static_cast<std::size_t>((zero + points - 1) / 2)] = Ball(0, bits);
+      if (sums[static_cast<std::size_t>(r)] == 0) zeros_.push_back(r);
   }
 
   /// One more fit. False: a value cannot be told from 0.
   bool step() {
     std::vector<Ball> weights;
     for (int r = 0; r < points_; ++r) {
-      const Ball& value = values_[static_cast<std::size_t>(r)];
-      const Ball residual = r == place_ ? 1 - value : abs(value);
-      const bool zero = is_zero(r);
+      const Ball residual = r == place_ ? rest_ : abs(values_[static_cast<std::size_t>(r)]);
+      const bool zero = std::find(zeros_.begin(), zeros_.end(), r) != zeros_.end();
       if (!zero && !Ball(0, bits_).is_less(residual)) return false;
-      weights.push_back(zero ? Ball(0, bits_) : 1 / residual);
+      weights.push_back(zero ? Ball(1, bits_) : 1 / residual);
     }
     fit(weights);
     return true;
   }
 
-  Ball largest_output() const { return max(abs(outputs_[0]), abs(outputs_[1])); }
+  Ball largest_output() const { return max(abs(values_[values_.size() - 2]), abs(values_.back())); }
 
  private:
-  bool is_zero(int r) const {
-    return std::find(zeros_.begin(), zeros_.end(), twice_position(points_, r)) != zeros_.end();
-  }
+  struct Set {
+    std::vector<int> nodes;
+    Ball square;               // of the determinant
+    std::vector<Ball> values;  // the square times the interpolating polynomial; empty: that is 0
+  };
 
-  /// Powers of x times a polynomial with the zeros that are kept.
-  std::vector<Ball> basis_at(const Rational& x) const {
-    Rational value = 1;
-    for (const long zero : zeros_) value *= x - zero;
-    std::vector<Ball> result;
-    for (int j = static_cast<int>(zeros_.size()); j < terms_; ++j, value *= x / points_)
-      result.emplace_back(value, bits_);
-    return result;
-  }
-
-  /// The value at node r of the ordinary fit, exactly: the polynomial kernel by orthogonal polynomials.
-  Rational ordinary_value(int r) const {
-    std::vector<std::vector<Rational>> q;
-    Rational sum = 0;
-    for (int j = 0; j < terms_; ++j) {
-      std::vector<Rational>& row = q.emplace_back();
-      for (int s = 0; s < points_; ++s) row.push_back(power(Rational(twice_position(points_, s)), j));
-      const auto dot = [&](const std::vector<Rational>& a, const std::vector<Rational>& b) {
-        Rational result = 0;
-        for (std::size_t s = 0; s < a.size(); ++s) result += a[s] * b[s];
-        return result;
-      };
-      for (int k = 0; k < j; ++k) {
-        const std::vector<Rational>& other = q[static_cast<std::size_t>(k)];
-        const Rational factor = dot(q.back(), other) / dot(other, other);
-        for (std::size_t s = 0; s < other.size(); ++s) q.back()[s] -= factor * other[s];
-      }
-      sum += q.back()[static_cast<std::size_t>(r)] * q.back()[static_cast<std::size_t>(place_)] /
-             dot(q.back(), q.back());
-    }
-    return sum;
+  /// Of the nodes, then of the outputs.
+  Rational position(int r) const {
+    return r < points_ ? Rational(r) : Rational(2 * points_ - 3 + 2 * (r - points_), 4);
   }
 
   void fit(const std::vector<Ball>& weights) {
-    const std::size_t terms = basis_at(0).size();
-    std::vector<std::vector<Ball>> system(terms, std::vector<Ball>(terms + 1, Ball(0, bits_)));
-    std::vector<std::vector<Ball>> nodes;
-    for (int r = 0; r < points_; ++r) {
-      nodes.push_back(basis_at(twice_position(points_, r)));
-      const Ball& weight = weights[static_cast<std::size_t>(r)];
-      for (std::size_t i = 0; i < terms; ++i) {
-        for (std::size_t j = 0; j < terms; ++j) system[i][j].add_product(weight * nodes.back()[i], nodes.back()[j]);
-        if (r == place_) system[i][terms] = weight * nodes.back()[i];
-      }
+    const auto count = static_cast<std::size_t>(points_) + 2;
+    Ball with(0, bits_), without(0, bits_);
+    std::vector<Ball> sums(count, Ball(0, bits_));
+    for (const Set& set : sets_) {
+      const auto has = [&](int r) { return std::find(set.nodes.begin(), set.nodes.end(), r) != set.nodes.end(); };
+      if (!std::all_of(zeros_.begin(), zeros_.end(), has)) continue;
+      Ball weight(1, bits_);
+      for (const int r : set.nodes) weight *= weights[static_cast<std::size_t>(r)];
+      (set.values.empty() ? without : with).add_product(weight, set.square);
+      for (std::size_t k = 0; k < set.values.size(); ++k) sums[k].add_product(weight, set.values[k]);
     }
-    for (std::size_t k = 0; k < terms; ++k)  // Gauss and Jordan; the matrix is positive definite
-      for (std::size_t i = 0; i < terms; ++i) {
-        if (i == k) continue;
-        const Ball factor = system[i][k] / system[k][k];
-        for (std::size_t j = k; j <= terms; ++j) system[i][j] = system[i][j] - factor * system[k][j];
-      }
-    const auto value = [&](const std::vector<Ball>& basis) {
-      Ball sum(0, bits_);
-      for (std::size_t k = 0; k < terms; ++k) sum.add_product(system[k][terms] / system[k][k], basis[k]);
-      return sum;
-    };
+    const Ball total = with + without;
+    rest_ = without / total;
     values_.clear();
-    for (const auto& node : nodes) values_.push_back(value(node));
-    outputs_ = {value(basis_at(Rational(-1, 2))), value(basis_at(Rational(1, 2)))};
+    for (const Ball& sum : sums) values_.push_back(sum / total);
   }
 
-  int points_, terms_, place_;
+  int points_, place_;
   slong bits_;
-  std::vector<long> zeros_;
-  std::vector<Ball> values_, outputs_;
+  std::vector<int> zeros_;
+  std::vector<Set> sets_;
+  Ball rest_;                 // 1 less the value at the place of the datum
+  std::vector<Ball> values_;  // at the nodes, then at the outputs
 };
+
+/// Whether the sets of nodes are few enough for the fits of all places.
+bool is_small(int points, int degree) {
+  long sets = 1;
+  for (int k = 0; k <= degree; ++k) sets = sets * (points - k) / (k + 1);
+  return sets <= 5000;
+}
 
 /// Calls seen(m, remainder) for m = 0, 1, ... until it returns true. False where a value cannot be told from 0.
 template <class Seen>
 bool follow(int points, int degree, slong bits, Seen seen) {
+  if (!is_small(points, degree)) return false;
   std::vector<OutlierFits> fits;
   for (int place = 0; place < (points + 1) / 2; ++place) fits.emplace_back(points, degree, place, bits);
   for (int m = 0; m <= most_iterations; ++m) {
@@ -138,17 +144,7 @@ bool follow(int points, int degree, slong bits, Seen seen) {
   return false;
 }
 
-constexpr slong precisions[] = {256, 2048};
-
-bool next_subset(std::vector<int>& subset, int count) {
-  for (std::size_t k = subset.size(); k-- > 0;)
-    if (subset[k] + static_cast<int>(subset.size() - k) < count) {
-      ++subset[k];
-      for (std::size_t j = k + 1; j < subset.size(); ++j) subset[j] = subset[j - 1] + 1;
-      return true;
-    }
-  return false;
-}
+constexpr slong precisions[] = {256, 2048, 16384};  // a fit of m steps loses up to about 4 m^2 bits
 
 }  // namespace
 
@@ -183,8 +179,7 @@ std::optional<int> iterations_for_remainder(int points, int degree, const Ration
 
 Rational outlier_factor(int points, int degree) {
   require_window(points, degree);
-  std::vector<int> zeros;
-  for (int k = 0; k < degree; ++k) zeros.push_back(k);
+  std::vector<int> zeros = first_subset(degree);
   Rational largest = 0;
   do {  // |p(x_r)| is convex in p, and the ball of the sum has its vertices at such p
     long sum = 0, most = 0;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <stdexcept>
 
 namespace subcert::data {
 namespace {
@@ -120,7 +121,7 @@ class Outliers {
       if (std::any_of(outliers.begin(), outliers.end(), [&](int r) { return contains(candidate.nodes, r); })) continue;
       if (has_dual(outliers, candidate.beyond)) return candidate.value;
     }
-    fail(ErrorKind::internal, "robustness: no polynomial is a fit");
+    throw std::logic_error("robustness: no polynomial is a fit");
   }
 
   int points_, degree_;

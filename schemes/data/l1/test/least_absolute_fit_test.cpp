@@ -68,7 +68,7 @@ LeastAbsoluteFit<Rational> by_enumeration(const Data& data, int degree) {
 }
 
 /// Small integers, so that ties and polynomials are frequent.
-Data random_data(std::mt19937& engine, int points) {
+Data tied_data(std::mt19937& engine, int points) {
   const int size = std::uniform_int_distribution<int>(0, 9)(engine);
   Data data;
   for (int i = 0; i < points; ++i) data.emplace_back(std::uniform_int_distribution<int>(-size, size)(engine));
@@ -95,7 +95,7 @@ TEST_CASE("least absolute polynomials are those of enumeration, with and without
   for (int trial = 0; trial < 1500; ++trial) {
     const int degree = trial % 4;
     const int points = std::uniform_int_distribution<int>(degree + 1, degree < 2 ? 9 : 7)(engine);
-    const Data data = random_data(engine, points);
+    const Data data = tied_data(engine, points);
     const LeastAbsoluteFitter fitter(points, degree, outputs);
     const LeastAbsoluteFit<Rational> expected = by_enumeration(data, degree), fit = fitter.fit(data);
     CAPTURE(degree, points, data);
@@ -143,7 +143,7 @@ TEST_CASE("least absolute polynomials turn, grow and shift with their data") {
     const int degree = trial % 4, points = std::uniform_int_distribution<int>(degree + 1, 24)(engine);
     const Rational low(2 * points - 3, 4), high(2 * points - 1, 4);  // about the centre of the window
     const LeastAbsoluteFitter fitter(points, degree, {low, high});
-    const Data data = random_data(engine, points);
+    const Data data = tied_data(engine, points);
     const Data fit = fitter.fit(data).values;
     const Data reversed = fitter.fit(Data(data.rbegin(), data.rend())).values;
     CHECK(reversed == Data{fit[1], fit[0]});

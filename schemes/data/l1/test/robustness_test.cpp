@@ -11,10 +11,10 @@ using data::LeastAbsoluteRobustness;
 
 namespace {
 
-using Values = std::vector<std::optional<Rational>>;
-using Pairs = std::vector<std::pair<int, int>>;
+using Bounds = std::vector<std::optional<Rational>>;
+using PlacePairs = std::vector<std::pair<int, int>>;
 
-Rational third(const Enclosure& enclosure) { return (*enclosure.lower + *enclosure.upper) / 2; }
+Rational middle_of(const Enclosure& enclosure) { return (*enclosure.lower + *enclosure.upper) / 2; }
 
 }  // namespace
 
@@ -23,14 +23,14 @@ TEST_CASE("what one and two outliers do to lines: known values") {
   const LeastAbsoluteRobustness five = least_absolute_robustness(5, 1), six = least_absolute_robustness(6, 1);
   const LeastAbsoluteRobustness seven = least_absolute_robustness(7, 1), eight = least_absolute_robustness(8, 1);
   const LeastAbsoluteRobustness ten = least_absolute_robustness(10, 1);
-  CHECK(five.one == Values{7 * half, Rational(5, 4), 1, Rational(5, 4), 7 * half});
-  CHECK(six.one == Values{Rational(7, 4), 1, 1, 1, 1, Rational(7, 4)});
-  CHECK(six.two_break == Pairs{{0, 1}, {0, 2}, {0, 5}, {3, 5}, {4, 5}});
+  CHECK(five.one == Bounds{7 * half, Rational(5, 4), 1, Rational(5, 4), 7 * half});
+  CHECK(six.one == Bounds{Rational(7, 4), 1, 1, 1, 1, Rational(7, 4)});
+  CHECK(six.two_break == PlacePairs{{0, 1}, {0, 2}, {0, 5}, {3, 5}, {4, 5}});
   CHECK(six.two == 9 * half);
-  CHECK(seven.one == Values{Rational(7, 6), Rational(7, 6), 1, 1, 1, Rational(7, 6), Rational(7, 6)});
-  CHECK(seven.two_break == Pairs{{0, 1}, {0, 2}, {4, 6}, {5, 6}});
-  CHECK(eight.one == Values(8, Rational(1)));
-  CHECK(eight.two_break == Pairs{{0, 1}, {6, 7}});
+  CHECK(seven.one == Bounds{Rational(7, 6), Rational(7, 6), 1, 1, 1, Rational(7, 6), Rational(7, 6)});
+  CHECK(seven.two_break == PlacePairs{{0, 1}, {0, 2}, {4, 6}, {5, 6}});
+  CHECK(eight.one == Bounds(8, Rational(1)));
+  CHECK(eight.two_break == PlacePairs{{0, 1}, {6, 7}});
   CHECK(ten.two_break.empty());
   CHECK(ten.two == Rational(13, 6));
   CHECK(six.sharpness == Rational(4, 11));
@@ -66,7 +66,7 @@ TEST_CASE("what fits leave of an outlier: the table, its factor, and the fits fo
     const auto left = outlier_remainder(points, 1, m);
     REQUIRE(left);
     CHECK(*left->upper - *left->lower < Rational(1, 1'000'000'000));
-    CHECK(static_cast<double>(third(*left)) == Approx(value).epsilon(0.006));
+    CHECK(static_cast<double>(middle_of(*left)) == Approx(value).epsilon(0.006));
   };
   close(6, 0, 0.202);
   close(6, 6, 0.0156);

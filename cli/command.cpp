@@ -74,6 +74,11 @@ std::string read_input(const std::string& path) {
 
 int CommonOptions::threads() const { return jobs > 0 ? jobs : all_cores(); }
 
+void CommonOptions::remark(const std::string& line) const {
+  end_progress();
+  if (!quiet) std::cerr << "subcert: note: " << line << "\n";
+}
+
 void CommonOptions::progress(const std::string& line) const {
   if (!quiet && isatty(STDERR_FILENO)) std::cerr << "\r\033[K" << line << std::flush;
 }

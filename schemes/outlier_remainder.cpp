@@ -34,49 +34,37 @@ std::vector<int> first_subset(int size) {
   return result;
 }
 
-/// The reweighted fits of the datum 1 at one place, as values of the polynomial at the nodes and outputs. By the
-/// formula of Cauchy and Binet a weighted fit is the mean of the interpolating polynomials of all sets of D + 1 nodes,
-/// weighted by the product of the weights there and the square of their Vandermonde determinant: nothing but values of
-/// polynomials of both signs is added. A value that is 0 has a weight without bound for delta -> 0 and stays 0: then
-/// only sets with that node count.
+/// The reweighted fits of the datum 1 at one place, as values of the polynomial at the nodes. By the formula of Cauchy
+/// and Binet a weighted fit is the mean of the interpolating polynomials of all sets of D + 1 nodes, weighted by the
+/// square of their Vandermonde determinant and the product of the weights there, or as well of the moduli of residuals
+/// at all other nodes. So residuals that cannot be told from 0 do no harm, and those that are 0 stay so, as for delta
+/// -> 0.
 class OutlierFits {
  public:
   OutlierFits(int points, int degree, int place, slong bits) : points_(points), place_(place), bits_(bits) {
     std::vector<int> nodes = first_subset(degree + 1);
-    Rational total = 0;
-    std::vector<Rational> sums(static_cast<std::size_t>(points), 0);
     do {
       Rational square = 1;
       for (const int a : nodes)
         for (const int b : nodes)
           if (a != b) square *= std::abs(a - b);
-      total += square;
       Set& set = sets_.emplace_back(Set{nodes, Ball(square, bits), {}});
       if (std::find(nodes.begin(), nodes.end(), place) == nodes.end()) continue;
       for (int r = 0; r < points + 2; ++r) {
         Rational value = square;
         for (const int b : nodes)
           if (b != place) value *= (position(r) - b) / Rational(place - b);
-        if (r < points) sums[static_cast<std::size_t>(r)] += value;
         set.values.emplace_back(value, bits);
       }
     } while (next_subset(nodes, points));
     fit(std::vector<Ball>(static_cast<std::size_t>(points), Ball(1, bits)));
-    for (int r = 0; r < points; ++r)
-      if (sums[static_cast<std::size_t>(r)] == 0) zeros_.push_back(r);
   }
 
-  /// One more fit. False: a value cannot be told from 0.
-  bool step() {
-    std::vector<Ball> weights;
-    for (int r = 0; r < points_; ++r) {
-      const Ball residual = r == place_ ? rest_ : abs(values_[static_cast<std::size_t>(r)]);
-      const bool zero = std::find(zeros_.begin(), zeros_.end(), r) != zeros_.end();
-      if (!zero && !Ball(0, bits_).is_less(residual)) return false;
-      weights.push_back(zero ? Ball(1, bits_) : 1 / residual);
-    }
-    fit(weights);
-    return true;
+  void step() {
+    std::vector<Ball> residuals;
+    for (int r = 0; r < points_; ++r)
+      residuals.push_back(r == place_ ? rest_ : abs(values_[static_cast<std::size_t>(r)]));
+    fit(residuals);
   }
 
   Ball largest_output() const { return max(abs(values_[values_.size() - 2]), abs(values_.back())); }
@@ -89,19 +77,16 @@ class OutlierFits {
   };
 
   /// Of the nodes, then of the outputs.
-  Rational position(int r) const {
-    return r < points_ ? Rational(r) : Rational(2 * points_ - 3 + 2 * (r - points_), 4);
-  }
+  Rational position(int r) const { return r < points_ ? Rational(r) : Rational(2 * r - 3, 4); }
 
-  void fit(const std::vector<Ball>& weights) {
-    const auto count = static_cast<std::size_t>(points_) + 2;
+  void fit(const std::vector<Ball>& residuals) {
     Ball with(0, bits_), without(0, bits_);
-    std::vector<Ball> sums(count, Ball(0, bits_));
+    std::vector<Ball> sums(static_cast<std::size_t>(points_) + 2, Ball(0, bits_));
     for (const Set& set : sets_) {
-      const auto has = [&](int r) { return std::find(set.nodes.begin(), set.nodes.end(), r) != set.nodes.end(); };
-      if (!std::all_of(zeros_.begin(), zeros_.end(), has)) continue;
       Ball weight(1, bits_);
-      for (const int r : set.nodes) weight *= weights[static_cast<std::size_t>(r)];
+      for (int r = 0; r < points_; ++r)
+        if (std::find(set.nodes.begin(), set.nodes.end(), r) == set.nodes.end())
+          weight *= residuals[static_cast<std::size_t>(r)];
       (set.values.empty() ? without : with).add_product(weight, set.square);
       for (std::size_t k = 0; k < set.values.size(); ++k) sums[k].add_product(weight, set.values[k]);
     }
@@ -113,7 +98,6 @@ class OutlierFits {
 
   int points_, place_;
   slong bits_;
-  std::vector<int> zeros_;
   std::vector<Set> sets_;
   Ball rest_;                 // 1 less the value at the place of the datum
   std::vector<Ball> values_;  // at the nodes, then at the outputs
@@ -126,7 +110,7 @@ bool is_small(int points, int degree) {
   return sets <= 5000;
 }
 
-/// Calls seen(m, remainder) for m = 0, 1, ... until it returns true. False where a value cannot be told from 0.
+/// Calls seen(m, remainder) for m = 0, 1, ... until it returns true. False where the precision does not do.
 template <class Seen>
 bool follow(int points, int degree, slong bits, Seen seen) {
   if (!is_small(points, degree)) return false;
@@ -135,7 +119,7 @@ bool follow(int points, int degree, slong bits, Seen seen) {
   for (int m = 0; m <= most_iterations; ++m) {
     Ball largest(0, bits);
     for (OutlierFits& one : fits) {
-      if (m > 0 && !one.step()) return false;
+      if (m > 0) one.step();
       largest = max(largest, one.largest_output());
     }
     if (!largest.is_finite()) return false;
@@ -144,7 +128,7 @@ bool follow(int points, int degree, slong bits, Seen seen) {
   return false;
 }
 
-constexpr slong precisions[] = {256, 2048, 16384};  // a fit of m steps loses up to about 4 m^2 bits
+constexpr slong precisions[] = {256, 2048};
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace subcert {
 /// The data 1 at one place of a window of N and 0 elsewhere, the outputs of `l1:points=N,d=D` after `iterations` fits
 /// for delta -> 0: the largest modulus over places and outputs. An outlier X among bounded data moves the fit by this
 /// part of X, but for bounded terms. Domain: 0 <= D <= 3, D + 1 < N <= 64, 0 <= iterations <= 1000, else throws a
-/// domain error. Nothing where a fitted value cannot be told from 0, or binom(N, D + 1) > 5000. Cost: N^2 binom(N, D +
+/// domain error. Nothing where binom(N, D + 1) > 5000, or the precision does not do. Cost: N^2 binom(N, D +
 /// 1) ball operations for each fit. Ref: docs/l1.md, section 3.
 std::optional<Enclosure> outlier_remainder(int points, int degree, int iterations);
 

@@ -1,5 +1,6 @@
 // The least absolute polynomials against all polynomials through as many data as they have coefficients.
 
+#include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/l1/least_absolute_fit.hpp>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
 
 using namespace subcert;
@@ -167,7 +169,7 @@ TEST_CASE("known least absolute lines: ties, outliers, medians") {
     return LeastAbsoluteFitter(n, degree, {Rational(2 * n - 3, 4), Rational(2 * n - 1, 4)}).fit(data);
   };
   CHECK(line({1, 2, 3, 4, 5, 1'000'000}).values == Data{Rational(13, 4), Rational(15, 4)});
-  CHECK(line({1, -1, -1, 1, 1, -1, -1, 1}).values == Data{0, 0});
+  CHECK(line({1, -1, -1, 1, 1, -1, -1, 1}).values == Data{Rational(-1, 6), Rational(-1, 6)});
   CHECK_FALSE(line({1, -1, -1, 1, 1, -1, -1, 1}).unique);
   CHECK_FALSE(line({0, 1, 4, 9}).unique);
   CHECK(line({0, 0, 1, -1, -1, 1}).values[1] == 0);

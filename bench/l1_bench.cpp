@@ -43,6 +43,21 @@ BENCHMARK(BM_l1_curve)
     ->Args({8, 3, 6, 1})
     ->Unit(benchmark::kMillisecond);
 
+/// points, degree: the exact fits.
+void BM_l1_exact(benchmark::State& state) {
+  L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
+  scheme.options.exact = true;
+  const data::GridData<double> data = noise({data::Axis::of(100'000)}, 1);
+  std::size_t outputs = 0;
+  for (auto _ : state) {
+    const data::GridData<double> fine = refine(data, scheme, {});
+    outputs += fine.points();
+    benchmark::DoNotOptimize(fine.values.data());
+  }
+  state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_l1_exact)->Args({6, 1})->Args({8, 1})->Args({6, 3})->Args({16, 1})->Unit(benchmark::kMillisecond);
+
 /// points along each axis, degree.
 void BM_l1_grid(benchmark::State& state) {
   const int points = static_cast<int>(state.range(0));

@@ -52,6 +52,11 @@ void print_json(Json json_object) { std::cout << json_text(std::move(json_object
 
 int CommonOptions::threads() const { return jobs > 0 ? jobs : all_cores(); }
 
+void CommonOptions::remark(const std::string& line) const {
+  end_progress();
+  if (!quiet) std::cerr << "subcert: note: " << line << "\n";
+}
+
 void CommonOptions::progress(const std::string& line) const {
   if (!quiet && isatty(STDERR_FILENO)) std::cerr << "\r\033[K" << line << std::flush;
 }

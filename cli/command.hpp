@@ -66,6 +66,8 @@ struct CommonOptions {
   std::string out;
 
   int threads() const;
+  /// One line on standard error, without --quiet.
+  void remark(const std::string& line) const;
   /// One line on standard error, only on a terminal and without --quiet; the next line replaces it.
   void progress(const std::string& line) const;
   void end_progress() const;

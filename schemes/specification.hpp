@@ -37,6 +37,7 @@ struct DataDependentScheme {
   std::string specification;
   std::string title;
   L1Scheme rules;
+  std::string choice = {};  ///< what was chosen by the program, for its user: the number of fits; else empty
 };
 
 using AnyScheme = std::variant<Scheme, DataDependentScheme>;
@@ -54,8 +55,9 @@ bool is_l1_specification(std::string_view specification);
 
 /// Reads `l1:points=P[xQ[xR]]` with the optional keys d (1), iterations (6), delta (1e-8, decimal or p/q), tolerance
 /// (0, the same) and residuals (separate or joint). Domain: 2, ..., 64 points on curves, 2, ..., 16 along each axis of
-/// a grid; d < points, at most 3; at most 10^6 iterations; delta from 1e-300 to 1e300. Errors: throws
-/// SpecificationError.
+/// a grid; d < points, at most 3; at most 10^6 iterations; delta from 1e-300 to 1e300. On curves, `exact` stands in the
+/// place of iterations, delta, tolerance and residuals, and `iterations=auto[,remainder=1e-6]` is the fewest fits that
+/// leave no more than this part of an outlier; the canonical form has their number. Errors: throws SpecificationError.
 DataDependentScheme make_l1_scheme(std::string_view specification);
 
 /// Reads any specification: make_l1_scheme or make_linear_scheme.

@@ -5,6 +5,7 @@
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
@@ -92,6 +93,8 @@ ExitCode run(const RefineCommand& options) {
     for (data::Axis& axis : file.data.axes) axis.close();
   check_data(file, options.data, name, fewest);
   require_drawable(options.plot, file.data);
+  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
+    for (const std::string& line : data::remarks(*l1)) options.remark(line);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
   const data::GridData<double> refined = options.limit ? limit_of_data(file.data, *mask_with_factors(scheme), how)
                                                        : refine(file.data, scheme, how);

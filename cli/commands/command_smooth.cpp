@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/pages/smooth_page.hpp>
+#include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 
@@ -78,6 +79,8 @@ ExitCode run(const SmoothOptions& options) {
   }
   data::NamedSamples samples = data::read_samples(options.samples);
   if (noise) samples.noise = data::nearest_double(*noise);
+  if (is_l1_specification(options.scheme))
+    for (const std::string& line : data::remarks(make_l1_scheme(options.scheme))) options.remark(line);
   try {
     const SmoothPage page(options, samples, smoothed(options, samples));
     if (!options.plot.empty()) formats::draw_file(page.figure(), options.plot);

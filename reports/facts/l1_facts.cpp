@@ -1,6 +1,8 @@
 #include "l1_facts.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/l1/robustness.hpp>
+#include <subcert/schemes/outlier_remainder.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
@@ -75,6 +77,55 @@ Fact edge_fact(const std::optional<piecewise::EdgeOrbit>& edge) {
           {{"factor", to_text(edge->factor)}, {"values", values}}};
 }
 
+Fact one_outlier_fact(const std::vector<std::optional<Rational>>& bounds) {
+  std::vector<std::string> texts;
+  Json json = Json::array();
+  for (const std::optional<Rational>& bound : bounds) {
+    texts.push_back(bound ? to_text(*bound) : "no bound");
+    json.push_back(bound ? Json(to_text(*bound)) : Json());
+  }
+  return {"one_outlier", "one outlier", fmt::format("{}", fmt::join(texts, ", ")),
+          "by its place: the largest value where it is arbitrary and the others are in [-1, 1]", json};
+}
+
+Facts two_outliers_facts(const data::LeastAbsoluteRobustness& known) {
+  std::vector<std::string> pairs;
+  Json json = Json::array();
+  for (const auto& [first, second] : known.two_break) {
+    pairs.push_back(fmt::format("{}+{}", first + 1, second + 1));
+    json.push_back({first + 1, second + 1});
+  }
+  std::string text = pairs.empty() ? "" : fmt::format("no bound at the places {}", fmt::join(pairs, ", "));
+  if (known.two) text += fmt::format("{}{}", pairs.empty() ? "at most " : "; elsewhere at most ", *known.two);
+  return {{"two_outliers",
+           "two outliers",
+           text,
+           "the same for two",
+           {{"unbounded", json}, {"bound", known.two ? Json(to_text(*known.two)) : Json()}}}};
+}
+
+/// What outliers do to the exact rule, and what fits leave of them. Nothing where the fit interpolates.
+Facts robustness_facts(int points, int degree) {
+  constexpr int most_points = 12;
+  if (points < degree + 2 || points > most_points) return {};
+  const data::LeastAbsoluteRobustness known = data::least_absolute_robustness(points, degree);
+  Facts list{one_outlier_fact(known.one)};
+  append(list, two_outliers_facts(known));
+  if (known.sharpness)
+    list.push_back({"sharpness", "sharpness", to_text(*known.sharpness),
+                    "the sum of moduli grows at least by this times what a value moves", to_text(*known.sharpness)});
+  const Rational factor = outlier_factor(points, degree), part(1, 1'000'000);
+  list.push_back({"outlier_factor", "left over", to_text(factor),
+                  factor < 1 ? "what each further fit leaves of an outlier, in the end"
+                             : "not below 1: no number of fits leaves out every outlier",
+                  to_text(factor)});
+  if (factor >= 1) return list;
+  const std::optional<int> fits = iterations_for_remainder(points, degree, part);
+  list.push_back({"iterations_1e-6", "fits", fits ? std::to_string(*fits) : "unknown",
+                  "that leave at most 1e-6 of an outlier (iterations=auto)", fits ? Json(*fits) : Json()});
+  return list;
+}
+
 }  // namespace
 
 int points_of_curve(const DataDependentScheme& scheme) {
@@ -87,8 +138,10 @@ int points_of_curve(const DataDependentScheme& scheme) {
 Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"", "what follows",
-                  "holds for least absolute deviations, which the fits come near to with many iterations and a small "
-                  "delta"});
+                  scheme.rules.options.exact
+                      ? "holds for every choice of minimisers; where there are several the middle one is taken"
+                      : "holds for least absolute deviations, which the fits come near to with many iterations and a "
+                        "small delta"});
   list.push_back(unique_fact(limit.unique));
   list.push_back(pieces_fact(limit.pieces));
   append(list, range_facts(limit));
@@ -101,6 +154,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   list.push_back(contraction_fact(limit.contraction));
   list.push_back(limits_fact(limit.converges));
   list.push_back(edge_fact(limit.edge));
+  append(list, robustness_facts(limit.points, limit.degree));
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""

@@ -15,6 +15,13 @@ TEST_CASE("l1 specifications are read and printed back in canonical form") {
   CHECK(canonical("l1:points=8,delta=1/3,residuals=joint") == "l1:points=8,d=1,iterations=6,delta=1/3,residuals=joint");
   CHECK(canonical("l1:points=8,iterations=0,tolerance=0.0010,residuals=separate,delta=2") ==
         "l1:points=8,d=1,iterations=0,delta=2,tolerance=1e-3");
+  CHECK(canonical("l1:exact,points=6") == "l1:points=6,d=1,exact");
+  CHECK(canonical("l1:points=7,exact,d=3") == "l1:points=7,d=3,exact");
+  CHECK(make_l1_scheme("l1:points=6,exact").rules.options.exact);
+  CHECK(canonical("l1:points=6,iterations=auto") == "l1:points=6,d=1,iterations=24,delta=1e-8");
+  CHECK(canonical("l1:points=8,remainder=1/50000,iterations=auto") == "l1:points=8,d=1,iterations=10,delta=1e-8");
+  CHECK_THAT(make_l1_scheme("l1:points=6,iterations=auto").choice,
+             Catch::Matchers::Contains("24 fits leave at most 1e-6"));
   const L1Scheme scheme = make_l1_scheme("l1:points=4x5,d=2,iterations=3,delta=0.25e-3").rules;
   CHECK(scheme.points == std::vector<int>{4, 5});
   CHECK(scheme.degree == 2);
@@ -48,5 +55,14 @@ TEST_CASE("bad l1 specifications name the token, its position and what would be 
   CHECK_THAT(message("l1:points=6,tolerance=1e-301"), contains("expected tolerance 0 or from 1e-300"));
   CHECK_THAT(message("l1:points=6,iterations=-1"), contains("iterations as an integer from 0 to 1000000"));
   CHECK_THAT(message("l1:points=6,residuals=vector"), contains("residuals=separate or residuals=joint"));
+  CHECK_THAT(message("l1:points=6,exact,iterations=6"),
+             contains("position 19: 'iterations=6'; expected points and d alone beside 'exact'"));
+  CHECK_THAT(message("l1:delta=1e-8,exact,points=6"), contains("position 4: 'delta=1e-8'"));
+  CHECK_THAT(message("l1:points=6,exact,exact"), contains("position 19: 'exact'; expected each key once"));
+  CHECK_THAT(message("l1:points=6x6,exact"), contains("points of a curve, as 6, beside 'exact'"));
+  CHECK_THAT(message("l1:points=4,iterations=auto"), contains("more points: no number of fits"));
+  CHECK_THAT(message("l1:points=6x6,iterations=auto"), contains("auto is for curves"));
+  CHECK_THAT(message("l1:points=6,remainder=1e-3"), contains("remainder beside iterations=auto alone"));
+  CHECK_THAT(message("l1:points=6,iterations=auto,remainder=0"), contains("remainder from 1e-300"));
   CHECK_THAT(message("l1:points=6,n=3"), contains("position 13: 'n'; expected a key of"));
 }

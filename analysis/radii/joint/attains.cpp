@@ -1,6 +1,7 @@
 #include "attains.hpp"
 
 #include "attained_cycles.hpp"
+#include "cost.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/symbol/ball_matrix.hpp>
@@ -26,9 +27,11 @@ std::optional<Rational> distance(const ComplexBall& ball, const RationalComplex&
 }
 
 /// p(matrix) v. Domain: lowest exponent 0 or more.
-ComplexVector value_on(const LaurentPolynomial& p, const RationalMatrix& matrix, const ComplexVector& v) {
+std::optional<ComplexVector> value_on(const LaurentPolynomial& p, const RationalMatrix& matrix, const ComplexVector& v,
+                                      const Deadline& deadline) {
   ComplexVector sum(v.size(), RationalComplex{0, 0});
   for (long k = p.highest(); k >= 0; --k) {
+    if (deadline.expired()) return std::nullopt;
     sum = matrix * sum;
     for (std::size_t i = 0; i < v.size(); ++i) {
       sum[i].re += p.coefficient(k) * v[i].re;
@@ -200,7 +203,9 @@ class Proof {
     const auto& [f, others, multiplicity, eigenvalue, zeros] = *own;
     cycle.simple = multiplicity == 1;
     if (polytope_.kind == PolytopeKind::nonnegative && !is_perron_root(eigenvalue, zeros)) return std::nullopt;
-    cycle.eigenspace = kernel(value_at(f, product));
+    const std::optional<RationalMatrix> on_product = value_at(f, product, deadline_);
+    if (!on_product || !has_time_for_elimination(*on_product, deadline_)) return std::nullopt;
+    cycle.eigenspace = kernel(*on_product);
     if (static_cast<long>(cycle.eigenspace.size()) != f.highest() * multiplicity) return std::nullopt;
     const Enclosure modulus = abs(eigenvalue).enclosure(256);
     if (!modulus.lower || *modulus.lower <= 0) return std::nullopt;
@@ -240,18 +245,21 @@ class Proof {
 
   /// |v - q(product) v / q(z)|_1 for q(x) = others(x) f(x) / (x - z). Domain: f(z) = 0, f others vanishes at the
   /// product.
-  static std::optional<Rational> distance_to_eigenvector(const RationalMatrix& product, const ComplexVector& v,
-                                                         const LaurentPolynomial& f, const LaurentPolynomial& others,
-                                                         const ComplexBall& z) {
+  std::optional<Rational> distance_to_eigenvector(const RationalMatrix& product, const ComplexVector& v,
+                                                  const LaurentPolynomial& f, const LaurentPolynomial& others,
+                                                  const ComplexBall& z) const {
     const slong precision = z.bits();
     std::vector<ComplexBall> projection(v.size(), ball_around({0, 0}, precision));
-    ComplexVector moved = value_on(others, product, v);
+    std::optional<ComplexVector> moved = value_on(others, product, v, deadline_);
+    if (!moved) return std::nullopt;
     // f(x) / (x - z) has the coefficients b_k = f_{k+1} + z b_{k+1}.
     std::vector<ComplexBall> coefficients{ball_around({f.coefficient(f.highest()), 0}, precision)};
     for (long k = f.highest() - 1; k >= 1; --k)
       coefficients.push_back(ball_around({f.coefficient(k), 0}, precision) + z * coefficients.back());
-    for (std::size_t k = coefficients.size(); k-- > 0; moved = product * moved)
-      for (std::size_t i = 0; i < v.size(); ++i) projection[i] += coefficients[k] * ball_around(moved[i], precision);
+    for (std::size_t k = coefficients.size(); k-- > 0; moved = product * *moved) {
+      if (deadline_.expired()) return std::nullopt;
+      for (std::size_t i = 0; i < v.size(); ++i) projection[i] += coefficients[k] * ball_around((*moved)[i], precision);
+    }
     const ComplexBall value = value_at(others, z) * value_at(f.derivative(), z);
     Rational sum = 0;
     for (std::size_t i = 0; i < v.size(); ++i) {

@@ -160,6 +160,7 @@ std::optional<Rule> least_absolute_rule(int points, int degree, std::size_t most
 Decision unique_minimiser(int points, int degree, const std::optional<Rule>& rule) {
   const std::string theorem = "of degree 1 exactly 3 points and 2 mod 4 points have one minimiser for every datum";
   if (degree == 1) return {points == 3 || points % 4 == 2 ? Truth::yes : Truth::no, theorem};
+  if (degree == 0) return {points % 2 == 1 ? Truth::yes : Truth::no, "medians of an odd number of data are unique"};
   if (points == degree + 1) return {Truth::yes, "the fit interpolates"};
   if (!rule) return {Truth::unknown, "there are too many pieces"};
   if (rule->is_function()) return {Truth::yes, "each of the pieces determines the fit"};

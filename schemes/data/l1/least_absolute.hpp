@@ -17,8 +17,8 @@ namespace subcert::data {
 /// other ones may balance.
 std::optional<piecewise::Rule> least_absolute_rule(int points, int degree, std::size_t most_pieces = 20'000);
 
-/// Whether every datum has one minimiser. Proved for degree 1 (docs/l1.md, Theorem 1) and by the pieces where there are
-/// not too many; else unknown.
+/// Whether every datum has one minimiser. Proved for degrees 0 and 1 (docs/l1.md, Theorem 1) and by the pieces where
+/// there are not too many; else unknown.
 Decision unique_minimiser(int points, int degree, const std::optional<piecewise::Rule>& rule);
 
 }  // namespace subcert::data

@@ -62,9 +62,9 @@ std::size_t end_of_list(std::string_view text) {
   return text.size();
 }
 
-/// Blanks go, or stand for commas where they part the entries of a row.
-std::string without_blanks(std::string_view list) {
-  const bool parts = list.find(',') == std::string_view::npos;
+/// Blanks go, or stand for commas where they part the entries of a row. Between two operands of a list with commas, or
+/// behind it, one stays, for a reader to refuse.
+std::string without_blanks(std::string_view list, bool parts) {
   std::string result;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!is_blank(list[i])) {
@@ -73,9 +73,12 @@ std::string without_blanks(std::string_view list) {
     }
     std::size_t next = i;
     while (next < list.size() && is_blank(list[next])) ++next;
-    if (parts && next + 1 < list.size() && !result.empty() && ends_operand(result.back())) {
-      const bool is_sign = list[next] == '+' || list[next] == '-';
-      if (begins_operand(list[next]) || (is_sign && !is_blank(list[next + 1]))) result += ',';
+    if (next < list.size() && !result.empty() && ends_operand(result.back())) {
+      const bool is_sign = (list[next] == '+' || list[next] == '-') && next + 1 < list.size();
+      if (begins_operand(list[next]))
+        result += parts ? ',' : ' ';
+      else if (parts && is_sign && !is_blank(list[next + 1]))
+        result += ',';
     }
     i = next - 1;
   }
@@ -113,9 +116,9 @@ std::string mask_as_written(std::string_view text, std::string family = "mask") 
   if (divisor == 0) return {};
   text.remove_prefix(begin);
   const std::size_t end = end_of_list(text);
-  const std::string list = in_rows(without_blanks(text.substr(0, end)));
-  std::string rest(text.substr(end));
-  std::erase_if(rest, is_blank);
+  const std::string_view written = text.substr(0, end);
+  const std::string list = in_rows(without_blanks(written, written.find(',') == std::string_view::npos));
+  const std::string rest = without_blanks(text.substr(end), false);
   const bool divided = rest.starts_with('/');
   if (divisor != 1 && divided) return {};
   const std::size_t depth = depth_of(list);

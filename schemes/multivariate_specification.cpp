@@ -356,7 +356,7 @@ Scheme linear_scheme_of(std::string_view specification) {
   for (const FamilyHelp& help : families())
     if (help.family == family.text) return make_scheme(specification);
   if (is_l1_specification(specification))
-    fail(family, "a linear scheme; l1 schemes only act on data: 'subcert mask --help' lists the others");
+    fail(family, "a linear scheme; l1 schemes only act on data, and 'subcert l1' tells what is proved of them");
   fail(family, unknown_family(family.text));
 }
 

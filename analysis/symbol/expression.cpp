@@ -11,8 +11,8 @@ namespace subcert {
 namespace {
 
 constexpr long max_power = 64, max_depth = 50;
-constexpr unsigned max_bits = 20'000;  // of a number in a product
-constexpr long max_terms = 1'000'000;  // that a product makes
+constexpr unsigned max_bits = 20'000;         // of a number in a product
+constexpr std::size_t max_terms = 1'000'000;  // that all products make
 
 class Reader {
  public:
@@ -89,15 +89,19 @@ class Reader {
   /// ways, as in 1/2w, a sign or parentheses are asked for.
   LetterFunction divisor(std::size_t begin, bool in_parentheses) {
     LetterFunction result = power();
-    while (in_parentheses && next_is_letter()) result = times(result, power());
+    while (in_parentheses && next_is_letter()) {
+      const std::size_t letter = at_;
+      result = times(result, power());
+      if (text_.substr(letter, at_ - letter).find('-') != std::string_view::npos)
+        fail(letter, "a * before a negative power");
+    }
     if (next_is_letter() || next_is('(')) fail(begin, "a * or parentheses that say how far the divisor goes");
     return result;
   }
 
-  LetterFunction times(const LetterFunction& a, const LetterFunction& b) const {
-    if (a.numerator().count() * b.numerator().count() > max_terms ||
-        a.denominator().count() * b.denominator().count() > max_terms)
-      fail(0, "fewer terms");
+  LetterFunction times(const LetterFunction& a, const LetterFunction& b) {
+    made_ += a.numerator().count() * b.numerator().count() + a.denominator().count() * b.denominator().count();
+    if (made_ > max_terms) fail(0, "fewer terms");
     return bounded(a * b);
   }
 
@@ -195,6 +199,7 @@ class Reader {
   bool negative_powers_ = false;
   std::size_t at_ = 0;
   long depth_ = 0;
+  std::size_t made_ = 0;  // terms
 };
 
 }  // namespace

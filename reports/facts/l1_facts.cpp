@@ -59,9 +59,9 @@ Fact contraction_fact(const std::optional<piecewise::Contraction>& found) {
 
 Fact limits_fact(const Decision& converges) {
   Fact fact{"converges", "limits",
-            converges.is_yes()  ? "the scheme converges"
-            : converges.is_no() ? "the scheme does not converge"
-                                : "unknown whether the scheme converges",
+            converges.is_yes()  ? "the exact rule converges"
+            : converges.is_no() ? "the exact rule does not converge"
+                                : "unknown whether the exact rule converges",
             converges.reason, to_text(converges.truth)};
   return fact;
 }
@@ -116,8 +116,9 @@ Facts robustness_facts(int points, int degree) {
                     "the sum of moduli grows at least by this times what a value moves", to_text(*known.sharpness)});
   const Rational factor = outlier_factor(points, degree), part(1, 1'000'000);
   list.push_back({"outlier_factor", "left over", to_text(factor),
-                  factor < 1 ? "what each further fit leaves of an outlier, in the end"
-                             : "not below 1: no number of fits leaves out every outlier",
+                  factor < 1
+                      ? "the factor to which what each further fit leaves of an outlier tends, as computed numbers show"
+                      : "not below 1: no number of fits leaves out every outlier",
                   to_text(factor)});
   if (factor >= 1) return list;
   const std::optional<int> fits = iterations_for_remainder(points, degree, part);

@@ -82,6 +82,13 @@ TEST_CASE("schemes as papers and people write them") {
                                 "l1:points=6", "tensor:(primal:n=3)x(dual:n=2)", "", ":", "mask:"})
     CHECK(specification_as_written(canonical) == canonical);
   // What could be read in two ways is refused.
+  for (const char* bad : {"[1,1 6,15]/16", "[1,2,1]/2 @ 1 0", "[10 20 10]/2 0", "(1+z)^3/4z^-2", "(1+z)^3/4 z^-2"}) {
+    CAPTURE(bad);
+    CHECK_THROWS_AS(make_linear_scheme(bad), SpecificationError);
+  }
+  std::string many;
+  for (int i = 0; i < 5000; ++i) many += "(1+z)";
+  CHECK_THROWS_WITH(make_linear_scheme(many), Catch::Contains("fewer terms"));
   CHECK_THROWS_WITH(make_scheme("1/4(1+z)^3"), Catch::Contains("how far the divisor goes"));
   CHECK_THROWS_WITH(make_parametric_scheme("[1/2w,1,1-1/2w]"), Catch::Contains("how far the divisor goes"));
   CHECK(make_parametric_scheme("(1+z)^2(-w+2wz+(1-2w)z^2+2wz^3-wz^4)/2z^3").specification ==

@@ -364,13 +364,16 @@ const std::vector<Entry>& entries() {
          higher,
          false,
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_n, describe_8_n); }});
+    constexpr int most_neighbours = 41;
     all.push_back({{"conjecture-8-d", "psi of degree d < psi of degree d + 2 everywhere", "every n >= (d+3)/2", pairs},
                    {},
-                   higher,
+                   {"neighbours are compared up to degree " + text(most_neighbours) +
+                    ", of other families the machine of section 7 is run up to degree " + text(most_degree) +
+                    "; beyond, the curves for small n take minutes"},
                    false,
                    [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
                      if (!primal(family) || degree < 13) return found(degree, family, uniform_8_d, describe_8_d);
-                     if (degree > 41) return std::nullopt;
+                     if (degree > most_neighbours) return std::nullopt;
                      return by_threads(degree, every_n_checks, describe_every_n);
                    }});
     all.push_back(

@@ -161,8 +161,9 @@ class WordDeterminant {
     BallVector from(size), to(size);
     for (std::size_t k = 0; k < size; ++k) {
       for (std::size_t j = 0; j < size; ++j) from.set(j, Ball(j == k ? 1 : 0, det_bits));
-      for (char digit : word) {
-        transition.apply(digit - '0', from, to);
+      // x_i = (x_{i-1} + digit)/2: the first digit of a point belongs to what is applied last.
+      for (auto digit = word.rbegin(); digit != word.rend(); ++digit) {
+        transition.apply(*digit - '0', from, to);
         std::swap(from, to);
       }
       for (std::size_t j = 0; j < size; ++j) rows_[j][k] = -from.at(j, det_bits);

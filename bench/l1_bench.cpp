@@ -18,11 +18,7 @@ data::GridData<double> noise(const std::vector<data::Axis>& axes, std::size_t di
   return data;
 }
 
-/// points, degree, iterations, coordinates.
-void BM_l1_curve(benchmark::State& state) {
-  L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
-  scheme.options.iterations = static_cast<int>(state.range(2));
-  const data::GridData<double> data = noise({data::Axis::of(100'000)}, static_cast<std::size_t>(state.range(3)));
+void refine_while_asked(benchmark::State& state, const data::GridData<double>& data, const L1Scheme& scheme) {
   std::size_t outputs = 0;
   for (auto _ : state) {
     const data::GridData<double> fine = refine(data, scheme, {});
@@ -30,6 +26,14 @@ void BM_l1_curve(benchmark::State& state) {
     benchmark::DoNotOptimize(fine.values.data());
   }
   state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);
+}
+
+/// points, degree, iterations, coordinates.
+void BM_l1_curve(benchmark::State& state) {
+  L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
+  scheme.options.iterations = static_cast<int>(state.range(2));
+  const data::GridData<double> data = noise({data::Axis::of(100'000)}, static_cast<std::size_t>(state.range(3)));
+  refine_while_asked(state, data, scheme);
 }
 BENCHMARK(BM_l1_curve)
     ->Args({6, 1, 6, 1})
@@ -48,13 +52,7 @@ void BM_l1_exact(benchmark::State& state) {
   L1Scheme scheme{{static_cast<int>(state.range(0))}, static_cast<int>(state.range(1))};
   scheme.options.exact = true;
   const data::GridData<double> data = noise({data::Axis::of(100'000)}, 1);
-  std::size_t outputs = 0;
-  for (auto _ : state) {
-    const data::GridData<double> fine = refine(data, scheme, {});
-    outputs += fine.points();
-    benchmark::DoNotOptimize(fine.values.data());
-  }
-  state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);
+  refine_while_asked(state, data, scheme);
 }
 BENCHMARK(BM_l1_exact)->Args({6, 1})->Args({8, 1})->Args({6, 3})->Args({16, 1})->Unit(benchmark::kMillisecond);
 
@@ -63,13 +61,7 @@ void BM_l1_grid(benchmark::State& state) {
   const int points = static_cast<int>(state.range(0));
   const L1Scheme scheme{{points, points}, static_cast<int>(state.range(1))};
   const data::GridData<double> data = noise({data::Axis::of(120), data::Axis::of(120)}, 1);
-  std::size_t outputs = 0;
-  for (auto _ : state) {
-    const data::GridData<double> fine = refine(data, scheme, {});
-    outputs += fine.points();
-    benchmark::DoNotOptimize(fine.values.data());
-  }
-  state.counters["outputs/s"] = benchmark::Counter(static_cast<double>(outputs), benchmark::Counter::kIsRate);
+  refine_while_asked(state, data, scheme);
 }
 BENCHMARK(BM_l1_grid)->Args({4, 1})->Args({6, 1})->Args({6, 2})->Args({6, 3})->Unit(benchmark::kMillisecond);
 

@@ -1,6 +1,7 @@
 #include "as_written.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 
 #include <algorithm>
 #include <array>
@@ -37,12 +38,6 @@ bool ends_operand(char c) {
 }
 bool begins_operand(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '(' || c == '.' || c == '[';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 /// In small letters, with - for _.
@@ -100,8 +95,8 @@ std::size_t depth_of(std::string_view list) {
 }
 
 /// D of a factor 1/D in front of a list, with or without parentheses and a star; 0 for another text.
-Integer divisor_of(std::string_view factor) {
-  factor = trimmed(factor);
+Integer divisor_of(std::string_view before) {
+  std::string factor = trimmed(before);
   if (factor.ends_with('*')) factor = trimmed(factor.substr(0, factor.size() - 1));
   if (factor.starts_with('(') && factor.ends_with(')')) factor = trimmed(factor.substr(1, factor.size() - 2));
   const auto value = parse_number(factor);
@@ -142,21 +137,21 @@ bool is_symbol(std::string_view text) {
 }  // namespace
 
 std::string specification_as_written(std::string_view text) {
-  const std::string_view written = trimmed(text);
-  const std::size_t colon = written.starts_with('[') ? std::string_view::npos : written.find(':');
-  if (colon == std::string_view::npos) {
+  const std::string written = trimmed(text);
+  const std::size_t colon = written.starts_with('[') ? std::string::npos : written.find(':');
+  if (colon == std::string::npos) {
     if (std::string mask = mask_as_written(written); !mask.empty()) return mask;
-    if (is_symbol(written)) return symbol_family(written) + ":" + std::string(written);
+    if (is_symbol(written)) return symbol_family(written) + ":" + written;
   }
   const std::string name = name_of(written.substr(0, colon));
-  const std::string_view body = colon == std::string_view::npos ? "" : trimmed(written.substr(colon + 1));
+  const std::string body = colon == std::string::npos ? "" : trimmed(written.substr(colon + 1));
   if (body.empty())
     for (const auto& [other, specification] : names)
       if (other == name) return std::string(specification);
-  if (colon == std::string_view::npos) return name;
+  if (colon == std::string::npos) return name;
   if (name == "mask" || name == "mask2" || name == "mask3")
     if (std::string mask = mask_as_written(body, name); !mask.empty()) return mask;
-  return (name == "symbol" ? symbol_family(body) : name) + ":" + std::string(body);
+  return (name == "symbol" ? symbol_family(body) : name) + ":" + body;
 }
 
 std::vector<std::string> other_names() {

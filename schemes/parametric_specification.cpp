@@ -85,11 +85,6 @@ struct LetterMask {
   Fields fields;
 };
 
-int read_arity(Fields& fields) {
-  const auto piece = fields.optional("arity");
-  return piece ? static_cast<int>(read_integer(*piece, "arity", 2, max_arity)) : 2;
-}
-
 /// `(1+z)^2(...)/16z^3,arity=2` with letters beside z.
 LetterMask read_letter_symbol(const Piece& family, const Piece& body, const std::string& letters,
                               const std::string& usage) {
@@ -117,7 +112,7 @@ LetterMask read_letter_symbol(const Piece& family, const Piece& body, const std:
                                            MultivariatePolynomial(variables));
   for (const auto& [power, terms] : above)
     coefficients[static_cast<std::size_t>(power - first)] = {MultivariatePolynomial(variables, terms), divisor};
-  const int arity = read_arity(fields);
+  const int arity = static_cast<int>(read_arity(fields));
   return {std::move(coefficients), first - below.begin()->first, arity, letters, expression, std::move(fields)};
 }
 
@@ -128,7 +123,7 @@ LetterMask read_letter_mask(const Piece& family, const Piece& body, const std::s
   if (family.text == "symbol") return read_letter_symbol(family, body, letters, usage);
   auto [mask, fields] = split_mask(family, body, usage, 1, max_coefficients);
   auto parts = placed(mask, [&mask = mask, &letters] { return text::parse_mask_text(mask.text, letters); });
-  const int arity = read_arity(fields);
+  const int arity = static_cast<int>(read_arity(fields));
   const Piece list{mask.text.substr(0, mask.text.find(']') + 1), mask.at};
   if (std::ranges::all_of(parts.coefficients, &LetterFunction::is_zero))
     fail(list, "at least one coefficient that is not zero");

@@ -136,11 +136,6 @@ Scheme make_dual_spline(Fields& fields) {
           dual_spline_mask(static_cast<int>(n), static_cast<int>(m))};
 }
 
-long read_arity(Fields& fields) {
-  const auto piece = fields.optional("arity");
-  return piece ? read_integer(*piece, "arity", 2, max_arity) : 2;
-}
-
 Scheme mask_of(const Piece& body, const LaurentPolynomial& symbol, long arity) {
   if (symbol.is_zero()) fail(body, "at least one non-zero coefficient");
   const Mask mask(symbol, static_cast<int>(arity));

@@ -134,6 +134,12 @@ class Fields {
   std::vector<Field> fields_;
 };
 
+/// The key arity; 2 unless given.
+inline long read_arity(Fields& fields) {
+  const auto piece = fields.optional("arity");
+  return piece ? read_integer(*piece, "arity", 2, max_arity) : 2;
+}
+
 /// Of coefficients whose sum over `where` is to be 1: what their sum is, exactly, and how to go on. `common`: the sum
 /// that all classes have.
 inline std::string sum_text(const std::string& where, const Rational& sum, const std::optional<Rational>& common) {

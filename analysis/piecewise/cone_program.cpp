@@ -205,11 +205,8 @@ std::optional<std::vector<Rational>> ConeProgram::maximiser() const {
   for (std::size_t j = 0; j < dimension_; ++j) x.push_back((*solution)(j, 0));
   for (std::size_t j = 0; j < boxed_; ++j)
     if (abs(x[j]) > 1) return std::nullopt;
-  for (const Row* row : rows_) {
-    Rational value = 0;
-    for (std::size_t j = 0; j < row->size(); ++j) value += (*row)[j] * x[j];
-    if (value < 0) return std::nullopt;
-  }
+  for (const Row* row : rows_)
+    if (value_at(*row, x) < 0) return std::nullopt;
   return x;
 }
 

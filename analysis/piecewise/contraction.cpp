@@ -21,12 +21,6 @@ void add_multiple(Row& sum, const Rational& factor, const Row& row) {
     if (row[j] != 0) sum[j] += factor * row[j];
 }
 
-Rational value_at(const Row& form, const std::vector<Rational>& x) {
-  Rational sum = 0;
-  for (std::size_t j = 0; j < form.size(); ++j) sum += form[j] * x[j];
-  return sum;
-}
-
 /// (-1)^(order - s) binom(order, s) for s = 0, ..., order.
 Row difference_form(int order) {
   Row form{order % 2 == 0 ? 1 : -1};

@@ -11,13 +11,6 @@ namespace {
 constexpr int search_steps = 24;        // after which the pieces of a patch have settled, if they do
 constexpr std::size_t most_levels = 8;  // in which positive values in a row are looked for
 
-Rational value_at(const Row& form, const std::vector<Rational>& x) {
-  Rational sum = 0;
-  for (std::size_t r = 0; r < x.size(); ++r)
-    if (x[r] != 0) sum += form[r] * x[r];
-  return sum;
-}
-
 const Piece& piece_of(const Rule& rule, const std::vector<Rational>& window) {
   for (const Piece& piece : rule.pieces)
     if (std::all_of(piece.cell.begin(), piece.cell.end(), [&](const Row& row) { return value_at(row, window) >= 0; }))

@@ -8,6 +8,13 @@
 
 namespace subcert::piecewise {
 
+Rational value_at(const Row& form, const std::vector<Rational>& x) {
+  Rational sum = 0;
+  for (std::size_t j = 0; j < form.size(); ++j)
+    if (x[j] != 0) sum += form[j] * x[j];
+  return sum;
+}
+
 bool Rule::is_function() const {
   return std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.own == 0; });
 }

@@ -15,6 +15,9 @@ namespace subcert::piecewise {
 /// A linear form; coordinates beyond its end are zero.
 using Row = std::vector<Rational>;
 
+/// Domain: at least as many coordinates as the form has.
+Rational value_at(const Row& form, const std::vector<Rational>& x);
+
 /// One piece. Its variables are the data of the window and `own` further ones, which are free within the cell.
 /// Residual r is datum r minus the value of the fit there; signs[r] = 1: it is >= 0, -1: <= 0, 0: it is zero on the
 /// whole piece.

@@ -25,7 +25,7 @@ struct FrequencyProof {
 /// Of the transition matrices of `scheme`, b: their radius is the growth of the largest coefficient of b(z) b(z^A) ...
 /// Nothing where none is found. Domain: coset sums need not be 1; meant for divided difference schemes of the largest
 /// order; cells >= 1. Errors: throws a domain error. Error: none, balls decide. Cost: for 100 coefficients and 32 cells
-/// a tenth of a second; grows with the square of their number. Ref: SPEC.md, theorem 35.
+/// a tenth of a second; grows with the square of their number. Ref: SPEC.md, theorem 40.
 std::optional<FrequencyProof> frequency_proof(const Mask& scheme, int cells, const Deadline& deadline = {});
 
 }  // namespace subcert

@@ -143,7 +143,7 @@ std::string specification_as_written(std::string_view text) {
     if (std::string mask = mask_as_written(written); !mask.empty()) return mask;
     if (is_symbol(written)) return symbol_family(written) + ":" + written;
   }
-  const std::string name = name_of(written.substr(0, colon));
+  std::string name = name_of(written.substr(0, colon));
   const std::string body = colon == std::string::npos ? "" : trimmed(written.substr(colon + 1));
   if (body.empty())
     for (const auto& [other, specification] : names)

@@ -23,7 +23,7 @@ struct ParametricScheme {
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
 /// Whether the text names a family that make_parametric_scheme may read: with a letter where a number may stand.
-bool has_parameter(std::string_view specification);
+bool has_parameter(std::string_view text);
 
 /// Reads `mask:[t,0,-w-3*t,...]` with two or three letters: coefficients are what LetterFunction::parse reads. Domain:
 /// different letters; up to 100 coefficients, degrees up to 12 in each; else as make_scheme. Errors: throws

@@ -121,7 +121,7 @@ Scheme make_daubechies(Fields& fields) {
   Scheme scheme{"daubechies:n=" + number(n),
                 "orthonormal scaling function D" + number(2 * n) + " of Daubechies, coefficients rounded",
                 std::move(rounded.mask)};
-  if (rounded.rounding.distance > 0) scheme.rounding = std::move(rounded.rounding);
+  if (rounded.rounding.distance > 0) scheme.rounding = rounded.rounding;
   return scheme;
 }
 
@@ -227,7 +227,8 @@ MultivariatePolynomial read_symbol(const Piece& expression, std::string_view let
 
 MaskAndFields read_mask(const Piece& family, const Piece& body, const std::string& usage, int variables, long most) {
   auto [mask, fields] = split_mask(family, body, usage, variables, most);
-  return {placed(mask, [&] { return text::parse_mask_text(mask.text, variables); }), std::move(fields)};
+  return {placed(mask, [&mask = mask, variables] { return text::parse_mask_text(mask.text, variables); }),
+          std::move(fields)};
 }
 
 }  // namespace specification_text

@@ -146,8 +146,7 @@ inline std::string sum_text(const std::string& where, const Rational& sum, const
   constexpr long rounding = 1000;  // sums nearer to 1 than its reciprocal are taken for rounded ones
   const auto exact = [](const Rational& value) {
     constexpr std::size_t longest = 60;
-    if (const std::string decimal = to_decimal(value, 40, Rounding::nearest); parse_number(decimal) == value)
-      return decimal;
+    if (std::string decimal = to_decimal(value, 40, Rounding::nearest); parse_number(decimal) == value) return decimal;
     const std::string text = to_text(value);
     return text.size() <= longest ? text : short_text(value);
   };

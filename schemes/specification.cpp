@@ -117,10 +117,10 @@ Scheme make_regression(Fields& fields) {
 Scheme make_daubechies(Fields& fields) {
   const long n = read_integer(fields.required("n"), "n", 1, 40);
   fields.finish();
-  RoundedMask rounded = daubechies_mask(static_cast<int>(n));
+  const RoundedMask rounded = daubechies_mask(static_cast<int>(n));
   Scheme scheme{"daubechies:n=" + number(n),
                 "orthonormal scaling function D" + number(2 * n) + " of Daubechies, coefficients rounded",
-                std::move(rounded.mask)};
+                rounded.mask};
   if (rounded.rounding.distance > 0) scheme.rounding = rounded.rounding;
   return scheme;
 }

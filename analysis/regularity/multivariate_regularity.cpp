@@ -112,7 +112,8 @@ Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int su
   Decision decision = converges(mask, {levels, end.after(shares::convergence)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
-    auto found = shrinking_differences(mask, sum_rules, {end.at_most(shares::convergence_seconds), budget.memory});
+    const Deadline searching = shrinking ? end : end.at_most(shares::convergence_seconds);
+    auto found = shrinking_differences(mask, sum_rules, {searching, budget.memory});
     if (found && !decision.is_yes())
       decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
                                                       : "the differences of the scheme shrink"};

@@ -529,7 +529,8 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
   const DifferenceSpace& space = *regularity.space;
   require(!space.is_of_values() || regularity.shrinking,
-          "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone");
+          "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone (with a "
+          "longer budget a proof may be found)");
   const auto exponent = [&](const ExactRadius& exact) {
     Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact)}, dilation.classes(),
                                         dilation.variables());

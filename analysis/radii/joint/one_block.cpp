@@ -232,12 +232,17 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
   result.product = prove_product(family, result.candidate.word(0), proving(1).deadline);
   result.polytope = certify_polytope(family, result.candidate,
                                      proving(result.candidate.closed ? shares::closed_proof : 1));
-  if (!result.polytope && result.candidate.closed && !budget.deadline.expired()) {
-    // Too many vertices for a proof in this time: a smaller polytope, of a little more than the radius.
+  const bool is_done = result.polytope && (result.candidate.closed || result.reaches(target));
+  if (!is_done && !budget.deadline.expired()) {
+    // Too many vertices for a proof in this time, or the search ended too early to enclose well: a polytope of a little
+    // more than the radius, with time that the proof left.
     PolytopeCandidate larger = find_polytope(family, {budget.deadline.after(shares::larger_polytope), budget.memory},
                                              cones, false);
-    result.polytope = certify_polytope(family, larger, proving(1));
-    if (result.polytope) result.candidate = std::move(larger);
+    auto proof = larger.vertices.empty() ? std::nullopt : certify_polytope(family, larger, proving(1));
+    if (proof && (!result.polytope || proof->bound < result.polytope->bound)) {
+      result.polytope = std::move(proof);
+      result.candidate = std::move(larger);
+    }
   }
   if (result.reaches(target))
     result.exact.reason = "a bound was asked for, and nothing else";

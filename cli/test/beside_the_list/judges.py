@@ -7,7 +7,8 @@ from fractions import Fraction
 from oracles import DifferenceScheme, Words
 
 ENDINGS = {0, 1, 2}  # of what is well formed
-NO_CLAIM = "need a positive lower bound"  # a reason for no certificate: the mask's own bounds, not those of its factors
+# Reasons for no certificate: the mask's own bounds, not those of its factors; a proof that takes more time.
+NO_CLAIM = ("need a positive lower bound", "with a longer budget a proof may be found")
 LONG_CHECK = "more work than"  # says the checker, after some ten seconds
 MEMORY_BESIDE = 160  # MiB beside those of --memory: the program and what it has read
 MOST_SAMPLES = 7  # of a range
@@ -201,7 +202,7 @@ def coefficients(case, run):
 def certificate(case, run):
     if not has_certificate(run):
         reason = no_certificate_reason(run)
-        if "--certificate" in case.arguments and run.code == 0 and NO_CLAIM not in reason:
+        if "--certificate" in case.arguments and run.code == 0 and not any(claim in reason for claim in NO_CLAIM):
             yield "certificate", f"none was written: {reason[:200]}"
         return
     verified = run.again(["verify", "proof.cert"])
@@ -211,24 +212,53 @@ def certificate(case, run):
 
 
 def longer(case, run, factor=3):
-    """More time does not widen the enclosure, or contradict it."""
+    """More time does not contradict the enclosure, and does not widen it. Time is that of the processor, so that a
+    search that closes just in time does so in one run and not in the next: of three runs with each budget the ones in
+    the middle are compared."""
     key = {"regularity": "holder", "jsr": "radius"}.get(case.kind)
     before = (run.answer or {}).get(key)
     if not before or case.budget * factor > 4:
         return
-    later = run.again([*case.arguments, "--budget", f"{factor * case.budget:g}", "--json", "--quiet"])
+
+    def ask(seconds):
+        return run.again([*case.arguments, "--budget", f"{seconds:g}", "--json", "--quiet"])
+
+    def thrice(seconds, first):
+        return [first, *((ask(seconds).answer or {}).get(key) for _ in range(2))]
+
+    later = ask(factor * case.budget)
     after = (later.answer or {}).get(key)
     if not after:
         yield "longer budget", f"no answer with {factor} times the budget: {later.errors[:200]}"
         return
     for side, other, sign in (("lower", "upper", 1), ("upper", "lower", -1)):
-        first, second, opposite = end(before, side), end(after, side), end(after, other)
-        if first is None:
-            continue
-        if opposite is not None and sign * (first - opposite) > 0:
+        first, opposite = end(before, side), end(after, other)
+        if first is not None and opposite is not None and sign * (first - opposite) > 0:
             yield "wrong", f"{side} end {before[side]}, and with more time {other} end {after[other]}"
-        if second is None or sign * (first - second) > max(last_digit(before[side]), last_digit(after[side])):
+        if widens(before, after, side) and widens(middle(thrice(case.budget, before), side),
+                                                  middle(thrice(factor * case.budget, after), side), side):
             yield "longer budget", f"{side} end {before[side]}, and {after[side]} with {factor} times the budget"
+
+
+def widens(before, after, side):
+    """Whether that end moved outward by more than the last digit of either."""
+    first, second = end(before, side), end(after, side)
+    if first is None:
+        return False
+    if second is None:
+        return True
+    outward = second - first if side == "upper" else first - second
+    return outward > max(last_digit(before[side]), last_digit(after[side]))
+
+
+def middle(enclosures_of_runs, side):
+    """The enclosure whose end on that side is the one in the middle; a missing end is the widest."""
+    widest = float("inf") if side == "upper" else float("-inf")
+
+    def key(enclosure):
+        at = end(enclosure, side)
+        return widest if at is None else at
+    return sorted(enclosures_of_runs, key=key)[len(enclosures_of_runs) // 2]
 
 
 OF_ALL = (ending, resources, not_empty)

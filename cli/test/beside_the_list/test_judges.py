@@ -93,14 +93,26 @@ class Judges(unittest.TestCase):
                          ["empty enclosure"])
 
     def test_longer_budget(self):
-        def judged(lower, upper):
-            later = run({"radius": enclosure(lower, upper)})
-            return kinds(judges.longer, self.case, {"radius": enclosure("1.5", "1.7")}, again=lambda _: later)
+        def judged(*later, repeated=()):
+            """Ends of runs with the longer budget; of repeated runs with the first."""
+            runs = {"3": list(later), "1": list(repeated)}
 
-        self.assertEqual(judged("1.61", "1.62"), [])
-        self.assertEqual(judged("1.5", "1.7"), [])
-        self.assertEqual(judged("1.3", "1.9"), ["longer budget"] * 2)
-        self.assertEqual(judged("1.8", "1.9"), ["wrong", "longer budget"])
+            def again(arguments):
+                ends = runs[arguments[arguments.index("--budget") + 1]]
+                return run({"radius": enclosure(*(ends.pop(0) if len(ends) > 1 else ends[0]))})
+            runs["1"] = runs["1"] or [("1.5", "1.7")]
+            return kinds(judges.longer, self.case, {"radius": enclosure("1.5", "1.7")}, again=again)
+
+        self.assertEqual(judged(("1.61", "1.62")), [])
+        self.assertEqual(judged(("1.5", "1.7")), [])
+        self.assertEqual(judged(("1.3", "1.9")), ["longer budget"] * 2)
+        self.assertEqual(judged(("1.8", "1.9")), ["wrong", "longer budget"])
+        self.assertEqual(judged(("1.5", "inf")), ["longer budget"])
+        # One run is luck, two of three are not.
+        self.assertEqual(judged(("1.5", "1.9"), ("1.5", "1.6")), [])
+        self.assertEqual(judged(("1.5", "1.9"), ("1.5", "1.6"), ("1.5", "1.9")), ["longer budget"])
+        self.assertEqual(judged(("1.5", "1.9"), repeated=[("1.5", "1.95")]), [])
+        self.assertEqual(judged(("1.3", "1.7"), repeated=[("1.2", "1.7")]), [])
 
     def test_pieces(self):
         case = Case("range", [], 1.0, facts={"at": str, "property": "C1", "low": Fraction(0), "high": Fraction(1)})

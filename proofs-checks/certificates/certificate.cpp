@@ -77,10 +77,11 @@ std::string product_text(std::size_t block, const RationalComplex& eigenvalue, c
                      fmt::join(word, " "));
 }
 
-/// Whether the eigenvalue that the line `product` gives is the radius itself; one that is multiple is a little off.
+/// Whether the eigenvalue that the line `product` gives has the modulus of the lower end itself; one that is multiple is
+/// a little off. It need not be known to be the largest.
 bool is_exactly_given(const ProductEvidence& product) {
   const auto letters = static_cast<long>(product.word.size());
-  return product.exact && product.eigenvalue.squared_modulus() == power(*product.exact, 2 * letters);
+  return product.eigenvalue.squared_modulus() == power(*product.radius.lower, 2 * letters);
 }
 
 /// What the line `product` proves at least.
@@ -104,7 +105,7 @@ std::string product_text(const MatrixFamily& family, const JointSpectralRadius& 
   const BlockProof* blocks = radius.by_blocks();
   const std::size_t block = blocks ? blocks->leading : 0;
   const MatrixFamily its = blocks ? blocks->triangular.block(block) : family;
-  if (its.size() >= least_inverted && !product.exact)
+  if (its.size() >= least_inverted && !product.exact && !is_exactly_given(product))
     if (const auto inverse = approximate_inverse(its, product))
       return product_text(block, inverse->point, product.word) + inverse_text(*inverse);
   return product_text(block, product.eigenvalue, product.word);

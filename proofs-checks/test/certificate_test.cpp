@@ -667,6 +667,22 @@ TEST_CASE("cones: exact where images lie below vertices") {
   CHECK(joint_spectral_radius({step}, {Deadline::in(5)}).exact.is_yes());
 }
 
+TEST_CASE("an eigenvalue that is given exactly proves its modulus, whether it is known to be the largest or not") {
+  const std::size_t size = 25;  // from 24 on an inverse proves what is not
+  RationalMatrix matrix(size, size);
+  for (std::size_t i = 0; i < size; ++i) matrix(i, i) = i == 7 ? Rational(-1) : Rational(1, static_cast<long>(i) + 2);
+  const MatrixFamily family{matrix};
+  JointSpectralRadius radius;
+  radius.product = prove_product(family, {0}, Deadline::in(60));
+  REQUIRE(radius.product.exact == Rational(1));
+  radius.product.exact.reset();  // as where there is no time to enclose the other eigenvalues
+  radius.radius = Enclosure::exactly(1);
+  radius.proof = NormProof{1, 1};
+  const Certificate certificate = radius_certificate(family, radius);
+  CHECK(certificate.claim.lower == "1");
+  CHECK(proves(family, certificate));
+}
+
 TEST_CASE("certificates of subradii are proved by the checker, false claims are not") {
   const auto family_of = [](std::size_t size, const std::vector<std::vector<Rational>>& matrices) {
     std::vector<RationalMatrix> result;

@@ -7,6 +7,7 @@
 
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/quadratic/long_products.hpp>
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/timed_roots.hpp>
@@ -51,6 +52,21 @@ class BlockSearch {
     for (const std::size_t k : open_) {
       improve(k, std::max(shares::least_of_block * seconds_, budget_.deadline.remaining() * cost(k) / work));
       work -= cost(k);
+    }
+  }
+
+  /// Whether all radii are known as sharply as the largest needs them.
+  bool is_closed() const {
+    return std::ranges::all_of(open_, [this](std::size_t k) { return radii_[k].is_closed() || is_settled(k); });
+  }
+  /// Raises the lower ends of blocks whose products of this word have larger radii than those found.
+  void try_product(const std::vector<int>& word, const Deadline& deadline) {
+    for (const std::size_t k : open_) {
+      if (radii_[k].exact.is_yes() || radii_[k].is_closed()) continue;
+      ProductEvidence found = prove_product(families_[k], word, deadline);
+      if (*found.radius.lower <= *radii_[k].radius.lower) continue;
+      radii_[k].radius.lower = found.radius.lower;
+      radii_[k].product = std::move(found);
     }
   }
 
@@ -150,6 +166,9 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   BlockSearch search(triangular, budget, target);
   search.run();
+  const Deadline proving = budget.deadline.later(shares::grace_of_blocks);
+  // Doubles may find in one basis what they miss in another.
+  if (!search.is_closed()) search.try_product(radius::find_product(family, proving).written(), proving);
   JointSpectralRadius result;
   const std::size_t leading = leading_block(search.radii());
   result.proof = BlockProof{std::move(triangular), std::move(search.radii()), leading};
@@ -158,7 +177,6 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   result.radius = {*leader.radius.lower, Rational(0)};
   for (const JointSpectralRadius& block : result.by_blocks()->blocks)
     result.radius.upper = std::max(*result.radius.upper, *block.radius.upper);
-  const Deadline proving = budget.deadline.later(shares::grace_of_blocks);
   settle_exactness(result, family, search.families(), proving);
   if (result.is_closed() || result.exact.is_yes() || (target && result.proved_upper() <= *target)) return result;
   const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});

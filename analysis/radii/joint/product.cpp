@@ -8,6 +8,7 @@
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/timed_roots.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -208,22 +209,26 @@ bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const
   };
   const RationalMatrix a = repeated(first, above.word), b = repeated(second, below.word);
   // Whether all zeros of the one but common ones are small enough.
-  const auto covered = [&](const auto& polynomial_of, const auto& largest_zero) {
+  const auto covered = [&](const auto& polynomial_of, const auto& are_small) {
     const auto p = polynomial_of(a, deadline), q = polynomial_of(b, deadline);
-    if (!p || !q) return false;
-    const LaurentPolynomial rest = without_zeros_of(*p, *q);
-    return has_time_for_roots(rest, deadline) && largest_zero(rest) <= largest;
+    return p && q && are_small(without_zeros_of(*p, *q));
   };
   // Of powers, which make signs equal.
   if (covered([](const RationalMatrix& m, const Deadline& end) { return characteristic_polynomial(m * m, end); },
-              [](const LaurentPolynomial& rest) { return *largest_root_modulus(rest).largest.upper; }))
+              [&](const LaurentPolynomial& rest) {
+                const auto found = largest_root_modulus(rest, default_bits, deadline);
+                return found && *found->largest.upper <= largest;
+              }))
     return true;
   // Of pairs: the squared modulus of an eigenvalue is a positive zero, and no positive zero is larger than all of
-  // these.
-  return std::max(a.rows(), b.rows()) <= most_paired && covered(polynomial_of_pairs, [](const LaurentPolynomial& rest) {
-           const auto zero = largest_real_root(rest, default_bits);
-           return zero ? *zero->value.upper : Rational(0);
-         });
+  // these. Few bits will do; zeros above a bound are those of the reversed polynomial below its inverse.
+  if (largest == 0 || std::max(a.rows(), b.rows()) > most_paired) return false;
+  const Rational unit = power(Rational(2), binary_exponent(largest) - precision),
+                 bound = unit * Rational(to_integer(largest / unit, Rounding::down));
+  return covered(polynomial_of_pairs, [&](const LaurentPolynomial& rest) {
+    const LaurentPolynomial inverted = rest.reversed();
+    return count_real_roots(inverted.shifted(-inverted.lowest()), 0, 1 / bound, deadline) == 0;
+  });
 }
 
 int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {

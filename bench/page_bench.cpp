@@ -2,7 +2,7 @@
 
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/reports/formats/mathml.hpp>
-#include <subcert/reports/formats/surface_view.hpp>
+#include <subcert/reports/formats/surface_figure.hpp>
 #include <subcert/reports/formats/svg.hpp>
 
 #include <benchmark/benchmark.h>

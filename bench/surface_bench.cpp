@@ -1,7 +1,7 @@
 // Exponents of surfaces: the largest block of the transition operators with and without its symmetry group. Ratios are
 // read within one run.
 
-#include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>

@@ -1,4 +1,4 @@
-#include "bivariate.hpp"
+#include "collections.hpp"
 
 #include "computed_quantities.hpp"
 #include "surface_facts.hpp"

@@ -7,7 +7,7 @@
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
-#include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 

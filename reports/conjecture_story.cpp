@@ -1,12 +1,12 @@
-#include "conjecture_story.hpp"
+#include "sections.hpp"
 
 #include "computed_quantities.hpp"
 #include "story_sentences.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
-#include <subcert/proofs-checks/conjectures/conjecture_limit.hpp>
-#include <subcert/proofs-checks/papers/dyn-2015/figures.hpp>
+#include <subcert/proofs-checks/conjectures/conjecture_7.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>

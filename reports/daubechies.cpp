@@ -1,4 +1,4 @@
-#include "daubechies.hpp"
+#include "collections.hpp"
 
 #include "computed_quantities.hpp"
 

@@ -1,11 +1,8 @@
-#include "dyn_2015.hpp"
+#include "collections.hpp"
 
 #include "computed_quantities.hpp"
-#include "conjecture_story.hpp"
-#include "dyn_2015_variance.hpp"
-#include "paper_experiments.hpp"
+#include "sections.hpp"
 #include "story_sentences.hpp"
-#include "theorem_section.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>

@@ -1,4 +1,4 @@
-#include "dyn_2015_variance.hpp"
+#include "sections.hpp"
 
 #include "computed_quantities.hpp"
 #include "story_sentences.hpp"
@@ -6,7 +6,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/interval.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include <subcert/proofs-checks/papers/dyn-2015/figures.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "errata.hpp"
+#include "pages.hpp"
 
 #include "formats/html.hpp"
 #include "formats/mathml.hpp"

@@ -1,4 +1,4 @@
-#include "families.hpp"
+#include "collections.hpp"
 
 #include "computed_quantities.hpp"
 

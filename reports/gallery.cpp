@@ -1,6 +1,5 @@
 #include "gallery.hpp"
 
-#include "formats/data_figure.hpp"
 #include "formats/html.hpp"
 #include "formats/limit_figure.hpp"
 
@@ -14,7 +13,7 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/schemes/data/scheme_refinement.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 
 #include <fmt/format.h>
 

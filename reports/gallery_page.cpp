@@ -1,7 +1,7 @@
 #include "formats/check_in_page.hpp"
 #include "formats/comparison.hpp"
 #include "formats/html.hpp"
-#include "formats/surface_view.hpp"
+#include "formats/surface_figure.hpp"
 #include "formats/svg.hpp"
 #include "gallery.hpp"
 #include "plate_facts.hpp"

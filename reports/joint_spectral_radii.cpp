@@ -1,4 +1,4 @@
-#include "joint_spectral_radii.hpp"
+#include "collections.hpp"
 
 #include "computed_quantities.hpp"
 

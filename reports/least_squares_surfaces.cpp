@@ -1,4 +1,4 @@
-#include "least_squares_surfaces.hpp"
+#include "collections.hpp"
 
 #include "surface_facts.hpp"
 

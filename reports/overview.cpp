@@ -1,4 +1,4 @@
-#include "overview.hpp"
+#include "pages.hpp"
 
 #include <fmt/format.h>
 

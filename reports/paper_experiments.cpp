@@ -1,4 +1,4 @@
-#include "paper_experiments.hpp"
+#include "collections.hpp"
 
 namespace subcert::reports {
 

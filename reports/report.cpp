@@ -1,12 +1,6 @@
 #include "report.hpp"
 
-#include "bivariate.hpp"
-#include "daubechies.hpp"
-#include "dyn_2015.hpp"
-#include "families.hpp"
-#include "joint_spectral_radii.hpp"
-#include "least_squares_surfaces.hpp"
-#include "paper_experiments.hpp"
+#include "collections.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>

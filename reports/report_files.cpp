@@ -1,7 +1,7 @@
 #include "report_files.hpp"
 
 #include "formats/check_in_page.hpp"
-#include "formats/surface_view.hpp"
+#include "formats/surface_figure.hpp"
 #include "pages.hpp"
 
 #include <subcert/analysis/symbol/parallel.hpp>

@@ -2,7 +2,7 @@
 
 #include "formats/check_in_page.hpp"
 #include "formats/html.hpp"
-#include "formats/surface_view.hpp"
+#include "formats/surface_figure.hpp"
 #include "formats/svg.hpp"
 
 #include <fmt/ranges.h>

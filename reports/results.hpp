@@ -1,7 +1,7 @@
 #pragma once
 /// Everything a run has found, result by result, and the one count of it.
 
-#include "errata.hpp"
+#include "pages.hpp"
 #include "report.hpp"
 
 #include <optional>

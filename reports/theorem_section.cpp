@@ -1,4 +1,4 @@
-#include "theorem_section.hpp"
+#include "sections.hpp"
 
 #include "story_sentences.hpp"
 

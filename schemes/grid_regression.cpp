@@ -1,11 +1,15 @@
+
 #include "grid_regression.hpp"
 
 #include "local_regression.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/rational_matrix.hpp>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -88,6 +92,106 @@ LatticeMask grid_regression_mask(const GridRegression& scheme) {
     }
   }
   return {MultivariatePolynomial(static_cast<int>(variables), terms), scheme.arity};
+}
+
+namespace {
+
+/// A new point at new_point / 2, and the data around it: their squared distances, and twice where they lie from it.
+struct Ball {
+  std::vector<LatticePoint> points;
+  std::vector<Rational> distances;
+};
+
+Ball ball_around(const LatticePoint& new_point, const BallRegression& scheme) {
+  Ball ball;
+  const long reach = ceil_index(2 * scheme.radius) + 1, mixed = scheme.lattice == Lattice::equilateral ? 1 : 0;
+  for (long i = -reach; i <= reach; ++i)
+    for (long j = -reach; j <= reach; ++j) {
+      const long x = 2 * i - new_point[0], y = 2 * j - new_point[1];
+      const Rational distance(x * x + mixed * x * y + y * y, 4);
+      if (distance >= scheme.radius * scheme.radius) continue;
+      ball.points.push_back({x, y});
+      ball.distances.push_back(distance);
+    }
+  return ball;
+}
+
+std::vector<Ball> balls_of(const BallRegression& scheme) {
+  require(scheme.radius > Rational(1, 2) && scheme.radius <= 10, "ball regression: need 1/2 < L <= 10, got {}",
+          scheme.radius);
+  std::vector<Ball> balls;
+  for (const LatticePoint& new_point : {LatticePoint{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+    balls.push_back(ball_around(new_point, scheme));
+  return balls;
+}
+
+/// The weights c with p(0) = sum of c[i] y[i], where p has total degree at most `degree` and minimises the sum of
+/// weights[i] (p(points[i]) - y[i])^2, by the normal equations.
+std::vector<Rational> weights_at_origin(const std::vector<LatticePoint>& points, const std::vector<Rational>& weights,
+                                        int degree) {
+  std::vector<LatticePoint> exponents;
+  for (long a = 0; a <= degree; ++a)
+    for (long b = 0; a + b <= degree; ++b) exponents.push_back({a, b});
+  const auto monomial = [](const LatticePoint& point, const LatticePoint& exponent) {
+    Integer product = 1;
+    for (std::size_t v = 0; v < 2; ++v)
+      for (long k = 0; k < exponent[v]; ++k) product *= point[v];
+    return product;
+  };
+  RationalMatrix gram(exponents.size(), exponents.size()), right(exponents.size(), 1);
+  right(0, 0) = 1;
+  std::map<LatticePoint, Rational> moments;
+  for (std::size_t k = 0; k < exponents.size(); ++k)
+    for (std::size_t l = 0; l < exponents.size(); ++l) {
+      const auto [moment, inserted] = moments.emplace(exponents[k] + exponents[l], 0);
+      if (inserted)
+        for (std::size_t i = 0; i < points.size(); ++i)
+          moment->second += weights[i] * Rational(monomial(points[i], moment->first));
+      gram(k, l) = moment->second;
+    }
+  require(pivot_columns(gram).size() == exponents.size(),
+          "ball regression: need data that determine polynomials of degree {}, got {} around a new point", degree,
+          points.size());
+  const RationalMatrix solution = solve(gram, right);
+  std::vector<Rational> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Rational value = 0;
+    for (std::size_t k = 0; k < exponents.size(); ++k)
+      value += solution(k, 0) * Rational(monomial(points[i], exponents[k]));
+    result.push_back(weights[i] * value);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Rational> ball_distances(const BallRegression& scheme) {
+  std::set<Rational> distances;
+  for (const Ball& ball : balls_of(scheme)) distances.insert(ball.distances.begin(), ball.distances.end());
+  return {distances.begin(), distances.end()};
+}
+
+LatticeMask ball_regression_mask(const BallRegression& scheme) {
+  require(scheme.degree >= 0 && scheme.degree <= 6, "ball regression: need 0 <= d <= 6, got {}", scheme.degree);
+  require(scheme.power >= 0 && scheme.power <= 8, "ball regression: need 0 <= power <= 8, got {}", scheme.power);
+  const std::vector<Rational> distances = ball_distances(scheme);
+  require(scheme.weights.empty() || scheme.weights.size() == distances.size(),
+          "ball regression: need {} weights, one for each distance, got {}", distances.size(), scheme.weights.size());
+  require(std::all_of(scheme.weights.begin(), scheme.weights.end(), [](const Rational& w) { return w > 0; }),
+          "ball regression: need weights > 0");
+  std::vector<Monomial> terms;
+  for (const Ball& ball : balls_of(scheme)) {
+    std::vector<Rational> weights;
+    for (const Rational& distance : ball.distances) {
+      const auto ring = std::lower_bound(distances.begin(), distances.end(), distance) - distances.begin();
+      weights.push_back(scheme.weights.empty() ? power(1 - distance / (scheme.radius * scheme.radius), scheme.power)
+                                               : scheme.weights[static_cast<std::size_t>(ring)]);
+    }
+    // Data j and the new point m / 2 meet in a_{m - 2j}.
+    const std::vector<Rational> rule = weights_at_origin(ball.points, weights, scheme.degree);
+    for (std::size_t i = 0; i < rule.size(); ++i) terms.push_back({rule[i], LatticePoint{0, 0} - ball.points[i]});
+  }
+  return {MultivariatePolynomial(2, terms), 2};
 }
 
 }  // namespace subcert

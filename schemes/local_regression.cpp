@@ -27,13 +27,26 @@ std::vector<std::vector<Rational>> regression_terms(const std::vector<Rational>&
                                                     const std::vector<Rational>& weights, int degree,
                                                     const Rational& x) {
   require_fit(nodes, weights, degree);
-  return regression_fit::terms(nodes, weights, degree, x);
+  std::vector<std::vector<Rational>> terms;
+  regression_fit::for_terms(nodes, weights, degree, x, 0,
+                            [&](const Rational& scale, const std::vector<Rational>& values) {
+                              for (Rational& value : terms.emplace_back(values)) value *= scale;
+                            });
+  return terms;
 }
 
 std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
                                          int degree, const Rational& x, int derivative) {
   require_fit(nodes, weights, degree);
   require(derivative >= 0, "regression_weights: need derivative >= 0, got {}", derivative);
+  return regression_fit::weights(nodes, weights, degree, x, derivative);
+}
+
+template <>
+std::vector<double> regression_weights<double>(const std::vector<double>& nodes, const std::vector<double>& weights,
+                                               int degree, double x, int derivative) {
+  if (nodes.empty() || weights.size() != nodes.size() || degree < 0 || derivative < 0)
+    fail(ErrorKind::domain, "regression_weights: need nodes, as many weights, degree and derivative >= 0");
   return regression_fit::weights(nodes, weights, degree, x, derivative);
 }
 

@@ -3,6 +3,8 @@
 
 #include <subcert/analysis/symbol/parametric_mask.hpp>
 
+#include <concepts>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,16 @@ namespace subcert {
 /// Ref: [DHHS15, App. A], [EF07].
 std::vector<Rational> regression_weights(const std::vector<Rational>& nodes, const std::vector<Rational>& weights,
                                          int degree, const Rational& x, int derivative = 0);
+
+/// The same in double precision; lists in braces are exact numbers. Domain: as there, as many weights as nodes, degree
+/// at most 30, nodes within a few hundreds of x. Error: a small multiple of 2^-53 times the largest weight for degrees
+/// up to 5, not bounded here; the tests compare with exact weights. Cost: nodes * degree operations.
+template <std::same_as<double> Number>
+std::vector<Number> regression_weights(const std::vector<Number>& nodes, const std::vector<Number>& weights, int degree,
+                                       std::type_identity_t<Number> x, int derivative = 0);
+template <>
+std::vector<double> regression_weights<double>(const std::vector<double>& nodes, const std::vector<double>& weights,
+                                               int degree, double x, int derivative);
 
 /// [k][i] = P_k(x) P_k(nodes[i]) / <P_k, P_k> for k = 0, ..., min(degree, nodes.size() - 1), with the polynomials P_k
 /// of degree k that are orthogonal for <g, h> = sum of weights[i] g(nodes[i]) h(nodes[i]): the sum of the first rows

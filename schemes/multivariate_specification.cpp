@@ -1,7 +1,6 @@
 // Specifications of two and three variables: tensor products, fits on grids, masks, box splines and classical surface
 // schemes; and of any kind.
 
-#include "ball_regression.hpp"
 #include "classical.hpp"
 #include "grid_regression.hpp"
 #include "specification_text.hpp"

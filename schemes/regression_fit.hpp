@@ -1,5 +1,5 @@
 #pragma once
-// Local regression over any field of numbers: exact numbers, and quotients of polynomials in a parameter.
+// Local regression over any field of numbers: exact numbers, quotients of polynomials in a parameter, doubles.
 
 #include "local_regression.hpp"
 
@@ -11,17 +11,17 @@
 
 namespace subcert::regression_fit {
 
-/// As regression_terms() in local_regression.hpp. Domain: distinct nodes, norms that are not zero.
-template <class Number>
-std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const std::vector<Number>& weights,
-                                       int degree, const Number& x, int derivative = 0) {
+/// Calls take(scale, values) for each polynomial P_k of regression_terms() in local_regression.hpp, whose term is scale
+/// times its values at the nodes. Domain: distinct nodes, norms that are not zero.
+template <class Node, class Number, class Take>
+void for_terms(const std::vector<Node>& nodes, const std::vector<Number>& weights, int degree, const Number& x,
+               int derivative, const Take& take) {
   const std::size_t m = nodes.size();
   const auto order = static_cast<std::size_t>(derivative);
   const int last = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(degree), m - 1));
   // Monic orthogonal polynomials by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as their
   // values at the nodes, and at x with their derivatives up to `order`.
   std::vector<Number> previous(m, Number(0)), current(m, Number(1));
-  std::vector<std::vector<Number>> result;
   std::vector<Number> previous_x(order + 1, Number(0)), current_x = previous_x;
   current_x[0] = 1;
   Number previous_norm = 1;
@@ -33,11 +33,8 @@ std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const
       norm += square;
       moment += square * Number(nodes[i]);
     }
-    result.emplace_back(m, Number(0));
-    const Number scale = current_x[order] / norm;
-    if (!(scale == Number(0)))
-      for (std::size_t i = 0; i < m; ++i) result.back()[i] = scale * current[i];
-    if (k == last) return result;
+    take(Number(current_x[order] / norm), current);
+    if (k == last) return;
     const Number alpha = moment / norm;
     const Number beta = k == 0 ? Number(0) : Number(norm / previous_norm);
     for (std::size_t i = 0; i < m; ++i) {
@@ -54,33 +51,25 @@ std::vector<std::vector<Number>> terms(const std::vector<Rational>& nodes, const
 }
 
 /// Lagrange's formula. Domain: distinct nodes.
-template <class Number>
-std::vector<Number> interpolation(const std::vector<Rational>& nodes, const Number& x) {
-  std::vector<Number> result(nodes.size(), Number(0));
-  const auto hit = std::find_if(nodes.begin(), nodes.end(), [&](const Rational& node) { return Number(node) == x; });
-  if (hit != nodes.end()) {
-    result[static_cast<std::size_t>(hit - nodes.begin())] = 1;
-    return result;
-  }
-  Number all = 1;  // product of x - node; one factor is divided out
-  for (const Rational& node : nodes) all *= x - Number(node);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    Number denominator = x - Number(nodes[i]);
+template <class Node, class Number>
+std::vector<Number> interpolation(const std::vector<Node>& nodes, const Number& x) {
+  std::vector<Number> result(nodes.size(), Number(1));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
     for (std::size_t j = 0; j < nodes.size(); ++j)
-      if (j != i) denominator *= Number(nodes[i] - nodes[j]);
-    result[i] = all / denominator;
-  }
+      if (j != i) result[i] *= Number(x - Number(nodes[j])) / Number(nodes[i] - nodes[j]);
   return result;
 }
 
 /// As regression_weights() in local_regression.hpp.
-template <class Number>
-std::vector<Number> weights(const std::vector<Rational>& nodes, const std::vector<Number>& prior, int degree,
+template <class Node, class Number>
+std::vector<Number> weights(const std::vector<Node>& nodes, const std::vector<Number>& prior, int degree,
                             const Number& x, int derivative = 0) {
   if (static_cast<std::size_t>(degree) + 1 >= nodes.size() && derivative == 0) return interpolation(nodes, x);
   std::vector<Number> result(nodes.size(), Number(0));
-  for (const std::vector<Number>& term : terms(nodes, prior, degree, x, derivative))
-    for (std::size_t i = 0; i < nodes.size(); ++i) result[i] += term[i];
+  for_terms(nodes, prior, degree, x, derivative, [&](const Number& scale, const std::vector<Number>& values) {
+    if (scale == Number(0)) return;
+    for (std::size_t i = 0; i < nodes.size(); ++i) result[i] += scale * values[i];
+  });
   if (!prior.empty())
     for (std::size_t i = 0; i < nodes.size(); ++i) result[i] *= prior[i];
   return result;

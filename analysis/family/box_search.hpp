@@ -2,13 +2,37 @@
 /// A property over boxes of values of letters: the search of ranges and maps. Inner header.
 
 #include "family_radius.hpp"
-#include "threshold.hpp"
+#include "property_range.hpp"
 
 #include <subcert/analysis/symbol/parallel.hpp>
 
 #include <functional>
 
 namespace subcert::family {
+
+/// Of the difference scheme of order m: arity^(m - order).
+class Threshold {
+ public:
+  Threshold(const RangeProperty& property, int arity, int rules);
+
+  double value() const;
+  /// Bounds with room for the rounding of the checker, exact where the exponent is whole.
+  Rational below() const { return *raised(1).lower * (1 - margin()); }
+  Rational power_above(long length) const { return *raised(length).upper * (1 + margin()); }
+  /// Domain: a multiple of rational_power(1).
+  Rational exact_power(long length) const { return *raised(length).upper; }
+  /// The power of that power which is rational.
+  long rational_power(long length) const { return denominator(exponent_ * Rational(length)).convert_to<long>(); }
+  /// Radii are at least 1: below that nothing can be proved.
+  bool is_reachable() const { return exponent_ > 0; }
+
+ private:
+  Rational margin() const { return denominator(exponent_) == 1 ? Rational(0) : power(Rational(2), -90); }
+  Enclosure raised(long length) const;
+
+  int arity_;
+  Rational exponent_;
+};
 
 constexpr std::size_t most_matrices = 64;  // that a box may have for its controls
 

@@ -2,7 +2,10 @@
 /// Exact values of the basic limit function and of its derivatives.
 
 #include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/mask.hpp>
 #include <subcert/analysis/transition/lattice_window.hpp>
+
+#include <vector>
 
 namespace subcert {
 
@@ -49,5 +52,19 @@ std::vector<Rational> l2_inner_products(const Mask& mask, const Deadline& deadli
 
 /// The integral of phi^2, l2_inner_products(mask)[0].
 Rational squared_l2_norm(const Mask& mask, const Deadline& deadline = {});
+
+/// values[i] = phi(x + first + i), for all integers where x + first + i lies in the closed support.
+struct ShiftedValues {
+  long first;
+  std::vector<Rational> values;
+};
+
+/// Domain: the scheme converges; x runs into a cycle of at most 64 points under multiplication by the arity modulo 1,
+/// as every rational does whose denominator is small; at most 1,500 integers in the support. Errors: throws
+/// Error, of kind domain where the refinement equation does not determine the values, of kind size beyond these sizes,
+/// of kind undecided past the deadline.
+/// Cost: one exact elimination of the size of the support, and products of such matrices along the cycle. Proof:
+/// docs/limit-values.md.
+ShiftedValues limit_values_at(const Mask& mask, const Rational& x, const Deadline& deadline = {});
 
 }  // namespace subcert

@@ -2,7 +2,7 @@
 /// The Hoelder exponent, enclosed with proof.
 
 #include "holder_bound.hpp"
-#include "reduced_mask.hpp"
+#include "stability.hpp"
 
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/radii/joint/single_radius.hpp>

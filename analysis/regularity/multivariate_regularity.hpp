@@ -4,7 +4,7 @@
 #include "gram_function.hpp"
 #include "holder_bound.hpp"
 
-#include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 
 namespace subcert {

@@ -1,6 +1,6 @@
 #include "sobolev.hpp"
 
-#include "reduced_mask.hpp"
+#include "stability.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/cost.hpp>

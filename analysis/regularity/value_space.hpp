@@ -1,7 +1,7 @@
 #pragma once
 /// The differences of the limit function itself, which tell its exponent whether its shifts are stable or not.
 
-#include <subcert/analysis/difference/difference_space.hpp>
+#include <subcert/analysis/difference/difference.hpp>
 
 namespace subcert {
 

@@ -1,5 +1,5 @@
 // The search for an invariant polytope: what it finds, and that it keeps within its budget.
-#include <subcert/analysis/radii/joint/scaling.hpp>
+#include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/polytope_search/polytope_search.hpp>
 #include <subcert/analysis/symbol/error.hpp>

@@ -4,7 +4,7 @@
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
-#include <subcert/analysis/radii/joint/scaling.hpp>
+#include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 

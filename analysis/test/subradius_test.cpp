@@ -1,6 +1,6 @@
 // Joint spectral subradii: that both ends are bounds, that they meet, and that products of small radius are not missed.
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
-#include <subcert/analysis/radii/subradius/antinorm_program.hpp>
+#include <subcert/analysis/radii/subradius/antinorm_search.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>

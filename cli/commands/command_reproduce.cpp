@@ -4,7 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/provenance.hpp>
-#include <subcert/reports/overview.hpp>
+#include <subcert/reports/pages.hpp>
 #include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 

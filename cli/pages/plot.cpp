@@ -1,7 +1,6 @@
 #include "plot.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/reports/formats/data_figure.hpp>
 #include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 

@@ -1,7 +1,6 @@
 #include "certificate.hpp"
 
 #include "exact_radius.hpp"
-#include "group_words.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>

@@ -2,7 +2,7 @@
 // ../certificates/SPEC.md, which proves each step.
 #include "check.hpp"
 
-#include "attained.hpp"
+#include "exact_radius.hpp"
 #include "frequency.hpp"
 #include "graph.hpp"
 #include "least_absolute.hpp"

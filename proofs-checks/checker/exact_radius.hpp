@@ -1,7 +1,8 @@
-// Numbers |z|^(1/L), and eigenvectors of products for z: section 4.10 of ../certificates/SPEC.md.
 #pragma once
+// Numbers |z|^(1/L), and eigenvectors of products for z: section 4.10 of ../certificates/SPEC.md.
 
 #include "arithmetic.hpp"
+#include "polytope.hpp"
 
 #include <functional>
 
@@ -46,5 +47,9 @@ struct Eigenvector {
 };
 Eigenvector eigenvector_of(const ExactRadius& radius, const std::vector<Vector>& basis, const mpz_class& scale,
                            Arithmetic& arithmetic);
+
+/// Reads the lines from `cycle` on after those of the polytope, and shows that the joint spectral radius of its family
+/// is this number.
+void check_attained(const Polytope& body, const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

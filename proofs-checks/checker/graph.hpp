@@ -1,8 +1,10 @@
-// Upper bounds by many words, checked with few digits: sections 4.13 and 4.14 of ../certificates/SPEC.md.
 #pragma once
+// Upper bounds by many words, checked with few digits: sections 4.13 and 4.14 of ../certificates/SPEC.md.
 
 #include "exact_radius.hpp"
 #include "scheme.hpp"
+
+#include <optional>
 
 namespace subcert_check {
 
@@ -15,5 +17,19 @@ struct GraphBound {
 /// nullptr.
 GraphBound read_graph(const Family& family, const Fields& fields, const ExactRadius* exact, Reader& reader,
                       Arithmetic& arithmetic);
+
+/// Of a state of a graph: the matrix of its norm, column by column, and its kept word, of one letter, if it has one.
+struct KeptState {
+  struct Word {
+    std::size_t letter, to;
+  };
+  Vector coordinates;
+  std::optional<Word> word;
+};
+
+/// Reads the lines `cycle` of a graph whose other words are below the bound, and shows that the joint spectral radius
+/// is this number. False: there are none.
+bool check_kept_words(const Family& family, const mpq_class& bound, const std::vector<KeptState>& states,
+                      const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

@@ -1,7 +1,6 @@
 #pragma once
 /// What one paper prints and claims.
 
-#include "published_table.hpp"
 #include "statement.hpp"
 
 #include <string_view>

@@ -1,8 +1,9 @@
 #pragma once
 /// Statements of papers as executable checks.
 
-#include "published_table.hpp"
 #include "transcription.hpp"
+
+#include <subcert/proofs-checks/verdict.hpp>
 
 #include <functional>
 #include <optional>
@@ -11,6 +12,29 @@
 #include <vector>
 
 namespace subcert::statements {
+
+/// One printed value.
+struct PublishedCell {
+  std::string row;
+  std::string column;
+  std::string scheme;    ///< of which scheme
+  std::string quantity;  ///< what it is: `mask`, `support`, `max psi`, ...
+  std::optional<int> n;  ///< size and degree of the scheme, where the table has them
+  std::optional<int> d;
+  std::string printed;
+  std::string words;  ///< the transcription that this value is a word of; may be empty
+  ValueVerdict recorded;
+  std::string source = {};   ///< its key in docs/references.md, where a table is gathered from many
+  std::string derived = {};  ///< from what it follows, where it is no printed value of its own
+};
+
+struct PublishedTable {
+  std::string id;
+  std::string title;
+  std::string place;
+  bool grid;  ///< rows and columns as in the paper; otherwise one cell a line
+  std::vector<PublishedCell> cells;
+};
 
 /// What a check found. `range` says for which parameters; `witness` is the smallest exact counterexample, empty where
 /// there is none; `argument` says why the verdict holds where that is not a finite comparison, or what else is to be

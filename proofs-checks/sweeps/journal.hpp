@@ -2,7 +2,10 @@
 /// The journal of a sweep: finished cases, one checksummed line each, safe against kills and power cuts.
 /// The format is specified in docs/sweeps.md.
 
+#include <subcert/analysis/symbol/numbers.hpp>
+
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -79,5 +82,10 @@ struct MergedJournals {
 /// journals have different results for one case; a usage error where another process holds `out`. The file at `out` is
 /// then as it was.
 MergedJournals merge_journals(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& out);
+
+/// {"lower": "p/q", "upper": "p/q"}, an absent end left out.
+nlohmann::ordered_json exact_json(const Enclosure& enclosure);
+/// Errors: throws a domain error for anything else.
+Enclosure enclosure_from(const nlohmann::ordered_json& json);
 
 }  // namespace subcert::sweeps

@@ -2,7 +2,9 @@
 /// The processes that work on one sweep: this one alone, or those that mpirun started. Rank 0 hands out cases; the
 /// other ranks ask for one whenever they are free. Built with MPI or without (ranks_mpi.cpp, ranks_single.cpp).
 
+#include <cstdlib>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -37,5 +39,16 @@ void work_for_first_rank(int jobs, const ComputeCase& compute);
 
 /// Ends all ranks at once, after an error that the others cannot know of.
 [[noreturn]] void abandon_ranks(const std::string& message);
+
+/// The number of processes of the job as Open MPI's and MPICH's mpirun and Slurm's srun with PMI state it; 0 where no
+/// launcher states one.
+inline int launched_processes() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const char* text = std::getenv(name)) return std::atoi(text);
+  return 0;
+}
+
+/// Whether an MPI launcher started this process, also one that states no number (srun with PMIx).
+inline bool is_launched() { return launched_processes() > 0 || std::getenv("PMIX_RANK") != nullptr; }
 
 }  // namespace subcert::sweeps

@@ -3,7 +3,6 @@
 // Each thread of a worker is a client of rank 0: it sends a request, which carries the outcome of its last case, and
 // receives a case or the word that there is none. A worker whose threads have all ended says so once.
 
-#include "launcher.hpp"
 #include "ranks.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>

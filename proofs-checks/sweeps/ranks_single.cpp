@@ -1,6 +1,5 @@
 // The ranks of a sweep in a program that was built without MPI: one.
 
-#include "launcher.hpp"
 #include "ranks.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>

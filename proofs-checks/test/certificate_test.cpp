@@ -1,5 +1,4 @@
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/difference/difference_space.hpp>
 #include <subcert/analysis/radii/joint/constrained.hpp>
 #include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>

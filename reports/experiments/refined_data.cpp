@@ -3,7 +3,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/scheme_refinement.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "check_in_page.hpp"
 
-#include "base64.hpp"
 #include "html.hpp"
 
 #include <boost/iostreams/device/back_inserter.hpp>

@@ -1,5 +1,7 @@
 #include "html.hpp"
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <fmt/ranges.h>
 
 #include <cctype>
@@ -97,6 +99,15 @@ std::string summary_html(const std::vector<std::string>& head, const std::vector
     result += fmt::format("<tr><th><a href=\"#{}\">{}</a></th><td>{}</td></tr>\n", anchor, html(title),
                           fmt::join(counts, "</td><td>"));
   return result + "</table></div>\n";
+}
+
+std::string base64(const std::string& bytes) {
+  using boost::archive::iterators::base64_from_binary;
+  using boost::archive::iterators::transform_width;
+  using Sextets = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  std::string text(Sextets(bytes.begin()), Sextets(bytes.end()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
 }
 
 }  // namespace subcert::formats

@@ -27,4 +27,7 @@ struct SummaryRow {
 /// A table of counts; nothing where there are no rows.
 std::string summary_html(const std::vector<std::string>& head, const std::vector<SummaryRow>& rows);
 
+/// As in RFC 4648, section 4.
+std::string base64(const std::string& bytes);
+
 }  // namespace subcert::formats

@@ -1,8 +1,10 @@
+
 #include "limit_figure.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +121,19 @@ Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what, i
   for (std::size_t i = 0; i < values.values.size(); ++i)
     curve.points.emplace_back(values.point(i).convert_to<double>(), values.values[i].convert_to<double>());
   return {title_of(title, what, level), "x", "", {curve}};
+}
+
+Curve data_curve(const data::GridData<double>& data, const std::string& label, bool joined) {
+  const std::size_t k = data.dimension, count = data.points();
+  Curve result{label, {}, !joined, joined};
+  for (std::size_t i = 0; i < count + (joined && data.axes[0].closed && k > 1 ? 1 : 0); ++i) {
+    const double* point = data.values.data() + (i % count) * k;
+    if (k == 1)
+      result.points.emplace_back(data::nearest_double(data.axes[0].parameter(i)), point[0]);
+    else
+      result.points.emplace_back(point[0], point[1]);
+  }
+  return result;
 }
 
 }  // namespace subcert::formats

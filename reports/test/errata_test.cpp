@@ -1,6 +1,6 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/errata.hpp>
 #include <subcert/reports/experiments/experiment.hpp>
+#include <subcert/reports/pages.hpp>
 #include <subcert/reports/results.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/computed_quantities.hpp>
-#include <subcert/reports/overview.hpp>
+#include <subcert/reports/pages.hpp>
 #include <subcert/reports/results.hpp>
 
 #include <algorithm>

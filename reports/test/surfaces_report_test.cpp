@@ -1,7 +1,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/folder.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
-#include <subcert/reports/overview.hpp>
+#include <subcert/reports/pages.hpp>
 #include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -1,7 +1,7 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
-#include <subcert/schemes/ball_regression.hpp>
+#include <subcert/schemes/grid_regression.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <map>

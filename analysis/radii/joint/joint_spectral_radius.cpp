@@ -2,7 +2,6 @@
 
 #include "cost.hpp"
 #include "one_block.hpp"
-#include "scaling.hpp"
 #include "similarity.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>

@@ -10,7 +10,7 @@
 #include "closed_orbit.hpp"
 #include "cost.hpp"
 #include "leading_factor.hpp"
-#include "scaling.hpp"
+#include "similarity.hpp"
 
 #include <algorithm>
 #include <atomic>

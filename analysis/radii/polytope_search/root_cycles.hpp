@@ -1,11 +1,22 @@
 #pragma once
 /// The first vertices of a polytope: the leading eigenvectors of the candidates for spectrum maximizing products.
 
-#include "coordinates.hpp"
+#include "product_search.hpp"
 
 #include <algorithm>
 
 namespace subcert::polytope {
+
+/// Coordinates x' = to x in which orbits are round and the symmetry acts as `action` tells. Those of non-negative
+/// polytopes are the coordinates of the family.
+struct Coordinates {
+  CoordinateChange change;
+  GroupAction action;
+  std::vector<std::size_t> blocks;  ///< of coordinates on which an element of the symmetry has one sign
+};
+
+/// Domain: at least one matrix. Cost: that of orbit_shape and a symmetric eigenvalue problem.
+Coordinates working_coordinates(const SearchFamily& family, PolytopeKind kind, const Deadline& deadline);
 
 /// A product with its leading eigenvectors along the cycle, in working coordinates.
 struct RootCycle {

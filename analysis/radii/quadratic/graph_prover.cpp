@@ -1,7 +1,5 @@
 #include "graph_prover.hpp"
 
-#include "kept_cycle.hpp"
-
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/radii/polytope_search/kernels.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>

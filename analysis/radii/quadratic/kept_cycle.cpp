@@ -1,4 +1,4 @@
-#include "kept_cycle.hpp"
+#include "graph_prover.hpp"
 
 #include <subcert/analysis/symbol/ball_matrix.hpp>
 

@@ -4,7 +4,7 @@
 #include "certify.hpp"
 
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
-#include <subcert/analysis/radii/joint/scaling.hpp>
+#include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/interval.hpp>

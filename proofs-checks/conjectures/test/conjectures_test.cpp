@@ -2,8 +2,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/conjectures/conjecture_7.hpp>
 #include <subcert/proofs-checks/conjectures/conjecture_8.hpp>
-#include <subcert/proofs-checks/conjectures/conjecture_limit.hpp>
-#include <subcert/proofs-checks/sweeps/exact_json.hpp>
+#include <subcert/proofs-checks/sweeps/journal.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <nlohmann/json.hpp>

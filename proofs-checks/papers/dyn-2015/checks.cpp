@@ -1,3 +1,4 @@
+
 #include "checks.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
@@ -13,7 +14,6 @@
 #include <algorithm>
 
 namespace subcert::statements::dyn_2015 {
-
 Checks checks() {
   return joined({section_2(), section_2_2(), section_3(), section_4(), section_4_3(), section_5(), appendix()});
 }
@@ -86,6 +86,26 @@ Outcome table_words(const Context& context, const std::string& id) {
   if (!corrected) outcome.witness += "; " + outcome.argument;
   outcome.argument = distances(context.words(id), certified);
   return outcome;
+}
+
+std::vector<std::string> schemes_of_figure_2() {
+  std::vector<std::string> schemes;
+  for (int n = 1; n <= last_n_of_figure_2; ++n) schemes.push_back(specification("primal", n));
+  return schemes;
+}
+
+std::vector<std::string> schemes_of_figure_8() {
+  std::vector<std::string> schemes;
+  for (const int degree : {1, 3, 5})
+    for (int n = (degree + 1) / 2; n <= last_n_of_figure_8; ++n) schemes.push_back(specification("primal", n, degree));
+  return schemes;
+}
+
+std::vector<std::string> schemes_of_figure_9() {
+  std::vector<std::string> schemes;
+  for (const int degree : {1, 3, 5}) schemes.push_back(specification("primal", 5, degree));
+  for (const int n : {3, 4, 6, 7}) schemes.push_back(specification("primal", n, 3));
+  return schemes;
 }
 
 }  // namespace subcert::statements::dyn_2015

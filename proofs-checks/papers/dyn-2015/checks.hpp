@@ -5,6 +5,9 @@
 #include <subcert/proofs-checks/statements/paper.hpp>
 #include <subcert/proofs-checks/statements/trial.hpp>
 
+#include <string>
+#include <vector>
+
 namespace subcert::statements::dyn_2015 {
 
 /// All of them.
@@ -44,5 +47,12 @@ Checks section_4();
 Checks section_4_3();
 Checks section_5();
 Checks appendix();
+
+inline constexpr int last_n_of_figure_2 = 5;
+inline constexpr int last_n_of_figure_8 = 15;
+
+std::vector<std::string> schemes_of_figure_2();
+std::vector<std::string> schemes_of_figure_8();
+std::vector<std::string> schemes_of_figure_9();
 
 }  // namespace subcert::statements::dyn_2015

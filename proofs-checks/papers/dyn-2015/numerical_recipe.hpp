@@ -3,8 +3,10 @@
 /// value came about. Domain, results and what they mean: docs/table-3.md.
 
 #include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/proofs-checks/statements/statement.hpp>
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,5 +52,35 @@ RecipeValues evaluate_numerical_recipe(const NumericalRecipe& recipe, const Mask
 
 /// Whether the value, rounded to nearest or cut, is printed like this. Domain: `printed` is a decimal number.
 bool gives_digits(const Rational& value, const std::string& printed);
+
+class NumericalRecipeSearch {
+ public:
+  /// What all recipes give, by scheme.
+  using Values = std::map<std::string, std::vector<RecipeValues>>;
+
+  /// Domain: Table 3, and evaluate_numerical_recipes() of each of its schemes.
+  NumericalRecipeSearch(const PublishedTable& table, Values values);
+
+  /// The index of the recipe that gives the digits of the most cells; of several the first.
+  std::size_t best() const { return best_; }
+  std::size_t cells_given() const { return cells_given_; }
+  std::size_t cells() const { return table_.cells.size(); }
+
+  Rational value(const PublishedCell& cell, std::size_t recipe) const;
+  bool gives(const PublishedCell& cell, std::size_t recipe) const;
+
+  /// For a cell whose printed value is wrong: the best recipe where it gives the digits, else the first other one
+  /// that does, else that none tried does.
+  std::string note(const PublishedCell& cell) const;
+
+  /// How far one recipe explains the table, in sentences.
+  std::string summary() const;
+
+ private:
+  const PublishedTable& table_;
+  Values values_;
+  std::size_t best_ = 0;
+  std::size_t cells_given_ = 0;
+};
 
 }  // namespace subcert::statements::dyn_2015

@@ -5,11 +5,11 @@
 
 namespace subcert::statements::mustafa_bari_2016 {
 
-/// All of them.
-Checks checks();
-
 /// Of one part of the paper each.
 Checks univariate();
 Checks bivariate();
+
+/// All of them.
+inline Checks checks() { return joined({univariate(), bivariate()}); }
 
 }  // namespace subcert::statements::mustafa_bari_2016

@@ -6,12 +6,12 @@
 
 namespace subcert::statements::mustafa_hameed {
 
-/// All of them.
-Checks checks();
-
 /// Of one part of the paper each.
 Checks claims();
 Checks starting_values();
 Checks iteration();
+
+/// All of them.
+inline Checks checks() { return joined({claims(), iteration(), starting_values()}); }
 
 }  // namespace subcert::statements::mustafa_hameed

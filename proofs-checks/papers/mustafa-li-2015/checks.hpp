@@ -15,14 +15,14 @@ inline const std::vector<Formula> plane{f("1"), f("r"), f("s")};
 /// tau, lambda, kappa and chi of (11) to (14) and (19) for a window.
 Values sums_of_surface(const Context& context, const WeightedWindow& window, long first, long last);
 
-/// All of them.
-Checks checks();
-
 /// Of one part of the paper each.
 Checks problem();
 Checks support();
 Checks curves();
 Checks surfaces();
 Checks surface_variants();
+
+/// All of them.
+inline Checks checks() { return joined({problem(), support(), curves(), surfaces(), surface_variants()}); }
 
 }  // namespace subcert::statements::mustafa_li_2015

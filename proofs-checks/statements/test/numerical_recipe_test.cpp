@@ -3,7 +3,7 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
-#include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe_search.hpp>
+#include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/specification.hpp>
 

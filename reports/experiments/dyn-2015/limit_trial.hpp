@@ -2,7 +2,7 @@
 /// Curves and surfaces from noisy points: limits of several schemes at two levels of noise.
 
 #include <subcert/reports/experiments/experiment.hpp>
-#include <subcert/reports/experiments/linear_method.hpp>
+#include <subcert/reports/experiments/local_polynomial.hpp>
 #include <subcert/reports/experiments/refined_data.hpp>
 
 namespace subcert::experiments::dyn_2015 {

@@ -3,7 +3,6 @@
 #include "parts.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/limit/limit_at_point.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>

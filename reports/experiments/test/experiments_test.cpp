@@ -1,10 +1,10 @@
 #include <nlohmann/json.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/reports/collections.hpp>
 #include <subcert/reports/experiments/dyn-2015/limit_trial.hpp>
 #include <subcert/reports/experiments/dyn-2015/mechanical_part.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>
-#include <subcert/reports/paper_experiments.hpp>
 
 #include <cmath>
 #include <set>

@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/schemes/data/refine/axis_stencils.hpp>
 
 #include <algorithm>
 #include <array>
@@ -61,37 +62,19 @@ struct AxisPlan {
   std::vector<WindowClass> classes;  ///< with starts in the padded data
 };
 
-/// The outputs begin, ..., end - 1 of an axis; output 2w + phase stands at w + output_at(phase) of the data.
-std::pair<long, long> output_range(const Axis& axis, int points, Boundary boundary) {
-  const auto count = static_cast<long>(axis.count);
-  if (!axis.closed && boundary == Boundary::shrink)
-    return {-2 * first_node(points), 2 * (count - points - first_node(points) + 1)};
-  const Rational origin = output_at(points, 0);
-  const long begin = ceil_index(2 * (-axis.first / axis.step - origin));
-  if (axis.closed) return {begin, begin + 2 * count};
-  return {begin, floor_index(2 * ((axis.length - axis.first) / axis.step - origin)) + 1};
+/// Both rules read the whole window; output 2w + phase stands at w + output_at(phase) of the data.
+AxisStencils stencils_of(int points, int degree) {
+  const long highest = -2 * first_node(points), lowest = highest - 2 * (points - 1);
+  return {{{lowest, highest}, {lowest + 1, highest + 1}}, -2 * output_at(points, 0), degree};
 }
 
-/// The datum at index j, inside or outside of open or closed data.
-std::size_t source_of(long j, const Axis& axis) {
-  const auto count = static_cast<long>(axis.count);
-  if (j >= 0 && j < count) return static_cast<std::size_t>(j);
-  if (axis.closed) return static_cast<std::size_t>(modulo(j, count));
-  const long twice_low = floor_index(-2 * axis.first / axis.step);
-  const long twice_high = floor_index(2 * (axis.length - axis.first) / axis.step);
-  while (j < 0 || j >= count) j = (j < 0 ? twice_low : twice_high) - j;
-  return static_cast<std::size_t>(j);
-}
-
-AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
-  require_refinement_boundary(boundary);
-  if (boundary == Boundary::periodic) axis.close();
-  require(axis.count >= static_cast<std::size_t>(points), "refine: need at least {} points, got {}", points,
-          axis.count);
-  const auto [begin, end] = output_range(axis, points, boundary);
+AxisPlan plan_axis(const Axis& data, int points, int degree, Boundary boundary) {
+  const OutputRange range = stencils_of(points, degree).outputs(data, boundary);
+  const Axis& axis = range.input;
+  const long begin = range.begin, end = range.end;
   const long last_start = static_cast<long>(axis.count) - points;
   const bool clamp = !axis.closed && boundary == Boundary::regression;
-  AxisPlan plan{axis, {}, {}};
+  AxisPlan plan{range.output, {}, {}};
   const auto start_of = [&](long output) {
     const long natural = floor_divide(output, 2) + first_node(points);
     return clamp ? std::clamp(natural, 0L, last_start) : natural;
@@ -115,11 +98,8 @@ AxisPlan plan_axis(Axis axis, int points, Boundary boundary) {
   const WindowClass& back = plan.classes.back();
   const long low = std::min(0L, plan.classes.front().start);
   const long high = std::max(last_start, back.start + static_cast<long>(back.windows) - 1);
-  for (long j = low; j < high + points; ++j) plan.sources.push_back(source_of(j, axis));
+  for (long j = low; j < high + points; ++j) plan.sources.push_back(source(j, axis, boundary));
   for (WindowClass& c : plan.classes) c.start -= low;
-  plan.output.count = static_cast<std::size_t>(end - begin);
-  plan.output.first = axis.first + axis.step * (Rational(begin) / 2 + output_at(points, 0));
-  plan.output.step = axis.step / 2;
   return plan;
 }
 
@@ -252,7 +232,7 @@ GridData<double> refine_once(const GridData<double>& data, const L1Scheme& schem
   Strides strides{{data.dimension}, {data.dimension}, data.dimension};
   for (std::size_t k = 0; k < most_axes; ++k) {
     if (k < scheme.points.size()) {
-      plans[k] = plan_axis(data.axes[k], scheme.points[k], options.boundary);
+      plans[k] = plan_axis(data.axes[k], scheme.points[k], scheme.degree, options.boundary);
       result.axes.push_back(plans[k].output);
     }
     if (k + 1 == most_axes) break;

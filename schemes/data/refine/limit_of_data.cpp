@@ -2,7 +2,7 @@
 
 #include "axis_refinement.hpp"
 
-#include <subcert/analysis/limit/limit_at_point.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>

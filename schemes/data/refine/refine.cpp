@@ -1,10 +1,14 @@
+
 #include "refine.hpp"
 
 #include "axis_refinement.hpp"
 #include "grid_refinement.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -56,5 +60,33 @@ std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundar
 
 template GridData<double> refine<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);
 template GridData<Rational> refine<Rational>(const GridData<Rational>&, const LatticeMask&, const RefineOptions&);
+
+GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
+  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
+  return refine(data, std::get<Scheme>(scheme).mask, options);
+}
+
+std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary) {
+  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
+    return {l1->rules.points.begin(), l1->rules.points.end()};
+  return fewest_points(std::get<Scheme>(scheme).mask, boundary);
+}
+
+std::vector<double> interpolate(const GridData<double>& curve, const std::vector<Rational>& parameters) {
+  require(curve.is_canonical() && curve.axes.size() == 1 && curve.dimension == 1 && curve.points() >= 2,
+          "interpolate: need at least two points of one coordinate");
+  const Axis& axis = curve.axes[0];
+  const auto count = static_cast<long>(axis.count);
+  const auto at = [&](long i) { return curve.values[static_cast<std::size_t>(modulo(i, count))]; };
+  std::vector<double> result;
+  for (const Rational& parameter : parameters) {
+    const Rational place = (parameter - axis.first) / axis.step;
+    const long left = floor_index(place);
+    const long i = axis.closed ? left : std::clamp(left, 0L, count - 2);
+    const double t = nearest_double(place - i);
+    result.push_back((1 - t) * at(i) + t * at(i + 1));
+  }
+  return result;
+}
 
 }  // namespace subcert::data

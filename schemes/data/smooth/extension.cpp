@@ -1,7 +1,5 @@
 #include "extension.hpp"
 
-#include "rounded_regression.hpp"
-
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/schemes/local_regression.hpp>
@@ -9,13 +7,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace subcert::data {
-void Combination::add(const Combination& other, const Rational& factor) {
-  if (factor == 0) return;
-  for (const auto& [index, coefficient] : other.terms) terms[index] += factor * coefficient;
-  outside += factor * other.outside;
+template <class Number>
+void Combination<Number>::add(const ExtendedData& data, long index, const Number& factor) {
+  if (data.is_inside(index)) {
+    terms.emplace_back(static_cast<std::size_t>(index), factor);
+    return;
+  }
+  const Combination datum = data.at<Number>(index);
+  outside += factor * datum.outside;
+  for (const auto& [i, weight] : datum.terms) terms.emplace_back(i, factor * weight);
 }
+
+template struct Combination<double>;
+template struct Combination<Rational>;
 
 ExtendedData::ExtendedData(const ExtensionRule& rule, DataSites sites) : rule_(rule), sites_(std::move(sites)) {
   const auto& [count, weights, positions, before] = sites_;
@@ -108,59 +115,40 @@ std::vector<std::size_t> ExtendedData::fitted_data(long index) const {
   return data;
 }
 
-const Combination& ExtendedData::fitted(long index) const {
-  if (const auto found = fitted_.find(index); found != fitted_.end()) return found->second;
-  std::vector<Rational> nodes, weights;
+template <class Number>
+Combination<Number> ExtendedData::fitted(long index) const {
   const std::vector<std::size_t> data = fitted_data(index);
+  std::vector<Number> nodes, weights, fit;
   for (const std::size_t i : data) {
-    nodes.emplace_back(position(static_cast<long>(i)));
-    if (weighted()) weights.push_back(sites_.weights[i]);
+    nodes.push_back(Number(position(static_cast<long>(i))) - Number(position(index)));
+    weights.push_back(weighted() ? static_cast<Number>(sites_.weights[i]) : Number(1));
   }
-  const std::vector<Rational> coefficients = regression_weights(nodes, weights, rule_.degree,
-                                                                Rational(position(index)));
-  Combination& result = fitted_[index];
-  for (std::size_t k = 0; k < data.size(); ++k) result.terms[data[k]] = coefficients[k];
+  if constexpr (std::is_same_v<Number, Rational>) {
+    const auto [known, is_new] = fits_.try_emplace(index);
+    if (is_new) known->second = regression_weights(nodes, weights, rule_.degree, 0);
+    fit = known->second;
+  } else {
+    fit = regression_weights(nodes, weights, rule_.degree, 0);
+  }
+  Combination<Number> result;
+  for (std::size_t k = 0; k < data.size(); ++k) result.terms.emplace_back(data[k], fit[k]);
   return result;
 }
 
-RoundedCombination rounded(const Combination& combination) {
-  RoundedCombination result;
-  result.outside = static_cast<double>(combination.outside);
-  for (const auto& [datum, weight] : combination.terms) result.terms.emplace_back(datum, static_cast<double>(weight));
-  return result;
-}
-
-void RoundedCombination::add(const ExtendedData& data, long index, double factor) {
-  if (data.is_inside(index)) {
-    terms.emplace_back(static_cast<std::size_t>(index), factor);
-    return;
-  }
-  const RoundedCombination datum = data.rounded_at(index);
-  outside += factor * datum.outside;
-  for (const auto& [i, weight] : datum.terms) terms.emplace_back(i, factor * weight);
-}
-
-RoundedCombination ExtendedData::rounded_at(long index) const {
-  if (is_inside(index)) return {{{static_cast<std::size_t>(index), 1}}};
-  if ((!weighted() && uniform()) || rule_.kind != Boundary::regression) return rounded(at(index));
-  std::vector<double> nodes, weights;
-  const std::vector<std::size_t> data = fitted_data(index);
-  for (const std::size_t i : data) {
-    nodes.push_back(position(static_cast<long>(i)) - position(index));
-    weights.push_back(weighted() ? static_cast<double>(sites_.weights[i]) : 1);
-  }
-  const std::vector<double> coefficients = rounded_regression_weights(nodes, weights, rule_.degree, 0);
-  RoundedCombination result;
-  for (std::size_t k = 0; k < data.size(); ++k) result.terms.emplace_back(data[k], coefficients[k]);
-  return result;
-}
-
-Combination ExtendedData::at(long index) const {
+template <class Number>
+Combination<Number> ExtendedData::at(long index) const {
   if (is_inside(index)) return {{{static_cast<std::size_t>(index), 1}}};
   if (rule_.kind == Boundary::constant) return {{}, 1};
-  if (rule_.kind == Boundary::regression) return fitted(index);
-  return {{{source(index), 1}}};
+  if (rule_.kind != Boundary::regression) return {{{source(index), 1}}};
+  if (std::is_same_v<Number, Rational> || weighted() || !uniform()) return fitted<Number>(index);
+  Combination<Number> rounded;
+  for (const auto& [datum, weight] : fitted<Rational>(index).terms)
+    rounded.terms.emplace_back(datum, static_cast<Number>(weight));
+  return rounded;
 }
+
+template Combination<double> ExtendedData::at<double>(long) const;
+template Combination<Rational> ExtendedData::at<Rational>(long) const;
 
 const Rational& ExtendedData::weight(long index) const {
   static const Rational one = 1;

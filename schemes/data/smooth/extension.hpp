@@ -9,26 +9,18 @@
 
 namespace subcert::data {
 
-/// A value as a combination of the data: sum over i of terms[i] y_i + outside * v, v the one of Boundary::constant.
-struct Combination {
-  std::map<std::size_t, Rational> terms = {};
-  Rational outside = 0;
-
-  void add(const Combination& other, const Rational& factor);
-};
-
 class ExtendedData;
 
-/// A combination in double precision; data may come more than once.
-struct RoundedCombination {
-  std::vector<std::pair<std::size_t, double>> terms = {};
-  double outside = 0;
+/// A value as a combination of the data: sum of weight * y_i over the terms + outside * v, v the one of
+/// Boundary::constant; data may come more than once. Exact in rational numbers.
+template <class Number>
+struct Combination {
+  std::vector<std::pair<std::size_t, Number>> terms = {};
+  Number outside = 0;
 
   /// Adds the datum with this index, inside or outside, times `factor`.
-  void add(const ExtendedData& data, long index, double factor);
+  void add(const ExtendedData& data, long index, const Number& factor);
 };
-
-RoundedCombination rounded(const Combination& combination);
 
 /// How to continue.
 struct ExtensionRule {
@@ -67,10 +59,9 @@ class ExtendedData {
   /// The index of which this is the position, linear between data.
   double index_at(double position) const;
   /// The datum at `index`. Missing data that lie outside or next to the ends are replaced by the rule, those inside are
-  /// not to be asked for.
-  Combination at(long index) const;
-  /// at() in double precision; fits with prior weights or at given positions are computed in it.
-  RoundedCombination rounded_at(long index) const;
+  /// not to be asked for. Of doubles, fits with prior weights or at given positions are computed in them.
+  template <class Number>
+  Combination<Number> at(long index) const;
   /// The prior weight there: that of the datum which is repeated; for regression and constant the mean of the data that
   /// regression fits past this end.
   const Rational& weight(long index) const;
@@ -80,17 +71,18 @@ class ExtendedData {
  private:
   /// The datum whose copy stands at an outside index, for reflect, nearest and periodic.
   std::size_t source(long index) const;
-  const Combination& fitted(long index) const;
+  template <class Number>
+  Combination<Number> fitted(long index) const;
   /// The data that `regression` fits beyond the end next to `index`.
   std::vector<std::size_t> fitted_data(long index) const;
   Rational mean_weight(long index) const;
 
   ExtensionRule rule_;
   DataSites sites_;
-  std::vector<std::size_t> present_;            // data with positive weight, empty where none is given
-  Rational mean_before_ = 1;                    // weight() before the first datum
-  Rational mean_after_ = 1;                     // and past the last
-  mutable std::map<long, Combination> fitted_;  // made so far
+  std::vector<std::size_t> present_;                    // data with positive weight, empty where none is given
+  Rational mean_before_ = 1;                            // weight() before the first datum
+  Rational mean_after_ = 1;                             // and past the last
+  mutable std::map<long, std::vector<Rational>> fits_;  // made so far
 };
 
 }  // namespace subcert::data

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace subcert::data {
 namespace {
@@ -46,10 +47,15 @@ Rational LinearSmoother::position(std::size_t output) const {
   return Rational(output) / Rational(scale_);
 }
 
-double LinearSmoother::rounded_weight(long index) const {
-  return data_.is_inside(index) ? prior_weights_[static_cast<std::size_t>(index)]
-                                : static_cast<double>(data_.weight(index));
+template <class Number>
+Number LinearSmoother::prior_weight(long index) const {
+  if constexpr (std::is_same_v<Number, double>)
+    if (data_.is_inside(index)) return prior_weights_[static_cast<std::size_t>(index)];
+  return static_cast<Number>(data_.weight(index));
 }
+
+template double LinearSmoother::prior_weight<double>(long) const;
+template Rational LinearSmoother::prior_weight<Rational>(long) const;
 
 /// The first spacing from `whole` on whose outputs are not all composed from data inside of one weight; `whole` itself
 /// where its own are not, as always where data are not uniform or missing. The last spacing, which has one output
@@ -64,21 +70,9 @@ std::size_t LinearSmoother::interior_end(std::size_t whole) const {
   return static_cast<std::size_t>(std::clamp(end - highest_, at, std::max(at, count - 1)));
 }
 
-SmoothingRow LinearSmoother::to_row(const Combination& combination) const {
-  SmoothingRow row;
-  row.outside = combination.outside;
-  if (combination.terms.empty()) return row;
-  row.first = combination.terms.begin()->first;
-  row.weights.assign(combination.terms.rbegin()->first - row.first + 1, 0);
-  for (const auto& [index, weight] : combination.terms) {
-    row.weights[index - row.first] = weight;
-    if (weight != 0) row.variance += weight * weight / data_.weight(static_cast<long>(index));
-  }
-  return row;
-}
-
-RoundedRow LinearSmoother::to_row(const std::vector<std::pair<const RoundedCombination*, double>>& parts) const {
-  RoundedRow row;
+template <class Number>
+RowOf<Number> LinearSmoother::to_row(const std::vector<std::pair<const Combination<Number>*, Number>>& parts) const {
+  RowOf<Number> row;
   std::size_t low = data_.count(), high = 0;
   for (const auto& [part, factor] : parts)
     for (const auto& [datum, weight] : part->terms) {
@@ -92,13 +86,19 @@ RoundedRow LinearSmoother::to_row(const std::vector<std::pair<const RoundedCombi
     for (const auto& [datum, weight] : part->terms) row.weights[datum - low] += factor * weight;
   }
   for (std::size_t k = 0; k < row.weights.size(); ++k)
-    if (row.weights[k] != 0) row.variance += row.weights[k] * row.weights[k] / prior_weights_[low + k];
+    if (row.weights[k] != 0)
+      row.variance += row.weights[k] * row.weights[k] / prior_weight<Number>(static_cast<long>(low + k));
   return row;
 }
 
+template RoundedRow LinearSmoother::to_row<double>(
+    const std::vector<std::pair<const Combination<double>*, double>>&) const;
+template SmoothingRow LinearSmoother::to_row<Rational>(
+    const std::vector<std::pair<const Combination<Rational>*, Rational>>&) const;
+
 template <class One, class Many>
 void LinearSmoother::visit_rounded_rows(std::size_t begin, std::size_t end, const One& one, const Many& many) const {
-  const std::unique_ptr<RowMaker> maker = row_maker();
+  const std::unique_ptr<RowMaker<double>> maker = row_maker();
   std::vector<RoundedRow> interior;  // of one spacing
   std::size_t made_at = 0;
   for (std::size_t whole = begin; whole < end;) {

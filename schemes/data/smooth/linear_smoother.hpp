@@ -22,20 +22,15 @@ struct SmoothingOptions {
 };
 
 /// The value, or a derivative, at one position: a combination of the data.
-struct SmoothingRow {
+template <class Number>
+struct RowOf {
   std::size_t first = 0;  ///< the first datum with a weight below
-  std::vector<Rational> weights;
-  Rational outside = 0;   ///< weight of the constant of Boundary::constant
-  Rational variance = 0;  ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
+  std::vector<Number> weights;
+  Number outside = 0;   ///< weight of the constant of Boundary::constant
+  Number variance = 0;  ///< for independent noise of variance 1 / (prior weight): sum of weights^2 / prior weight
 };
-
-/// A SmoothingRow in double precision.
-struct RoundedRow {
-  std::size_t first = 0;
-  std::vector<double> weights;
-  double outside = 0;
-  double variance = 0;
-};
+using SmoothingRow = RowOf<Rational>;
+using RoundedRow = RowOf<double>;
 
 /// All values of a smoother.
 struct SmoothedData {
@@ -83,23 +78,23 @@ class LinearSmoother {
   LinearSmoother(const ExtensionRule& rule, DataSites sites, const SmoothingOptions& options, std::size_t scale,
                  std::pair<long, long> reach);
 
-  /// Makes rows in double precision, for outputs that go up.
+  /// Makes rows for outputs that go up.
+  template <class Number>
   class RowMaker {
    public:
     virtual ~RowMaker() = default;
-    virtual RoundedRow row(std::size_t output) = 0;
+    virtual RowOf<Number> row(std::size_t output) = 0;
   };
-  virtual std::unique_ptr<RowMaker> row_maker() const = 0;
+  virtual std::unique_ptr<RowMaker<double>> row_maker() const = 0;
 
   const SmoothingOptions& options() const { return options_; }
   const ExtendedData& data() const { return data_; }
-  /// Of a datum, 1 where none are given.
-  double prior_weight(std::size_t datum) const { return prior_weights_[datum]; }
-  /// Of an index inside or outside.
-  double rounded_weight(long index) const;
-  SmoothingRow to_row(const Combination& combination) const;
+  /// The prior weight of an index inside or outside, 1 where none are given.
+  template <class Number>
+  Number prior_weight(long index) const;
   /// The sum of factor * combination over the parts.
-  RoundedRow to_row(const std::vector<std::pair<const RoundedCombination*, double>>& parts) const;
+  template <class Number>
+  RowOf<Number> to_row(const std::vector<std::pair<const Combination<Number>*, Number>>& parts) const;
 
  private:
   class PathLength;

@@ -1,7 +1,5 @@
 #include "local_polynomial.hpp"
 
-#include "rounded_regression.hpp"
-
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
@@ -108,7 +106,7 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
   require(options.derivative <= method.degree, "derivative {}: polynomials of degree {} have none", options.derivative,
           method.degree);
   std::size_t present = 0;
-  for (std::size_t i = 0; i < data().count(); ++i) present += prior_weight(i) > 0 ? 1 : 0;
+  for (std::size_t i = 0; i < data().count(); ++i) present += data().is_present(static_cast<long>(i)) ? 1 : 0;
   if (method.points > present)
     fail(ErrorKind::data, "expected at least {} data for {}; found {}", method.points, to_text(method), present);
 }
@@ -144,11 +142,7 @@ LocalSmoother::Window LocalSmoother::window_at(double position) const {
 
 template <class Number>
 Number LocalSmoother::weight_of(const Window& window, long index) const {
-  Number prior;
-  if constexpr (std::is_same_v<Number, double>)
-    prior = rounded_weight(index);
-  else
-    prior = data().weight(index);
+  Number prior = prior_weight<Number>(index);
   if (prior == 0 || window.radius == 0 || method_.weight == LocalWeight::box) return prior;
   const Number apart = Number(data().position(index)) - Number(window.position);
   Number u = (apart < 0 ? Number(-apart) : apart) / Number(window.radius);
@@ -170,43 +164,37 @@ std::pair<std::vector<long>, std::vector<Number>> LocalSmoother::fitted_data(con
   return result;
 }
 
-SmoothingRow LocalSmoother::row(std::size_t output) const {
-  const Rational at = position(output);
-  const auto [indices, weights] = fitted_data<Rational>(window_at(static_cast<double>(at)));
-  std::vector<Rational> nodes;
-  for (const long index : indices) nodes.emplace_back(data().position(index));
-  const std::vector<Rational> fit = regression_weights(nodes, weights, method_.degree, at, options().derivative);
-  Combination sum;
-  for (std::size_t k = 0; k < fit.size(); ++k) sum.add(data().at(indices[k]), fit[k]);
-  return to_row(sum);
-}
-
-class LocalSmoother::Rows : public RowMaker {
+template <class Number>
+class LocalSmoother::Rows : public RowMaker<Number> {
  public:
   explicit Rows(const LocalSmoother& smoother) : smoother_(smoother) {}
 
-  RoundedRow row(std::size_t output) override {
-    const Window window = smoother_.window_at(static_cast<double>(smoother_.position(output)));
-    const auto [indices, weights] = smoother_.fitted_data<double>(window);
+  RowOf<Number> row(std::size_t output) override {
     const ExtendedData& data = smoother_.data();
-    nodes_.clear();
-    // In units of the radius, so that no power leaves the numbers.
-    const double unit = window.radius > 0 ? window.radius : 1;
-    for (const long index : indices) nodes_.push_back((data.position(index) - window.position) / unit);
+    const Rational at = smoother_.position(output);
+    const Window window = smoother_.window_at(static_cast<double>(at));
+    const auto [indices, weights] = smoother_.fitted_data<Number>(window);
+    // In units of the radius, so that no power leaves the doubles.
+    const Number origin = static_cast<Number>(at), unit(window.radius > 0 ? window.radius : 1);
+    std::vector<Number> nodes;
+    for (const long index : indices) nodes.push_back((Number(data.position(index)) - origin) / unit);
     const int derivative = smoother_.options().derivative;
-    const double scale = std::pow(unit, -derivative);
-    const std::vector<double> fit = rounded_regression_weights(nodes_, weights, smoother_.method_.degree, 0,
-                                                               derivative);
-    RoundedCombination sum;
+    const std::vector<Number> fit = regression_weights(nodes, weights, smoother_.method_.degree, 0, derivative);
+    Number scale = 1;
+    for (int k = 0; k < derivative; ++k) scale /= unit;
+    Combination<Number> sum;
     for (std::size_t k = 0; k < fit.size(); ++k) sum.add(data, indices[k], scale * fit[k]);
-    return smoother_.to_row({{&sum, 1}});
+    return smoother_.to_row<Number>({{&sum, 1}});
   }
 
  private:
   const LocalSmoother& smoother_;
-  std::vector<double> nodes_;
 };
 
-std::unique_ptr<LinearSmoother::RowMaker> LocalSmoother::row_maker() const { return std::make_unique<Rows>(*this); }
+SmoothingRow LocalSmoother::row(std::size_t output) const { return Rows<Rational>(*this).row(output); }
+
+std::unique_ptr<LinearSmoother::RowMaker<double>> LocalSmoother::row_maker() const {
+  return std::make_unique<Rows<double>>(*this);
+}
 
 }  // namespace subcert::data

@@ -49,8 +49,9 @@ class LocalSmoother : public LinearSmoother {
     long last;
     double radius;
   };
+  template <class Number>
   class Rows;
-  std::unique_ptr<RowMaker> row_maker() const override;
+  std::unique_ptr<RowMaker<double>> row_maker() const override;
   Window window_at(double position) const;
   template <class Number>
   Number weight_of(const Window& window, long index) const;

@@ -3,8 +3,8 @@
 
 #include "local_polynomial.hpp"
 #include "noise.hpp"
-#include "samples.hpp"
 #include "scheme_smoother.hpp"
+#include "uniform_grid.hpp"
 
 #include <subcert/schemes/specification.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// How noisy data are, and how wide bands must be for that.
 
-#include "samples.hpp"
+#include "uniform_grid.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Samples of functions, read from a table.
 
-#include "samples.hpp"
+#include "uniform_grid.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,5 @@
 #include "scheme_smoother.hpp"
 
-#include "rounded_regression.hpp"
-
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
@@ -10,6 +8,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 
 namespace subcert::data {
@@ -98,12 +97,6 @@ std::pair<std::size_t, long> SmoothingKernel::rule_of(long index) const {
   return {static_cast<std::size_t>(modulo(offset, fine_)), floor_divide(offset, fine_)};
 }
 
-/// The weight at this position of the datum of level 0 or 1 with this index.
-Rational SmoothingKernel::value(const Rational& position, long index) const {
-  const Rational x = fine_ * (position + shift_);
-  return factor_ * phi_.at(numerator(Rational((x - index) * grid_)).convert_to<long>());
-}
-
 SchemeSmoother::SchemeSmoother(const Mask& mask, const DataSites& sites, const SmoothingOptions& options,
                                const std::optional<LocalRegression>& rules)
     : SchemeSmoother(std::make_shared<SmoothingKernel>(mask, rules, options, needs_fit(sites)), sites, options) {}
@@ -133,10 +126,8 @@ SchemeSmoother::Window<Number> SchemeSmoother::window_of(long index) const {
   Window<Number> window{rule, std::move(place), group + r.first, std::vector<Number>(points), {}};
   for (std::size_t k = 0; k < points; ++k) {
     const long datum = window.first + static_cast<long>(k);
-    if constexpr (std::is_same_v<Number, double>)
-      window.weights[k] = rounded_weight(datum) * (r.weights.empty() ? 1 : static_cast<double>(r.weights[k]));
-    else
-      window.weights[k] = data().weight(datum) * (r.weights.empty() ? Rational(1) : r.weights[k]);
+    window.weights[k] = prior_weight<Number>(datum);
+    if (!r.weights.empty()) window.weights[k] *= static_cast<Number>(r.weights[k]);
     if (window.weights[k] > 0) window.kept.push_back(k);
   }
   const std::size_t needed = std::min(points, static_cast<std::size_t>(kernel_->rules_->degree) + 1);
@@ -147,72 +138,49 @@ SchemeSmoother::Window<Number> SchemeSmoother::window_of(long index) const {
   return window;
 }
 
-const std::vector<Rational>& SchemeSmoother::fit_of(const Window<Rational>& window) const {
-  const RegressionRule& r = kernel_->rules_->rules[window.rule];
-  const auto [place, made] = fits_.try_emplace({window.rule, window.weights});
-  if (!made && data().uniform()) return place->second;
-  std::vector<Rational> nodes, positive;
+template <class Number>
+std::vector<Number> SchemeSmoother::fit_of(const Window<Number>& window) const {
+  constexpr bool rounded = std::is_same_v<Number, double>;
+  std::vector<Number> nodes, positive;
   for (const std::size_t k : window.kept) {
-    const long datum = window.first + static_cast<long>(k);
-    nodes.emplace_back(data().uniform() ? Rational(r.first + static_cast<long>(k)) : Rational(data().position(datum)));
+    if (rounded && data().uniform())  // far from the first datum too
+      nodes.push_back(Number(kernel_->nodes_[window.rule][k]));
+    else
+      nodes.push_back(Number(data().position(window.first + static_cast<long>(k))) - window.place);
     positive.push_back(window.weights[k]);
   }
-  const Rational& x = data().uniform() ? r.position : window.place;
-  return place->second = regression_weights(nodes, positive, kernel_->rules_->degree, x);
+  return regression_weights(nodes, positive, kernel_->rules_->degree, 0);
 }
 
 /// The datum of level 0 or, from a fit with the prior weights, 1 with this index.
-Combination SchemeSmoother::level_datum(long index) const {
-  if (!kernel_->rules_) return data().at(index);
-  const auto window = window_of<Rational>(index);
-  const std::vector<Rational>& fit = fit_of(window);
-  Combination sum;
-  for (std::size_t k = 0; k < window.kept.size(); ++k)
-    sum.add(data().at(window.first + static_cast<long>(window.kept[k])), fit[k]);
-  return sum;
-}
-
-/// level_datum() in double precision.
-RoundedCombination SchemeSmoother::rounded_level_datum(long index) const {
-  if (!kernel_->rules_) return data().rounded_at(index);
-  const auto window = window_of<double>(index);
-  std::vector<double> nodes, weights;
-  for (const std::size_t k : window.kept) {
-    nodes.push_back(data().uniform() ? kernel_->nodes_[window.rule][k]
-                                     : data().position(window.first + static_cast<long>(k)) - window.place);
-    weights.push_back(window.weights[k]);
-  }
-  const std::vector<double> fit = rounded_regression_weights(nodes, weights, kernel_->rules_->degree, 0);
-  RoundedCombination sum;
+template <class Number>
+Combination<Number> SchemeSmoother::level_datum(long index) const {
+  if (!kernel_->rules_) return data().at<Number>(index);
+  const auto window = window_of<Number>(index);
+  const std::vector<Number> fit = fit_of(window);
+  Combination<Number> sum;
   for (std::size_t k = 0; k < fit.size(); ++k)
     sum.add(data(), window.first + static_cast<long>(window.kept[k]), fit[k]);
   return sum;
 }
 
-SmoothingRow SchemeSmoother::row(std::size_t output) const {
-  const Rational at = position(output);
-  const auto [first, last] = kernel_->reach_of(at);
-  Combination sum;
-  for (long m = first; m <= last; ++m)
-    if (const Rational value = kernel_->value(at, m); value != 0) sum.add(level_datum(m), value);
-  return to_row(sum);
-}
-
-/// row(), composed in double precision; keeps the data of level 0 or 1.
-class SchemeSmoother::Rows : public RowMaker {
+/// Rows for outputs that go up; keeps the data of level 0 or 1.
+template <class Number>
+class SchemeSmoother::Rows : public RowMaker<Number> {
  public:
   explicit Rows(const SchemeSmoother& smoother) : smoother_(smoother), kernel_(*smoother.kernel_) {}
 
-  RoundedRow row(std::size_t output) override {
+  RowOf<Number> row(std::size_t output) override {
     const auto& phase = kernel_.phases_[output % smoother_.scale()];
     const long whole = kernel_.fine_ * static_cast<long>(output / smoother_.scale());
     make(whole + phase.first, whole + phase.last);
-    const auto factor = static_cast<double>(kernel_.factor_);
+    const auto factor = static_cast<Number>(kernel_.factor_);
+    const auto& phi = std::get<const std::vector<Number>&>(std::tie(kernel_.phi_.values, kernel_.phi_rounded_));
     parts_.clear();
     for (long j = phase.first; j <= phase.last; ++j) {
       const long index = phase.base - j * kernel_.grid_ - kernel_.phi_.first_index;
-      if (index < 0 || index >= static_cast<long>(kernel_.phi_rounded_.size())) continue;
-      const double value = kernel_.phi_rounded_[static_cast<std::size_t>(index)];
+      if (index < 0 || index >= static_cast<long>(phi.size())) continue;
+      const Number& value = phi[static_cast<std::size_t>(index)];
       if (value != 0) parts_.emplace_back(&data_[static_cast<std::size_t>(whole + j - first_)], factor * value);
     }
     return smoother_.to_row(parts_);
@@ -227,16 +195,20 @@ class SchemeSmoother::Rows : public RowMaker {
     }
     if (data_.empty()) first_ = first;
     for (long j = first_ + static_cast<long>(data_.size()); j <= last; ++j)
-      data_.push_back(smoother_.rounded_level_datum(j));
+      data_.push_back(smoother_.level_datum<Number>(j));
   }
 
   const SchemeSmoother& smoother_;
   const SmoothingKernel& kernel_;
-  std::deque<RoundedCombination> data_;
+  std::deque<Combination<Number>> data_;
   long first_ = 0;
-  std::vector<std::pair<const RoundedCombination*, double>> parts_;
+  std::vector<std::pair<const Combination<Number>*, Number>> parts_;
 };
 
-std::unique_ptr<LinearSmoother::RowMaker> SchemeSmoother::row_maker() const { return std::make_unique<Rows>(*this); }
+SmoothingRow SchemeSmoother::row(std::size_t output) const { return Rows<Rational>(*this).row(output); }
+
+std::unique_ptr<LinearSmoother::RowMaker<double>> SchemeSmoother::row_maker() const {
+  return std::make_unique<Rows<double>>(*this);
+}
 
 }  // namespace subcert::data

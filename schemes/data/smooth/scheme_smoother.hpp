@@ -35,7 +35,6 @@ class SmoothingKernel {
   };
   std::pair<long, long> reach_of(const Rational& position) const;
   std::pair<std::size_t, long> rule_of(long index) const;
-  Rational value(const Rational& position, long index) const;
 
   Mask mask_;
   std::optional<LocalRegression> rules_;  // of the first fit
@@ -77,16 +76,17 @@ class SchemeSmoother : public LinearSmoother {
     std::vector<Number> weights;    ///< of all points of the rule
     std::vector<std::size_t> kept;  ///< the points with weight
   };
+  template <class Number>
   class Rows;
-  std::unique_ptr<RowMaker> row_maker() const override;
+  std::unique_ptr<RowMaker<double>> row_maker() const override;
   template <class Number>
   Window<Number> window_of(long index) const;
-  const std::vector<Rational>& fit_of(const Window<Rational>& window) const;
-  Combination level_datum(long index) const;
-  RoundedCombination rounded_level_datum(long index) const;
+  template <class Number>
+  std::vector<Number> fit_of(const Window<Number>& window) const;
+  template <class Number>
+  Combination<Number> level_datum(long index) const;
 
   std::shared_ptr<const SmoothingKernel> kernel_;
-  mutable std::map<std::pair<std::size_t, std::vector<Rational>>, std::vector<Rational>> fits_;  // of uniform data
 };
 
 }  // namespace subcert::data

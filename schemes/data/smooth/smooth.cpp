@@ -1,13 +1,12 @@
 #include "smooth.hpp"
 
-#include "smoothed_columns.hpp"
 #include "uniform_grid.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/interpolation.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 
 #include <cmath>
 

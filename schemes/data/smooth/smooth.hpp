@@ -61,4 +61,9 @@ std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const Smoo
 /// Throws a domain error where no proof says that the scheme converges or, for derivatives, is so smooth.
 void require_limits(const Scheme& scheme, int derivative);
 
+/// The columns for the spacings begin, ..., end - 1 of the smoother, whose first datum is number `before` of the grid.
+SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<NoiseEstimate>& noise,
+                                 const LinearSmoother& smoother, int derivative, std::size_t begin, std::size_t end,
+                                 std::size_t before);
+
 }  // namespace subcert::data

@@ -1,6 +1,6 @@
 #include "smoothing_stream.hpp"
 
-#include "smoothed_columns.hpp"
+#include "smooth.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>

@@ -1,3 +1,4 @@
+
 #include "uniform_grid.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
@@ -103,6 +104,35 @@ double GridPositions::at(std::size_t index) const {
   const auto low = static_cast<double>(sum - error), high = static_cast<double>(sum + error);
   if (low == high && size > 0x1p-900L) return low;
   return nearest_double(Rational(origin_ + step_ * Rational(index)));
+}
+
+DataSites Samples::sites() const {
+  DataSites sites{count(), weights};
+  const double unit = nearest_double(spacing);
+  for (const double x : positions) sites.positions.push_back((x - positions.front()) / unit);
+  return sites;
+}
+
+void Samples::drop_missing() {
+  if (weights.empty()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] == 0) continue;
+    for (auto& column : columns) column[kept] = column[i];
+    positions[kept] = positions[i];
+    weights[kept++] = weights[i];
+  }
+  require(kept > 0, "Samples: need a positive weight");
+  for (auto& column : columns) column.resize(kept);
+  positions.resize(kept);
+  weights.resize(kept);
+  origin = decimal_value(positions.front());
+}
+
+std::vector<double> Samples::rounded_weights() const {
+  std::vector<double> rounded;
+  for (const Rational& weight : weights) rounded.push_back(nearest_double(weight));
+  return rounded;
 }
 
 }  // namespace subcert::data

@@ -2,8 +2,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/interpolation.hpp>
-#include <subcert/schemes/data/scheme_refinement.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 
 using namespace subcert;
 using namespace subcert::data;

@@ -96,7 +96,7 @@ TEST_CASE("data continue past their ends for local polynomials as for schemes") 
     const LocalSmoother smoother(make_local_polynomial("local:points=5,d=1"), data.size(), {boundary, 1, 0, 2.5});
     std::vector<double> longer;
     for (long i = -10; i < 20; ++i) {
-      const RoundedCombination datum = extended.rounded_at(i);
+      const auto datum = extended.at<double>(i);
       longer.push_back(datum.outside * 2.5);
       for (const auto& [j, weight] : datum.terms) longer.back() += weight * data[j];
     }

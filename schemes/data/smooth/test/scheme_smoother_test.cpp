@@ -93,7 +93,7 @@ TEST_CASE("the rows agree with many refinements of the extended data") {
                                 data.size());
     LaurentPolynomial values;  // sum of f_j z^j
     for (long j = -14; j < 26; ++j) {
-      const Combination combination = extended.at(j);
+      const auto combination = extended.at<Rational>(j);
       Rational value = 0;
       for (const auto& [index, weight] : combination.terms) value += weight * data[index];
       values += LaurentPolynomial::monomial(value, j);
@@ -115,7 +115,7 @@ TEST_CASE("the mirror, nearest and periodic data are those of the names") {
   const auto indices = [](Boundary kind) {
     const ExtendedData data({kind, 1, 0}, 4);
     std::vector<std::size_t> result;
-    for (long i = -5; i < 9; ++i) result.push_back(data.at(i).terms.begin()->first);
+    for (long i = -5; i < 9; ++i) result.push_back(data.at<Rational>(i).terms.begin()->first);
     return result;
   };
   CHECK(indices(Boundary::reflect) == std::vector<std::size_t>{1, 2, 3, 2, 1, 0, 1, 2, 3, 2, 1, 0, 1, 2});

@@ -8,7 +8,6 @@
 #include <subcert/analysis/radii/joint/product.hpp>
 #include <subcert/analysis/radii/joint/single_radius.hpp>
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
-#include <subcert/analysis/radii/quadratic/long_products.hpp>
 #include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>

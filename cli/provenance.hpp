@@ -1,7 +1,7 @@
 #pragma once
 /// Which program made an answer.
 
-#include <subcert/reports/facts/json.hpp>
+#include <subcert/reports/facts/fact.hpp>
 
 namespace subcert::cli {
 

@@ -6,8 +6,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
@@ -97,28 +96,39 @@ void try_part(Plate& plate, const Deadline& deadline, const std::string& name, P
   }
 }
 
-void add_exponents(Plate& plate, const Scheme& scheme, const PlateOptions& options, const Budget& budget) {
-  const Mask& mask = scheme.mask.curve();
+void add_regularity(Plate& plate, const PlateOptions& options, const Budget& budget) {
+  const Scheme& scheme = plate.scheme;
+  std::optional<Regularity> regularity;
+  try_part(plate, {}, "Hölder exponent", [&] {
+    const HolderProof proof = options.verified ? HolderProof::certificate : HolderProof::shortest;
+    regularity = regularity_of(scheme.mask, budget,
+                               {.levels = levels_of_norms, .proof = proof, .rounding = scheme.rounding});
+    plate.sum_rules = regularity->sum_rules();
+    if (regularity->converges().truth != Truth::unknown) plate.convergence = regularity->converges();
+    plate.stable = regularity->stable();
+    plate.exact = regularity->exact();
+    if (!plate.convergence.is_yes()) return;
+    plate.holder = regularity->exponent();
+    if (regularity->surface) plate.sobolev = regularity->surface->sobolev;
+  });
+  if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
+    try_part(plate, {}, "certificate", [&] {
+      plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
+                              exponent_certificate(scheme.mask, *regularity, scheme.rounding), options.verified);
+    });
+}
+
+void add_exponents(Plate& plate, const PlateOptions& options, const Budget& budget) {
+  const Mask& mask = plate.scheme.mask.curve();
   plate.sum_rules = sum_rules(mask);
   plate.convergence = converges(mask, {levels_of_norms, budget.deadline.after(sobolev_share)});
   if (plate.convergence.is_no()) return;
-  if (!scheme.rounding)
+  if (!plate.scheme.rounding)
     try_part(plate, {}, "Sobolev exponent", [&] {
       const auto sobolev = sobolev_if_small(mask, budget.deadline.after(sobolev_share));
       if (sobolev) plate.sobolev = sobolev->exponent;
     });
-  try_part(plate, {}, "Hölder exponent", [&] {
-    const HolderRegularity regularity = holder_regularity(
-        mask, levels_of_norms, budget, options.verified ? HolderProof::certificate : HolderProof::shortest,
-        scheme.rounding);
-    if (regularity.converges.truth != Truth::unknown) plate.convergence = regularity.converges;
-    plate.stable = regularity.stable;
-    plate.exact = regularity.deciding().radius.exact;
-    plate.holder = regularity.proved_exponent();
-    if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
-      plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
-                              exponent_certificate(mask, regularity, scheme.rounding), options.verified);
-  });
+  add_regularity(plate, options, budget);
 }
 
 /// The exact values at the integers, as text and as marks.
@@ -178,10 +188,10 @@ void add_pictures(Plate& plate, const Scheme& scheme, const PlateOptions& option
            [&] { plate.pictures.push_back(polygon_picture(scheme, options.open)); });
 }
 
-void fill_curve(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
-  add_exponents(plate, scheme, options, {Deadline::in(options.budget), options.memory});
+void fill_curve(Plate& plate, const PlateOptions& options) {
+  add_exponents(plate, options, {Deadline::in(options.budget), options.memory});
   if (plate.convergence.is_yes())
-    add_pictures(plate, scheme, options);
+    add_pictures(plate, plate.scheme, options);
   else
     plate.notes.emplace_back(plate.convergence.is_no()
                                  ? "The scheme diverges: there is no limit function, no variance curve and no limit of "
@@ -189,38 +199,24 @@ void fill_curve(Plate& plate, const Scheme& scheme, const PlateOptions& options)
                                  : "Convergence is not decided within the budget: nothing is drawn.");
 }
 
-void fill_surface(Plate& plate, const Scheme& scheme, const PlateOptions& options) {
-  const Budget budget{Deadline::in(options.budget), options.memory};
-  const MultivariateRegularity regularity = multivariate_regularity(scheme.mask, budget);
-  plate.sum_rules = regularity.sum_rules;
-  plate.convergence = regularity.converges;
-  plate.stable = regularity.stable;
-  plate.exact = regularity.exact;
-  if (plate.convergence.is_yes()) {
-    plate.holder = regularity.exponent;
-    plate.sobolev = regularity.sobolev;
-  }
-  if (options.verified && plate.holder.lower && *plate.holder.lower > 0)
-    try_part(plate, {}, "certificate", [&] {
-      plate.proof = row_proof(formats::slug(scheme.specification) + ".cert",
-                              surface_certificate(scheme.mask, regularity), options.verified);
-    });
+void fill_surface(Plate& plate, const PlateOptions& options) {
+  add_regularity(plate, options, {Deadline::in(options.budget), options.memory});
   if (plate.convergence.is_no())
     plate.notes.emplace_back("The scheme diverges: there is no limit function to draw.");
   else if (!plate.convergence.is_yes())
     plate.notes.emplace_back("Convergence is not decided within the budget: nothing is drawn.");
-  else if (scheme.mask.dimension() > 2)
+  else if (plate.scheme.mask.dimension() > 2)
     plate.notes.emplace_back("Limit functions of three variables are not drawn.");
   else
     try_part(plate, {}, "picture of the basic limit function",
-             [&] { plate.surface = formats::limit_surface(scheme.mask, "The basic limit function"); });
+             [&] { plate.surface = formats::limit_surface(plate.scheme.mask, "The basic limit function"); });
 }
 
 }  // namespace
 
 Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options) {
   Plate plate(scheme);
-  (plate.scheme.mask.dimension() == 1 ? fill_curve : fill_surface)(plate, plate.scheme, options);
+  (plate.scheme.mask.dimension() == 1 ? fill_curve : fill_surface)(plate, options);
   return plate;
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 /// What the gallery knows of a scheme, and its pages.
 
-#include "gallery_schemes.hpp"
-
+#include "facts/fact.hpp"
 #include "formats/figure.hpp"
 #include "formats/surface_figure.hpp"
 #include "row_proof.hpp"
@@ -14,6 +13,17 @@
 #include <vector>
 
 namespace subcert::reports {
+
+struct GalleryScheme {
+  std::string specification;
+  std::string key = {};  ///< of docs/references.md, without brackets; empty: a scheme of the reader's own
+};
+
+/// Forty schemes of the papers and of the literature.
+const std::vector<GalleryScheme>& gallery_schemes();
+
+/// The entry of docs/references.md with this key. Errors: throws a domain error where there is none.
+std::string reference(const std::string& key);
 
 struct PlateOptions {
   double budget = 5;                          ///< seconds for the proofs about each scheme
@@ -69,5 +79,9 @@ std::string comparison_html(const std::vector<Plate>& plates);
 
 /// Pictures that all have of which several plates have one, each with the curves of all of these.
 std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates);
+
+/// What follows from the mask, shortened where it is too long for people, and what is proved; what is not known of this
+/// scheme is left out, in JSON it is null.
+facts::Facts plate_facts(const Plate& plate);
 
 }  // namespace subcert::reports

@@ -1,10 +1,9 @@
-#include "formats/check_in_page.hpp"
 #include "formats/comparison.hpp"
 #include "formats/html.hpp"
+#include "formats/section.hpp"
 #include "formats/surface_figure.hpp"
 #include "formats/svg.hpp"
 #include "gallery.hpp"
-#include "plate_facts.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
 

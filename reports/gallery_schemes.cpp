@@ -1,4 +1,4 @@
-#include "gallery_schemes.hpp"
+#include "gallery.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
 

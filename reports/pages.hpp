@@ -3,8 +3,6 @@
 
 #include "results.hpp"
 
-#include <subcert/proofs-checks/papers/registry.hpp>
-
 #include <string>
 #include <vector>
 
@@ -21,10 +19,6 @@ std::string results_page(const std::vector<Result>& results);
 
 /// How many values, statements and claims are right, as bars with links to the list of them; of one paper or of all.
 std::string score_bars(const std::vector<Result>& results, const std::string& paper = "");
-
-using statements::CheckedStatement;
-
-struct Result;
 
 /// By paper: first what holds, then what fails at an edge only, then what to correct, each fault with what follows from
 /// it, and what cannot be checked. Beside a statement stand the claims among `results` that are about the same

@@ -1,4 +1,4 @@
-#include "plate_facts.hpp"
+#include "gallery.hpp"
 
 #include "facts/scheme_facts.hpp"
 #include "formats/comparison.hpp"

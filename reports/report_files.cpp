@@ -1,6 +1,6 @@
 #include "report_files.hpp"
 
-#include "formats/check_in_page.hpp"
+#include "formats/section.hpp"
 #include "formats/surface_figure.hpp"
 #include "pages.hpp"
 

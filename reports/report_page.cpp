@@ -1,7 +1,7 @@
 #include "pages.hpp"
 
-#include "formats/check_in_page.hpp"
 #include "formats/html.hpp"
+#include "formats/section.hpp"
 #include "formats/surface_figure.hpp"
 #include "formats/svg.hpp"
 

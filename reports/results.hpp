@@ -1,14 +1,17 @@
 #pragma once
 /// Everything a run has found, result by result, and the one count of it.
 
-#include "pages.hpp"
 #include "report.hpp"
+
+#include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace subcert::reports {
+
+using statements::CheckedStatement;
 
 /// Which program made a page, from what and when.
 struct Origin {

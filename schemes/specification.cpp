@@ -1,7 +1,6 @@
 #include "specification.hpp"
 
 #include "classical.hpp"
-#include "daubechies.hpp"
 #include "regression_text.hpp"
 
 #include <subcert/analysis/symbol/index_arithmetic.hpp>

@@ -7,7 +7,7 @@
 
 #include "cell_setup.hpp"
 
-#include <subcert/analysis/outward_rounding/recentring.hpp>
+#include <subcert/analysis/outward_rounding/outward.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <vector>

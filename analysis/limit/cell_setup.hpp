@@ -4,7 +4,7 @@
 ///   bounds  cell_bounds  the remainders, in doubles with proved errors
 ///   walk    limit_cells  forms on cells, their children, the ranges they prove
 
-#include <subcert/analysis/outward_rounding/recentring.hpp>
+#include <subcert/analysis/outward_rounding/outward.hpp>
 #include <subcert/analysis/symbol/balls.hpp>
 #include <subcert/analysis/transition/ball_transition.hpp>
 

@@ -3,7 +3,7 @@
 #include <subcert/analysis/radii/joint/cost.hpp>
 #include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 
-#include <subcert/analysis/limit/fixed_vector.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/lattice_symmetry.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>

@@ -1,7 +1,6 @@
 #include "specimens.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/limit/fixed_vector.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>

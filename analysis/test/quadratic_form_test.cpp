@@ -6,7 +6,7 @@
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/radii/quadratic/context_forms.hpp>
-#include <subcert/analysis/radii/quadratic/long_products.hpp>
+#include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>

@@ -4,7 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>
-#include <subcert/reports/plate_facts.hpp>
+#include <subcert/reports/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <algorithm>

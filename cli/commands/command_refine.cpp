@@ -6,7 +6,6 @@
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
-#include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "plates.hpp"
 
 #include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/reports/plate_facts.hpp>
+#include <subcert/reports/gallery.hpp>
 
 #include <algorithm>
 #include <mutex>

@@ -1,4 +1,3 @@
-#include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 

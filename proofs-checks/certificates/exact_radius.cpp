@@ -2,7 +2,7 @@
 #include "exact_radius.hpp"
 
 #include <subcert/analysis/radii/joint/leading_factor.hpp>
-#include <subcert/analysis/radii/subradius/attained_subradius.hpp>
+#include <subcert/analysis/radii/subradius/certify.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 
 #include <fmt/format.h>

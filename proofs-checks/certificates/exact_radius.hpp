@@ -3,7 +3,7 @@
 
 #include <subcert/analysis/radii/joint/single_radius.hpp>
 #include <subcert/analysis/radii/polytope_proof/polytope_proof.hpp>
-#include <subcert/analysis/radii/quadratic/graph_proof.hpp>
+#include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/radii/subradius/antinorm_proof.hpp>
 #include <subcert/analysis/symbol/matrix_family.hpp>
 

@@ -8,7 +8,7 @@
 #include "least_absolute.hpp"
 #include "parameter.hpp"
 #include "quadratic.hpp"
-#include "rounding.hpp"
+#include "scheme.hpp"
 #include "single.hpp"
 #include "subradius.hpp"
 #include "surface.hpp"

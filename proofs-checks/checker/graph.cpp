@@ -3,7 +3,7 @@
 
 #include "definite.hpp"
 #include "group.hpp"
-#include "rounding.hpp"
+#include "scheme.hpp"
 
 #include <algorithm>
 #include <cmath>

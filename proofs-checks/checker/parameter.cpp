@@ -1,6 +1,6 @@
 #include "parameter.hpp"
 
-#include "rounding.hpp"
+#include "scheme.hpp"
 #include "torus.hpp"
 
 #include <algorithm>

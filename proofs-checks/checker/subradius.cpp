@@ -1,6 +1,6 @@
 #include "subradius.hpp"
 
-#include "origins.hpp"
+#include "exact_radius.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 /// The papers, their statements and what they print.
 
-#include <subcert/proofs-checks/statements/paper.hpp>
+#include <subcert/proofs-checks/statements/statement.hpp>
 
 namespace subcert::statements {
 

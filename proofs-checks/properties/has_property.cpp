@@ -2,8 +2,7 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
@@ -35,18 +34,13 @@ Decision convergence_of(const Mask& mask, double seconds) {
 Decision rounded_coefficients() { return {Truth::unknown, "the coefficients are rounded"}; }
 
 /// For all masks that are meant.
-HolderRegularity regularity_of(const Scheme& scheme, double seconds) {
-  return holder_regularity(scheme.mask.curve(), levels, {Deadline::in(seconds)}, HolderProof::shortest,
-                           scheme.rounding);
-}
-
-MultivariateRegularity surface_regularity(const Scheme& scheme, double seconds) {
-  return multivariate_regularity(scheme.mask, {Deadline::in(seconds)});
+Regularity regularity_of(const Scheme& scheme, double seconds) {
+  return subcert::regularity_of(scheme.mask, {Deadline::in(seconds)}, {.levels = levels, .rounding = scheme.rounding});
 }
 
 Decision convergent(const Scheme& scheme, const Expectation& expectation, double seconds) {
   if (!scheme.rounding) return matches(convergence_of(scheme.mask.curve(), seconds), expectation.yes);
-  const bool converges = *regularity_of(scheme, seconds).exponent.lower > 0;
+  const bool converges = *regularity_of(scheme, seconds).curve->exponent.lower > 0;
   return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
                  expectation.yes);
 }
@@ -54,7 +48,7 @@ Decision convergent(const Scheme& scheme, const Expectation& expectation, double
 Decision smoothness(const Scheme& scheme, const Expectation& expectation, double seconds) {
   const Mask& mask = scheme.mask.curve();
   if (scheme.rounding) {
-    const HolderRegularity regularity = regularity_of(scheme, seconds);
+    const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
     if (*regularity.exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
     return {has_derivatives(regularity, expectation.number), lies_in("the Hoelder exponent", regularity.exponent)};
   }
@@ -64,7 +58,7 @@ Decision smoothness(const Scheme& scheme, const Expectation& expectation, double
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
-  const HolderRegularity regularity = holder_regularity(mask, levels, {Deadline::in(seconds)});
+  const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
   const std::string found = lies_in("the Hoelder exponent", regularity.exponent);
   const Truth smooth = has_derivatives(regularity, expectation.number);
   if (smooth != Truth::unknown) return {smooth, found};
@@ -74,7 +68,7 @@ Decision smoothness(const Scheme& scheme, const Expectation& expectation, double
 Decision holder(const Scheme& scheme, const Expectation& expectation, double seconds) {
   if (!scheme.rounding && !is_affine(scheme.mask.curve()))
     return decided(false, "a coset sum is not 1, so the scheme does not converge");
-  const HolderRegularity regularity = regularity_of(scheme, seconds);
+  const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
   Enclosure exponent = regularity.exponent;
   if (scheme.rounding && *exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
   // Otherwise the lower end proves nothing.
@@ -141,15 +135,15 @@ Decision support_of(const Scheme& scheme, const Expectation& expectation, double
 }
 
 Decision holder_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const MultivariateRegularity regularity = surface_regularity(scheme, seconds);
-  if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
-  return compare(regularity.exponent, expectation, "the exponent");
+  const Regularity regularity = regularity_of(scheme, seconds);
+  if (regularity.converges().is_no()) return decided(false, "not convergent: " + regularity.converges().reason);
+  return compare(regularity.exponent(), expectation, "the exponent");
 }
 
 Decision sobolev_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const MultivariateRegularity regularity = surface_regularity(scheme, seconds);
-  if (!regularity.sobolev) return {Truth::unknown, "the spectral radius was not computed in time"};
-  return compare(*regularity.sobolev, expectation, "the exponent");
+  const auto found = regularity_of(scheme, seconds).surface->sobolev;
+  if (!found) return {Truth::unknown, "the spectral radius was not computed in time"};
+  return compare(*found, expectation, "the exponent");
 }
 
 }  // namespace
@@ -173,9 +167,9 @@ const std::vector<Property>& known_properties() {
   };
   static const std::vector<Property> all{
       {"convergent", answer, "uniform convergence for all bounded data", Expects::answer, convergent,
-       [](S s, E e, double time) { return matches(surface_regularity(s, time).converges, e.yes); }, Kind::convergent},
+       [](S s, E e, double time) { return matches(regularity_of(s, time).converges(), e.yes); }, Kind::convergent},
       {"smoothness", "\">= K\"", "C^K limits", Expects::order, smoothness,
-       [](S s, E e, double time) { return smoothness(surface_regularity(s, time), e); }, Kind::smooth},
+       [](S s, E e, double time) { return smoothness(*regularity_of(s, time).surface, e); }, Kind::smooth},
       {"holder", comparison, "the Hoelder exponent", Expects::comparison, holder, holder_of_surface, Kind::holder},
       {"sobolev", comparison, "the Sobolev exponent", Expects::comparison, sobolev, sobolev_of_surface, Kind::sobolev},
       {"sum_rules", whole, "the number of sum rules", Expects::whole_number, rules, rules},
@@ -187,7 +181,7 @@ const std::vector<Property>& known_properties() {
        nullptr},
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
       {"stable", answer, "stability of the integer shifts", Expects::answer, stable,
-       [](S s, E e, double time) { return matches(surface_regularity(s, time).stable, e.yes); }, Kind::stable},
+       [](S s, E e, double time) { return matches(regularity_of(s, time).stable(), e.yes); }, Kind::stable},
       {"interpolatory", answer, "whether old values are kept", Expects::answer, interpolatory, interpolatory},
       {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", Expects::comparison,
        variance, nullptr}};

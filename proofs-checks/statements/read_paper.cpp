@@ -1,4 +1,4 @@
-#include "paper.hpp"
+#include "statement.hpp"
 
 #include <subcert/proofs-checks/toml_fields.hpp>
 

@@ -1,7 +1,5 @@
 #include "statement.hpp"
 
-#include "paper.hpp"
-
 #include <algorithm>
 #include <iterator>
 

@@ -3,7 +3,6 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/refine/limit_of_data.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 #include <subcert/schemes/data/smooth/uniform_grid.hpp>

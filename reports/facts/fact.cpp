@@ -1,10 +1,10 @@
+
 #include "fact.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 namespace subcert::facts {
-
 Fact member(std::string key, Json json) { return {std::move(key), "", "", "", std::move(json)}; }
 
 Fact decided(std::string key, std::string label, const Decision& decision) {
@@ -60,6 +60,29 @@ std::vector<std::string> labels(const std::vector<Facts>& of_objects) {
 const Fact* find(const Facts& list, const std::string& label) {
   const auto found = std::ranges::find(list, label, &Fact::label);
   return found == list.end() ? nullptr : &*found;
+}
+
+Json enclosure_json(const Enclosure& enclosure, int digits) {
+  digits = enclosure.telling_digits(digits);
+  return {{"lower", enclosure.lower_text(digits)}, {"upper", enclosure.upper_text(digits)}};
+}
+
+Json enclosure_json(const std::optional<Enclosure>& enclosure) {
+  return enclosure ? enclosure_json(*enclosure) : Json();
+}
+
+Json interval_json(const Interval& interval) {
+  return {{"lower", to_text(interval.lower)}, {"upper", to_text(interval.upper)}};
+}
+
+Json decision_json(const Decision& decision) {
+  return {{"verdict", to_text(decision.truth)}, {"reason", decision.reason}};
+}
+
+Json numbers_json(const std::vector<Rational>& numbers) {
+  Json list = Json::array();
+  for (const Rational& number : numbers) list.push_back(to_text(number));
+  return list;
 }
 
 }  // namespace subcert::facts

@@ -1,7 +1,7 @@
 #pragma once
 /// What is known of the statements of the papers, for programs.
 
-#include "json.hpp"
+#include "fact.hpp"
 
 #include <subcert/proofs-checks/papers/registry.hpp>
 

@@ -1,4 +1,4 @@
-#include "attained_cycles.hpp"
+#include "attains.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 

@@ -1,6 +1,5 @@
 #include "attains.hpp"
 
-#include "attained_cycles.hpp"
 #include "cost.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>

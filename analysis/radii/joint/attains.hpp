@@ -1,7 +1,11 @@
 #pragma once
 /// That a named product attains the joint spectral radius. Inner header.
 
+#include "leading_factor.hpp"
+
 #include <subcert/analysis/radii/polytope_proof/polytope_proof.hpp>
+
+#include <map>
 
 namespace subcert::radius {
 
@@ -14,5 +18,16 @@ namespace subcert::radius {
 /// that radius, proved.
 Decision product_attains_radius(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
                                 const Rational& lower, const Deadline& deadline);
+
+/// Of the products of whole cycles, by the vertices that they start from.
+using CycleFactors = std::map<std::size_t, LeadingFactor>;
+
+/// Sets polytope.attained, or else polytope.not_attained: where the polytope has no cycle, leading eigenvalues of
+/// cycles differ by more than their signs, or time is up. What it says of images is for the checker to accept or not.
+/// Domain: `polytope` was made from `candidate` and this family; `known`: what need not be computed again. Cost: a
+/// characteristic polynomial with its factorisation for each cycle that a symmetry makes shorter or that is not known.
+/// Source: SPEC.md, section 4.10.
+void find_cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
+                 const CycleFactors& known, const Deadline& deadline);
 
 }  // namespace subcert::radius

@@ -1,6 +1,6 @@
 #include "closed_orbit.hpp"
 
-#include "attained_cycles.hpp"
+#include "attains.hpp"
 #include "cost.hpp"
 #include "subspace.hpp"
 

@@ -4,9 +4,9 @@
 #include "one_block.hpp"
 #include "similarity.hpp"
 
-#include <subcert/analysis/radii/polytope_proof/round_family.hpp>
-#include <subcert/analysis/radii/quadratic/long_products.hpp>
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
+#include <subcert/analysis/radii/polytope_proof/round_family.hpp>
+#include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/timed_roots.hpp>

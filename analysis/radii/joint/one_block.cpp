@@ -1,7 +1,7 @@
 #include "one_block.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
-#include <subcert/analysis/radii/quadratic/long_products.hpp>
+#include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/parallel.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 /// From forms and a tree in floating point to a proof. Inner header.
 
-#include "graph_proof.hpp"
 #include "integer_forms.hpp"
 #include "product_tree.hpp"
+#include "quadratic_proof.hpp"
 
 #include <subcert/analysis/symbol/matrix_family.hpp>
 #include <subcert/analysis/symbol/rational_complex.hpp>

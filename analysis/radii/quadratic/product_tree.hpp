@@ -3,6 +3,8 @@
 
 #include "context_forms.hpp"
 
+#include <subcert/analysis/radii/polytope_search/product_search.hpp>
+
 #include <string>
 
 namespace subcert::quadratic {
@@ -35,5 +37,13 @@ struct TreeLimits {
 /// word have too large a product. Domain: bound > 0. Cost: a product and a Cholesky decomposition for each node, on all
 /// cores. Ref: [Gri96]; [MR14] for trees.
 std::optional<ProductTree> product_tree(const StateForms& forms, double bound, const TreeLimits& limits);
+
+/// Products whose averaged radius is near `radius` or above, best first: a letter with a run of another one, and parts
+/// of the ways on which images of a vector become longest. All words move it, and of the images by words of the same
+/// last letters the longest ones go on. There may be none. Domain: radius > 0, that of a product. Cost: for each of a
+/// few looks a matrix times some thousand vectors, for each of 600 letters, and a product of matrices for each of
+/// 20,000 words.
+std::vector<polytope::Candidate> long_products(const polytope::SearchFamily& family, double radius,
+                                               const Budget& budget);
 
 }  // namespace subcert::quadratic

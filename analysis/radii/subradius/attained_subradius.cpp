@@ -1,4 +1,4 @@
-#include "attained_subradius.hpp"
+#include "certify.hpp"
 
 #include <subcert/analysis/radii/joint/cost.hpp>
 #include <subcert/analysis/radii/joint/subspace.hpp>

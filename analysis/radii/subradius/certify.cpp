@@ -1,7 +1,5 @@
 #include "certify.hpp"
 
-#include "attained_subradius.hpp"
-
 #include <subcert/analysis/radii/joint/cost.hpp>
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 

@@ -1,6 +1,5 @@
 #include "joint_spectral_subradius.hpp"
 
-#include "attained_subradius.hpp"
 #include "certify.hpp"
 
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>

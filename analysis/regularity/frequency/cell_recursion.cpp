@@ -1,8 +1,11 @@
+
 #include "cell_recursion.hpp"
 
 #include <subcert/analysis/radii/frequency/positive_fixed_point.hpp>
+#include <subcert/analysis/symbol/error.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace subcert::frequency {
@@ -104,6 +107,156 @@ std::optional<std::vector<Ball>> supersolution(const std::vector<Ball>& first, c
   const Cells value = recursion(result);
   for (std::size_t i = 0; i < result.size(); ++i)
     if (!(first[i] + value.front()[i]).is_at_most(result[i])) return std::nullopt;
+  return result;
+}
+
+namespace {
+
+void raise_to(Ball& largest, const Ball& value) { largest = max(largest, value.upper_end()); }
+
+/// Value and first derivative of a polynomial at t.
+std::pair<Ball, Ball> value_and_slope(const std::vector<Ball>& p, const Ball& t) {
+  Ball value(t.bits()), slope(t.bits());
+  for (std::size_t l = p.size(); l-- > 0;) {
+    slope = slope * t + value;
+    value = value * t + p[l];
+  }
+  return {value, slope};
+}
+
+/// A bound of the second derivative on |t| <= radius.
+Ball curvature(const std::vector<Ball>& p, const Ball& radius) {
+  Ball sum(radius.bits());
+  for (std::size_t l = p.size(); l-- > 2;) {
+    const auto factor = static_cast<long>(l * (l - 1));
+    sum = sum * radius + abs(p[l]) * factor;
+  }
+  return sum;
+}
+
+}  // namespace
+
+HalfSymbol::HalfSymbol(const Mask& mask, slong bits)
+    : bits_(bits), half_(false), reach_(0), flatness_(bits), second_(bits), fourth_(bits), remainder_(bits) {
+  const LaurentPolynomial& symbol = mask.symbol();
+  const long first = symbol.lowest(), last = symbol.highest();
+  half_ = (first + last) % 2 != 0;
+  Rational alternating = 0, first_moment = 0, sum = 0;
+  for (long i = first; i <= last; ++i) {
+    const Rational a = symbol.coefficient(i);
+    require(a == symbol.coefficient(first + last - i), "HalfSymbol: need a symmetric mask");
+    sum += a;
+    alternating += i % 2 == 0 ? a : Rational(-a);
+    first_moment += i % 2 == 0 ? Rational(i * a) : Rational(-i * a);
+  }
+  require(mask.arity() == 2 && sum == 2 && alternating == 0 && first_moment == 0,
+          "HalfSymbol: need a binary mask with two sum rules");
+
+  const long centre = (first + last + (half_ ? 1 : 0)) / 2;  // the first index on the right of the middle
+  std::vector<Rational> right;
+  for (long i = centre; i <= last; ++i)
+    right.push_back(i == centre && !half_ ? symbol.coefficient(i) / 2 : symbol.coefficient(i));
+  const auto size = right.size();
+  reach_ = static_cast<double>(size) - (half_ ? 0.5 : 1);
+  for (int l = 0; l < order; ++l) {
+    plain_.emplace_back(size);
+    alias_.emplace_back(size);
+  }
+  Rational factorial = 1;
+  for (int l = 2; l <= order; ++l) factorial *= l;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Rational place = half_ ? Rational(2 * static_cast<long>(i) + 1, 2) : Rational(static_cast<long>(i));
+    Rational term = right[i];
+    coefficients_.emplace_back(term, bits);
+    for (int l = 0; l < order; ++l) {
+      if (l > 0) term *= place / l;
+      plain_[static_cast<std::size_t>(l)].set(i, Ball(term, bits));
+      alias_[static_cast<std::size_t>(l)].set(i, Ball(i % 2 == 0 ? term : Rational(-term), bits));
+    }
+    const Ball size_of = abs(coefficients_.back());
+    second_ = second_ - Ball(Rational(right[i] * place * place), bits);
+    fourth_ += size_of * Ball(Rational(power(place, 4)), bits);
+    flatness_ += size_of * Ball(Rational(place * place / 2), bits);
+    remainder_ += size_of * Ball(Rational(power(place, order) / factorial), bits);
+  }
+  flatness_ = flatness_.upper_end();
+  fourth_ = fourth_.upper_end();
+  remainder_ = remainder_.upper_end();
+}
+
+HalfSymbol::Waves HalfSymbol::waves(const Ball& w) const {
+  const std::size_t size = coefficients_.size();
+  const auto on_circle = [&](const Ball& angle) {
+    ComplexBall z(bits_);
+    arb_sin_cos(acb_imagref(z.get()), acb_realref(z.get()), angle.get(), bits_);
+    return z;
+  };
+  std::vector<ComplexBall> powers{ComplexBall(Ball(1, bits_))};
+  powers.reserve(size);
+  if (size > 1) powers.push_back(on_circle(w));
+  // Short chains of products, so that the radii stay small.
+  for (std::size_t i = 2; i < size; ++i) powers.push_back(powers[i / 2] * powers[i - i / 2]);
+  Waves result{BallVector(size), BallVector(size)};
+  const ComplexBall shift = on_circle(w.scaled(-1));
+  for (std::size_t i = 0; i < size; ++i) {
+    const ComplexBall wave = half_ ? powers[i] * shift : powers[i];
+    arb_set(result.cosine[i], acb_realref(wave.get()));
+    arb_set(result.sine[i], acb_imagref(wave.get()));
+  }
+  return result;
+}
+
+Ball HalfSymbol::value(const Ball& w) const { return dot(plain_.front(), waves(w).cosine, bits_); }
+
+Ball HalfSymbol::product_near_zero(const Ball& xi) const {
+  // log m(w) is half the second derivative times w^2, up to (sup of the fourth/24 + mu^2) w^4: |log(1 + a) - a| <= a^2.
+  const Ball square = xi * xi;
+  const Ball error = (fourth_ / 24 + flatness_ * flatness_) * square * square / 15;
+  return exp((second_ * square / 6).widened(error));
+}
+
+/// Taylor coefficients of m(w) and m(w + pi) around one point, the latter up to its sign.
+void HalfSymbol::expand(const Ball& centre, std::vector<Ball>& plain, std::vector<Ball>& alias) const {
+  const Waves at = waves(centre);
+  plain.clear();
+  alias.clear();
+  for (int l = 0; l < order; ++l) {
+    const auto k = static_cast<std::size_t>(l);
+    const Ball even = dot(plain_[k], l % 2 == 0 ? at.cosine : at.sine, bits_);
+    plain.push_back(l % 4 == 1 || l % 4 == 2 ? -even : even);
+    // Where the centre lies between two indices, the cosines become sines.
+    const Ball odd = dot(alias_[k], (l % 2 == 0) != half_ ? at.cosine : at.sine, bits_);
+    const bool negative = half_ ? l % 4 >= 2 : l % 4 == 1 || l % 4 == 2;
+    alias.push_back(negative ? -odd : odd);
+  }
+}
+
+std::vector<HalfSymbol::Suprema> HalfSymbol::suprema(const Ball& low, const Ball& high, int count) const {
+  const Ball width = high - low;
+  // Expansions reach at most 1/reach; 16 steps for each, and at least one for each interval.
+  const double needed = std::max(1.0, width.middle() * reach_ / 2);
+  const auto expansions = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(needed))));
+  const int steps = std::max(count, 16 * expansions);
+  const Ball radius = (width / (2 * expansions)).upper_end(), step = (width / (2 * steps)).upper_end();
+  const Ball rest = remainder_ * radius.pow(order);
+  std::vector<Suprema> result(static_cast<std::size_t>(count), {Ball(bits_), Ball(bits_)});
+  std::vector<Ball> plain, alias;
+  Ball plain_bend(bits_), alias_bend(bits_);
+  for (int s = 0; s < steps; ++s) {
+    const int expansion = s / (steps / expansions);
+    const Ball centre = low + width * (2 * expansion + 1) / (2 * expansions);
+    if (s % (steps / expansions) == 0) {
+      expand(centre, plain, alias);
+      plain_bend = curvature(plain, radius) * step * step / 2 + rest;
+      alias_bend = curvature(alias, radius) * step * step / 2 + rest;
+    }
+    const Ball t = low + width * (2 * s + 1) / (2 * steps) - centre;
+    Suprema& one = result[static_cast<std::size_t>(s / (steps / count))];
+    const auto [value, slope] = value_and_slope(plain, t);
+    raise_to(one.plain, abs(value) + abs(slope) * step + plain_bend);
+    const auto [other, other_slope] = value_and_slope(alias, t);
+    raise_to(one.alias, abs(other) + abs(other_slope) * step + alias_bend);
+  }
   return result;
 }
 

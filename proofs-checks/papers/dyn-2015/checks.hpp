@@ -2,7 +2,7 @@
 /// Dyn, Heard, Hormann & Sharon 2015 [DHHS15], statement by statement.
 
 #include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/proofs-checks/statements/paper.hpp>
+#include <subcert/proofs-checks/statements/statement.hpp>
 #include <subcert/proofs-checks/statements/trial.hpp>
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 /// Mustafa & Bari 2016 [MB16], statement by statement.
 
-#include <subcert/proofs-checks/statements/paper.hpp>
+#include <subcert/proofs-checks/statements/statement.hpp>
 
 namespace subcert::statements::mustafa_bari_2016 {
 

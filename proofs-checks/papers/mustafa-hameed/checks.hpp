@@ -2,7 +2,7 @@
 /// Mustafa & Hameed [MH], statement by statement. The text that was available has lost its formulas and ends in section
 /// 2.3: the forms checked here are derived from the construction that the words describe.
 
-#include <subcert/proofs-checks/statements/paper.hpp>
+#include <subcert/proofs-checks/statements/statement.hpp>
 
 namespace subcert::statements::mustafa_hameed {
 

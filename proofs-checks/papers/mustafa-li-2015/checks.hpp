@@ -1,8 +1,8 @@
 #pragma once
 /// Mustafa, Li, Zhang & Deng 2015 [MLZD15], statement by statement.
 
-#include <subcert/proofs-checks/statements/paper.hpp>
 #include <subcert/proofs-checks/statements/reweighting.hpp>
+#include <subcert/proofs-checks/statements/statement.hpp>
 
 namespace subcert::statements::mustafa_li_2015 {
 

@@ -1,4 +1,4 @@
-#include "../paper.hpp"
+#include "../statement.hpp"
 
 #include <subcert/cmake/catch.hpp>
 #include <subcert/proofs-checks/file_error.hpp>

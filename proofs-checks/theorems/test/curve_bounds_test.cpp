@@ -1,5 +1,5 @@
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/regularity/frequency/half_symbol.hpp>
+#include <subcert/analysis/regularity/frequency/cell_recursion.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>

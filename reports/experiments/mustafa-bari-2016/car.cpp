@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/reports/experiments/figures.hpp>
-#include <subcert/schemes/data/refine/limit_of_data.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/local_regression.hpp>
 #include <subcert/schemes/specification.hpp>
 

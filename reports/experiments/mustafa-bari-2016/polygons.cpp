@@ -4,7 +4,7 @@
 
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/reports/experiments/refined_data.hpp>
-#include <subcert/schemes/data/refine/limit_of_data.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 
 namespace subcert::experiments::mustafa_bari_2016 {
 namespace {

@@ -1,6 +1,6 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/reports/facts/fact.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
-#include <subcert/reports/facts/json.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>

@@ -1,4 +1,4 @@
-#include "limit_of_data.hpp"
+#include "refine.hpp"
 
 #include "axis_refinement.hpp"
 

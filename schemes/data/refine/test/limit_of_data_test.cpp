@@ -2,7 +2,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/limit_of_data.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "check_in_page.hpp"
+#include "section.hpp"
 
 #include "html.hpp"
 

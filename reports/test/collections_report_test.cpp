@@ -1,0 +1,75 @@
+// Published values of collections of the literature and their verdicts.
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/report.hpp>
+
+#include <algorithm>
+
+using namespace subcert;
+using namespace subcert::reports;
+
+TEST_CASE("published exponents of Daubechies' scaling functions") {
+  ReportOptions options;
+  options.jobs = 2;
+  const Report report = make_report("daubechies", options);
+  CHECK(report.as_recorded());
+  const auto tables = report.comparison_tables();
+  REQUIRE(tables.size() == 1);
+  CHECK(tables.front()->count(ValueVerdict::match) == static_cast<int>(tables.front()->comparisons.size()));
+  const formats::PlainTable& exponents = report.sections.front().tables.front();
+  REQUIRE(exponents.rows.size() == 20);
+  CHECK(exponents.rows.back().front() == "D42");
+  REQUIRE(exponents.proofs.size() == exponents.rows.size());
+  for (std::size_t i = 0; i < exponents.rows.size(); ++i) {
+    const formats::RowProof& proof = exponents.proofs[i];
+    CAPTURE(proof.name);
+    CHECK(proof.files.at(proof.name).find(" within=1/") != std::string::npos);
+    CHECK(exponents.rows[i][2].find("e-") != std::string::npos);
+  }
+}
+
+TEST_CASE("published ranges of a parameter") {
+  ReportOptions options;
+  options.jobs = 2;
+  const Report report = make_report("families", options);
+  CHECK(report.as_recorded());
+  const auto tables = report.comparison_tables();
+  REQUIRE(tables.size() == 1);
+  const formats::ComparisonTable& table = *tables.front();
+  CHECK(table.comparisons.size() >= 10);
+  CHECK(table.count(ValueVerdict::match) == static_cast<int>(table.comparisons.size()));
+  for (const formats::Comparison& comparison : table.comparisons) {
+    if (comparison.source_key() == "[HMR09]") {
+      CHECK(comparison.computed_text() == "0 < w < 0.1927292");
+      CHECK(comparison.note.find("-1 + 4*w + 32*w^3") != std::string::npos);
+    }
+    if (comparison.source_key() == "[HIDS02]") CHECK(comparison.note == "exactly the proved range");
+    if (comparison.source_key() == "[Wei90]")
+      CHECK(comparison.note.starts_with("true, but a part of the proved range"));
+  }
+}
+
+TEST_CASE("published joint spectral radii") {
+  ReportOptions options;
+  options.jobs = 2;
+  const Report report = make_report("jsr", options);
+  CHECK(report.as_recorded());
+  const auto tables = report.comparison_tables();
+  REQUIRE(tables.size() == 1);
+  CHECK(tables.front()->comparisons.size() >= 18);
+  // One last digit is wrong in print.
+  CHECK(tables.front()->count(ValueVerdict::mismatch) == 1);
+  // The pair at the end of its plateau, on a slow machine.
+  CHECK(tables.front()->count(ValueVerdict::open) <= 1);
+  const formats::PlainTable& families = report.sections.front().tables.front();
+  const auto& rows = families.rows;
+  const auto& proofs = families.proofs;
+  CHECK(rows.size() >= 34);
+  // All but the pair at the end of its plateau and the one without a best product.
+  CHECK(std::ranges::count_if(rows, [](const auto& row) { return row[3] != "exact"; }) == 2);
+  CHECK(proofs.size() == rows.size());
+  for (const formats::RowProof& proof : proofs) {
+    CAPTURE(proof.name);
+    CHECK(proof.files.contains(proof.name));
+    CHECK(proof.files.contains(proof.name + ".matrices"));
+  }
+}

@@ -76,17 +76,18 @@ DataFile read_data_file(const std::string& path, std::size_t variables, const st
 }
 
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,
-                const std::vector<std::size_t>& fewest) {
+                const std::vector<std::size_t>& fewest, const std::vector<std::size_t>& fewest_closed) {
   const std::size_t axes = file.data.axes.size();
   for (std::size_t v = 0; v < axes; ++v) {
     const data::Axis& axis = file.data.axes[v];
     const std::string direction = file.kind == DataKind::curve
                                       ? "rows"
                                       : std::string("points in direction ") + direction_names.at(v);
-    if (axis.count < fewest[v])
-      fail(ErrorKind::data, "{}: expected at least {} {} for {}; found {}", input_name(path), fewest[v], direction,
-           scheme, axis.count);
-    if (axis.closed && repeats_first(file.data, v))
+    const std::size_t needed = axis.closed ? fewest_closed[v] : fewest[v];
+    if (axis.count < needed)
+      fail(ErrorKind::data, "{}: expected at least {} {} for {}; found {}", input_name(path), needed, direction, scheme,
+           axis.count);
+    if (axis.closed && axis.count > 1 && repeats_first(file.data, v))
       fail(ErrorKind::data, "{}{}: expected each point of a closed {} once; found the first {} again", input_name(path),
            (file.kind == DataKind::curve ? ", line " + std::to_string(file.table.lines.back()) : ""),
            (axes == 1   ? "curve"

@@ -11,14 +11,16 @@ namespace {
 
 void require_fit(std::vector<Rational> nodes, const std::vector<Rational>& weights, int degree) {
   require(!nodes.empty(), "regression_weights: need at least one node, got 0");
-  std::sort(nodes.begin(), nodes.end());
-  require(std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end(), "regression_weights: need distinct nodes");
   if (!weights.empty() && weights.size() != nodes.size())
     fail(ErrorKind::domain, "regression_weights: need as many weights as nodes, got {} for {}", weights.size(),
          nodes.size());
   require(std::all_of(weights.begin(), weights.end(), [](const Rational& w) { return w > 0; }),
           "regression_weights: need weights > 0");
   require(degree >= 0, "regression_weights: need degree >= 0, got {}", degree);
+  const std::size_t needed = std::min(static_cast<std::size_t>(degree) + 1, nodes.size());
+  std::sort(nodes.begin(), nodes.end());
+  const auto distinct = static_cast<std::size_t>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
+  require(distinct >= needed, "regression_weights: need {} distinct nodes, got {}", needed, distinct);
 }
 
 }  // namespace

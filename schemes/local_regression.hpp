@@ -14,7 +14,8 @@ namespace subcert {
 /// sum of weights[i] (p(nodes[i]) - y[i])^2. With degree >= nodes.size() - 1 it interpolates, and among the
 /// interpolating polynomials the one of smallest degree is taken ([DHHS15, Rem. 9] leaves the choice open). With
 /// `derivative` they give that derivative of p at x.
-/// Domain: nodes distinct and not empty, weights positive and as many as the nodes (none: all one), degree >= 0,
+/// Domain: nodes not empty, at least degree + 1 of them distinct or all of them, weights positive and as many as the
+/// nodes (none: all one), degree >= 0,
 /// derivative >= 0.
 /// Errors: throws a domain error that names the broken inequality.
 /// Cost: nodes * degree rational operations (three-term recurrence of the discrete orthogonal polynomials, which for

@@ -90,7 +90,7 @@ ExitCode run(const RefineCommand& options) {
   DataFile file = read_data_file(options.data, fewest.size(), closed);
   if (boundary == data::Boundary::periodic)
     for (data::Axis& axis : file.data.axes) axis.close();
-  check_data(file, options.data, name, fewest);
+  check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
   require_drawable(options.plot, file.data);
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);

@@ -31,8 +31,9 @@ void require_linear(const SmoothOptions& options) {
 /// Writes values as soon as their data have come.
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
-  if (options.json || !options.plot.empty() || options.at == "data" || options.samples.irregular != "raise")
-    fail(ErrorKind::usage, "--stream: expected none of --json, --plot, --at data, --irregular fit");
+  if (options.json || !options.plot.empty() || options.at == "data" || options.samples.irregular != "raise" ||
+      !options.samples.by.empty())
+    fail(ErrorKind::usage, "--stream: expected none of --json, --plot, --at data, --irregular fit, --by");
   if (!noise && options.requested_bands.value_or(0) != 0)
     fail(ErrorKind::usage, "--stream: --bands needs --noise, as its estimate needs all data");
   if (options.kind() == data::BandKind::simultaneous)
@@ -48,7 +49,10 @@ void smooth_stream(const SmoothOptions& options, const std::optional<double>& no
     const auto write = [&](data::SmoothedSamples values) {
       if (values.positions.empty()) return;
       const SmoothPage page(options, head, std::move(values));
-      if (!headed) page.write_head(out);
+      if (!headed) {
+        page.write_comments(out);
+        page.write_header(out);
+      }
       headed = true;
       page.write_rows(out);
       out << std::flush;
@@ -73,26 +77,33 @@ ExitCode run(const SmoothOptions& options) {
   if (!options.noise.empty() && (!(noise = parse_number(options.noise)) || *noise <= 0))
     fail(ErrorKind::usage, "--noise {}: expected a standard deviation > 0", options.noise);
   require_picture_name(options.plot);
+  if (!options.samples.keep.empty() && options.at != "data")
+    fail(ErrorKind::usage, "--keep needs --at data: other rows have no fields of the table");
   if (options.stream) {
     smooth_stream(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
   }
-  data::NamedSamples samples = data::read_samples(options.samples);
-  if (noise) samples.noise = data::nearest_double(*noise);
+  std::vector<data::NamedSamples> groups = data::read_samples(options.samples);
   if (is_l1_specification(options.scheme))
     for (const std::string& line : data::remarks(make_l1_scheme(options.scheme))) options.remark(line);
-  try {
-    const SmoothPage page(options, samples, smoothed(options, samples));
-    if (!options.plot.empty()) formats::draw_file(page.figure(), options.plot);
-    if (options.json)
-      options.answer(page.json());
-    else
-      options.answer([&](std::ostream& stream) { page.write(stream); });
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::data) throw;
-    fail(ErrorKind::data, "{}: {}{}", options.samples.name(), error.what(),
-         options.scheme.empty() ? "; name one with --scheme" : "");
+  std::vector<std::unique_ptr<SmoothPage>> pages;
+  for (data::NamedSamples& samples : groups) {
+    for (const std::string& line : samples.remarks) options.remark(line);
+    if (noise) samples.noise = data::nearest_double(*noise);
+    try {
+      pages.push_back(std::make_unique<SmoothPage>(options, samples, smoothed(options, samples)));
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::data) throw;
+      fail(ErrorKind::data, "{}{}: {}{}", options.samples.name(),
+           options.samples.by.empty() ? "" : ", " + options.samples.by + " " + samples.group, error.what(),
+           options.scheme.empty() ? "; name one with --scheme" : "");
+    }
   }
+  if (!options.plot.empty()) formats::draw_file(figure_of(pages), options.plot);
+  if (options.json)
+    options.answer(smooth_json(pages));
+  else
+    options.answer([&](std::ostream& stream) { write(pages, stream); });
   return done;
 }
 
@@ -114,6 +125,16 @@ void add_smooth(Command& app) {
   command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
   command.option("--weights", options->samples.weights,
                  "Column of prior weights, inverse to the variance of the noise");
+  command.option("--by", options->samples.by, "Column of the names of groups, each smoothed by itself");
+  command.option("--keep", options->samples.keep, "Columns that go into the answer as they are, with --at data")
+      .separated_by_commas();
+  command.option(
+      "--delimiter", options->samples.delimiter,
+      "Between the columns: a character, tab or blank (default: the first of ; tab , that the first row has)");
+  command.option("--decimal", options->samples.decimal, "Decimal mark").one_of({".", ","}).with_default();
+  command.option("--header", options->samples.header, "Whether the first row has the names of the columns")
+      .one_of({"auto", "yes", "no"})
+      .with_default();
   command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
   command.option("--irregular", options->samples.irregular, "Positions that are not uniform")
       .one_of({"raise", "fit"})

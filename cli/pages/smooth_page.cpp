@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 namespace subcert::cli {
@@ -69,28 +71,64 @@ SmoothPage::SmoothPage(const SmoothOptions& how, const data::NamedSamples& what,
       samples(what),
       result(std::move(smoothed)),
       bands(how.bands() != 0 && !result.columns.front().deviations.empty()) {
-  const std::size_t outputs = result.positions.size();
+  if (samples.falling) turn_to_order_of_rows();
   columns.reserve(2 * result.columns.size());  // what `table` points to stays
-  const auto add = [&](const std::string& name, const std::vector<double>& values) {
-    header.push_back(name);
-    table.push_back(&values);
-  };
-  add(samples.x_name, result.positions);
+  texts.reserve(2 + samples.kept.size());
+  if (!options.samples.by.empty()) add(options.samples.by, std::vector<std::string>(rows(), samples.group));
+  if (samples.dates) {
+    std::vector<std::string> dates;
+    for (const double position : result.positions) dates.push_back(to_text(position, *samples.dates));
+    add(samples.x_name, std::move(dates));
+  } else {
+    add(samples.x_name, result.positions);
+  }
   for (std::size_t c = 0; c < result.columns.size(); ++c) {
     const data::SmoothedColumn& column = result.columns[c];
-    const std::string prefix = result.columns.size() == 1 ? "" : samples.names[c] + "_";
-    add(samples.names[c], column.values);
-    if (!column.deviations.empty()) add(prefix + "sd", column.deviations);
+    const std::string& name = samples.names[c];
+    add(name, column.values);
+    if (!column.deviations.empty()) add(name + "_sd", column.deviations);
+    if (column.deviations.empty() && !options.samples.by.empty() && column.noise) add_unknown(name);
     if (!bands) continue;
     std::vector<double>& lower = columns.emplace_back(column.half_widths(options.bands(), options.kind()));
     std::vector<double>& upper = columns.emplace_back(lower);
-    for (std::size_t o = 0; o < outputs; ++o) {
+    for (std::size_t o = 0; o < rows(); ++o) {
       lower[o] = column.values[o] - lower[o];
       upper[o] = column.values[o] + upper[o];
     }
-    add(prefix + "lower", lower);
-    add(prefix + "upper", upper);
+    add(name + "_lower", lower);
+    add(name + "_upper", upper);
   }
+  for (const data::NamedTexts& column : samples.kept) {
+    add(column.name, column.texts);
+    if (samples.falling) std::ranges::reverse(texts.back());
+  }
+}
+
+void SmoothPage::add_unknown(const std::string& name) {
+  if (unknown.empty()) unknown.assign(rows(), std::numeric_limits<double>::quiet_NaN());
+  add(name + "_sd", unknown);
+  if (options.bands() == 0) return;
+  add(name + "_lower", unknown);
+  add(name + "_upper", unknown);
+}
+
+void SmoothPage::turn_to_order_of_rows() {
+  std::ranges::reverse(result.positions);
+  for (data::SmoothedColumn& column : result.columns) {
+    std::ranges::reverse(column.values);
+    std::ranges::reverse(column.deviations);
+  }
+}
+
+void SmoothPage::add(const std::string& name, const std::vector<double>& values) {
+  header.push_back(name);
+  table.push_back({values.data()});
+}
+
+void SmoothPage::add(const std::string& name, std::vector<std::string> column) {
+  header.push_back(name);
+  texts.push_back(std::move(column));
+  table.push_back({nullptr, 1, texts.back().data()});
 }
 
 Json SmoothPage::json() const {
@@ -102,33 +140,36 @@ Json SmoothPage::json() const {
                        {"degrees_of_freedom",
                         std::isinf(estimate->degrees_of_freedom) ? Json() : Json(estimate->degrees_of_freedom)},
                        {"terms", estimate->terms}});
-  for (std::size_t o = 0; o < table.front()->size(); ++o) {
+  for (std::size_t o = 0; o < result.positions.size(); ++o) {
     Json& row = rows.emplace_back(Json::array());
-    for (const auto* column : table) row.push_back((*column)[o]);
+    for (const data::TableColumn& column : table)
+      row.push_back(column.texts ? Json(column.texts[o]) : Json(column.values[o]));
   }
-  return {{"scheme", result.method},
-          {"auto", result.choice.has_value()},
-          {"choice", choice_json(result.choice)},
-          {"boundary", options.boundary},
-          {"origin", to_text(samples.origin)},
-          {"spacing", to_text(samples.spacing)},
-          {"at", options.at},
-          {"level", options.level},
-          {"derivative", options.derivative},
-          {"noise", noise},
-          {"bands", bands ? Json(options.bands()) : Json()},
-          {"bands_kind", bands ? Json(options.bands_kind) : Json()},
-          {"columns", header},
-          {"rows", rows}};
+  Json answer = {{"scheme", result.method},
+                 {"auto", result.choice.has_value()},
+                 {"choice", choice_json(result.choice)},
+                 {"boundary", options.boundary},
+                 {"origin", to_text(samples.origin)},
+                 {"spacing", to_text(samples.spacing)},
+                 {"at", options.at},
+                 {"level", options.level},
+                 {"derivative", options.derivative},
+                 {"noise", noise},
+                 {"bands", bands ? Json(options.bands()) : Json()},
+                 {"bands_kind", bands ? Json(options.bands_kind) : Json()},
+                 {"columns", header},
+                 {"rows", rows}};
+  if (!options.samples.by.empty()) answer["group"] = samples.group;
+  if (samples.dates) answer["unit"] = samples.dates->unit();
+  return answer;
 }
 
-void SmoothPage::write(std::ostream& stream) const {
-  write_head(stream);
-  write_rows(stream);
-}
-
-void SmoothPage::write_head(std::ostream& stream) const {
+void SmoothPage::write_comments(std::ostream& stream) const {
   if (!options.quiet) {
+    if (!options.samples.by.empty()) stream << "# " << options.samples.by << " " << samples.group << "\n";
+    if (samples.dates)
+      stream << "# " << samples.x_name << ": dates; widths, spacings and derivatives are in " << samples.dates->unit()
+             << "\n";
     stream << "# scheme " << result.method << ", boundary " << options.boundary
            << (options.derivative > 0 ? ", derivative " + std::to_string(options.derivative) : "") << "\n";
     if (result.choice) stream << choice_text(*result.choice);
@@ -143,25 +184,24 @@ void SmoothPage::write_head(std::ostream& stream) const {
           "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",
           data::finer_levels);
   }
-  stream << data::header_text(header, samples.separator);
 }
+
+void SmoothPage::write_header(std::ostream& stream) const { stream << data::header_text(header, samples.separator); }
 
 void SmoothPage::write_rows(std::ostream& stream) const {
-  std::vector<data::TableColumn> views;
-  for (const auto* column : table) views.push_back({column->data()});
-  data::write_rows(stream, views, table.front()->size(), samples.separator, options.threads());
+  data::write_rows(stream, table, rows(), samples.separator, options.threads(), samples.decimal);
 }
 
-formats::Figure SmoothPage::figure() const {
-  formats::Figure figure{"smooth", result.method, "", 1, {}};
-  const auto drawn = [&](const std::string& label, std::size_t column) {
+std::vector<formats::Panel> SmoothPage::panels() const {
+  std::vector<formats::Panel> result_panels;
+  const auto drawn = [&](const std::string& label, const std::vector<double>& values) {
     formats::Curve curve{label, {}};
-    for (std::size_t o = 0; o < table[0]->size(); ++o) curve.points.emplace_back((*table[0])[o], (*table[column])[o]);
+    for (std::size_t o = 0; o < rows(); ++o) curve.points.emplace_back(result.positions[o], values[o]);
     return curve;
   };
-  std::size_t next = 1;  // column of the table
   for (std::size_t c = 0; c < result.columns.size(); ++c) {
-    formats::Panel panel{result.method, samples.x_name, samples.names[c], {}, false, "below"};
+    const std::string title = samples.group.empty() ? result.method : samples.group + ": " + result.method;
+    formats::Panel panel{title, samples.x_name, samples.names[c], {}, false, "below"};
     if (options.derivative == 0) {
       formats::Curve dots{"data", {}, true, false};
       for (std::size_t i = 0; i < samples.count(); ++i)
@@ -172,17 +212,34 @@ formats::Figure SmoothPage::figure() const {
                                    samples.columns[c][i]);
       panel.curves.push_back(dots);
     }
-    panel.curves.push_back(drawn("limit", next++));
-    if (!result.columns[c].deviations.empty()) ++next;
+    panel.curves.push_back(drawn("limit", result.columns[c].values));
     if (bands) {
       formats::Band band{"band", {}, "#c0392b"};
-      for (std::size_t o = 0; o < table[0]->size(); ++o)
-        band.ends.push_back({(*table[0])[o], (*table[next])[o], (*table[next + 1])[o]});
+      for (std::size_t o = 0; o < rows(); ++o)
+        band.ends.push_back({result.positions[o], columns[2 * c][o], columns[2 * c + 1][o]});
       panel.bands.push_back(std::move(band));
-      next += 2;
     }
-    figure.panels.push_back(panel);
+    result_panels.push_back(panel);
   }
+  return result_panels;
+}
+
+Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages) {
+  if (pages.front()->options.samples.by.empty()) return pages.front()->json();
+  Json groups = Json::array();
+  for (const auto& page : pages) groups.push_back(page->json());
+  return {{"by", pages.front()->options.samples.by}, {"groups", groups}};
+}
+
+void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream) {
+  for (const auto& page : pages) page->write_comments(stream);
+  pages.front()->write_header(stream);
+  for (const auto& page : pages) page->write_rows(stream);
+}
+
+formats::Figure figure_of(const std::vector<std::unique_ptr<SmoothPage>>& pages) {
+  formats::Figure figure{"smooth", pages.front()->result.method, "", 1, {}};
+  for (const auto& page : pages) std::ranges::move(page->panels(), std::back_inserter(figure.panels));
   return figure;
 }
 

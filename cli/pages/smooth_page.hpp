@@ -6,6 +6,8 @@
 #include <subcert/schemes/data/smooth/read_samples.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 
+#include <memory>
+
 namespace subcert::cli {
 
 struct SmoothOptions : CommonOptions {
@@ -26,8 +28,9 @@ struct SmoothOptions : CommonOptions {
   std::string plot;
 };
 
-/// What was smoothed, how, and the result as a table: positions, then value, standard deviation, lower and upper end of
-/// the band for each column, as far as there are such.
+/// What was smoothed, how, and the result as a table: the group, positions, then value, standard deviation, lower and
+/// upper end of the band for each column, then the columns that were kept, as far as there are such. Rows stand in the
+/// order of those that were read.
 struct SmoothPage {
   /// `how` and `what` must outlive the page.
   SmoothPage(const SmoothPage&) = delete;
@@ -40,14 +43,30 @@ struct SmoothPage {
   bool bands;                                ///< whether there are any
   std::vector<std::string> header;           ///< of the columns
   std::vector<std::vector<double>> columns;  ///< those that are not in `result`
-  std::vector<const std::vector<double>*> table;
+  std::vector<double> unknown;               ///< for a group whose noise has no estimate
+  std::vector<std::vector<std::string>> texts;
+  std::vector<data::TableColumn> table;
 
   Json json() const;
-  void write(std::ostream& stream) const;
-  /// What was done, and the names of the columns.
-  void write_head(std::ostream& stream) const;
+  /// What was done.
+  void write_comments(std::ostream& stream) const;
+  /// The names of the columns.
+  void write_header(std::ostream& stream) const;
   void write_rows(std::ostream& stream) const;
-  formats::Figure figure() const;
+  /// Data and result of each column.
+  std::vector<formats::Panel> panels() const;
+  std::size_t rows() const { return result.positions.size(); }
+
+ private:
+  void add(const std::string& name, const std::vector<double>& values);
+  void add(const std::string& name, std::vector<std::string> column);
+  void add_unknown(const std::string& name);
+  void turn_to_order_of_rows();
 };
+
+/// The pages of all groups: one table, one figure.
+Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages);
+void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream);
+formats::Figure figure_of(const std::vector<std::unique_ptr<SmoothPage>>& pages);
 
 }  // namespace subcert::cli

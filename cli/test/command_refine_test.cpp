@@ -39,6 +39,10 @@ TEST_CASE("data are refined") {
     check_fails(with(content, arguments), code, message);
   };
   fails("", "primal:n=2 " + data, 65, data + ": expected rows of numbers; found none");
+  // The rule of four points on the three of a triangle, and six points on two.
+  CHECK(with("0,0\n1,0\n0,1\n", "four-point:w=1/16 " + data + " --closed --levels 1").out ==
+        "0,0\n0.5625,-0.125\n1,0\n0.5625,0.5625\n0,1\n-0.125,0.5625\n");
+  CHECK(with("0\n1\n", "primal:n=3 " + data + " --closed --levels 2").code == 0);
   fails("1\n", "primal:n=2 " + data, 65, data + ": expected at least 4 rows for primal:n=2,d=1; found 1");
   fails("1,2\n3\n", "primal:n=2 " + data, 65,
         data + ", line 2, column 2: expected 2 columns as in the first row; found 1");

@@ -15,7 +15,7 @@ TEST_CASE("data are smoothed") {
     wave += std::to_string(0.1 * i) + "," + std::to_string(std::sin(0.1 * i) + 0.1 * ((i * 7919) % 13 - 6) / 6) + "\n";
 
   CHECK(with("0,1\n1,3\n2,5\n3,7\n4,9\n", "--scheme primal:n=1 --level 1 --quiet --bands 0").out ==
-        "column 1,column 2,sd\n0,1,0\n0.5,2,0\n1,3,0\n1.5,4,0\n2,5,0\n2.5,6,0\n3,7,0\n3.5,8,0\n4,9,0\n");
+        "column 1,column 2,column 2_sd\n0,1,0\n0.5,2,0\n1,3,0\n1.5,4,0\n2,5,0\n2.5,6,0\n3,7,0\n3.5,8,0\n4,9,0\n");
   CHECK(with(wave, "--out " + out + " --plot " + out + ".svg").out.empty());
   CHECK(content(out).find("# chosen for the smallest estimated mean squared error") != std::string::npos);
   CHECK(content(out + ".svg").find("<svg") != std::string::npos);
@@ -25,7 +25,7 @@ TEST_CASE("data are smoothed") {
   CHECK(json.at("spacing") == "1/10");
   CHECK(json.at("choice").at("candidates").size() == 15 + 14 + 13);
   CHECK(json.at("choice").at("chosen").at("scheme") == json.at("scheme"));
-  CHECK(json.at("columns") == nlohmann::json({"t", "v", "sd", "lower", "upper"}));
+  CHECK(json.at("columns") == nlohmann::json({"t", "v", "v_sd", "v_lower", "v_upper"}));
   REQUIRE(json.at("rows").size() == 60);
   for (const auto& row : json.at("rows")) {
     CHECK(row[3].get<double>() < row[1].get<double>());
@@ -52,11 +52,10 @@ TEST_CASE("data are smoothed") {
         data +
             ", lines 2 and 3: expected a uniform grid, the mean spacing is 1.33333333; found the spacing 2 between 1 "
             "and 3 (--irregular fit takes positions as they are)");
-  fails("0,1\n2,2\n1,3\n", "", 65, data + ", line 3, column 1: expected increasing positions; found 1 after 2");
   fails("0,1\n1,\n2,3\n", "", 65,
         data + ", line 2, column 2: expected a number; found a missing value (--missing drop leaves it out)");
-  fails("0,1\n,2\n2,3\n", "--missing drop", 65,
-        data + ", line 2, column 1: expected a position; found a missing value");
+  fails("0,1\n,2\n2,3\n", "", 65,
+        data + ", line 2, column 1: expected a position; found a missing value (--missing drop leaves the row out)");
   fails("0,1,1\n1,2,-1\n2,3,1\n", "--weights 3", 65, data + ", line 2, column 3: expected a weight >= 0; found -1");
   fails("0,1\n1,2\n", "", 65, data + ": expected at least 4 rows to choose a scheme; found 2; name one with --scheme");
   fails(line, "--weights u", 64, "--weights u: expected a column from 1 to 3 or one of t, v, w");
@@ -140,6 +139,122 @@ TEST_CASE("data at scattered positions are smoothed, by local polynomials and by
               data + ": smoothing: 1 data count at 0 spacings from the first, a fit of degree 1 needs 2");
 }
 
+TEST_CASE("positions come as they are: several data at one, falling, in no order, missing") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " " + arguments);
+  };
+  // Straight lines are kept; of several data at one position the fit sees all.
+  const std::string ties = "x,y\n1,2\n1,3\n2,3\n3,4\n4,4\n5,6\n", options = "--irregular fit --bands 0 --quiet ";
+  check_fails(with(ties, ""), 65,
+              data +
+                  ", lines 2 and 3: expected one row for each position; found 1 twice (--irregular fit takes several "
+                  "data at one position)");
+  for (const char* scheme :
+       {"local:points=6,weight=box", "local:points=5", "local:width=10", "local:points=2", "local:d=1"}) {
+    CAPTURE(scheme);
+    const auto at_data = with(ties, options + "--json --at data --scheme " + scheme);
+    REQUIRE(at_data.code == 0);
+    const auto rows = nlohmann::json::parse(at_data.out).at("rows");
+    REQUIRE(rows.size() == 6);
+    CHECK(rows[0] == rows[1]);
+  }
+  // The line through all data.
+  const auto fit = nlohmann::json::parse(
+      with(ties, options + "--json --at data --scheme local:width=100,weight=box").out);
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const std::vector<std::pair<double, double>> points{{1, 2}, {1, 3}, {2, 3}, {3, 4}, {4, 4}, {5, 6}};
+  for (const auto& [x, y] : points) sx += x, sy += y, sxx += x * x, sxy += x * y;
+  const double slope = (6 * sxy - sx * sy) / (6 * sxx - sx * sx), start = (sy - slope * sx) / 6;
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(fit.at("rows")[i][1].get<double>() == Approx(start + slope * points[i].first).epsilon(1e-12));
+  CHECK(with(ties, options + "--scheme primal:n=1").code == 0);
+  check_fails(with("1,2\n1,3\n1,4\n", options), 65, data + ": expected two different positions; found 1 alone");
+
+  // Falling positions give the same limit, in their own order, with the derivative by the position.
+  std::string up = "x,y\n", down = "x,y\n";
+  for (int i = 0; i < 12; ++i) up += std::to_string(i) + "," + std::to_string(i * i) + "\n";
+  for (int i = 12; i-- > 0;) down += std::to_string(i) + "," + std::to_string(i * i) + "\n";
+  for (const char* more : {" --level 0", " --level 1 --derivative 1", " --at data"}) {
+    CAPTURE(more);
+    const std::string arguments = "--scheme local:points=5,d=2 --json" + std::string(more);
+    auto rising = nlohmann::json::parse(with(up, arguments).out),
+         falling = nlohmann::json::parse(with(down, arguments).out);
+    std::reverse(falling.at("rows").begin(), falling.at("rows").end());
+    CHECK(rising.at("rows") == falling.at("rows"));
+  }
+  // Rows without order are sorted, and it is said.
+  const auto sorted = with("x,y\n3,9\n0,0\n2,4\n1,1\n", "--scheme primal:n=1 --level 0 --bands 0");
+  CHECK(sorted.err.find("the rows were sorted by their positions") != std::string::npos);
+  CHECK(sorted.out.find("\n0,0,0\n1,1,0\n2,4,0\n3,9,0\n") != std::string::npos);
+  const auto missing = with("x,y\n0,0\n,5\n1,1\n2,4\nNA,1\n3,9\n",
+                            "--scheme primal:n=1 --level 0 --bands 0 --missing drop");
+  CHECK(missing.err.find("rows without a position, left out: 2") != std::string::npos);
+  CHECK(missing.out.find("\n0,0,0\n1,1,0\n2,4,0\n3,9,0\n") != std::string::npos);
+  // Positions at the data are those of the data.
+  const auto same = with("0.000,1\n0.333,2\n0.667,3\n1.000,2\n", "--scheme primal:n=1 --at data --bands 0 --quiet");
+  CHECK(same.out == "column 1,column 2,column 2_sd\n0,1,0\n0.333,2,0\n0.667,3,0\n1,2,0\n");
+}
+
+TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " " + arguments + " --scheme primal:n=1 --bands 0 --at data --quiet");
+  };
+  const std::string cars = "make,speed,dist\nVW,1,2\n\"A, B\",2,4\nBMW,3,6\nVW,4,8\n";
+  CHECK(with(cars, "").out == "speed,dist,dist_sd\n1,2,0\n2,4,0\n3,6,0\n4,8,0\n");
+  CHECK(with(cars, "--keep make").out == "speed,dist,dist_sd,make\n1,2,0,VW\n2,4,0,\"A, B\"\n3,6,0,BMW\n4,8,0,VW\n");
+  std::ofstream(data, std::ios::binary) << cars;
+  CHECK(run("smooth " + data + " --scheme primal:n=1").err.find("make holds text and is left out") !=
+        std::string::npos);
+  check_fails(with(cars, "--y make"), 65, data + ", line 2, column 1: expected a number; found 'VW'");
+  check_fails(with("a,b\n1,2\n2,x\n3,4\n", ""), 65, data + ", line 3, column 2: expected a number; found 'x'");
+  check_fails(run("smooth " + data + " --keep a"), 64,
+              "--keep needs --at data: other rows have no fields of the table");
+
+  // Groups, each by itself and in the order of their first rows.
+  CHECK(with("g,t,v\nb,0,1\na,10,5\nb,1,2\na,11,6\nb,2,3\na,12,7\n", "--by g").out ==
+        "g,t,v,v_sd\nb,0,1,0\nb,1,2,0\nb,2,3,0\na,10,5,0\na,11,6,0\na,12,7,0\n");
+  const auto groups = nlohmann::json::parse(with("g,t,v\nb,0,1\nb,1,2\na,1,2\n", "--by g --json").out);
+  CHECK(groups.at("groups")[1].at("group") == "a");
+  CHECK(groups.at("groups")[0].at("columns") == groups.at("groups")[1].at("columns"));
+
+  // Dates are kept; on a finer grid times appear.
+  const std::string dates = "day,v\n2024-02-28,1\n2024-02-29,2\n2024-03-01,3\n";
+  CHECK(with(dates, "").out == "day,v,v_sd\n2024-02-28,1,0\n2024-02-29,2,0\n2024-03-01,3,0\n");
+  std::ofstream(data, std::ios::binary) << dates;
+  CHECK(run("smooth " + data + " --scheme primal:n=1 --level 1 --bands 0 --quiet")
+            .out.find("\n2024-02-29T12:00:00,2.5") != std::string::npos);
+  CHECK(with("t,v\n2024-01-01 23:59:59.5Z,1\n2024-01-02 00:00:00.5Z,2\n2024-01-02 00:00:01.5Z,3\n", "").out ==
+        "t,v,v_sd\n2024-01-01 23:59:59.5Z,1,0\n2024-01-02 00:00:00.5Z,2,0\n2024-01-02 00:00:01.5Z,3,0\n");
+  check_fails(with("day,v\n2024-02-28,1\n2024-02-30,2\n", ""), 65,
+              data + ", line 3, column 1: expected a date written as those before; found '2024-02-30'");
+
+  // Other marks; names of rows as R writes them; years for names; another encoding.
+  CHECK(with("a;b\n0,5;1,25\n1,5;2,5\n2,5;3,75\n", "--decimal ,").out ==
+        "a;b;b_sd\n0,5;1,25;0\n1,5;2,5;0\n2,5;3,75;0\n");
+  check_fails(with("a;b\n0,5;1\n", ""), 65,
+              data + ", line 2, column 1: expected a number; found '0,5', a number with a comma for the decimal point");
+  CHECK(with("a|b\n0|1\n1|2\n2|3\n", "--delimiter '|'").out == "a|b|b_sd\n0|1|0\n1|2|0\n2|3|0\n");
+  CHECK(with("\"speed\" \"dist\"\n\"1\" 4 2\n\"2\" 7 4\n\"3\" 10 6\n", "").out ==
+        "speed dist dist_sd\n4 2 0\n7 4 0\n10 6 0\n");
+  CHECK(with("name,1960,1961\na,0,1\nb,1,2\nc,2,3\n", "--header yes").out ==
+        "1960,1961,1961_sd\n0,1,0\n1,2,0\n2,3,0\n");
+  check_fails(with(std::string("\xff\xfe"
+                               "1\0,\0",
+                               6),
+                   ""),
+              65, data + ": expected text in UTF-8; found UTF-16 (save it as UTF-8, or as CSV UTF-8)");
+  check_fails(with(cars, "--delimiter ,, "), 64, "--delimiter ,,: expected one character, tab or blank");
+  // Counted positions do not take the name of a column.
+  CHECK(with("x,y\n5,1\n6,2\n7,3\n", "--x none --level 0").out ==
+        "index,x,x_sd,y,y_sd\n0,5,0,1,0\n1,6,0,2,0\n2,7,0,3,0\n");
+}
+
 TEST_CASE("a stream is smoothed as the whole is") {
   const Folder folder;
   const std::string data = folder / "data.csv";
@@ -160,7 +275,8 @@ TEST_CASE("a stream is smoothed as the whole is") {
     check_fails(run("smooth " + data + " --stream --y v " + arguments), code, message);
   };
   fails("", 64, "--stream needs --scheme: the choice needs all data");
-  fails("--scheme primal:n=2 --json", 64, "--stream: expected none of --json, --plot, --at data, --irregular fit");
+  fails("--scheme primal:n=2 --json", 64,
+        "--stream: expected none of --json, --plot, --at data, --irregular fit, --by");
   fails("--scheme primal:n=2 --bands 0.9", 64, "--stream: --bands needs --noise, as its estimate needs all data");
   fails("--scheme primal:n=2 --boundary wrap", 64, "a stream has no end that its beginning could follow");
   fails("--scheme l1:points=4", 64, "a stream needs a linear method; l1:points=4,d=1,iterations=6,delta=1e-8 is none");
@@ -168,7 +284,7 @@ TEST_CASE("a stream is smoothed as the whole is") {
         data + ", line 3: expected 1, on the grid of spacing 1; found the position 0.25 (--spacing sets it)");
   std::ofstream(data, std::ios::binary) << "1,2\n2,3\n2,4\n";
   check_fails(run("smooth " + data + " --stream --scheme primal:n=2"), 65,
-              data + ", line 3, column 1: expected increasing positions; found 2 after 2");
+              data + ", line 3, column 1: expected increasing positions in a stream; found 2 after 2");
   check_fails(run("smooth - --stream --scheme primal:n=2 < /dev/null"), 65,
               "standard input: expected rows of numbers; found none");
 }

@@ -666,6 +666,26 @@ TEST_CASE("cones: exact where images lie below vertices") {
   CHECK(joint_spectral_radius({step}, {Deadline::in(5)}).exact.is_yes());
 }
 
+TEST_CASE("a cone needs matrices without negative entries, also where doubles see none") {
+  // Differences of the fourth order are 1, -1e-12, 2/5, and those of the reduced mask were taken for non-negative.
+  const Mask mask = make_scheme(
+                        "mask:[1000000000000,2999999999999,3399999999997,3199999999997,4199999999998,"
+                        "3799999999997,2199999999997,1199999999999,400000000000]/11199999999992@-4")
+                        .mask.curve();
+  const HolderRegularity regularity = holder_regularity(mask, 8, {Deadline::in(20)}, HolderProof::certificate);
+  const Certificate certificate = exponent_certificate(mask, regularity);
+  CHECK(certificate.text().find(" nonnegative\n") == std::string::npos);
+  CHECK(proves(subject_of(mask), *certificate.claim.lower, *certificate.claim.upper, certificate.text()));
+  RationalMatrix matrix(2, 2);
+  matrix(0, 0) = matrix(1, 1) = 1;
+  matrix(0, 1) = power(Rational(10), -40);
+  const MatrixFamily family{matrix};
+  radius::PolytopeCandidate candidate = radius::find_polytope(family, Budget{Deadline::in(5)}, true);
+  REQUIRE(candidate.kind == PolytopeKind::nonnegative);
+  matrix(0, 1) = -matrix(0, 1);
+  CHECK_FALSE(certify_polytope(MatrixFamily{matrix}, candidate, Budget{Deadline::in(5)}));
+}
+
 TEST_CASE("an eigenvalue that is given exactly proves its modulus, whether it is known to be the largest or not") {
   const std::size_t size = 25;  // from 24 on an inverse proves what is not
   RationalMatrix matrix(size, size);

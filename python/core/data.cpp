@@ -9,7 +9,10 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace subcert::python {
 namespace {
@@ -32,7 +35,8 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
                  int levels, const std::string& boundary_name, bool limit, int jobs, const py::object& progress) {
   const AnyScheme scheme = make_any_scheme(specification);
   const data::Boundary boundary = boundary_of(boundary_name);
-  const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
+  const std::vector<std::size_t> fewest = fewest_points(scheme, boundary),
+                                 fewest_closed = fewest_points(scheme, data::Boundary::periodic);
   const std::size_t axes = fewest.size(), given = static_cast<std::size_t>(values.ndim());
   if (given != axes && given != axes + 1)
     fail(ErrorKind::domain, "refine: need an array of {} or {} dimensions for a scheme of {}, got {}", axes, axes + 1,
@@ -47,8 +51,9 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
   require_finite(grid.values, "refine");
   for (std::size_t k = 0; k < axes; ++k) {
     const auto count = static_cast<std::size_t>(values.shape(static_cast<py::ssize_t>(axes - 1 - k)));
-    if (count < fewest[k])
-      fail(ErrorKind::domain, "refine: {} needs at least {} points along axis {}, got {}", specification, fewest[k],
+    const std::size_t needed = closed[axes - 1 - k] ? fewest_closed[k] : fewest[k];
+    if (count < needed)
+      fail(ErrorKind::domain, "refine: {} needs at least {} points along axis {}, got {}", specification, needed,
            axes - 1 - k, count);
     grid.axes.push_back(data::Axis::of(count, closed[axes - 1 - k] || boundary == data::Boundary::periodic));
   }
@@ -94,22 +99,53 @@ py::dict column_dict(data::SmoothedColumn column, double bands, data::BandKind k
   return result;
 }
 
-/// Sets the positions of the samples; other than uniform ones only where `irregular`.
-void set_positions(data::Samples& samples, const DoubleArray& positions, bool irregular) {
+template <class Value>
+void reorder(std::vector<Value>& values, const std::vector<std::size_t>& rows) {
+  if (values.empty()) return;
+  std::vector<Value> result;
+  for (const std::size_t row : rows) result.push_back(values[row]);
+  values = std::move(result);
+}
+
+/// Sorts the samples by their positions, and sets these; other than uniform ones only where `irregular`.
+data::PositionOrder set_positions(data::Samples& samples, const DoubleArray& positions, bool irregular) {
   std::vector<double> x = numbers_of(positions);
   require_finite(x, "x");
-  for (std::size_t i = 1; i < x.size(); ++i)
-    if (x[i] <= x[i - 1])
-      fail(ErrorKind::data, "x: need positions that grow, got {} after {} at index {}", x[i], x[i - 1], i);
-  const data::UniformGrid grid = data::uniform_grid(x);
+  data::PositionOrder order = data::order_of(x);
+  reorder(x, order.rows);
+  reorder(samples.columns.front(), order.rows);
+  reorder(samples.weights, order.rows);
+  if (order.repeated && !irregular)
+    fail(ErrorKind::data, "x: need one datum for each position, got {} twice; irregular=True takes several",
+         x[*order.repeated]);
+  if (x.front() == x.back()) fail(ErrorKind::data, "x: need two different positions, got {} alone", x.front());
+  std::vector<double> different;
+  std::ranges::unique_copy(x, std::back_inserter(different));
+  const data::UniformGrid grid = data::uniform_grid(different);
   if (!grid.uniform && !irregular)
     fail(ErrorKind::data,
-         "x: need a uniform grid, got the spacing {:g} after index {} where the mean is {:g}; irregular=True takes "
+         "x: need a uniform grid, got the spacing {:g} between {} and {} where the mean is {:g}; irregular=True takes "
          "positions as they are",
-         x[grid.worst + 1] - x[grid.worst], grid.worst, grid.spacing.convert_to<double>());
+         x[grid.worst + 1] - x[grid.worst], x[grid.worst], x[grid.worst + 1], grid.spacing.convert_to<double>());
   samples.origin = grid.origin;
   samples.spacing = grid.spacing;
-  if (!grid.uniform) samples.positions = std::move(x);
+  (grid.uniform && !order.repeated ? samples.given : samples.positions) = std::move(x);
+  return order;
+}
+
+/// Puts answers into the order of the samples as they were given: at the data row by row, on a grid the same direction.
+void restore_order(data::SmoothedSamples& smoothed, const data::PositionOrder& order, bool at_data) {
+  std::vector<std::size_t> back(smoothed.positions.size());
+  std::iota(back.begin(), back.end(), std::size_t{0});
+  if (at_data)
+    std::ranges::sort(back, {}, [&](std::size_t i) { return order.rows[i]; });
+  else if (order.falling)
+    std::ranges::reverse(back);
+  reorder(smoothed.positions, back);
+  for (data::SmoothedColumn& column : smoothed.columns) {
+    reorder(column.values, back);
+    reorder(column.deviations, back);
+  }
 }
 
 /// `scheme`: a specification, or empty for the choice by estimated error.
@@ -131,14 +167,18 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
   data::Samples samples{{numbers_of(y)}, weights, origin, spacing.value_or(1)};
   require_finite(samples.columns.front(), "smooth");
   samples.noise = noise;
-  if (x) set_positions(samples, *x, irregular);
+  data::PositionOrder order;
+  if (x) order = set_positions(samples, *x, irregular);
   if (!samples.uniform()) {
     if (spacing) samples.spacing = *spacing;
+    const auto missing = [&](std::size_t row) { return !weights.empty() && weights[row] == 0; };
     samples.drop_missing();
+    std::erase_if(order.rows, missing);
   }
   const data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant, at == "data"};
   data::SmoothedSamples smoothed = interruptible(
       progress, [&] { return data::smooth(samples, std::string_view(scheme), options, jobs); });
+  if (x) restore_order(smoothed, order, at == "data");
   py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, *kind);
   answer["x"] = array_of(std::move(smoothed.positions));
   answer["scheme"] = smoothed.method;

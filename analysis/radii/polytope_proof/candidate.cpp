@@ -35,12 +35,12 @@ std::vector<int> PolytopeCandidate::word(std::size_t index) const {
 PolytopeCandidate find_polytope(const MatrixFamily& family, const Budget& budget, bool cones, bool exact,
                                 const polytope::ProductSource& more_products) {
   polytope::SearchOptions options{.budget = budget};
-  options.cones = cones;
+  // In other coordinates doubles may lose the sign of a small entry; cones keep those in which none is negative.
+  options.cones = cones && is_nonnegative(family);
   options.exact = exact;
   options.more_products = more_products;
-  // Cones keep the coordinates in which no entry is negative.
-  const RoundFamily round = cones && is_nonnegative(family) ? RoundFamily{to_search_family(family)}
-                                                            : round_family(family, budget.deadline);
+  const RoundFamily round = options.cones ? RoundFamily{to_search_family(family)}
+                                          : round_family(family, budget.deadline);
   PolytopeCandidate result{polytope::search_polytope(round.family, options), round.coordinates};
   if (round.coordinates.differ() && result.transposed)
     result.coordinates = {transposed(round.coordinates.from), transposed(round.coordinates.to)};

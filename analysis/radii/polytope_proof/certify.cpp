@@ -521,6 +521,7 @@ PolytopeProof scaled(PolytopeProof proof, const Rational& factor) {
 std::optional<PolytopeProof> certify_polytope(const MatrixFamily& family, const radius::PolytopeCandidate& candidate,
                                               const Budget& budget) {
   if (candidate.vertices.empty() || bytes_of_proof(candidate, family.size()) > budget.memory) return std::nullopt;
+  if (candidate.kind == PolytopeKind::nonnegative && !is_nonnegative(family)) return std::nullopt;
   const auto orbit = radius::recomputed_orbit(family, candidate, budget.deadline);
   return orbit ? Certifier(family, candidate).run(*orbit, budget.deadline) : std::nullopt;
 }

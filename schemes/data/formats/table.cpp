@@ -40,8 +40,15 @@ bool is_word(std::string_view text, std::string_view word) {
   return true;
 }
 
-Field read_field(std::string_view text) {
+Field read_field(std::string_view text, char decimal) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string with_point;
+  if (decimal != '.' && text.find_first_of(".,") != std::string_view::npos) {
+    if (text.find('.') != std::string_view::npos) return {Kind::text, nan};
+    with_point = text;
+    std::ranges::replace(with_point, decimal, '.');
+    text = with_point;
+  }
   if (!text.empty() && text.front() == '+' && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -60,8 +67,8 @@ Field read_field(std::string_view text) {
 }
 
 /// A number, finite or not, or what was to be one, as `1.2.3` and `1e`.
-bool is_like_number(std::string_view field) {
-  const Kind kind = read_field(field).kind;
+bool is_like_number(std::string_view field, char decimal) {
+  const Kind kind = read_field(field, decimal).kind;
   if (kind == Kind::number || kind == Kind::infinite) return true;
   const std::size_t first = field.find_first_not_of("+-.,");
   return first != std::string_view::npos && field[first] >= '0' && field[first] <= '9' &&
@@ -78,12 +85,18 @@ bool is_letter(char c) {
 /// The state of a reader between lines.
 class TableReader::Lines {
  public:
-  Lines(std::string file, Missing missing) : file_(std::move(file)), missing_(missing) {}
+  Lines(std::string file, TableForm form) : file_(std::move(file)), form_(std::move(form)) {
+    table_.decimal = form_.decimal;
+    table_.fields.resize(form_.kept.size());
+  }
 
   void read(std::string_view text) {
     text_ = text;
     line_feed_ = nullptr;
     if (number_ == 0 && text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);
+    if (number_ == 0 && (text_.substr(0, 2) == "\xff\xfe" || text_.substr(0, 2) == "\xfe\xff"))
+      subcert::fail(ErrorKind::data, "{}: expected text in UTF-8; found UTF-16 (save it as UTF-8, or as CSV UTF-8)",
+                    file_);
     while (next_line()) {
       if (line_.find('\0') != std::string_view::npos) fail(0, "a text file; found a zero byte");
       if (trimmed(line_).empty()) {
@@ -99,8 +112,7 @@ class TableReader::Lines {
       split();
       if (!started_ && is_header()) {
         for (const std::string_view field : fields_) table_.header.emplace_back(field);
-        table_.columns = fields_.size();
-        started_ = true;
+        start();
         continue;
       }
       add_row();
@@ -115,9 +127,13 @@ class TableReader::Lines {
   }
 
  private:
+  /// Of a message about this line.
+  std::string place(std::size_t column) const {
+    return file_ + ", line " + std::to_string(number_) + (column == 0 ? "" : ", column " + std::to_string(column)) +
+           ": expected ";
+  }
   [[noreturn]] void fail(std::size_t column, const std::string& expected) const {
-    subcert::fail(ErrorKind::data, "{}, line {}{}: expected {}", file_, number_,
-                  (column == 0 ? "" : ", column " + std::to_string(column)), expected);
+    subcert::fail(ErrorKind::data, "{}{}", place(column), expected);
   }
 
   bool next_line() {
@@ -139,8 +155,12 @@ class TableReader::Lines {
 
   void find_separator() {
     table_.separator = ' ';
+    if (form_.separator != 0) {
+      table_.separator = form_.separator;
+      return;
+    }
     for (const char candidate : {';', '\t', ','})
-      if (line_.find(candidate) != std::string_view::npos) {
+      if (candidate != form_.decimal && line_.find(candidate) != std::string_view::npos) {
         table_.separator = candidate;
         return;
       }
@@ -186,10 +206,11 @@ class TableReader::Lines {
 
   /// Whether the first row is a header: docs/data.md. Refuses what may be one as well as a row of missing values.
   bool is_header() const {
+    if (form_.header) return *form_.header;
     bool name = false, missing = true;
     for (std::size_t c = 0; c < fields_.size(); ++c) {
-      if (is_like_number(fields_[c])) return false;
-      const bool text = in_quotes_[c] ? !fields_[c].empty() : read_field(fields_[c]).kind == Kind::text;
+      if (is_like_number(fields_[c], form_.decimal)) return false;
+      const bool text = in_quotes_[c] ? !fields_[c].empty() : read_field(fields_[c], form_.decimal).kind == Kind::text;
       name = name || (text && std::any_of(fields_[c].begin(), fields_[c].end(), is_letter));
       missing = missing && !text;
     }
@@ -204,34 +225,64 @@ class TableReader::Lines {
 
   /// Where this field of the first row is text: what keeps the row from being a header.
   std::string why_no_header(std::string_view field) const {
-    const auto number = std::find_if(fields_.begin(), fields_.end(), is_like_number);
-    if (rows_ > 0 || !table_.header.empty() || number == fields_.end() || is_like_number(field)) return "";
+    const auto is_number = [this](std::string_view other) { return is_like_number(other, form_.decimal); };
+    const auto number = std::find_if(fields_.begin(), fields_.end(), is_number);
+    if (rows_ > 0 || !table_.header.empty() || number == fields_.end() || is_number(field)) return "";
     return "; a header has no number, as column " + std::to_string(number - fields_.begin() + 1) + " has with " +
            in_quotes(*number);
   }
 
-  void add_row() {
-    if (!started_) table_.columns = fields_.size();
+  /// For a number with another decimal mark.
+  std::string other_mark(std::string_view field) const {
+    if (form_.decimal != '.' || std::count(field.begin(), field.end(), ',') != 1) return "";
+    return read_field(field, ',').kind == Kind::number ? ", a number with a comma for the decimal point" : "";
+  }
+
+  void start() {
     started_ = true;
+    table_.columns = fields_.size();
+    table_.contents.resize(table_.columns);
+  }
+
+  /// For text, and numbers that are not finite.
+  std::string expected_of(const Field& field, std::string_view text) const {
+    if (field.kind == Kind::infinite) return "a finite number; found " + in_quotes(text);
+    return "a number; found " + in_quotes(text) + other_mark(text) + why_no_header(text);
+  }
+
+  void add_row() {
+    if (!started_) start();
+    if (rows_ == 0 && !table_.header.empty() && fields_.size() == table_.columns + 1 && is_blank(table_.separator)) {
+      table_.header.insert(table_.header.begin(), "");
+      table_.row_names = true;
+      start();
+    }
     if (fields_.size() != table_.columns)
       fail(std::min(fields_.size(), table_.columns) + 1,
            std::to_string(table_.columns) + (table_.columns == 1 ? " column" : " columns") +
                " as in the first row; found " + std::to_string(fields_.size()));
     for (std::size_t c = 0; c < fields_.size(); ++c) {
-      const Field field = read_field(fields_[c]);
-      if (field.kind == Kind::text) fail(c + 1, "a number; found " + in_quotes(fields_[c]) + why_no_header(fields_[c]));
-      if (field.kind == Kind::infinite) fail(c + 1, "a finite number; found " + in_quotes(fields_[c]));
-      if (field.kind == Kind::missing && missing_ == Missing::refuse)
+      const Field field = read_field(fields_[c], form_.decimal);
+      ColumnContent& content = table_.contents[c];
+      if (field.kind == Kind::number) ++content.numbers;
+      if (field.kind == Kind::text || field.kind == Kind::infinite) {
+        const bool taken = form_.text || (c == 0 && table_.row_names);
+        if (!taken) fail(c + 1, expected_of(field, fields_[c]));
+        if (content.why.empty())
+          content = {content.numbers, std::string(fields_[c]), place(c + 1) + expected_of(field, fields_[c])};
+      }
+      if (field.kind == Kind::missing && form_.missing == Missing::refuse)
         fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])));
-      table_.values.push_back(field.value);
+      table_.values.push_back(field.kind == Kind::number ? field.value : std::numeric_limits<double>::quiet_NaN());
     }
+    for (std::size_t k = 0; k < form_.kept.size(); ++k) table_.fields[k].emplace_back(fields_[form_.kept[k]]);
     table_.lines.push_back(number_);
     ++rows_;
   }
 
   std::string_view text_;
   std::string file_;
-  Missing missing_;
+  TableForm form_;
   Table table_;
   std::string_view line_;
   const char* line_feed_ = nullptr;  // the next one, or the end
@@ -244,13 +295,15 @@ class TableReader::Lines {
   std::string unquoted_;
 };
 
-TableReader::TableReader(const std::string& file, Missing missing) : lines_(std::make_unique<Lines>(file, missing)) {}
+TableReader::TableReader(const std::string& file, const TableForm& form)
+    : lines_(std::make_unique<Lines>(file, form)) {}
 
 TableReader::~TableReader() = default;
 
 Table& TableReader::read(std::string_view lines) {
   lines_->table().values.clear();
   lines_->table().lines.clear();
+  for (auto& fields : lines_->table().fields) fields.clear();
   lines_->read(lines);
   return lines_->table();
 }
@@ -269,9 +322,14 @@ std::string quoted_where_needed(const std::string& name, char separator) {
 /// Appends rows to a text. Numbers that come again soon, as standard deviations do, are converted once.
 class RowText {
  public:
-  RowText(const std::vector<TableColumn>& columns, char separator) : columns_(columns), separator_(separator) {}
+  RowText(const std::vector<TableColumn>& columns, char separator, char decimal)
+      : columns_(columns), separator_(separator), decimal_(decimal) {}
 
   void append(std::size_t begin, std::size_t end, std::string& text) {
+    if (std::ranges::any_of(columns_, [](const TableColumn& column) { return column.texts != nullptr; })) {
+      append_with_texts(begin, end, text);
+      return;
+    }
     const std::size_t old = text.size();
     text.resize(old + (end - begin) * columns_.size() * most_characters);
     char* to = text.data() + old;
@@ -291,13 +349,26 @@ class RowText {
     char text[most_characters - 1];
   };
 
+  void append_with_texts(std::size_t begin, std::size_t end, std::string& text) {
+    char number[most_characters];
+    for (std::size_t row = begin; row < end; ++row)
+      for (std::size_t c = 0; c < columns_.size(); ++c) {
+        if (const std::string* texts = columns_[c].texts)
+          text += quoted_where_needed(texts[row], separator_);
+        else
+          text.append(number, write(columns_[c].values[row * columns_[c].stride], number));
+        text += c + 1 == columns_.size() ? '\n' : separator_;
+      }
+  }
+
   char* write(double value, char* to) {
     const auto bits = std::bit_cast<std::uint64_t>(value);
     Known& known = known_[(bits * 0x9e3779b97f4a7c15U) >> 58U];
     if (known.length == 0 || known.bits != bits) {
       known.bits = bits;
-      known.length = static_cast<std::uint8_t>(std::to_chars(known.text, known.text + sizeof known.text, value).ptr -
-                                               known.text);
+      char* const end = std::to_chars(known.text, known.text + sizeof known.text, value).ptr;
+      if (decimal_ != '.') std::replace(known.text, end, '.', decimal_);
+      known.length = static_cast<std::uint8_t>(end - known.text);
     }
     std::memcpy(to, known.text, sizeof known.text);
     return to + known.length;
@@ -305,6 +376,7 @@ class RowText {
 
   const std::vector<TableColumn>& columns_;
   char separator_;
+  char decimal_;
   std::array<Known, 64> known_ = {};
 };
 
@@ -316,8 +388,8 @@ std::vector<TableColumn> columns_of(const Table& table) {
 
 }  // namespace
 
-Table parse_table(std::string_view text, const std::string& file, Missing missing) {
-  TableReader reader(file, missing);
+Table parse_table(std::string_view text, const std::string& file, const TableForm& form) {
+  TableReader reader(file, form);
   Table& table = reader.read(text);
   reader.finish();
   return std::move(table);
@@ -340,12 +412,12 @@ std::string header_text(const std::vector<std::string>& header, char separator) 
 std::string to_text(const Table& table) {
   std::string text = header_text(table.header, table.separator);
   const std::vector<TableColumn> columns = columns_of(table);
-  RowText(columns, table.separator).append(0, table.rows(), text);
+  RowText(columns, table.separator, table.decimal).append(0, table.rows(), text);
   return text;
 }
 
 void write_rows(std::ostream& stream, const std::vector<TableColumn>& columns, std::size_t rows, char separator,
-                int threads) {
+                int threads, char decimal) {
   constexpr std::size_t block = 8192;
   std::vector<std::string> blocks(static_cast<std::size_t>(threads) * 4);
   for (std::size_t begin = 0; begin < rows && stream; begin += blocks.size() * block) {
@@ -353,7 +425,7 @@ void write_rows(std::ostream& stream, const std::vector<TableColumn>& columns, s
     parallel_for_each(used, threads, [&](std::size_t b) {
       const std::size_t first = begin + b * block;
       blocks[b].clear();
-      RowText(columns, separator).append(first, std::min(first + block, rows), blocks[b]);
+      RowText(columns, separator, decimal).append(first, std::min(first + block, rows), blocks[b]);
     });
     for (std::size_t b = 0; b < used; ++b)
       stream.write(blocks[b].data(), static_cast<std::streamsize>(blocks[b].size()));

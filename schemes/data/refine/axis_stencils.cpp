@@ -19,10 +19,11 @@ std::size_t AxisStencils::residue(long output) const { return static_cast<std::s
 
 OutputRange AxisStencils::outputs(const Axis& axis, Boundary boundary) const {
   require_refinement_boundary(boundary);
-  require(axis.count >= window_, "refine: need at least {} points, got {}", window_, axis.count);
   OutputRange range{axis, axis, 0, 0, 0, 0};
   Axis& input = range.input;
   if (boundary == Boundary::periodic) input.close();
+  const std::size_t fewest = input.closed ? 1 : window_;
+  require(axis.count >= fewest, "refine: need at least {} points, got {}", fewest, axis.count);
   if (!input.closed && boundary == Boundary::reflect && denominator(Rational(2 * centre_)) != 1)
     fail(ErrorKind::domain,
          "refine: reflect needs 2 tau to be an integer, got tau = {} (tau = a'(1) / a(1), the centre of a symmetric "

@@ -31,7 +31,7 @@ constexpr double most_refined_numbers = 1e8;
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options);
 
-/// The number of points that each axis must have at least.
+/// The number of points that each axis must have at least; 1 with Boundary::periodic, as along closed axes.
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary);
 
 /// Throws a size error where `levels` refinements by the factor `growth` of `numbers` numbers would pass
@@ -42,7 +42,8 @@ void require_refinable(std::size_t numbers, long growth, long levels);
 /// fewest_points() along each. Errors: as the refine() of its kind.
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options);
 
-/// The fewest points that refine() takes, along each axis; as many numbers as the scheme has variables.
+/// The fewest points that refine() takes, along each axis; as many numbers as the scheme has variables. Along closed
+/// axes it is that with Boundary::periodic.
 std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary);
 
 /// The piecewise linear function through the points at these parameters. Domain: one axis with at least two points of

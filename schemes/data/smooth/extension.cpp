@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <type_traits>
 
 namespace subcert::data {
@@ -32,8 +31,8 @@ ExtendedData::ExtendedData(const ExtensionRule& rule, DataSites sites) : rule_(r
   require(positions.empty() || positions.size() == count, "ExtendedData: need as many positions as data, got {} for {}",
           positions.size(), count);
   if (!positions.empty())
-    require(positions.front() == 0 && std::is_sorted(positions.begin(), positions.end(), std::less_equal<>()),
-            "ExtendedData: need positions that increase from 0");
+    require(positions.front() == 0 && std::is_sorted(positions.begin(), positions.end()),
+            "ExtendedData: need positions from 0 on, in order");
   if (weights.empty()) return;
   require(weights.size() == count, "ExtendedData: need as many weights as data, got {} for {}", weights.size(), count);
   for (std::size_t i = 0; i < count; ++i) {

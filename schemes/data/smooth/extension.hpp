@@ -33,7 +33,7 @@ struct ExtensionRule {
 struct DataSites {
   std::size_t count = 0;
   std::vector<Rational> weights = {};  ///< prior; none: all 1; 0: missing
-  std::vector<double> positions = {};  ///< increasing from 0, taken as exact; none: 0, 1, 2, ...
+  std::vector<double> positions = {};  ///< from 0 on, in order, taken as exact; none: 0, 1, 2, ...
   std::size_t before = 0;              ///< data that came before these, for messages
 
   DataSites(std::size_t number, std::vector<Rational> prior = {}, std::vector<double> at = {})

@@ -105,6 +105,7 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
   require(method.is_complete(), "smoothing: need points or a width for local polynomials");
   require(options.derivative <= method.degree, "derivative {}: polynomials of degree {} have none", options.derivative,
           method.degree);
+  repeated_ = std::ranges::adjacent_find(data().sites().positions) != data().sites().positions.end();
   std::size_t present = 0;
   for (std::size_t i = 0; i < data().count(); ++i) present += data().is_present(static_cast<long>(i)) ? 1 : 0;
   if (method.points > present)
@@ -137,7 +138,23 @@ LocalSmoother::Window LocalSmoother::window_at(double position) const {
     }
   }
   while (std::min(left, right) <= window.radius) take_nearer();
+  // Data at one position are one condition on the polynomial: then the window grows until it has enough others.
+  while (repeated_ && method_.points > 0 && !determines(window) && std::min(left, right) < none) {
+    window.radius = std::min(left, right);
+    while (std::min(left, right) <= window.radius) take_nearer();
+  }
   return window;
+}
+
+bool LocalSmoother::determines(const Window& window) const {
+  int different = 0;
+  double last = std::numeric_limits<double>::quiet_NaN();
+  for (long index = window.first; index <= window.last && different <= method_.degree; ++index)
+    if (const double at = data().position(index); at != last && weight_of<double>(window, index) > 0) {
+      last = at;
+      ++different;
+    }
+  return different > method_.degree;
 }
 
 template <class Number>
@@ -158,9 +175,10 @@ std::pair<std::vector<long>, std::vector<Number>> LocalSmoother::fitted_data(con
       result.second.push_back(std::move(weight));
     }
   const auto needed = static_cast<std::size_t>(method_.degree) + 1;
-  if (result.first.size() < needed)
-    fail(ErrorKind::data, "smoothing: {} data count at {} spacings from the first, a fit of degree {} needs {}",
-         result.first.size(), window.position + static_cast<double>(data().sites().before), method_.degree, needed);
+  if (result.first.size() < needed || (repeated_ && !determines(window)))
+    fail(ErrorKind::data, "smoothing: {} data{} count at {} spacings from the first, a fit of degree {} needs {}",
+         result.first.size(), repeated_ ? " at too few positions" : "",
+         window.position + static_cast<double>(data().sites().before), method_.degree, needed);
   return result;
 }
 

@@ -59,7 +59,11 @@ class LocalSmoother : public LinearSmoother {
   template <class Number>
   std::pair<std::vector<long>, std::vector<Number>> fitted_data(const Window& window) const;
 
+  /// Whether data at more positions than the degree count.
+  bool determines(const Window& window) const;
+
   LocalPolynomial method_;
+  bool repeated_ = false;  // whether data share positions
 };
 
 }  // namespace subcert::data

@@ -23,7 +23,7 @@ struct SecondDifference {
   /// For three neighbouring data, of coefficients 1/2, -1, 1/2 where they are uniform.
   SecondDifference(std::size_t at, const std::vector<double>& weights, const std::vector<double>& positions)
       : middle(at), coefficients{0.5, -1, 0.5}, scale(1) {
-    if (!positions.empty()) {
+    if (!positions.empty() && positions[at - 1] < positions[at + 1]) {
       coefficients[0] = (positions[at + 1] - positions[at]) / (positions[at + 1] - positions[at - 1]);
       coefficients[2] = 1 - coefficients[0];
     }

@@ -23,7 +23,7 @@ struct NoiseEstimate {
 NoiseEstimate known_noise(double deviation);
 
 /// From the distances of data to the chords of their neighbours. Domain: as many prior weights, and positions, as data,
-/// or none; positions increase; a weight 0 means missing. Without three neighbouring data there is no estimate. Ref:
+/// or none; positions in order; a weight 0 means missing. Without three neighbouring data there is no estimate. Ref:
 /// [GSJ86].
 NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
                              const std::vector<double>& positions = {});

@@ -4,11 +4,15 @@
 
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
-#include <subcert/schemes/data/formats/table.hpp>
+#include <subcert/analysis/symbol/parse_error.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <ranges>
 #include <utility>
 
 namespace subcert::data {
@@ -17,6 +21,10 @@ struct ColumnUse {
   std::optional<std::size_t> x;
   std::optional<std::size_t> weights;
   std::vector<std::size_t> values;
+  std::optional<std::size_t> by;
+  std::vector<std::size_t> kept;
+  std::vector<std::size_t> left_out;  ///< text that nobody asked for
+  bool dates = false;                 ///< in x
 };
 
 namespace {
@@ -50,33 +58,106 @@ std::optional<Rational> given_spacing(const SampleOptions& options) {
   return spacing;
 }
 
-/// The positions in a column, which increase, also from the one before these rows.
-std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column,
-                                   std::optional<double> before = std::nullopt) {
+std::string shown(const Rational& value) { return to_decimal(value, 9, Rounding::nearest); }
+
+/// The fields of a column that the table keeps as they are written.
+const std::vector<std::string>& fields_of(const Table& table, const std::vector<std::size_t>& kept,
+                                          std::size_t column) {
+  return table.fields[static_cast<std::size_t>(std::ranges::find(kept, column) - kept.begin())];
+}
+
+/// The rows of a table in this order.
+Table selected(const Table& table, const std::vector<std::size_t>& rows) {
+  Table result = table;
+  result.values.clear();
+  result.lines.clear();
+  for (auto& fields : result.fields) fields.clear();
+  for (const std::size_t row : rows) {
+    const auto first = table.values.begin() + static_cast<std::ptrdiff_t>(row * table.columns);
+    result.values.insert(result.values.end(), first, first + static_cast<std::ptrdiff_t>(table.columns));
+    result.lines.push_back(table.lines[row]);
+    for (std::size_t k = 0; k < table.fields.size(); ++k) result.fields[k].push_back(table.fields[k][row]);
+  }
+  return result;
+}
+
+/// Puts days or seconds in the place of dates. Errors: a data error for text that is none, or is written otherwise.
+DateForm read_dates(const SampleOptions& options, Table& table, const std::vector<std::string>& fields,
+                    std::size_t column) {
+  std::optional<DateForm> form;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    double& value = table.values[i * table.columns + column];
+    if (const std::string& field = fields[i]; field.empty() || field == "NA" || field == "null" || field == "NaN")
+      continue;
+    const auto date = parse_date(fields[i]);
+    if (!date || (form && *form != date->form))
+      fail(ErrorKind::data, "{}: expected a date{}; found {}", place(options, table, i, column),
+           form ? " written as those before" : "", in_quotes(fields[i]));
+    form = date->form;
+    value = date->value;
+  }
+  return form.value_or(DateForm{});
+}
+
+/// The positions in a column; NaN where one is missing and may be. Errors: a data error where none may.
+std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column) {
   std::vector<double> x;
   x.reserve(table.rows());
-  const auto shown = [](double value) { return to_decimal(decimal_value(value), 9, Rounding::nearest); };
   for (std::size_t i = 0; i < table.rows(); ++i) {
     x.push_back(table.values[i * table.columns + column]);
-    if (std::isnan(x.back()))
-      fail(ErrorKind::data, "{}: expected a position; found a missing value", place(options, table, i, column));
-    if (before && x.back() <= *before)
-      fail(ErrorKind::data, "{}: expected increasing positions; found {} after {}", place(options, table, i, column),
-           shown(x.back()), shown(*before));
-    before = x.back();
+    if (std::isnan(x.back()) && options.missing != "drop")
+      fail(ErrorKind::data, "{}: expected a position; found a missing value (--missing drop leaves the row out)",
+           place(options, table, i, column));
   }
   return x;
 }
 
-/// Sets origin and spacing, or names the spacing that is farthest from the mean.
+/// Refuses positions that do not increase, also from the one before these rows.
+void require_increasing(const SampleOptions& options, const Table& table, std::size_t column,
+                        const std::vector<double>& x, std::optional<double> before) {
+  for (std::size_t i = 0; i < x.size(); before = x[i++])
+    if (std::isnan(x[i]) || (before && x[i] <= *before))
+      fail(ErrorKind::data, "{}: expected increasing positions in a stream; found {}{}",
+           place(options, table, i, column), (std::isnan(x[i]) ? "a missing value" : shown(decimal_value(x[i]))),
+           before ? " after " + shown(decimal_value(*before)) : "");
+}
+
+/// Sorts the rows by their positions.
+void sort_rows(const SampleOptions& options, std::size_t column, Table& table, NamedSamples& samples) {
+  const std::vector<double> x = read_positions(options, table, column);
+  const PositionOrder order = order_of(x);
+  if (order.rows.empty())
+    fail(ErrorKind::data, "{}, column {}: expected positions; found missing values alone", options.name(), column + 1);
+  samples.falling = order.falling;
+  const std::size_t left_out = x.size() - order.rows.size();
+  if (left_out > 0) samples.remarks.push_back(fmt::format("rows without a position, left out: {}", left_out));
+  if (!order.rising && !order.falling) samples.remarks.emplace_back("the rows were sorted by their positions");
+  if (left_out > 0 || !order.rising) table = selected(table, order.rows);
+  if (order.repeated && options.irregular != "fit") {
+    const std::size_t second = *order.repeated;
+    fail(ErrorKind::data,
+         "{}, lines {} and {}: expected one row for each position; found {} twice (--irregular fit takes several data "
+         "at one position)",
+         options.name(), table.lines[second - 1], table.lines[second], shown(decimal_value(x[order.rows[second]])));
+  }
+}
+
+/// Sets origin and spacing, or names the spacing that is farthest from the mean. Domain: rows sorted by position.
 void set_grid(const SampleOptions& options, const Table& table, std::size_t column, Samples& samples) {
-  std::vector<double> x = read_positions(options, table, column);
-  const auto shown = [](const Rational& value) { return to_decimal(value, 9, Rounding::nearest); };
+  std::vector<double> x = read_positions(options, table, column), different;
+  std::ranges::unique_copy(x, std::back_inserter(different));
+  if (x.size() > 1 && different.size() == 1)
+    fail(ErrorKind::data, "{}: expected two different positions; found {} alone", options.name(),
+         shown(decimal_value(x.front())));
   const auto decimal = [&](std::size_t i) { return decimal_value(x[i]); };
-  const UniformGrid grid = uniform_grid(x);
-  if (!grid.uniform && options.irregular == "fit") {
+  const UniformGrid grid = uniform_grid(different);
+  const bool uniform = grid.uniform && different.size() == x.size();
+  if (uniform) {
+    samples.given = std::move(x);
+  } else if (options.irregular == "fit") {
     samples.positions = std::move(x);
-  } else if (const std::size_t worst = grid.worst; !grid.uniform) {
+  } else {
+    const std::size_t worst = grid.worst;
     fail(ErrorKind::data,
          "{}, lines {} and {}: expected a uniform grid, the mean spacing is {}; found the spacing {} between {} and {} "
          "(--irregular fit takes positions as they are)",
@@ -116,29 +197,53 @@ void set_weights(const SampleOptions& options, const Table& table, const std::ve
 ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   ColumnUse use;
   if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
+  if (!options.by.empty()) use.by = find_column(table, "--by", options.by);
   const bool none = options.x == "none";
   if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);
   for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
+  for (const std::string& text : options.keep) use.kept.push_back(find_column(table, "--keep", text));
+  const auto holds_dates = [&](std::size_t c) {
+    return table.contents[c].is_text() && parse_date(table.contents[c].text);
+  };
   std::vector<std::size_t> left;
-  for (std::size_t c = 0; c < table.columns; ++c)
-    if (c != use.weights && c != use.x && std::find(use.values.begin(), use.values.end(), c) == use.values.end())
+  for (std::size_t c = 0; c < table.columns; ++c) {
+    if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
+    if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
+    if (!table.contents[c].is_text() || (holds_dates(c) && options.x.empty()))
       left.push_back(c);
+    else if (use.values.empty())
+      use.left_out.push_back(c);
+  }
   if (options.x.empty() && (use.values.empty() ? left.size() > 1 : !left.empty())) {
     use.x = left.front();
     left.erase(left.begin());
   }
+  std::erase_if(left, holds_dates);
   if (use.values.empty()) use.values = left;
   if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
   for (const std::size_t c : use.values)
-    if (c == use.weights || c == use.x) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
+    if (c == use.weights || c == use.x || c == use.by) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
+  use.dates = use.x && holds_dates(*use.x);
   return use;
+}
+
+/// Refuses text in columns that are to hold numbers.
+void require_numbers(const Table& table, const ColumnUse& use) {
+  std::vector<std::size_t> columns = use.values;
+  if (use.weights) columns.push_back(*use.weights);
+  if (use.x && !use.dates) columns.push_back(*use.x);
+  std::ranges::sort(columns);
+  for (const std::size_t c : columns)
+    if (!table.contents[c].why.empty()) fail(ErrorKind::data, "{}", table.contents[c].why);
 }
 
 NamedSamples named_columns(const Table& table, const ColumnUse& use) {
   NamedSamples samples;
-  samples.separator = table.columns == 1 ? ',' : table.separator;
-  samples.x_name = use.x ? column_name(table, *use.x) : "x";
+  samples.separator = table.columns > 1 ? table.separator : table.decimal == ',' ? ';' : ',';
+  samples.decimal = table.decimal;
   for (const std::size_t c : use.values) samples.names.push_back(column_name(table, c));
+  // Data that are counted have no column of positions, whose name must be a new one.
+  samples.x_name = use.x ? column_name(table, *use.x) : std::ranges::count(samples.names, "x") > 0 ? "index" : "x";
   samples.columns.resize(use.values.size());
   return samples;
 }
@@ -164,23 +269,94 @@ void set_rows(const SampleOptions& options, const Table& table, const ColumnUse&
 
 std::string SampleOptions::name() const { return runtime::input_name(file); }
 
-NamedSamples read_samples(const SampleOptions& options) {
-  const Table table = parse_table(runtime::read_input(options.file), options.name(), Missing::keep);
-  const ColumnUse use = find_columns(options, table);
+TableForm SampleOptions::form() const {
+  TableForm form(Missing::keep);
+  form.text = true;
+  if (delimiter == "tab" || delimiter == "\\t")
+    form.separator = '\t';
+  else if (delimiter == "blank")
+    form.separator = ' ';
+  else if (delimiter.size() == 1)
+    form.separator = delimiter.front();
+  else if (!delimiter.empty())
+    fail(ErrorKind::usage, "--delimiter {}: expected one character, tab or blank", delimiter);
+  form.decimal = decimal.front();
+  if (form.separator == form.decimal || form.separator == '"')
+    fail(ErrorKind::usage, "--delimiter {}: expected another character than the decimal mark and the quote", delimiter);
+  if (header != "auto") form.header = header == "yes";
+  return form;
+}
+
+namespace {
+
+/// The rows of each group, by the fields of a column, in the order of their first rows.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const std::vector<std::string>& fields) {
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const auto [at, is_new] = places.emplace(fields[i], groups.size());
+    if (is_new) groups.emplace_back(fields[i], std::vector<std::size_t>());
+    groups[at->second].second.push_back(i);
+  }
+  return groups;
+}
+
+NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnUse& use,
+                        const std::vector<std::size_t>& kept) {
   NamedSamples samples = named_columns(table, use);
-  if (use.x) set_grid(options, table, *use.x, samples);
+  if (use.x) {
+    sort_rows(options, *use.x, table, samples);
+    set_grid(options, table, *use.x, samples);
+  }
   set_rows(options, table, use, samples);
-  if (!samples.weights.empty() &&
-      std::all_of(samples.weights.begin(), samples.weights.end(), [](const Rational& weight) { return weight == 0; }))
+  const auto counts = [&](std::size_t i) { return samples.weights.empty() || samples.weights[i] != 0; };
+  for (const std::size_t c : use.kept) {
+    NamedTexts& column = samples.kept.emplace_back(NamedTexts{column_name(table, c), {}});
+    const std::vector<std::string>& fields = fields_of(table, kept, c);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (samples.uniform() || counts(i)) column.texts.push_back(fields[i]);
+  }
+  if (std::ranges::none_of(std::views::iota(std::size_t{0}, samples.count()), counts))
     fail(ErrorKind::data, "{}: expected a row that is neither missing nor of weight 0; found none", options.name());
   if (!samples.uniform()) samples.drop_missing();
   return samples;
 }
 
+}  // namespace
+
+std::vector<NamedSamples> read_samples(const SampleOptions& options) {
+  const std::string text = runtime::read_input(options.file);
+  TableForm form = options.form();
+  Table table = parse_table(text, options.name(), form);
+  const ColumnUse use = find_columns(options, table);
+  require_numbers(table, use);
+  form.kept = use.kept;
+  if (use.by) form.kept.push_back(*use.by);
+  if (use.dates) form.kept.push_back(*use.x);
+  if (!form.kept.empty()) table = parse_table(text, options.name(), form);
+  std::optional<DateForm> dates;
+  if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
+  std::vector<std::string> remarks;
+  for (const std::size_t c : use.left_out) remarks.push_back(column_name(table, c) + " holds text and is left out");
+  std::vector<NamedSamples> result;
+  const auto add = [&](const std::string& group, Table rows) {
+    NamedSamples& samples = result.emplace_back(samples_of(options, std::move(rows), use, form.kept));
+    samples.group = group;
+    samples.dates = dates;
+    std::ranges::move(samples.remarks, std::back_inserter(remarks));
+    samples.remarks = std::exchange(remarks, {});
+  };
+  if (!use.by)
+    add("", std::move(table));
+  else
+    for (const auto& [name, rows] : groups_of(fields_of(table, form.kept, *use.by))) add(name, selected(table, rows));
+  return result;
+}
+
 class SampleStream::State {
  public:
   explicit State(const SampleOptions& options)
-      : options_(options), input_(options.file), reader_(options.name(), Missing::keep) {
+      : options_(options), input_(options.file), reader_(options.name(), options.form()) {
     const auto spacing = given_spacing(options);
     while (!head_ || (use_.x && !spacing && positions_.size() < 2))
       if (!read()) break;
@@ -219,8 +395,11 @@ class SampleStream::State {
     if (table.rows() == 0) return true;
     if (!head_) {
       use_ = find_columns(options_, table);
+      if (use_.dates)
+        fail(ErrorKind::data, "{}: expected positions that are numbers in a stream; found dates", options_.name());
       head_ = named_columns(table, use_);
     }
+    require_numbers(table, use_);
     NamedSamples rows = *head_;
     set_rows(options_, table, use_, rows);
     if (rows.weights.empty() && weighted()) rows.weights.assign(rows.count(), 1);
@@ -232,7 +411,8 @@ class SampleStream::State {
       rows_.weights.insert(rows_.weights.end(), rows.weights.begin(), rows.weights.end());
     }
     if (!use_.x) return true;
-    const std::vector<double> x = read_positions(options_, table, *use_.x, last_);
+    const std::vector<double> x = read_positions(options_, table, *use_.x);
+    require_increasing(options_, table, *use_.x, x, last_);
     last_ = x.back();
     positions_.insert(positions_.end(), x.begin(), x.end());
     lines_.insert(lines_.end(), table.lines.begin(), table.lines.end());

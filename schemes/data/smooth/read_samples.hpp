@@ -3,6 +3,9 @@
 
 #include "uniform_grid.hpp"
 
+#include <subcert/schemes/data/formats/dates.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,17 +13,31 @@
 
 namespace subcert::data {
 
+/// Columns are named, or numbered from 1.
 struct SampleOptions {
   std::string file;
-  std::string x;               ///< column by name or number from 1, `none`, or empty: the first of several columns
-  std::vector<std::string> y;  ///< columns by name or number; empty: all that are left
-  std::string weights;         ///< column by name or number, or empty
+  std::string x;                  ///< `none`, or empty: the first of several columns of numbers or dates
+  std::vector<std::string> y;     ///< empty: all that are left and hold numbers
+  std::string weights;            ///< or empty
+  std::string by;                 ///< of the names of groups, or empty
+  std::vector<std::string> keep;  ///< that answers at the data have, as they are
+  std::string delimiter;          ///< between the columns: a character, `tab`, `blank`, or empty: found
+  std::string decimal = ".";
+  std::string header = "auto";  ///< or yes, no
   std::string missing = "raise";
   std::string irregular = "raise";
   std::string spacing;  ///< of the outputs where positions are irregular; empty: the mean
 
   /// What errors call the file.
   std::string name() const;
+  /// How its table is read. Errors: throws a usage error for an unknown delimiter or decimal mark.
+  TableForm form() const;
+};
+
+/// Fields of a column that is no number, row by row.
+struct NamedTexts {
+  std::string name;
+  std::vector<std::string> texts;
 };
 
 /// Samples with the names of their columns in the file.
@@ -28,13 +45,21 @@ struct NamedSamples : Samples {
   std::string x_name;
   std::vector<std::string> names;
   char separator = ',';
+  char decimal = '.';
+  std::string group = {};                 ///< what the column of groups holds in these rows
+  bool falling = false;                   ///< the rows came with falling positions
+  std::optional<DateForm> dates = {};     ///< how positions are written that are dates, in days or seconds
+  std::vector<NamedTexts> kept = {};      ///< columns of the rows, in the order of the samples
+  std::vector<std::string> remarks = {};  ///< what was done to the rows that the options do not say, a line each
 };
 
-/// Positions must be uniform up to the rounding of their decimal text: each within one unit of the finest decimal place
-/// in the column, and within a twentieth of the spacing, of its place on the grid; with irregular = `fit` others are
-/// kept, without rows that miss a value. Errors: throws a usage error for unknown columns, a data error that names the
-/// line; for a grid that is not uniform the worst spacing.
-NamedSamples read_samples(const SampleOptions& options);
+/// The samples of each group, in the order of their first rows; one where there are no groups. Rows are sorted by their
+/// positions; with missing = `drop` those without one are left out. Positions must be uniform up to the rounding of
+/// their decimal text: each within one unit of the finest decimal place in the column, and within a twentieth of the
+/// spacing, of its place on the grid; with irregular = `fit` others are kept, also several data at one position,
+/// without rows that miss a value. Errors: throws a usage error for unknown columns, a data error that names the line;
+/// for a grid that is not uniform the worst spacing.
+std::vector<NamedSamples> read_samples(const SampleOptions& options);
 
 /// Samples on a uniform grid that are read as they come. The spacing is that of the options or of the first two rows,
 /// which later positions must keep as uniform ones do.

@@ -51,6 +51,7 @@ std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const Smoo
                                               const SmoothingOptions& options) {
   if (const auto* scheme = std::get_if<Scheme>(&method)) {
     require_limits(*scheme, options.derivative);
+    require(!samples.repeated(), "smoothing: need one datum for each position for schemes");
     return std::make_unique<SchemeSmoother>(scheme->mask.curve(), samples.sites(), options, scheme->rules);
   }
   const auto* local = std::get_if<LocalPolynomial>(&method);
@@ -69,6 +70,11 @@ std::vector<double> output_positions(const Samples& samples, std::size_t scale, 
   positions.reserve(end - begin);
   for (std::size_t o = begin; o < end; ++o) positions.push_back(grid.at(o));
   return positions;
+}
+
+void set_positions_of_data(SmoothedSamples& result, const Samples& samples, const SmoothingOptions& options) {
+  const std::vector<double>& own = samples.uniform() ? samples.given : samples.positions;
+  if (options.at_data && !own.empty()) result.positions = own;
 }
 
 SmoothedSamples smooth_by(const DataDependentScheme& scheme, const Samples& samples, const SmoothingOptions& options,
@@ -92,6 +98,7 @@ SmoothedSamples smooth_by(const DataDependentScheme& scheme, const Samples& samp
   for (const auto& column : samples.columns)
     result.columns.push_back({interpolate(
         refine(curve_data(column), scheme.rules, {level + finer_levels, options.boundary, threads}), places)});
+  set_positions_of_data(result, samples, options);
   return result;
 }
 
@@ -101,11 +108,15 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
                        int threads) {
   if (const auto* scheme = std::get_if<DataDependentScheme>(&method))
     return smooth_by(*scheme, samples, options, threads);
-  const std::unique_ptr<LinearSmoother> smoother = make_smoother(samples, method, options);
-  SmoothedSamples result = smoothed_columns(samples, estimate_noise(samples), *smoother, options.derivative, 0,
+  // Rules of schemes take data one after another: they get the means of those at one position.
+  std::optional<Samples> means;
+  if (std::holds_alternative<Scheme>(method) && samples.repeated()) means = merged(samples);
+  const Samples& used = means ? *means : samples;
+  const std::unique_ptr<LinearSmoother> smoother = make_smoother(used, method, options);
+  SmoothedSamples result = smoothed_columns(used, estimate_noise(samples), *smoother, options.derivative, 0,
                                             smoother->spacings(), 0);
   result.method = to_text(method);
-  if (options.at_data && !samples.uniform()) result.positions = samples.positions;
+  set_positions_of_data(result, samples, options);
   return result;
 }
 

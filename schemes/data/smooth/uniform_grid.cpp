@@ -113,6 +113,49 @@ DataSites Samples::sites() const {
   return sites;
 }
 
+bool Samples::repeated() const { return std::ranges::adjacent_find(positions) != positions.end(); }
+
+Samples merged(const Samples& samples) {
+  Samples one = samples;
+  const auto weight = [&](std::size_t i) { return samples.weights.empty() ? Rational(1) : samples.weights[i]; };
+  std::size_t made = 0;
+  one.weights.assign(samples.count(), 0);
+  for (std::size_t i = 0; i < samples.count();) {
+    std::size_t end = i;
+    for (; end < samples.count() && samples.positions[end] == samples.positions[i]; ++end)
+      one.weights[made] += weight(end);
+    const double sum = nearest_double(one.weights[made]);
+    for (std::size_t c = 0; c < samples.columns.size(); ++c) {
+      double mean = 0;
+      for (std::size_t k = i; k < end; ++k) mean += nearest_double(weight(k)) / sum * samples.columns[c][k];
+      one.columns[c][made] = end == i + 1 ? samples.columns[c][i] : mean;
+    }
+    one.positions[made++] = samples.positions[i];
+    i = end;
+  }
+  for (auto& column : one.columns) column.resize(made);
+  one.positions.resize(made);
+  one.weights.resize(made);
+  return one;
+}
+
+PositionOrder order_of(const std::vector<double>& positions) {
+  PositionOrder order;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!std::isnan(positions[i])) order.rows.push_back(i);
+  const auto at = [&](std::size_t row) { return positions[row]; };
+  order.rising = std::ranges::is_sorted(order.rows, {}, at);
+  if (!order.rising) {
+    std::ranges::reverse(order.rows);
+    order.falling = std::ranges::is_sorted(order.rows, {}, at);
+    if (!order.falling) std::ranges::reverse(order.rows);
+    std::ranges::stable_sort(order.rows, {}, at);
+  }
+  const auto found = std::ranges::adjacent_find(order.rows, {}, at);
+  if (found != order.rows.end()) order.repeated = static_cast<std::size_t>(found - order.rows.begin()) + 1;
+  return order;
+}
+
 void Samples::drop_missing() {
   if (weights.empty()) return;
   std::size_t kept = 0;

@@ -71,16 +71,35 @@ struct Samples {
   std::vector<Rational> weights = {};  ///< prior, inverse to the variance of the noise; 0: missing; none: all 1
   Rational origin = 0;                 ///< of the outputs
   Rational spacing = 1;                ///< likewise
-  std::vector<double> positions = {};  ///< increasing from `origin`, so far apart that their distances to it increase
+  std::vector<double> positions = {};  ///< from `origin` on, in order; several data may have one
   std::optional<double> noise = {};    ///< standard deviation for weight 1, where it is known
+  std::vector<double> given = {};      ///< of uniform data: the positions as they were read, which answers at the data
+                                       ///< have; none: those of the grid
 
   std::size_t count() const { return columns.empty() ? 0 : columns.front().size(); }
   bool uniform() const { return positions.empty(); }
+  /// Whether several data have one position.
+  bool repeated() const;
   /// With positions in spacings, rounded.
   DataSites sites() const;
   std::vector<double> rounded_weights() const;
   /// Leaves out the data of weight 0, which are not needed where positions are given. Domain: not all of them.
   void drop_missing();
 };
+
+/// One datum for each position: the mean by weights, with their sum as its weight.
+Samples merged(const Samples& samples);
+
+/// How positions come.
+struct PositionOrder {
+  std::vector<std::size_t> rows;  ///< in the order of their positions, equal ones as they come; those without are left
+                                  ///< out
+  bool rising = true;             ///< they come in this order
+  bool falling = false;           ///< they come in the opposite one
+  std::optional<std::size_t> repeated = {};  ///< a row with the position of the one before it, in `rows`
+};
+
+/// Domain: NaN for a missing position, else finite. Cost: one pass, or a sort.
+PositionOrder order_of(const std::vector<double>& positions);
 
 }  // namespace subcert::data

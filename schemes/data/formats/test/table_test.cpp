@@ -1,5 +1,6 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/data/formats/dates.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 
 #include <cmath>
@@ -56,7 +57,8 @@ TEST_CASE("errors name file, line and column") {
   CHECK(error_of("1\n1e999\n") == "f, line 2, column 1: expected a finite number; found '1e999'");
   CHECK(error_of("1,2\n,4\n") == "f, line 2, column 1: expected a finite number; found nothing");
   CHECK(error_of("1\n\n2\n") == "f, line 2: expected a row; found an empty line between rows");
-  CHECK(error_of("1,5;2,5\n") == "f, line 1, column 1: expected a number; found '1,5'");
+  CHECK(error_of("1,5;2,5\n") ==
+        "f, line 1, column 1: expected a number; found '1,5', a number with a comma for the decimal point");
   CHECK(error_of("1,\"2\n") == "f, line 1, column 2: expected a closing quote on the same line");
   CHECK(error_of(std::string_view("1\0 2\n", 5)).find("zero byte") != std::string::npos);
   CHECK(error_of("1\n\x1b[31m\n") == "f, line 2, column 1: expected a number; found '\\u001b[31m'");
@@ -106,6 +108,74 @@ TEST_CASE("missing values are kept where asked for") {
   CHECK(std::isnan(table.values[4]));
   CHECK(table.values[7] == 4);
   CHECK(error_of("1\ninf\n", Missing::keep) == "f, line 2, column 1: expected a finite number; found 'inf'");
+}
+
+TEST_CASE("text beside numbers, other marks, headers that are said to be") {
+  TableForm form(Missing::keep);
+  form.text = true;
+  form.kept = {0, 2};
+  const Table mixed = parse_table("make,speed,note\nVW,1,\n\"A, B\",2,007\nBMW,inf,x\n", "f", form);
+  CHECK(mixed.rows() == 3);
+  CHECK(mixed.contents[0].is_text());
+  CHECK(mixed.contents[0].text == "VW");
+  CHECK(mixed.contents[1].numbers == 2);
+  CHECK(mixed.contents[1].why == "f, line 4, column 2: expected a finite number; found 'inf'");
+  CHECK_FALSE(mixed.contents[2].is_text());  // 007 is a number
+  CHECK(mixed.fields == std::vector<std::vector<std::string>>{{"VW", "A, B", "BMW"}, {"", "007", "x"}});
+  CHECK(std::isnan(mixed.values[7]));
+
+  form = TableForm();
+  form.decimal = ',';
+  const Table comma = parse_table("a;b\n1,5;-2e3\n,25;3\n", "f", form);
+  CHECK(comma.values == std::vector<double>{1.5, -2000, 0.25, 3});
+  CHECK(to_text(comma) == "a;b\n1,5;-2000\n0,25;3\n");
+  CHECK(parse_table("1,5\n2,5\n", "f", form).columns == 1);
+  form = TableForm();
+  form.separator = '|';
+  CHECK(parse_table("1|2\n", "f", form).values == std::vector<double>{1, 2});
+  form = TableForm();
+  form.header = true;
+  CHECK(parse_table("1960,1961\n1,2\n", "f", form).header == std::vector<std::string>{"1960", "1961"});
+  form.header = false;
+  CHECK_THROWS(parse_table("x,y\n1,2\n", "f", form));
+
+  const Table rows = parse_table("\"x\" \"y\"\n\"first\" 1 2\n\"2\" 3 4\n", "f");
+  CHECK(rows.row_names);
+  CHECK(rows.header == std::vector<std::string>{"", "x", "y"});
+  CHECK(rows.values[1] == 1);
+  CHECK(rows.values[5] == 4);
+  CHECK(error_of("x y\n1 2\n3 4 5\n") == "f, line 3, column 3: expected 2 columns as in the first row; found 3");
+  for (const char* mark : {"\xff\xfe", "\xfe\xff"})
+    CHECK(error_of(mark + std::string("1\n")) ==
+          "f: expected text in UTF-8; found UTF-16 (save it as UTF-8, or as CSV UTF-8)");
+}
+
+TEST_CASE("dates are read and written as ISO 8601 has them") {
+  CHECK(parse_date("1970-01-02")->value == 1);
+  CHECK(parse_date("2024-02-29")->value - parse_date("2023-02-28")->value == 366);
+  CHECK(parse_date("1969-12-31T23:59:58.5Z")->value == -1.5);
+  CHECK(parse_date("2024-03-01 12:00")->form == DateForm{true, " ", ""});
+  CHECK(parse_date("2024-03-01T12:00:01+05:30")->form.zone == "+05:30");
+  for (const char* text :
+       {"", "2024", "2024-2-1", "2024-13-01", "2023-02-29", "0000-01-01", "2024-02-29 ", "20240229", "2024-02-29T",
+        "2024-02-29T24:00", "2024-02-29T12", "2024-02-29T12:00:60", "2024-02-29T12:00z", "2024-02-29T12:00+5",
+        "2024-02-29T12:00:01.", "x2024-02-29", "2024-02-29T12:00-05:60"}) {
+    CAPTURE(text);
+    CHECK_FALSE(parse_date(text));
+  }
+  for (const char* text : {"0001-01-01", "1582-10-10", "9999-12-31", "2024-02-29T00:00:00Z",
+                           "1969-12-31 23:59:59.999999", "2024-12-31T23:59:59.5-11:00"}) {
+    const Date date = *parse_date(text);
+    CHECK(to_text(date.value, date.form) == text);
+  }
+  CHECK(to_text(0.5, DateForm{}) == "1970-01-01T12:00:00");
+  CHECK(to_text(-0.25, DateForm{}) == "1969-12-31T18:00:00");
+  CHECK_THROWS(to_text(1e12, DateForm{}));
+  std::mt19937_64 engine(3);
+  for (int i = 0; i < 2000; ++i) {
+    const auto days = static_cast<double>(static_cast<long>(engine() % 3'600'000) - 719'000);
+    CHECK(parse_date(to_text(days, DateForm{}))->value == days);
+  }
 }
 
 TEST_CASE("what is written reads back the same") {

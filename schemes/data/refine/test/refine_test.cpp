@@ -124,22 +124,27 @@ TEST_CASE("the definition of a step, with data repeated or mirrored by hand") {
         for (long j = -many; j < count + many; ++j) result.push_back(data[static_cast<std::size_t>(index(j))]);
         return result;
       };
-      const auto repeated = extended([&](long j) { return (j % count + count) % count; });
       const auto mirror = extended([&](long j) {
         const long period = 2 * (count - 1), m = (j % period + period) % period;
         return m < count ? m : period - m;
       });
       CAPTURE(text, count);
-      for (const bool closed : {true, false}) {
-        const auto refined = refine(curve_data(data, 1, closed), mask, {1, Boundary::periodic, 1});
-        REQUIRE(refined.values.size() == static_cast<std::size_t>(arity * count));
-        CHECK(refined.axes[0].closed);
-        for (std::size_t i = 0; i < refined.values.size(); ++i) {
-          const Rational index = refined.axes[0].parameter(i) * arity + tau;
-          REQUIRE(denominator(index) == 1);
-          CHECK(refined.values[i] == by_definition(mask, repeated, -many, numerator(index).convert_to<long>()));
+      // Also of fewer periodic data than the rules read.
+      for (const long few : {1L, 2L, 3L, count})
+        for (const bool closed : {true, false}) {
+          const std::vector<Rational> first(data.begin(), data.begin() + few);
+          std::vector<Rational> repeated;
+          for (long j = -many; j < few + many; ++j)
+            repeated.push_back(first[static_cast<std::size_t>((j % few + few) % few)]);
+          const auto refined = refine(curve_data(first, 1, closed), mask, {1, Boundary::periodic, 1});
+          REQUIRE(refined.values.size() == static_cast<std::size_t>(arity * few));
+          CHECK(refined.axes[0].closed);
+          for (std::size_t i = 0; i < refined.values.size(); ++i) {
+            const Rational index = refined.axes[0].parameter(i) * arity + tau;
+            REQUIRE(denominator(index) == 1);
+            CHECK(refined.values[i] == by_definition(mask, repeated, -many, numerator(index).convert_to<long>()));
+          }
         }
-      }
       if (denominator(Rational(2 * tau)) != 1) {
         CHECK_FAILS(refine(curve_data(data), mask, {1, Boundary::reflect, 1}), domain);
         continue;

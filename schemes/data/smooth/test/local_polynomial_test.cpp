@@ -1,5 +1,6 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 
 #include <algorithm>
@@ -197,6 +198,64 @@ TEST_CASE("windows are chosen by their estimated error, schemes where data are u
   scaled.spacing = Rational(1, 10);
   const auto a = smooth(samples, "local:width=4", at_data), b = smooth(scaled, "local:width=0.4", at_data);
   for (std::size_t i = 0; i < 80; ++i) CHECK(a.columns[0].values[i] == Approx(b.columns[0].values[i]).epsilon(1e-9));
+}
+
+TEST_CASE("several data at one position: each counts in a window, which grows where they are too few conditions") {
+  subcert::testing::Random random;
+  for (int round = 0; round < 40; ++round) {
+    // Positions 0, 0, 1, 1, 1, 3, ... and a polynomial: fits that are determined keep it.
+    std::vector<double> x{0};
+    while (x.size() < 24) x.push_back(x.back() + static_cast<double>(random.integer(0, 2)));
+    x.push_back(x.back() + 1);
+    x.push_back(x.back() + 1);
+    x.push_back(x.back() + 1);
+    for (const int degree : {0, 1, 2})
+      for (const auto weight : {LocalWeight::box, LocalWeight::tricube})
+        for (const std::size_t points : {3, 7}) {
+          CAPTURE(round, degree, points);
+          std::vector<double> y;
+          for (const double at : x) y.push_back(1 + (degree > 0 ? 2 * at : 0) - (degree > 1 ? at * at : 0));
+          const LocalSmoother smoother({degree, weight, points, 0}, DataSites(x.size(), {}, x), {.at_data = true});
+          const SmoothedData smoothed = smoother.apply(y);
+          for (std::size_t i = 0; i < x.size(); ++i) {
+            CHECK(std::abs(smoothed.values[i] - y[i]) < 1e-8 * (1 + std::abs(y[i])));
+            const SmoothingRow row = smoother.row(i);
+            Rational sum = 0;
+            for (const Rational& one : row.weights) sum += one;
+            CHECK(sum == 1);
+          }
+        }
+  }
+  // The same fit as by the means with their numbers as weights, where the window holds all.
+  const std::vector<double> x{0, 1, 1, 2, 2, 2, 5}, y{1, 4, 2, 3, 5, 7, 2};
+  Samples samples{{y}};
+  samples.positions = x;
+  const Samples means = merged(samples);
+  CHECK(means.columns.front() == std::vector<double>{1, 3, 5, 2});
+  CHECK(means.weights == std::vector<Rational>{1, 2, 3, 1});
+  CHECK(samples.repeated());
+  CHECK_FALSE(means.repeated());
+  const auto fit = [](const Samples& of) {
+    return smooth(of, "local:width=9,d=1,weight=box", {.at_data = true}).columns.front().values;
+  };
+  CHECK(fit(samples)[1] == Approx(fit(means)[1]).epsilon(1e-12));
+  CHECK(fit(samples)[6] == Approx(fit(means)[3]).epsilon(1e-12));
+  // Second differences of three data at one position are those of uniform ones.
+  CHECK(estimate_noise({1, 2, 4}, {}, {0, 0, 0}).variance == Approx(estimate_noise({1, 2, 4}).variance));
+}
+
+TEST_CASE("the order of positions") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const PositionOrder rising = order_of({0, 1, 1, 2}), falling = order_of({3, 2, 2, 1}),
+                      mixed = order_of({2, nan, 0, 2, 1});
+  CHECK(rising.rising);
+  CHECK(rising.repeated == std::size_t{2});
+  CHECK((falling.falling && !falling.rising));
+  CHECK(falling.rows == std::vector<std::size_t>{3, 2, 1, 0});
+  CHECK((!mixed.falling && !mixed.rising));
+  CHECK(mixed.rows == std::vector<std::size_t>{2, 4, 0, 3});
+  CHECK_FALSE(order_of({0, 1}).repeated);
+  CHECK(order_of({nan}).rows.empty());
 }
 
 TEST_CASE("local polynomials that do not exist say why") {

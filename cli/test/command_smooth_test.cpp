@@ -186,16 +186,16 @@ TEST_CASE("positions come as they are: several data at one, falling, in no order
     CHECK(rising.at("rows") == falling.at("rows"));
   }
   // Rows without order are sorted, and it is said.
-  const auto sorted = with("x,y\n3,9\n0,0\n2,4\n1,1\n", "--scheme primal:n=1 --level 0 --bands 0");
+  const auto sorted = with("x,y\n3,6\n0,0\n2,4\n1,2\n", "--scheme primal:n=1 --level 0 --bands 0");
   CHECK(sorted.err.find("the rows were sorted by their positions") != std::string::npos);
-  CHECK(sorted.out.find("\n0,0,0\n1,1,0\n2,4,0\n3,9,0\n") != std::string::npos);
-  const auto missing = with("x,y\n0,0\n,5\n1,1\n2,4\nNA,1\n3,9\n",
+  CHECK(sorted.out.find("\n0,0,0\n1,2,0\n2,4,0\n3,6,0\n") != std::string::npos);
+  const auto missing = with("x,y\n0,0\n,5\n1,2\n2,4\nNA,1\n3,6\n",
                             "--scheme primal:n=1 --level 0 --bands 0 --missing drop");
   CHECK(missing.err.find("rows without a position, left out: 2") != std::string::npos);
-  CHECK(missing.out.find("\n0,0,0\n1,1,0\n2,4,0\n3,9,0\n") != std::string::npos);
+  CHECK(missing.out.find("\n0,0,0\n1,2,0\n2,4,0\n3,6,0\n") != std::string::npos);
   // Positions at the data are those of the data.
-  const auto same = with("0.000,1\n0.333,2\n0.667,3\n1.000,2\n", "--scheme primal:n=1 --at data --bands 0 --quiet");
-  CHECK(same.out == "column 1,column 2,column 2_sd\n0,1,0\n0.333,2,0\n0.667,3,0\n1,2,0\n");
+  const auto same = with("0.000,1\n0.333,2\n0.667,3\n1.000,4\n", "--scheme primal:n=1 --at data --bands 0 --quiet");
+  CHECK(same.out == "column 1,column 2,column 2_sd\n0,1,0\n0.333,2,0\n0.667,3,0\n1,4,0\n");
 }
 
 TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") {

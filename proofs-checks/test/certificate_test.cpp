@@ -2,6 +2,7 @@
 #include <subcert/analysis/radii/joint/constrained.hpp>
 #include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>

@@ -269,7 +269,8 @@ class TableReader::Lines {
         const bool taken = form_.text || (c == 0 && table_.row_names);
         if (!taken) fail(c + 1, expected_of(field, fields_[c]));
         if (content.why.empty())
-          content = {content.numbers, std::string(fields_[c]), place(c + 1) + expected_of(field, fields_[c])};
+          content = {content.numbers, std::string(fields_[c]), place(c + 1) + expected_of(field, fields_[c]),
+                     is_like_number(fields_[c], form_.decimal) || !other_mark(fields_[c]).empty()};
       }
       if (field.kind == Kind::missing && form_.missing == Missing::refuse)
         fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])));

@@ -14,9 +14,11 @@ namespace subcert::data {
 /// What a column holds beside numbers, where text is taken.
 struct ColumnContent {
   std::size_t numbers = 0;
-  std::string text;  ///< the first field that is text, or a number that is not finite
-  std::string why;   ///< where it stands, and what was expected there; empty: there is none
-  bool is_text() const { return numbers == 0 && !why.empty(); }
+  std::string text;             ///< the first field that is text, or a number that is not finite
+  std::string why;              ///< where it stands, and what was expected there; empty: there is none
+  bool is_like_number = false;  ///< the field was to be a number, as `1.2.3`, or one with another decimal mark
+  /// Whether nothing in it is or was to be a number.
+  bool is_text() const { return numbers == 0 && !why.empty() && !is_like_number; }
 };
 
 /// values[row * columns + column]. Canonical: columns >= 1, values.size() == rows * columns, header empty or one name

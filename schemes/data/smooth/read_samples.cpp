@@ -203,13 +203,13 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
   for (const std::string& text : options.keep) use.kept.push_back(find_column(table, "--keep", text));
   const auto holds_dates = [&](std::size_t c) {
-    return table.contents[c].is_text() && parse_date(table.contents[c].text);
+    return table.contents[c].numbers == 0 && parse_date(table.contents[c].text);
   };
   std::vector<std::size_t> left;
   for (std::size_t c = 0; c < table.columns; ++c) {
     if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
     if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
-    if (!table.contents[c].is_text() || (holds_dates(c) && options.x.empty()))
+    if (!table.contents[c].is_text())
       left.push_back(c);
     else if (use.values.empty())
       use.left_out.push_back(c);

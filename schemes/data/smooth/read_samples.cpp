@@ -209,7 +209,7 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   for (std::size_t c = 0; c < table.columns; ++c) {
     if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
     if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
-    if (!table.contents[c].is_text())
+    if (!table.contents[c].is_text() || holds_dates(c))
       left.push_back(c);
     else if (use.values.empty())
       use.left_out.push_back(c);

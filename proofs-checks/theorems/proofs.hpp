@@ -17,6 +17,8 @@ namespace subcert::theorems {
 inline std::string text(int n) { return std::to_string(n); }
 inline std::string at(int n) { return " at n = " + text(n); }
 
+inline Ball power_of_two(const Ball& exponent) { return exp(exponent * log(Ball(2, proof_bits))); }
+
 /// S_n^d.
 inline Mask primal_mask(int n, int degree) {
   return make_scheme(scheme_family("primal").scheme(n, degree)).mask.curve();
@@ -67,6 +69,12 @@ struct SmoothnessRange {
   std::optional<int> rate;  ///< n_2: from here on the rate holds with constants
 };
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree);
+
+/// Theorem X: smoothness for every degree and n >= 4^degree, with a bound of the rate; both primal families at once.
+/// Domain: odd degree >= 5.
+void every_smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+/// The least n for which the bounds of Theorem X show the smoothest class for all n from there on.
+Integer every_smoothness_start(int degree);
 
 /// The proved lower end of the Hoelder exponent of one scheme, 0 where there is none; kept for the next call.
 Rational exponent_bound(const std::string& scheme);

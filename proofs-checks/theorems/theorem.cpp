@@ -170,6 +170,24 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
   describe_small(t, family, range);
 }
 
+void describe_every_smoothness(Theorem& t, const SchemeFamily& family) {
+  const int degree = t.degrees.front();
+  const std::string d = text(degree), rules = text(degree + 1), start = every_smoothness_start(degree).str(),
+                    M = family.odd ? "2n" : "2n - 1";
+  const auto number = [&](const char* name) { return plain(t.constants[name]); };
+  t.title = "Smoothness for every degree and n >= 4^d, here degree " + d + " of the " + family.title + " schemes";
+  t.text = "docs/theorems/least-squares-schemes.tex, Theorem X";
+  t.statement = {
+      "For every odd d and all n >= 4^d all limits of the primal 2n-point scheme of degree d are C^d, for d "
+      ">= 5 those of the (2n+1)-point scheme too; here for all n >= " +
+          start + ": the Hoelder exponent s is above " + d + ", and at most " + rules + ".",
+      "For n >= 4^d, " + rules + " - s < " + number("R") + " M^(" + number("r") + " - log2(M)/2), M = " + M +
+          ": s tends to " + rules + " faster than every power of n."};
+  t.ranges = {{"n >= 4^d", "the constants below, for all n at once"},
+              {"all d >= 5", "(X.1) to (X.16) for d = 5; from one degree to the next the bounds fall"}};
+  t.values = {{"n_0", start}};
+}
+
 /// Contains s of S_n: from the bound by frequencies to that of the word.
 Enclosure exponent_range(const SmoothnessRate& rate) {
   const Ball end = 2 - Ball::containing(rate.product, proof_bits) / log(Ball(2, proof_bits));
@@ -311,8 +329,8 @@ struct Entry {
 /// A proof of section 7: its constants are found by the same run.
 using Run = void (*)(Ledger&, const SchemeFamily&, int degree, int threads);
 std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
-                           void (*describe)(Theorem&, const SchemeFamily&)) {
-  if (degree > most_degree) return std::nullopt;
+                           void (*describe)(Theorem&, const SchemeFamily&), int most = most_degree) {
+  if (degree > most) return std::nullopt;
   return Proof{degree,
                [=, &family](int threads) {
                  Ledger ledger;
@@ -409,6 +427,15 @@ const std::vector<Entry>& entries() {
                    false,
                    [](int degree, const SchemeFamily& family) {
                      return found(degree, family, smoothness, describe_smoothness);
+                   }});
+    all.push_back({{"smoothness-all", "S_n^d is C^d", "every odd d >= 5, every n >= 4^d", {5, 7, 9, 11, 13}},
+                   {},
+                   {"for the degrees 1 and 3 see smoothness; for the dual schemes, a bound of the response read off at "
+                    "1/2 for every degree"},
+                   false,
+                   [](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (family.evaluation != Evaluation::primal || degree < 5) return std::nullopt;
+                     return found(degree, family, every_smoothness, describe_every_smoothness, largest_degree);
                    }});
     all.push_back({{"smoothness-dual",
                     "the dual schemes of degree 1 are C^2, and their Hoelder exponents tend to 3 faster than every "

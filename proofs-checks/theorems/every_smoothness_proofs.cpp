@@ -32,12 +32,12 @@ Integer power_of_four(int degree) { return Integer(1) << (2 * degree); }
 void state_chain(Ledger& ledger, int degree, const Integer& start) {
   const Ball M = exactly(Rational(2 * start - 1)), pi = Ball::pi(proof_bits);
   const EveryRule rule{degree, M};
-  const Ball gamma = rule.gamma(), a = rule.root(), tau = log2(pi * M / a.scaled(2)), c = log2(a / gamma);
+  const Ball gamma = rule.gamma(), a = rule.root(), tau = log2(pi * M / a.scaled(2)), b = log2(a / gamma);
   const int r = degree + 1;
   const auto above = [&](const char* name, const char* id, const char* meaning, const char* formula,
                          const Ball& number) { return ledger.state(name, Side::above, id, meaning, formula, number); };
   const Ball p = above("p", "X.1", "1/Phi(pi/2)", "1/Phi(pi/2)", 1 / Kernel(1, proof_bits).product(pi.scaled(-1)));
-  const Ball B = above("B", "X.2", "the constants B_M in a product", "product of 1 + sin(pi 2^(-q-2))/2",
+  const Ball B = above("B*", "X.2", "the constants B in a product", "product of 1 + sin(pi 2^(-q-2))/2",
                        constants_product());
   const Ball K = above("K", "X.3", "what a product exceeds that of gamma/(M sin w_q) by", "product of the G_i",
                        amplitude_product(rule));
@@ -45,11 +45,11 @@ void state_chain(Ledger& ledger, int degree, const Integer& start) {
                        rule.far());
   const Ball omega = above("omega", "X.5", "what is of the order 1 + 1/M or 1 + 1/d",
                            "(1 + epsilon) exp((2 tau_1 + 3)/M_1)", rule.near() * exp((tau.scaled(1) + 3) / M));
-  ledger.need(less("X.6", "log2(a/gamma) + 2 < d", (c + 2).enclosure(), Enclosure::exactly(degree)));
+  ledger.need(less("X.6", "log2(a/gamma) + 2 < d", (b + 2).enclosure(), Enclosure::exactly(degree)));
   ledger.need(less("X.7", "d + 1 < tau_1", Enclosure::exactly(r), tau.enclosure()));
   // The terms 2^(r(l+1)) e_l X of the shells where the decay is used: the first, and bounds of the others.
   const Ball size = omega * E * gamma / M, ratio = gamma.scaled(2) / (pi * M), all = p * B * K;
-  const Ball falling = tau * (tau + c.scaled(1) + 3) / 2;
+  const Ball falling = tau * (tau + b.scaled(1) + 3) / 2;
   const Ball second = size * all * ratio.scaled(2 * r), third = size * all * (ratio * ratio).scaled(3 * r + 1);
   const Ball last = omega * E * all * pi.scaled(-1) * power_of_two(tau * r - falling);
   const Ball zeta = above("zeta", "X.8", "sum of 2^((d+1)(l+1)) e_l X over l < J",
@@ -58,16 +58,16 @@ void state_chain(Ledger& ledger, int degree, const Integer& start) {
   ledger.need(less("X.9", "zeta < 1", Enclosure::exactly(ledger["zeta"]), Enclosure::exactly(1)));
   const Ball odd = exactly(double_factorial(degree)), four_a = a.scaled(2);
   const Ball Z = above("Z", "X.10", "sum of 2^(d(l+1)) e_l X over l >= J",
-                       "omega p B K (pi/2) (4a)^(d+1)/(2d+1)!! 2^(tau_1 d - tau_1 (tau_1 + 2c + 3)/2)",
+                       "omega p B* K (pi/2) (4a)^(d+1)/(2d+1)!! 2^(tau_1 d - tau_1 (tau_1 + 2b + 3)/2)",
                        omega * all * pi.scaled(-1) * four_a.pow(r) / odd * power_of_two(tau * degree - falling));
   ledger.need(
       less("X.11", "zeta/2 + Z < 1", Enclosure::exactly(ledger["zeta"] / 2 + ledger["Z"]), Enclosure::exactly(1)));
   if (!ledger.holds()) return;
   above("R", "X.12", "(d + 1 - s) y^(log2(y)/2 - r), y = pi M/(4a)",
-        "omega p B K (pi/4) (4a)^(d+1)/((2d+1)!! (1 - zeta) ln 2)",
+        "omega p B* K (pi/4) (4a)^(d+1)/((2d+1)!! (1 - zeta) ln 2)",
         omega * all * pi.scaled(-2) * four_a.pow(r) / (odd * (1 - zeta) * log(Ball(2, proof_bits))));
   ledger.state("r", Side::above, "X.13", "d + 1 - s = O(y^(r - log2(y)/2))", "d - 1/2 - log2(a/gamma)",
-               degree - exactly(Rational(1, 2)) - c, 6);
+               degree - exactly(Rational(1, 2)) - b, 6);
 }
 
 /// All bounds of the chain fall from one degree to the next: the largest factor but for the power of 2, and this power.
@@ -119,19 +119,17 @@ void every_smoothness(Ledger& ledger, const SchemeFamily&, int degree, int) {
   if (ledger.holds()) check_next_degree(ledger, degree);
 }
 
-Integer every_smoothness_start(int degree) {
-  const auto holds = [&](const Integer& start) {
-    Ledger ledger;
-    state_chain(ledger, degree, start);
-    return ledger.holds();
-  };
-  // The bounds fall with n; they hold at `high`.
-  Integer low = power_of_four(degree) >> 4, high = power_of_four(degree);
+Rational every_smoothness_start(int degree) {
+  constexpr int parts = 1000;
+  // The bounds fall with n; they hold at 4^d.
+  int low = parts / 16, high = parts;
   while (high - low > 1) {
-    const Integer middle = (low + high) / 2;
-    (holds(middle) ? high : low) = middle;
+    const int middle = (low + high) / 2;
+    Ledger ledger;
+    state_chain(ledger, degree, power_of_four(degree) * middle / parts);
+    (ledger.holds() ? high : low) = middle;
   }
-  return high;
+  return Rational(high, parts);
 }
 
 }  // namespace subcert::theorems

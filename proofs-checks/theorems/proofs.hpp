@@ -73,8 +73,8 @@ SmoothnessRange smoothness_range(const SchemeFamily& family, int degree);
 /// Theorem X: smoothness for every degree and n >= 4^degree, with a bound of the rate; both primal families at once.
 /// Domain: odd degree >= 5.
 void every_smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
-/// The least n for which the bounds of Theorem X show the smoothest class for all n from there on.
-Integer every_smoothness_start(int degree);
+/// For all n from this multiple of 4^degree on, the least of three decimals, they show the smoothest class.
+Rational every_smoothness_start(int degree);
 
 /// The proved lower end of the Hoelder exponent of one scheme, 0 where there is none; kept for the next call.
 Rational exponent_bound(const std::string& scheme);

@@ -172,20 +172,22 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
 
 void describe_every_smoothness(Theorem& t, const SchemeFamily& family) {
   const int degree = t.degrees.front();
-  const std::string d = text(degree), rules = text(degree + 1), start = every_smoothness_start(degree).str(),
-                    M = family.odd ? "2n" : "2n - 1";
+  const std::string d = text(degree), rules = text(degree + 1), M = family.odd ? "2n" : "2n - 1",
+                    start = plain(every_smoothness_start(degree)) + " 4^" + d;
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
   t.title = "Smoothness for every degree and n >= 4^d, here degree " + d + " of the " + family.title + " schemes";
   t.text = "docs/theorems/least-squares-schemes.tex, Theorem X";
   t.statement = {
-      "For every odd d and all n >= 4^d all limits of the primal 2n-point scheme of degree d are C^d, for d "
-      ">= 5 those of the (2n+1)-point scheme too; here for all n >= " +
-          start + ": the Hoelder exponent s is above " + d + ", and at most " + rules + ".",
-      "For n >= 4^d, " + rules + " - s < " + number("R") + " M^(" + number("r") + " - log2(M)/2), M = " + M +
-          ": s tends to " + rules + " faster than every power of n."};
-  t.ranges = {{"n >= 4^d", "the constants below, for all n at once"},
+      "For every odd d and all n >= 4^d all limits of the primal 2n-point scheme of degree d are C^d; for d "
+      ">= 5 those of the (2n+1)-point scheme too.",
+      "Here all limits are C^" + d + " for all n >= " + start + ": their Hoelder exponent s is above " + d +
+          ", and at most " + rules + ".",
+      "For n >= 4^" + d + ", " + rules + " - s < " + number("R") + " y^(" + number("r") +
+          " - log2(y)/2), y = pi M/(4 sqrt(" + text(degree * (degree + 1)) + ")), M = " + M + ": s tends to " + rules +
+          " faster than every power of n."};
+  t.ranges = {{"n >= 4^" + d, "the constants below, for all n at once"},
+              {"n >= " + start, "the same inequalities, but for those of the next degree"},
               {"all d >= 5", "(X.1) to (X.16) for d = 5; from one degree to the next the bounds fall"}};
-  t.values = {{"n_0", start}};
 }
 
 /// Contains s of S_n: from the bound by frequencies to that of the word.

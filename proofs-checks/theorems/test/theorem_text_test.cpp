@@ -236,7 +236,7 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "Gamma Delta Pi Phi Psi Omega Theta input H sqrt left right chi varpi nu epsilon omega iota vartheta theta mp "
       "arcsin appendix Lambda "
       "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot "
-      "equiv mathcal");
+      "equiv mathcal dagger ddagger tan");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

@@ -70,11 +70,13 @@ struct SmoothnessRange {
 };
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree);
 
-/// Theorem X: smoothness for every degree and n >= 4^degree, with a bound of the rate; both primal families at once.
-/// Domain: odd degree >= 5.
+/// Theorem X: smoothness for every degree and all n from a power of 4 on, with a bound of the rate; the two primal
+/// families at once, and the two dual ones. Domain: odd degree >= 5 for primal, degree >= 3 for dual schemes.
 void every_smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
-/// For all n from this multiple of 4^degree on, the least of three decimals, they show the smoothest class.
-Rational every_smoothness_start(int degree);
+/// The exponent of this power.
+int every_smoothness_power(Evaluation evaluation, int degree);
+/// For all n from this multiple of the power on, the least of three decimals above 1/16, they show the smoothest class.
+Rational every_smoothness_start(const SchemeFamily& family, int degree);
 
 /// The proved lower end of the Hoelder exponent of one scheme, 0 where there is none; kept for the next call.
 Rational exponent_bound(const std::string& scheme);

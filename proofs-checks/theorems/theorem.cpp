@@ -171,23 +171,31 @@ void describe_smoothness(Theorem& t, const SchemeFamily& family) {
 }
 
 void describe_every_smoothness(Theorem& t, const SchemeFamily& family) {
-  const int degree = t.degrees.front();
-  const std::string d = text(degree), rules = text(degree + 1), M = family.odd ? "2n" : "2n - 1",
-                    start = plain(every_smoothness_start(degree)) + " 4^" + d;
+  const int degree = t.degrees.front(), k = alias_order(family.evaluation, degree);
+  const bool dual = family.evaluation == Evaluation::dual;
+  const int odd = dual ? degree + 1 - degree % 2 : degree;
+  const std::string d = text(degree), order = text(k - 1), rules = text(k),
+                    power = "4^" + text(every_smoothness_power(family.evaluation, degree)),
+                    start = plain(every_smoothness_start(family, degree)) + " " + power,
+                    M = dual ? (family.odd ? "2n + 1" : "2n") : (family.odd ? "2n" : "2n - 1");
   const auto number = [&](const char* name) { return plain(t.constants[name]); };
-  t.title = "Smoothness for every degree and n >= 4^d, here degree " + d + " of the " + family.title + " schemes";
+  t.title = "Smoothness for every degree and large n, here degree " + d + " of the " + family.title + " schemes";
   t.text = "docs/theorems/least-squares-schemes.tex, Theorem X";
   t.statement = {
       "For every odd d and all n >= 4^d all limits of the primal 2n-point scheme of degree d are C^d; for d "
       ">= 5 those of the (2n+1)-point scheme too.",
-      "Here all limits are C^" + d + " for all n >= " + start + ": their Hoelder exponent s is above " + d +
+      "For every d >= 3 and all n >= 4^(d+2) all limits of the dual 2n-point and (2n+1)-point schemes are "
+      "C^d for even and C^(d+1) for odd d.",
+      "Here all limits are C^" + order + " for all n >= " + start + ": their Hoelder exponent s is above " + order +
           ", and at most " + rules + ".",
-      "For n >= 4^" + d + ", " + rules + " - s < " + number("R") + " y^(" + number("r") +
-          " - log2(y)/2), y = pi M/(4 sqrt(" + text(degree * (degree + 1)) + ")), M = " + M + ": s tends to " + rules +
+      "For n >= " + power + ", " + rules + " - s < " + number("R") + " y^(" + number("r") +
+          " - log2(y)/2), y = pi M/(4 sqrt(" + text(odd * (odd + 1)) + ")), M = " + M + ": s tends to " + rules +
           " faster than every power of n."};
-  t.ranges = {{"n >= 4^" + d, "the constants below, for all n at once"},
+  t.ranges = {{"n >= " + power, "the constants below, for all n at once"},
               {"n >= " + start, "the same inequalities, but for those of the next degree"},
-              {"all d >= 5", "(X.1) to (X.16) for d = 5; from one degree to the next the bounds fall"}};
+              {"all d",
+               "(X.1) to (X.18) for the first degree of each kind; from one degree to the next but one the "
+               "bounds fall"}};
 }
 
 /// Contains s of S_n: from the bound by frequencies to that of the word.
@@ -430,14 +438,20 @@ const std::vector<Entry>& entries() {
                    [](int degree, const SchemeFamily& family) {
                      return found(degree, family, smoothness, describe_smoothness);
                    }});
-    all.push_back({{"smoothness-all", "S_n^d is C^d", "every odd d >= 5, every n >= 4^d", {5, 7, 9, 11, 13}},
+    all.push_back({{"smoothness-all",
+                    "S_n^d is C^d",
+                    "every odd d >= 5, every n >= 4^d; dual schemes every d >= 3, "
+                    "every n >= 4^(d+2)",
+                    {5, 7, 9, 11, 13}},
                    {},
-                   {"for the degrees 1 and 3 see smoothness; for the dual schemes, a bound of the response read off at "
-                    "1/2 for every degree"},
+                   {"for the degrees 1, 2 and 3 see smoothness and smoothness-dual; beyond degree 200 of the dual "
+                    "schemes the decimals of the constants are too long"},
                    false,
                    [](int degree, const SchemeFamily& family) -> std::optional<Proof> {
-                     if (family.evaluation != Evaluation::primal || degree < 5) return std::nullopt;
-                     return found(degree, family, every_smoothness, describe_every_smoothness, largest_degree);
+                     const bool dual = family.evaluation == Evaluation::dual;
+                     if (degree < (dual ? 3 : 5)) return std::nullopt;
+                     return found(degree, family, every_smoothness, describe_every_smoothness,
+                                  dual ? 200 : largest_degree);
                    }});
     all.push_back({{"smoothness-dual",
                     "the dual schemes of degree 1 are C^2, and their Hoelder exponents tend to 3 faster than every "

@@ -122,12 +122,19 @@ TEST_CASE("the tables of the text state the constants of the program") {
     check_cell(text, "P:" + one.name, 1, one);
     ++rows;
   }
-  for (const Constant& one : stated_constants("smoothness-all", 5).all()) {
-    check_cell(text, "X:" + one.name, 1, one);
-    ++rows;
+  std::size_t column = 1;
+  for (const auto& [family, degree] : {std::pair{"primal", 5}, {"dual", 3}, {"dual", 4}}) {
+    for (const Constant& one : stated_constants("smoothness-all", degree, family).all()) {
+      check_cell(text, "X:" + one.name, column, one);
+      if (column == 1) ++rows;
+    }
+    ++column;
   }
-  for (int degree : {5, 7, 9, 11, 13, 21, 51, 101})
-    CHECK(decimal(row(text, "X_start:" + std::to_string(degree)).at(1)) == every_smoothness_start(degree));
+  for (int degree : {5, 7, 9, 11, 13, 21, 51, 101}) {
+    const std::vector<std::string> cells = row(text, "X_start:" + std::to_string(degree));
+    CHECK(decimal(cells.at(1)) == every_smoothness_start(scheme_family("primal"), degree));
+    CHECK(decimal(cells.at(2)) == every_smoothness_start(scheme_family("dual"), degree));
+  }
   for (int degree : {5, 7, 9, 11})
     for (const Constant& one : stated_constants("conjecture-8-d-large", degree).all()) {
       check_cell(text, "T:" + one.name, static_cast<std::size_t>(degree - 3) / 2, one);

@@ -8,7 +8,7 @@
 namespace subcert::theorems {
 namespace {
 
-const Rational known(9, 5);  ///< from M sin w = 9a/5 on the decay of the responses is used
+const Rational decaying(9, 5);  ///< from M sin w = 9a/5 on the decay of the responses is used
 
 /// The product of 1 + C sin(w_q) over all shells.
 Ball constants_product(const Rational& C) {
@@ -94,7 +94,7 @@ void check_next_degree(Ledger& ledger, const EveryRule& rule) {
 }
 
 /// 1/(1 - nu/u^2) at u = 9a/5.
-Rational beyond() { return known * known / (known * known - 1); }
+Rational beyond() { return decaying * decaying / (decaying * decaying - 1); }
 
 }  // namespace
 
@@ -107,7 +107,7 @@ Ball EveryRule::gamma() const { return exactly(gamma_of(kernel_degree())); }
 Ball EveryRule::root() const { return sqrt(exactly(Rational(kernel_degree()) * (kernel_degree() + 1))); }
 
 Ball EveryRule::amplitude(int i) const {
-  const Ball square = exactly(known * known).scaled(2 * i), less_one = square - 1;
+  const Ball square = exactly(decaying * decaying).scaled(2 * i), less_one = square - 1;
   const Ball eta = (square + 1) / (root() * less_one * sqrt(less_one));
   return square / less_one * (sqrt(eta * eta + 1) + eta);
 }
@@ -119,8 +119,8 @@ Ball EveryRule::far() const {
   if (!is_dual(evaluation))
     return (Ball::pi(proof_bits) * amplitude(0).scaled(-1) + mu + exactly(Rational(13, 4))).scaled(-1);
   const Rational p = kernel_degree(), more = p + Rational(3, 2);
-  return sqrt(exactly(2)) * exactly(beyond()) + exactly(2 * beyond() / (known * known) * more / p) +
-         mu.scaled(1) * exactly(more / known) / root() + 2;
+  return sqrt(exactly(2)) * exactly(beyond()) + exactly(2 * beyond() / (decaying * decaying) * more / p) +
+         mu.scaled(1) * exactly(more / decaying) / root() + 2;
 }
 
 Ball EveryRule::near() const {

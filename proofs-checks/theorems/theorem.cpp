@@ -433,7 +433,7 @@ const std::vector<Entry>& entries() {
                     "every n >= 2 for d = 1, every n >= 7 for d = 3",
                     {1, 3}},
                    {},
-                   {"the bounds of section 7 are tried up to n_1 = 600"},
+                   {"the bounds of section 7 are tried up to n_1 = 600; for n >= 4^d, or 4^(d+2), see smoothness-all"},
                    false,
                    [](int degree, const SchemeFamily& family) {
                      return found(degree, family, smoothness, describe_smoothness);
@@ -459,7 +459,7 @@ const std::vector<Entry>& entries() {
                     "every n >= 2, of (2n+1) points every n >= 1",
                     {1}},
                    {},
-                   {"the bounds of section 7 are tried up to n_1 = 600"},
+                   {"the bounds of section 7 are tried up to n_1 = 600; for n >= 4^d, or 4^(d+2), see smoothness-all"},
                    false,
                    [](int degree, const SchemeFamily& family) {
                      return found(degree, scheme_family(family.id == "primal" ? "dual" : family.id), smoothness,

@@ -20,7 +20,7 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());
   const auto list = run_json("theorem list").at("theorems");
-  CHECK(list.size() == 11);
+  CHECK(list.size() == 12);
   for (const auto& one : list) CHECK_FALSE(one.at("range").empty());
   CHECK(run_json("theorem convergence --d 41").at("verdict") == "holds");
   CHECK(run("theorem").out == run("theorem list").out);

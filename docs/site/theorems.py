@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-FIRST = ("P", "Q", "S", "W")  # the letters of the first paper
+FIRST = ("P", "Q", "S", "W", "X")  # the letters of the first paper
 CHECKLIST = """# Who decides which line
 
 For a referee: each number of the two papers, the command that decides it, the source with its computation
@@ -28,8 +28,8 @@ single inequality with both sides and its margin, `--json` exact ends; `--family
 How to check the checker: [the tests](../../proofs-checks/theorems/test) move every constant by one part in a hundred
 to its wrong side and ask that its inequality fails; compare bounds with exact means, values, slopes and exponents of
 single schemes, which other parts of the program compute; and draw random points for suprema. Enclosures are Arb balls.
-Lines without a number are proved in the text alone. In the first paper the numbers of Theorems P and S are elementary,
-those of Q and W confirm and compare.
+Lines without a number are proved in the text alone. In the first paper the numbers of Theorems P, S and X are
+elementary, those of Q and W confirm and compare.
 
 | line | paper | command | source | constants | what is compared |
 |---|---|---|---|---|---|

@@ -28,9 +28,6 @@ Enclosure exact(const Rational& value) { return Enclosure::exactly(value); }
 
 Rational tiny() { return power(Rational(10), -30); }
 
-/// d |P_{d-1}(0)|.
-Rational gamma_of(int degree) { return degree * central((degree - 1) / 2); }
-
 /// The modulus of the first zero of the Airy function Ai.
 Ball first_airy_zero() {
   Ball zero(proof_bits);

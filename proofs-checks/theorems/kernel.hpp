@@ -16,6 +16,9 @@ inline Rational central(int q) {
   return result;
 }
 
+/// gamma = d |P_{d-1}(0)|. Domain: odd degree.
+inline Rational gamma_of(int degree) { return degree * central((degree - 1) / 2); }
+
 inline Rational absolute(const Rational& x) { return x < 0 ? Rational(-x) : x; }
 
 inline double to_double(const Rational& x) { return x.convert_to<double>(); }

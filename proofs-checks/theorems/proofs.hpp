@@ -17,6 +17,8 @@ namespace subcert::theorems {
 inline std::string text(int n) { return std::to_string(n); }
 inline std::string at(int n) { return " at n = " + text(n); }
 
+inline Ball power_of_two(const Ball& exponent) { return exp(exponent * log(Ball(2, proof_bits))); }
+
 /// S_n^d.
 inline Mask primal_mask(int n, int degree) {
   return make_scheme(scheme_family("primal").scheme(n, degree)).mask.curve();
@@ -67,6 +69,14 @@ struct SmoothnessRange {
   std::optional<int> rate;  ///< n_2: from here on the rate holds with constants
 };
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree);
+
+/// Theorem X: smoothness for every degree and all n from a power of 4 on, with a bound of the rate; the two primal
+/// families at once, and the two dual ones. Domain: odd degree >= 5 for primal, degree >= 3 for dual schemes.
+void every_smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads);
+/// The exponent of this power.
+int every_smoothness_power(Evaluation evaluation, int degree);
+/// For all n from this multiple of the power on, the least of three decimals above 1/16, they show the smoothest class.
+Rational every_smoothness_start(const SchemeFamily& family, int degree);
 
 /// The proved lower end of the Hoelder exponent of one scheme, 0 where there is none; kept for the next call.
 Rational exponent_bound(const std::string& scheme);

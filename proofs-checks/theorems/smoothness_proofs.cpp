@@ -39,8 +39,6 @@ KeptByScheme<std::optional<FrequencyBound>>& known_bounds() {
   return result;
 }
 
-Ball power_of_two(const Ball& exponent) { return exp(exponent * log(Ball(2, proof_bits))); }
-
 // Theorem U.
 
 constexpr int tail = 64;
@@ -247,7 +245,7 @@ Ball distance_from_one(const Enclosure& above, const Enclosure& below) {
   return abs(Ball::containing(above, proof_bits) / Ball::containing(below, proof_bits) - 1);
 }
 
-constexpr int starts[] = {24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 600};
+constexpr int tried[] = {24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 600};
 
 /// The first start for which the chain holds; it then holds for all later ones. Nothing if it never does.
 template <class State>
@@ -258,9 +256,8 @@ std::optional<int> first_start(int degree, const State& state) {
     state(ledger, start);
     return ledger.holds();
   };
-  if (!holds(*std::rbegin(starts))) return std::nullopt;
-  return *std::partition_point(std::begin(starts), std::prev(std::end(starts)),
-                               [&](int start) { return !holds(start); });
+  if (!holds(*std::rbegin(tried))) return std::nullopt;
+  return *std::partition_point(std::begin(tried), std::prev(std::end(tried)), [&](int start) { return !holds(start); });
 }
 
 bool is_degree_one(const SchemeFamily& family, int degree) { return family.id == "primal" && degree == 1; }
@@ -269,7 +266,7 @@ SmoothnessRange find_range(const SchemeFamily& family, int degree) {
   SmoothnessRange range{alias_order(family.evaluation, degree) - 1, 2, tail, 2};
   if (is_degree_one(family, degree)) return range;
   const auto start = first_start(degree, [&](Ledger& ledger, int from) { state_class(ledger, family, degree, from); });
-  range.start = start.value_or(*std::rbegin(starts));
+  range.start = start.value_or(*std::rbegin(tried));
   range.rate = first_start(degree, [&](Ledger& ledger, int from) { state_rate(ledger, family, degree, from, ""); });
   return range;
 }

@@ -1,6 +1,7 @@
 // The papers in docs/theorems against the program: numbered inequalities, stated constants, and sources that build.
 
 #include <subcert/cmake/catch.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 
 #include <fstream>
@@ -92,6 +93,7 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
   for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order", "smoothness",
                          "smoothness-dual"})
     for (const Check& check : prove(id, 1).checks) run.insert(check.id);
+  for (const Check& check : prove("smoothness-all", 5).checks) run.insert(check.id);
   for (int degree : {3, 7})
     for (const Check& check : prove("conjecture-8-d-all", degree).checks) run.insert(check.id);
   for (int degree : {5, 13})
@@ -120,6 +122,19 @@ TEST_CASE("the tables of the text state the constants of the program") {
     check_cell(text, "P:" + one.name, 1, one);
     ++rows;
   }
+  std::size_t column = 1;
+  for (const auto& [family, degree] : {std::pair{"primal", 5}, {"dual", 3}, {"dual", 4}}) {
+    for (const Constant& one : stated_constants("smoothness-all", degree, family).all()) {
+      check_cell(text, "X:" + one.name, column, one);
+      if (column == 1) ++rows;
+    }
+    ++column;
+  }
+  for (int degree : {5, 7, 9, 11, 13, 21, 51, 101}) {
+    const std::vector<std::string> cells = row(text, "X_start:" + std::to_string(degree));
+    CHECK(decimal(cells.at(1)) == every_smoothness_start(scheme_family("primal"), degree));
+    CHECK(decimal(cells.at(2)) == every_smoothness_start(scheme_family("dual"), degree));
+  }
   for (int degree : {5, 7, 9, 11})
     for (const Constant& one : stated_constants("conjecture-8-d-large", degree).all()) {
       check_cell(text, "T:" + one.name, static_cast<std::size_t>(degree - 3) / 2, one);
@@ -128,7 +143,7 @@ TEST_CASE("the tables of the text state the constants of the program") {
   for (int degree : {3, 5})
     for (const Constant& one : stated_constants("conjecture-8-d-all", degree).all())
       CHECK(stated_constants("conjecture-7", degree)[one.name] == one.value);
-  CHECK(matches(text, R"((% [0-9PT]:))").size() == rows);
+  CHECK(matches(text, R"((% [0-9PTX]:))").size() == rows);
 }
 
 TEST_CASE("the text has the numbers and constants of the theorems that take longer", "[long]") {
@@ -228,7 +243,7 @@ TEST_CASE("the source of the text is balanced and uses only macros that exist") 
       "Gamma Delta Pi Phi Psi Omega Theta input H sqrt left right chi varpi nu epsilon omega iota vartheta theta mp "
       "arcsin appendix Lambda "
       "Im hline endhead langle rangle bar log medskip lfloor rfloor ln cdots scriptsize tabcolsep limsup cot "
-      "equiv mathcal");
+      "equiv mathcal dagger ddagger tan");
   for (std::string name; standard >> name;) known.insert(name);
   for (const std::string& name : matches(text, R"(\\([a-zA-Z]+))")) {
     CAPTURE(name);

@@ -113,6 +113,34 @@ def test_smoothing_at_scattered_positions():
         subcert.smooth(y, noise=-1.0)
 
 
+def test_positions_in_any_order():
+    generator = numpy.random.default_rng(2)
+    x = generator.integers(0, 40, 120).astype(float)
+    y = 3 - 2 * x
+    for scheme in ("local:points=9", "local:width=4,d=2", ""):
+        line = subcert.smooth(y, x, irregular=True, at="data", scheme=scheme, noise=1)
+        assert (line.x == x).all() and abs(line.values - y).max() < 1e-9, scheme
+        assert (line.deviation > 0).all()
+    weights = [i % 3 for i in range(120)]
+    kept = subcert.smooth(y, x, irregular=True, at="data", scheme="local:points=9", weights=weights)
+    assert (kept.x == x[numpy.array(weights) > 0]).all()
+    noisy = y + generator.normal(size=120)
+    order = numpy.argsort(x, kind="stable")
+    shuffled = subcert.smooth(noisy, x, irregular=True, at="data", scheme="local:points=15,d=2")
+    plain = subcert.smooth(noisy[order], x[order], irregular=True, at="data", scheme="local:points=15,d=2")
+    assert (shuffled.values[order] == plain.values).all()
+    falling = numpy.arange(20.0)[::-1] / 3
+    waves = subcert.smooth(falling**2, falling, scheme="local:points=5,d=2", derivative=1, level=1)
+    assert (numpy.diff(waves.x) < 0).all() and abs(waves.values - 2 * waves.x).max() < 1e-9
+    assert (subcert.smooth(falling, falling, scheme="primal:n=2", at="data").x == falling).all()
+    closed = subcert.scheme("four-point:w=1/16").refine(numpy.array([[0.0, 0], [1, 0], [0, 1]]), 1, closed=True)
+    assert numpy.array_equal(closed[1], [0.5625, -0.125])
+    with pytest.raises(subcert.DataError, match="twice"):
+        subcert.smooth([1.0, 2, 3], [0.0, 1, 1])
+    with pytest.raises(subcert.DataError, match="two different"):
+        subcert.smooth([1.0, 2, 3], [1.0, 1, 1], irregular=True)
+
+
 def savitzky_golay(y, half, degree):
     """Fits to 2 half + 1 data, by least squares of numpy."""
     centres = numpy.clip(numpy.arange(y.size), half, y.size - 1 - half)

@@ -166,7 +166,7 @@ class Frequencies {
         shells_(parse_size(fields[3], 1, most_shells)),
         steps_(parse_size(fields[4], 1, most_parts)),
         group_(parse_size(fields[5], 1, most_parts)),
-        symbol_(family, parse_size(fields[6], 2, most_terms), parse_size(fields[7], 64, 1024), arithmetic),
+        symbol_{family, parse_size(fields[6], 2, most_terms), parse_size(fields[7], 64, 1024), arithmetic},
         arithmetic_(arithmetic) {
     require(power(arity_, shells_) >= mpz_class(cells_), "too few shells for so many cells");
     denominator_ = symbol_.denominator() * symbol_.one() * arity_;

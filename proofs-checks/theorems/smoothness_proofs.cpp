@@ -328,9 +328,14 @@ void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int thre
   state_class(ledger, family, degree, range.start);
   if (!ledger.holds()) return;
   known_bounds().prepare(family.schemes(range.first, range.start - 1, degree), threads);
-  for (int n = range.first; n < range.start; ++n)
+  for (int n = range.first; n < range.start; ++n) {
+    const std::string scheme = family.scheme(n, degree);
     ledger.need(less("V.12", text(range.order) + " < s" + at(n), Enclosure::exactly(range.order),
-                     Enclosure::at_least(exponent_bound(family.scheme(n, degree)))));
+                     Enclosure::at_least(exponent_bound(scheme))));
+    if (!ledger.holds()) return;  // a scheme without a bound
+    ledger.need(less("V.13", "sum rules - 1 < " + text(range.order + 1) + at(n),
+                     Enclosure::exactly(known_bounds()(scheme)->sum_rules - 1), Enclosure::exactly(range.order + 1)));
+  }
   if (range.rate) state_rate(ledger, family, degree, *range.rate, "_" + text(degree) + "'");
 }
 

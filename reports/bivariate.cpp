@@ -58,11 +58,6 @@ formats::Comparison compare_published(const statements::PublishedCell& cell, con
 
 }  // namespace
 
-const std::vector<std::string>& bivariate_items() {
-  static const std::vector<std::string> items{"published", "schemes"};
-  return items;
-}
-
 Report report_bivariate(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("bivariate").table("published");
   const std::vector<Named> schemes = schemes_of_collection(published);

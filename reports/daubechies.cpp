@@ -16,11 +16,6 @@ std::string specification(int n) { return fmt::format("daubechies:n={}", n); }
 
 }  // namespace
 
-const std::vector<std::string>& daubechies_items() {
-  static const std::vector<std::string> items{"published", "exponents"};
-  return items;
-}
-
 Report report_daubechies(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("daubechies").table("published");
   std::vector<std::string> schemes = schemes_of(published);

@@ -213,15 +213,12 @@ formats::Section exponents(ComputedQuantities& quantities, const ReportOptions& 
 
 }  // namespace
 
-const std::vector<std::string>& dyn_2015_items() {
-  static const std::vector<std::string> items = [] {
-    std::vector<std::string> result{"masks",     "supports", "fig1", "table1", "table2", "levels",
-                                    "exponents", "table3",   "fig2", "fig8",   "fig9"};
-    for (const std::string& id : experiment_ids("dyn-2015")) result.push_back(id);
-    result.insert(result.end(), {"conjecture7", "theorems"});
-    return result;
-  }();
-  return items;
+std::vector<std::string> dyn_2015_items() {
+  std::vector<std::string> result{"masks",     "supports", "fig1", "table1", "table2", "levels",
+                                  "exponents", "table3",   "fig2", "fig8",   "fig9"};
+  for (const std::string& id : experiment_ids("dyn-2015")) result.push_back(id);
+  result.insert(result.end(), {"conjecture7", "theorems"});
+  return result;
 }
 
 Report report_dyn_2015(const ReportOptions& options) {

@@ -152,11 +152,6 @@ formats::Comparison compare_range(const statements::PublishedCell& cell) {
 
 }  // namespace
 
-const std::vector<std::string>& family_items() {
-  static const std::vector<std::string> items{"ranges"};
-  return items;
-}
-
 Report report_families(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("families").table("ranges");
   formats::Section section{"ranges", "For which values of a parameter: published ranges, and what is proved", {}};

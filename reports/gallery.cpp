@@ -13,6 +13,7 @@
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <fmt/format.h>
 

@@ -55,11 +55,6 @@ Enclosure binary_logarithm(const Enclosure& radius) {
 
 }  // namespace
 
-const std::vector<std::string>& joint_spectral_radius_items() {
-  static const std::vector<std::string> items{"published", "families"};
-  return items;
-}
-
 Report report_joint_spectral_radii(const ReportOptions& options) {
   const statements::PublishedTable& published = statements::paper("jsr").table("published");
   std::vector<std::string> names = schemes_of(published);

@@ -165,11 +165,6 @@ formats::Section products_section(const ReportOptions& options) {
 
 }  // namespace
 
-const std::vector<std::string>& least_squares_surface_items() {
-  static const std::vector<std::string> items{"least-squares", "tensor-products"};
-  return items;
-}
-
 Report report_least_squares_surfaces(const ReportOptions& options) {
   Report report{"surfaces", "Surfaces and volumes: the least squares schemes of the papers, smoothness proved", {}};
   if (options.wants("least-squares")) report.sections.push_back(fits_section(options));

@@ -15,18 +15,18 @@ namespace {
 
 /// What holds more than experiments.
 struct SpecialReport {
-  const std::vector<std::string>& (*items)();
+  std::vector<std::string> items;
   Report (*make)(const ReportOptions&);
 };
 
 const SpecialReport* special_report(const std::string& paper) {
   static const std::map<std::string, SpecialReport> all{
-      {"dyn-2015", {dyn_2015_items, report_dyn_2015}},
-      {"surfaces", {least_squares_surface_items, report_least_squares_surfaces}},
-      {"bivariate", {bivariate_items, report_bivariate}},
-      {"families", {family_items, report_families}},
-      {"daubechies", {daubechies_items, report_daubechies}},
-      {"jsr", {joint_spectral_radius_items, report_joint_spectral_radii}},
+      {"dyn-2015", {dyn_2015_items(), report_dyn_2015}},
+      {"surfaces", {{"least-squares", "tensor-products"}, report_least_squares_surfaces}},
+      {"bivariate", {{"published", "schemes"}, report_bivariate}},
+      {"families", {{"ranges"}, report_families}},
+      {"daubechies", {{"published", "exponents"}, report_daubechies}},
+      {"jsr", {{"published", "families"}, report_joint_spectral_radii}},
   };
   const auto found = all.find(paper);
   return found == all.end() ? nullptr : &found->second;
@@ -62,7 +62,7 @@ std::vector<std::string> reproducible_papers() {
 }
 
 std::vector<std::string> report_items(const std::string& paper) {
-  if (const SpecialReport* special = special_report(paper)) return special->items();
+  if (const SpecialReport* special = special_report(paper)) return special->items;
   const auto papers = reproducible_papers();
   if (std::find(papers.begin(), papers.end(), paper) != papers.end()) return experiment_ids(paper);
   fail(ErrorKind::domain, "unknown paper '{}'", paper);
@@ -76,6 +76,23 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   Report report{paper, statements::citation(paper), {}};
   add_experiments(report, options);
   return report;
+}
+
+std::vector<std::string> experiment_ids(const std::string& paper) {
+  std::vector<std::string> result;
+  for (const experiments::Experiment& candidate : experiments::experiments())
+    if (candidate.paper == paper) result.push_back(candidate.id);
+  return result;
+}
+
+void add_experiments(Report& report, const ReportOptions& options) {
+  for (const std::string& id : experiment_ids(report.paper)) {
+    if (!options.wants(id)) continue;
+    if (options.progress) options.progress(id);
+    report.experiments.push_back(
+        experiments::run_experiment(experiments::experiment(id), {options.seed, options.runs, options.jobs}));
+    report.sections.push_back(experiments::experiment_section(report.experiments.back()));
+  }
 }
 
 }  // namespace subcert::reports

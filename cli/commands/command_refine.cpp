@@ -7,6 +7,7 @@
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 #include <subcert/schemes/data/smooth/uniform_grid.hpp>
 

@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "html.hpp"
 
+#include <fmt/ranges.h>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <fmt/ranges.h>
 
 #include <cctype>
 #include <map>

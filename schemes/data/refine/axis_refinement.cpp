@@ -51,13 +51,17 @@ WeightRow<Rational> AxisRefiner::row(long output, const Axis& axis) {
     for (std::size_t k = 0; k < window(); ++k) result.at.push_back(static_cast<std::size_t>(shift) + k);
     return result;
   }
-  std::map<std::size_t, Rational> collected;
+  std::map<std::size_t, Rational> sums;
   const std::vector<Rational>& weights = weights_[stencils_.residue(output)];
-  for (long j = first; j <= last; ++j)
-    collected[source(j, axis, boundary_)] += weights[static_cast<std::size_t>(j - first)];
-  for (auto& [at, weight] : collected) {
+  for (long j = first; j <= last; ++j) sums[source(j, axis, boundary_)] += weights[static_cast<std::size_t>(j - first)];
+  return collected(sums);
+}
+
+WeightRow<Rational> collected(const std::map<std::size_t, Rational>& weights) {
+  WeightRow<Rational> result;
+  for (const auto& [at, weight] : weights) {
     result.at.push_back(at);
-    result.weights.push_back(std::move(weight));
+    result.weights.push_back(weight);
   }
   return result;
 }
@@ -91,18 +95,19 @@ double nearest_double(const Rational& value) {
   return best;
 }
 
-namespace {
-
-template <class Number>
-std::vector<Number> converted_weights(const std::vector<Rational>& weights) {
-  if constexpr (std::is_same_v<Number, Rational>) {
-    return weights;
-  } else {
-    std::vector<Number> result;
-    for (const Rational& weight : weights) result.push_back(nearest_double(weight));
-    return result;
-  }
+template <>
+std::vector<Rational> converted<Rational>(const std::vector<Rational>& weights) {
+  return weights;
 }
+
+template <>
+std::vector<double> converted<double>(const std::vector<Rational>& weights) {
+  std::vector<double> result;
+  for (const Rational& weight : weights) result.push_back(nearest_double(weight));
+  return result;
+}
+
+namespace {
 
 template <class Number>
 void apply_row(const WeightRow<Number>& row, const Number* in, Number* out, std::size_t inner) {
@@ -163,10 +168,9 @@ void apply_groups(const AxisRefinement<double>& rows, const double* in, double* 
 template <class Number>
 AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows) {
   AxisRefinement<Number> result{rows.input, rows.output, {}, {}, rows.groups, {}, rows.stride};
-  for (const auto& row : rows.head) result.head.push_back({row.at, converted_weights<Number>(row.weights)});
-  for (const auto& phase : rows.phases)
-    result.phases.push_back({phase.first, converted_weights<Number>(phase.weights)});
-  for (const auto& row : rows.tail) result.tail.push_back({row.at, converted_weights<Number>(row.weights)});
+  for (const auto& row : rows.head) result.head.push_back({row.at, converted<Number>(row.weights)});
+  for (const auto& phase : rows.phases) result.phases.push_back({phase.first, converted<Number>(phase.weights)});
+  for (const auto& row : rows.tail) result.tail.push_back({row.at, converted<Number>(row.weights)});
   return result;
 }
 

@@ -64,7 +64,12 @@ class AxisRefiner {
 /// The stencils of a mask of one variable. Domain: coset sums 1. Errors: throws a domain error.
 AxisStencils axis_stencils(const Mask& mask);
 
-/// The same rows in another number type; doubles are the nearest ones.
+/// The weights, the sum of those of one datum at one place.
+WeightRow<Rational> collected(const std::map<std::size_t, Rational>& weights);
+
+/// The same weights and rows in another number type; doubles are the nearest ones.
+template <class Number>
+std::vector<Number> converted(const std::vector<Rational>& weights);
 template <class Number>
 AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows);
 

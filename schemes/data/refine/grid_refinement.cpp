@@ -79,18 +79,6 @@ Line make_line(const AxisStencils& stencils, const Axis& axis, Boundary boundary
 template <class Number>
 using Box = std::vector<Number>;
 
-template <class Number>
-Box<Number> numbers(const std::vector<Rational>& weights) {
-  Box<Number> result;
-  for (const Rational& weight : weights) {
-    if constexpr (std::is_same_v<Number, double>)
-      result.push_back(nearest_double(weight));
-    else
-      result.push_back(weight);
-  }
-  return result;
-}
-
 /// One level: its lines and the weights of its rules.
 template <class Number>
 class Level {
@@ -143,7 +131,7 @@ class Level {
         }
         weights.push_back(mask_.symbol().coefficient(exponents));
       }
-      rules_.push_back(numbers<Number>(weights));
+      rules_.push_back(converted<Number>(weights));
     }
   }
 
@@ -177,7 +165,7 @@ class Level {
       for (std::size_t i = 0; i < stencils_[v].window(); ++i) nodes.back().emplace_back(i);
       x.push_back(lines_[v].positions[places[v]->position]);
     }
-    fits_[positions(places)] = numbers<Number>(grid_regression_weights(nodes, stencils_[0].degree(), x));
+    fits_[positions(places)] = converted<Number>(grid_regression_weights(nodes, stencils_[0].degree(), x));
   }
 
   static bool is_fitted(const Places& places) {

@@ -145,14 +145,10 @@ class LimitRows {
       for (std::size_t k = 0; k < result.weights.size(); ++k) result.at.push_back(first ? k : axis_.count - 1 - k);
       return result;
     }
-    std::map<std::size_t, Rational> collected;
+    std::map<std::size_t, Rational> sums;
     for (std::size_t k = 0; k < weights_.size(); ++k)
-      collected[source(output * stride_ + first_ + static_cast<long>(k), axis_, boundary_)] += weights_[k];
-    for (auto& [at, weight] : collected) {
-      result.at.push_back(at);
-      result.weights.push_back(std::move(weight));
-    }
-    return result;
+      sums[source(output * stride_ + first_ + static_cast<long>(k), axis_, boundary_)] += weights_[k];
+    return collected(sums);
   }
 
   Mask mask_;

@@ -6,7 +6,6 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/schemes/data/l1/l1_refinement.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -62,17 +61,6 @@ std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundar
 
 template GridData<double> refine<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);
 template GridData<Rational> refine<Rational>(const GridData<Rational>&, const LatticeMask&, const RefineOptions&);
-
-GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
-  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
-  return refine(data, std::get<Scheme>(scheme).mask, options);
-}
-
-std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary) {
-  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
-    return {l1->rules.points.begin(), l1->rules.points.end()};
-  return fewest_points(std::get<Scheme>(scheme).mask, boundary);
-}
 
 std::vector<double> interpolate(const GridData<double>& curve, const std::vector<Rational>& parameters) {
   require(curve.is_canonical() && curve.axes.size() == 1 && curve.dimension == 1 && curve.points() >= 2,

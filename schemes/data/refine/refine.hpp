@@ -5,7 +5,6 @@
 #include "grid_data.hpp"
 
 #include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include <vector>
 
@@ -37,14 +36,6 @@ std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundar
 /// Throws a size error where `levels` refinements by the factor `growth` of `numbers` numbers would pass
 /// most_refined_numbers. Domain: growth >= 2.
 void require_refinable(std::size_t numbers, long growth, long levels);
-
-/// Applies the scheme `options.levels` times. Domain: as many axes as the scheme has variables, and at least
-/// fewest_points() along each. Errors: as the refine() of its kind.
-GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options);
-
-/// The fewest points that refine() takes, along each axis; as many numbers as the scheme has variables. Along closed
-/// axes it is that with Boundary::periodic.
-std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary);
 
 /// The piecewise linear function through the points at these parameters. Domain: one axis with at least two points of
 /// one coordinate; beyond the ends of an open one the first or last piece goes on. Errors: throws a domain error. Cost:

@@ -3,6 +3,7 @@
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 
 using namespace subcert;
 using namespace subcert::data;

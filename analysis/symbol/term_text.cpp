@@ -2,6 +2,7 @@
 
 #include "decimal.hpp"
 #include "error.hpp"
+#include "expression.hpp"
 #include "parse_error.hpp"
 
 #include <algorithm>
@@ -26,8 +27,8 @@ std::string print_magnitude(const Rational& value, Style style) {
 }
 
 Rational read_number(std::string_view text) {
-  const auto value = parse_number(text);
-  if (!value) throw ParseError("mask", text, 1, "an exact number p, p/q with q > 0, or a decimal");
+  const auto value = parse_constant(text);
+  if (!value) throw ParseError("mask", text, 1, "an exact number p, p/q with q > 0, a decimal, or a sum of such");
   return *value;
 }
 

@@ -205,7 +205,7 @@ void add_curve(Command& app) {
   command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")
       .within(1, 100'000)
       .with_default();
-  command.option("--plot", options->plot, "Draw both envelopes, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw both envelopes, as .svg, .png, .pdf, .tex or .html");
   command.option("--csv", options->csv, "Write the pieces as a table");
   command.option("--certificate", options->certificate, "Write a certificate for each piece into this folder");
   add_limits(command, *options);

@@ -152,7 +152,7 @@ void add_map(Command& app) {
       .one_each();
   command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
   command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
-  command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png, .pdf, .tex or .html");
   command.option("--csv", options->csv, "Write the cells as a table");
   add_limits(command, *options);
 }

@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -12,7 +13,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
+#include <utility>
 
 namespace subcert::cli {
 namespace {
@@ -26,17 +29,32 @@ struct ParameterRangeOptions : SearchOptions {
   std::string property;
   std::string width = "1e-9";
   std::string certificate;
+  PaperForm form;
 };
 
 constexpr std::size_t longest_polynomial = 12;  // coefficients, in text
 
+/// How formulas are printed.
+using Formula = std::function<std::string(const std::string&)>;
+std::string as_text(const std::string& formula) { return formula; }
+std::string as_latex(const std::string& formula) { return "$" + formats::latex_formula(formula) + "$"; }
+
 /// The number itself, where it is rational.
-std::string zero_text(const LaurentPolynomial& of, const Rational& near, const ParametricScheme& scheme) {
+std::string zero_text(const LaurentPolynomial& of, const Rational& near, const ParametricScheme& scheme,
+                      const Formula& formula = as_text) {
   if (const auto zero = zero_of_linear(of)) return to_text(*zero);
   const std::string polynomial = static_cast<std::size_t>(of.length()) <= longest_polynomial
-                                     ? scheme.named(to_text(of, scheme.letter))
+                                     ? formula(scheme.named(to_text(of, scheme.letter)))
                                      : fmt::format("a polynomial of degree {}", of.highest());
-  return fmt::format("the zero of {} near {}", polynomial, number_text(near));
+  return fmt::format("the zero of {} near {}", polynomial, formula(number_text(near)));
+}
+
+/// `$C^{1}$`, `$\\alpha \\ge 3/2$`, or the word.
+std::string property_latex(const std::string& property) {
+  if (property.starts_with('C')) return as_latex("C^" + property.substr(1));
+  for (const auto& [name, letter] : {std::pair{"holder", "alpha"}, {"sobolev", "s"}})
+    if (property.starts_with(name)) return as_latex(letter + property.substr(std::string_view(name).size()));
+  return property;
 }
 
 std::string end_text(const RangeEnd& end, const ParametricScheme& scheme) {
@@ -53,21 +71,24 @@ struct Border {
 /// than the width that was asked for.
 class Summary {
  public:
-  Summary(const PropertyRange& range, const ParametricScheme& scheme) : range_(range), scheme_(scheme) {}
+  Summary(const PropertyRange& range, const ParametricScheme& scheme, Formula formula)
+      : range_(range), scheme_(scheme), formula_(std::move(formula)), name_(formula_(scheme.name)) {}
 
   /// `C1 exactly for 0 < w < r, r the zero of 32*w^3 + 4*w - 1 near 0.19`; nothing where some values are open.
   std::optional<std::string> sentence(const std::string& property) {
     for (std::size_t k = 0; k < range_.pieces.size(); ++k)
       if (!add(k)) return std::nullopt;
     if (open_) close({last(), true});
-    const std::string among = fmt::format(" from {} to {}", number_text(range_.pieces.front().low), last());
-    std::string text = values_.empty() ? fmt::format("{} for no {}", property, scheme_.name)
-                       : near_.empty() ? fmt::format("{} exactly for {}, of all {}", property, values_, scheme_.name)
-                                       : fmt::format("{} for {}, and for no other {}", property, values_, scheme_.name);
+    const std::string among = fmt::format(" from {} to {}", formula_(number_text(range_.pieces.front().low)),
+                                          formula_(last()));
+    std::string text = values_.empty() ? fmt::format("{} for no {}", property, name_)
+                       : near_.empty() ? fmt::format("{} exactly for {}, of all {}", property, values_, name_)
+                                       : fmt::format("{} for {}, and for no other {}", property, values_, name_);
     text += among;
-    if (!near_.empty())
-      text += fmt::format(" but perhaps within {} of {}", to_decimal(gap_, 2, Rounding::up), fmt::join(near_, ", "));
-    for (const auto& [meaning, name] : roots_) text += fmt::format("; {} is {}", name, meaning);
+    std::string near;
+    for (const std::string& value : near_) near += (near.empty() ? "" : ", ") + formula_(value);
+    if (!near.empty()) text += fmt::format(" but perhaps within {} of {}", to_decimal(gap_, 2, Rounding::up), near);
+    for (const auto& [meaning, name] : roots_) text += fmt::format("; {} is {}", formula_(name), meaning);
     return text;
   }
 
@@ -76,7 +97,7 @@ class Summary {
 
   /// A rational number, or a name for a zero.
   std::string value_text(const LaurentPolynomial& of, const Rational& near) {
-    std::string text = zero_text(of, near, scheme_);
+    std::string text = zero_text(of, near, scheme_, formula_);
     if (zero_of_linear(of)) return text;
     for (const auto& [meaning, name] : roots_)
       if (meaning == text) return name;
@@ -121,16 +142,17 @@ class Summary {
 
   void close(const Border& end) {
     values_ += values_.empty() ? "" : " and ";
-    if (open_->value == end.value)
-      values_ += fmt::format("{} = {}", scheme_.name, end.value);
-    else
-      values_ += fmt::format("{} {} {} {} {}", open_->value, open_->included ? "<=" : "<", scheme_.name,
-                             end.included ? "<=" : "<", end.value);
+    values_ += formula_(open_->value == end.value
+                            ? fmt::format("{} = {}", scheme_.name, end.value)
+                            : fmt::format("{} {} {} {} {}", open_->value, open_->included ? "<=" : "<", scheme_.name,
+                                          end.included ? "<=" : "<", end.value));
     open_.reset();
   }
 
   const PropertyRange& range_;
   const ParametricScheme& scheme_;
+  Formula formula_;
+  std::string name_;  // of the parameter, as a formula
   std::optional<Border> open_;
   std::string values_;                                      // `w = 0 and 1 < w <= 2`
   Rational gap_ = 0;                                        // the width of the widest piece that is not decided
@@ -141,7 +163,26 @@ class Summary {
 /// The answer in one sentence, or nothing.
 std::string summary(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
   if (!range.complete) return "";
-  return Summary(range, scheme).sentence(options.property).value_or("");
+  return Summary(range, scheme, as_text).sentence(options.property).value_or("");
+}
+
+/// The same in LaTeX, or what is not decided.
+std::string latex_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
+  const std::string head = "% " + scheme.specification + ", " + options.over + "\n";
+  const auto text = range.complete ? Summary(range, scheme, as_latex).sentence(property_latex(options.property))
+                                   : std::nullopt;
+  if (text) return head + *text + "\n";
+  formats::TableRows rows{{"from", "to", "verdict"}};
+  for (const RangePiece& piece : range.pieces) {
+    const bool open = piece.holds == Truth::unknown, one = piece.low == piece.high;
+    rows.push_back({as_latex((piece.low_included ? "" : "> ") +
+                             number_text(piece.low, open || one ? Rounding::down : Rounding::up)),
+                    as_latex((piece.high_included ? "" : "< ") +
+                             number_text(piece.high, open || one ? Rounding::up : Rounding::down)),
+                    verdict_text(piece.holds)});
+  }
+  return head + "% " + property_latex(options.property) + ", needs \\usepackage{booktabs}\n" +
+         formats::latex_tabular(rows, 'l');
 }
 
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
@@ -215,6 +256,7 @@ std::vector<NamedCertificate> named(const std::vector<RangeCertificate>& certifi
 }
 
 ExitCode run(const ParameterRangeOptions& options) {
+  require_one_form(options, options.form);
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   const auto property = parse_range_property(options.property);
   if (!property) fail(ErrorKind::usage, "--property: expected {}, got '{}'", properties, options.property);
@@ -233,7 +275,10 @@ ExitCode run(const ParameterRangeOptions& options) {
     const auto certificates = range_certificates(scheme.mask, scheme.letter, *property, range, *width);
     written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, json);
   }
-  options.answer(json, text_of(range, options, scheme) + written.text);
+  if (options.form.latex)
+    options.answer(latex_of(range, options, scheme));
+  else
+    options.answer(json, text_of(range, options, scheme) + written.text);
   written.failure.raise();
   return range.complete ? done : budget.deadline.expired() ? undecided : obstructed;
 }
@@ -254,6 +299,7 @@ void add_range(Command& app) {
   command.option("--width", options->width, "Of what is left open about an end").exact_number().with_default();
   command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");
   add_limits(command, *options);
+  add_paper_form(command, options->form, "The answer as a sentence in LaTeX, or a table of the pieces");
 }
 
 }  // namespace subcert::cli

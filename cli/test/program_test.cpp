@@ -156,6 +156,10 @@ TEST_CASE("every option that takes a number refuses what is not one, or not fini
 TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("analyse dd:n=2").err, "there is no command 'analyse'; did you mean 'analyze'?"));
   CHECK(run("analyse dd:n=2").code == 64);
+  CHECK(contains(run("range four-point:w --ovr w=0..1").err,
+                 "there is no option '--ovr'; did you mean '--over'?; see 'subcert range --help'"));
+  CHECK(contains(run("statements check --jsn").err, "there is no option '--jsn'; did you mean '--json'?"));
+  CHECK(contains(run("range four-point:w --property=C1").err, "--over is required"));
   CHECK(contains(run("mask duall:n=2").err, "did you mean 'dual'?"));
   CHECK(contains(run("mask fourpoint:w=1/16").err, "did you mean 'four-point'?"));
   CHECK(contains(run("mask chaikn").err, "did you mean 'chaikin'?"));

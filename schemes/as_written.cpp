@@ -98,15 +98,31 @@ std::size_t depth_of(std::string_view list) {
   return depth;
 }
 
-/// A number behind or before a list, with or without parentheses and a star; 1 for none, nothing for another text.
+/// Whether one of these signs stands outside of parentheses, but for one before the number or in a power.
+bool has_sign(std::string_view text, std::string_view signs) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    const bool is_own = i == 0 || text[i - 1] == '^';
+    if (depth == 0 && !is_own && signs.find(text[i]) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+/// A number before a list, with or without a star, or behind one with its sign; 1 for none, nothing for another text
+/// and for what could mean two things, as `1+1/4 [...]` and `[...]/4/2`.
 std::optional<Rational> factor_of(std::string_view text, bool before) {
   std::string factor = trimmed(text);
   if (factor.empty()) return 1;
-  if (before && factor.ends_with('*')) factor.pop_back();
-  if (!before && factor.front() != '*' && factor.front() != '/') return std::nullopt;
-  const auto value = parse_constant(before ? factor : factor.substr(1));
+  if (before && factor.ends_with('*')) factor = trimmed(factor.substr(0, factor.size() - 1));
+  const bool divides = !before && factor.front() == '/';
+  if (!before) {
+    if (!divides && factor.front() != '*') return std::nullopt;
+    factor = trimmed(factor.substr(1));
+  }
+  const auto value = has_sign(factor, divides ? "+-*/" : "+-") ? std::nullopt : parse_constant(factor);
   if (!value || *value == 0) return std::nullopt;
-  return before || factor.front() == '*' ? *value : Rational(1 / *value);
+  return divides ? Rational(1 / *value) : *value;
 }
 
 /// Each entry of a list times p; numbers are multiplied.

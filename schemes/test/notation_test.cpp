@@ -214,6 +214,13 @@ TEST_CASE("what could mean two things is refused, with what would be right") {
   CHECK_THAT(refusal("\\frac{1}{"), StartsWith("9 {: a brace that closes"));
   CHECK_THAT(refusal("four-point:w=1/2/3"), StartsWith("14 1/2/3: an exact number"));
   CHECK_THAT(refusal("[1/2/3,1]"), StartsWith("7 1/2/3: an exact number"));
+  for (const char* bad :
+       {"[1,3,3,1]/4/2", "[2,2]/4/2", "mask:[2,2]/4/2", "[w,2-w,2-w,w]/4/2", "[1,3,3,1]/4*2", "[1,3,3,1]*1+1",
+        "1+1/4[1,3,3,1]", "1-3/4[1,3,3,1]", "[1,3,3,1]/8+4", "1/2/2[1,3,3,1]", "[1,3,3,1]/2^2/1", "[1,1]4", "[1,1]z"})
+    CHECK_THAT(refusal(bad), !StartsWith("accepted"));
+  CHECK(refusal("-1/4[-1,-3,-3,-1]") == refusal("[1,3,3,1]/(2*2)"));
+  CHECK(refusal("2^-2[1,3,3,1]") == refusal("1/2*1/2[1,3,3,1]"));
+  CHECK(refusal("2^-2[1,3,3,1]") == refusal("[1,3,3,1]*1/4"));
   CHECK_THAT(refusal("0[1,1]"), StartsWith("1 0[1,1]: a family"));
   CHECK_THAT(refusal("primal n=3"), Catch::Contains("a colon behind 'primal'"));
   CHECK_THAT(refusal("bspline:degre=3"), Catch::Contains("the key 'degree'"));

@@ -13,22 +13,22 @@
 namespace subcert::formats {
 namespace {
 
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
+std::string with_all_replaced(std::string text, std::string_view from, std::string_view to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
   return text;
 }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_decimal_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_latin_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-std::string fraction(const std::string& above, const std::string& below) {
+std::string latex_fraction(const std::string& above, const std::string& below) {
   return below == "1" ? above : "\\frac{" + above + "}{" + below + "}";
 }
 
 /// The longest piece from here on of which each character is one of these.
 template <class Is>
-std::string_view run(std::string_view text, std::size_t begin, Is is) {
+std::string_view run_of(std::string_view text, std::size_t begin, Is is) {
   std::size_t end = begin;
   while (end < text.size() && is(text[end])) ++end;
   return text.substr(begin, end - begin);
@@ -38,13 +38,13 @@ std::string_view run(std::string_view text, std::size_t begin, Is is) {
 std::string with_zeros(std::string decimal, int digits) {
   if (decimal.find('e') != std::string::npos) return decimal;
   const auto first = std::ranges::find_if(decimal, [](char c) { return c >= '1' && c <= '9'; });
-  const auto shown = std::count_if(first, decimal.end(), is_digit);
+  const auto shown = std::count_if(first, decimal.end(), is_decimal_digit);
   if (shown >= digits) return decimal;
   if (decimal.find('.') == std::string::npos) decimal += '.';
   return decimal + std::string(static_cast<std::size_t>(digits - shown), '0');
 }
 
-std::string joined(const std::vector<std::string>& cells, const char* between) {
+std::string joined_cells(const std::vector<std::string>& cells, const char* between) {
   return fmt::format("{}", fmt::join(cells, between));
 }
 
@@ -60,7 +60,7 @@ WholeMask whole(const MultivariatePolynomial& symbol) {
   return result;
 }
 
-std::string factor_before(const Integer& below) { return below == 1 ? "" : fraction("1", below.str()); }
+std::string factor_before(const Integer& below) { return below == 1 ? "" : latex_fraction("1", below.str()); }
 
 /// Rows from the largest second index down.
 std::string matrix_latex(const MultivariatePolynomial& symbol) {
@@ -73,12 +73,12 @@ std::string matrix_latex(const MultivariatePolynomial& symbol) {
       const auto there = std::ranges::find(terms, std::vector<long>{i, j}, &Monomial::exponents);
       row.push_back(there == terms.end() ? "0" : to_text(there->coefficient));
     }
-    rows.push_back(joined(row, " & "));
+    rows.push_back(joined_cells(row, " & "));
   }
   return fmt::format(
       "(a_{{i,j}}) = {}\\begin{{bmatrix}} {} \\end{{bmatrix}},\\quad i = {}, \\ldots, {},\\; j = {}, "
       "\\ldots, {}",
-      factor_before(below), joined(rows, " \\\\ "), low[0], high[0], high[1], low[1]);
+      factor_before(below), joined_cells(rows, " \\\\ "), low[0], high[0], high[1], low[1]);
 }
 
 }  // namespace
@@ -97,14 +97,14 @@ std::string latex_text(std::string_view text) {
     else
       result += (std::string_view("&%$#_{}").find(c) == std::string_view::npos ? "" : "\\") + std::string(1, c);
   }
-  result = replaced(replaced(result, ">=", "$\\ge$"), "<=", "$\\le$");
-  return replaced(replaced(result, "<", "\\textless{}"), ">", "\\textgreater{}");
+  result = with_all_replaced(with_all_replaced(result, ">=", "$\\ge$"), "<=", "$\\le$");
+  return with_all_replaced(with_all_replaced(result, "<", "\\textless{}"), ">", "\\textgreater{}");
 }
 
 std::string latex_tabular(const TableRows& rows, char column) {
   std::string text = "\\begin{tabular}{l" + std::string(rows.front().size() - 1, column) + "}\n  \\toprule\n";
   for (std::size_t r = 0; r < rows.size(); ++r)
-    text += "  " + joined(rows[r], " & ") + (r == 0 ? " \\\\\n  \\midrule\n" : " \\\\\n");
+    text += "  " + joined_cells(rows[r], " & ") + (r == 0 ? " \\\\\n  \\midrule\n" : " \\\\\n");
   return text + "  \\bottomrule\n\\end{tabular}\n";
 }
 
@@ -112,9 +112,10 @@ std::string markdown_table(const TableRows& rows) {
   std::string text;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<std::string> cells;
-    for (const std::string& cell : rows[r]) cells.push_back(replaced(replaced(cell, "|", "\\|"), "\n", " "));
-    text += "| " + joined(cells, " | ") + " |\n";
-    if (r == 0) text += "|" + joined(std::vector<std::string>(cells.size(), "---"), "|") + "|\n";
+    for (const std::string& cell : rows[r])
+      cells.push_back(with_all_replaced(with_all_replaced(cell, "|", "\\|"), "\n", " "));
+    text += "| " + joined_cells(cells, " | ") + " |\n";
+    if (r == 0) text += "|" + joined_cells(std::vector<std::string>(cells.size(), "---"), "|") + "|\n";
   }
   return text;
 }
@@ -122,24 +123,24 @@ std::string markdown_table(const TableRows& rows) {
 std::string latex_formula(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    if (const std::string_view word = run(text, i, is_letter); !word.empty()) {
+    if (const std::string_view word = run_of(text, i, is_latin_letter); !word.empty()) {
       result += is_greek(word)     ? "\\" + std::string(word)
                 : word.size() == 1 ? std::string(word)
                                    : "\\mathrm{" + std::string(word) + "}";
       i += word.size();
-    } else if (const std::string_view digits = run(text, i, is_digit); !digits.empty()) {
-      const bool is_index = i > 0 && is_letter(text[i - 1]);
+    } else if (const std::string_view digits = run_of(text, i, is_decimal_digit); !digits.empty()) {
+      const bool is_index = i > 0 && is_latin_letter(text[i - 1]);
       i += digits.size();
       if (is_index) {
         result += "_{" + std::string(digits) + "}";
         continue;
       }
-      const std::string_view below = i < text.size() && text[i] == '/' ? run(text, i + 1, is_digit) : "";
-      result += below.empty() ? std::string(digits) : fraction(std::string(digits), std::string(below));
+      const std::string_view below = i < text.size() && text[i] == '/' ? run_of(text, i + 1, is_decimal_digit) : "";
+      result += below.empty() ? std::string(digits) : latex_fraction(std::string(digits), std::string(below));
       i += below.empty() ? 0 : below.size() + 1;
     } else if (text[i] == '^') {
       const std::size_t sign = i + 1 < text.size() && text[i + 1] == '-' ? 1 : 0;
-      const std::string_view power = run(text, i + 1 + sign, is_digit);
+      const std::string_view power = run_of(text, i + 1 + sign, is_decimal_digit);
       result += "^{" + std::string(sign, '-') + std::string(power) + "}";
       i += 1 + sign + power.size();
     } else {
@@ -160,7 +161,7 @@ std::string mask_latex(const LatticeMask& mask) {
   std::vector<std::string> numbers;
   for (const Rational& c : symbol.coefficients()) numbers.push_back(to_text(Rational(c * below)));
   return fmt::format("(a_{{{}}}, \\ldots, a_{{{}}}) = {}({})", symbol.lowest(), symbol.highest(), factor_before(below),
-                     joined(numbers, ",\\, "));
+                     joined_cells(numbers, ",\\, "));
 }
 
 std::string symbol_latex(const Mask& mask) {
@@ -182,7 +183,7 @@ std::string symbol_latex(const Mask& mask) {
   if (!(rest == LaurentPolynomial(1))) above += "(" + rest.to_latex() + ")";
   if (above.empty()) above = "1";
   const std::string denominators = (below == 1 ? "" : below.str()) + (shift < 0 ? " " + power("z", -shift) : "");
-  return "a(z) = " + (denominators.empty() ? above : fraction(above, denominators));
+  return "a(z) = " + (denominators.empty() ? above : latex_fraction(above, denominators));
 }
 
 std::string relation_latex(const Enclosure& value, int digits) {

@@ -203,8 +203,8 @@ TEST_CASE("what could mean two things is refused, with what would be right") {
     }
   };
   using Catch::StartsWith;
-  CHECK_THAT(refusal("[½,1½,½]"), StartsWith("6 ½: a + or * before a fraction"));
-  CHECK_THAT(refusal("[½,1 ½,½]"), StartsWith("7 ½: a + or * before a fraction"));
+  CHECK_THAT(refusal("[½,1½,½]"), StartsWith("5 ½: a + or * before a fraction"));
+  CHECK_THAT(refusal("[½,1 ½,½]"), StartsWith("6 ½: a + or * before a fraction"));
   CHECK_THAT(refusal("[\\frac12,1\\frac12]"), StartsWith("11 \\frac12: a + or * before a fraction"));
   CHECK_THAT(refusal("(1+z²3)/4"), StartsWith("6 3: a * behind the power"));
   CHECK_THAT(refusal("(1+z^{2}3)/4"), StartsWith("9 3: a * behind the power"));

@@ -63,7 +63,8 @@ class SchemeTable:
             return f"${value.to_latex()}$" if isinstance(value, Enclosure) else latex_text(str(value))
 
         head, *rows = self._cells(cell)
-        lines = [f"\\begin{{tabular}}{{l{'c' * (len(head) - 1)}}}", "\\toprule", " & ".join(head) + " \\\\", "\\midrule"]
+        lines = [f"\\begin{{tabular}}{{l{'c' * (len(head) - 1)}}}", "\\toprule"]
+        lines += [" & ".join(head) + " \\\\", "\\midrule"]
         lines += [" & ".join(row) + " \\\\" for row in rows]
         return "\n".join([*lines, "\\bottomrule", "\\end{tabular}"])
 
@@ -108,7 +109,7 @@ def compare(*schemes: Union[str, Named], budget: float = 5) -> SchemeTable:
 def _row(one: Any, budget: float) -> dict[str, Any]:
     exponent = one.holder(budget)
     known = exponent.lower is not None or exponent.upper is not None
-    sobolev = exponent.sobolev if exponent.sobolev is not None else one.sobolev(budget) if isinstance(one, Scheme) else None
+    sobolev = one.sobolev(budget) if isinstance(one, Scheme) else exponent.sobolev
     return {
         "scheme": one.specification,
         "sum_rules": exponent.sum_rules,

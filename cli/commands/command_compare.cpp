@@ -72,8 +72,11 @@ ExitCode run(const CompareOptions& options) {
   if (options.form.markdown) {
     options.answer(formats::markdown_table(rows));
   } else if (options.form.latex) {
-    for (auto& row : rows)
-      for (std::string& cell : row) cell = formats::latex_text(cell);
+    for (auto& row : rows) {
+      const bool formulas = row.front() == "symbol";
+      for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] = formulas && i > 0 ? "$" + formats::latex_formula(row[i]) + "$" : formats::latex_text(row[i]);
+    }
     options.answer("% needs \\usepackage{booktabs}\n" + formats::latex_tabular(rows, 'l'));
   } else {
     options.answer(plates_json(plates), table_text(std::move(rows)));

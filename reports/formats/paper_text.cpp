@@ -146,7 +146,9 @@ std::string latex_formula(std::string_view text) {
     } else {
       const std::string_view two = text.substr(i, 2);
       result += two == "<=" ? "\\le" : two == ">=" ? "\\ge" : text[i] == '*' ? " " : std::string(1, text[i]);
-      i += two == "<=" || two == ">=" ? 2 : 1;
+      const bool relation = two == "<=" || two == ">=";
+      i += relation ? 2 : 1;
+      if (relation && i < text.size() && is_latin_letter(text[i])) result += ' ';  // as \lex is another command
     }
   }
   return result;

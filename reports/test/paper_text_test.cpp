@@ -22,6 +22,7 @@ TEST_CASE("formulas for LaTeX") {
   CHECK(latex_formula("-1 + 4*w + 32*w^3") == "-1 + 4 w + 32 w^{3}");
   CHECK(latex_formula("1/16 <= mu < r2") == "\\frac{1}{16} \\le \\mu < r_{2}");
   CHECK(latex_formula("tension^-12") == "\\mathrm{tension}^{-12}");
+  CHECK(latex_formula("0<=x>=2") == "0\\le x\\ge2");
   CHECK(latex_formula("C^1") == "C^{1}");
   CHECK(latex_formula("0.25") == "0.25");
   const auto relation = [](const char* low, const char* high, int digits) {
@@ -44,7 +45,9 @@ TEST_CASE("masks and symbols for LaTeX") {
   const auto mask = [](const char* text) { return mask_latex(make_linear_scheme(text).mask); };
   const auto symbol = [](const char* text) { return symbol_latex(make_scheme(text).mask.curve()); };
   CHECK(mask("bspline:degree=2") == "(a_{-2}, \\ldots, a_{1}) = \\frac{1}{4}(1,\\, 3,\\, 3,\\, 1)");
-  CHECK(mask("mask2:[[1,2,1],[2,4,2],[0,2,1]]/4@0,0,dilation=[2,0;0,2]").empty() == false);
+  CHECK(mask("mask2:[[1,2,1],[2,2,0]]/2@0,-1") ==
+        "(a_{i,j}) = \\frac{1}{2}\\begin{bmatrix} 2 & 2 & 0 \\\\ 1 & 2 & 1 \\end{bmatrix},\\quad i = 0, \\ldots, 2,\\; "
+        "j = 0, \\ldots, -1");
   CHECK(symbol("bspline:degree=2") == "a(z) = \\frac{(1 + z)^{3}}{4 z^{2}}");
   CHECK(symbol("bspline:degree=1") == "a(z) = \\frac{(1 + z)^{2}}{2 z}");
   CHECK(symbol("mask:[1,1]@0") == "a(z) = (1 + z)");

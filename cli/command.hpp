@@ -25,6 +25,7 @@ enum class ExitCode {
   done = 0,
   failed = 1,
   undecided = 2,
+  obstructed = 3,
   usage = 64,
   bad_data = 65,
   missing_file = 66,

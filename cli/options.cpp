@@ -246,6 +246,30 @@ std::string helped(const CLI::App& app, const std::vector<std::string>& argument
   return "";
 }
 
+/// The first argument that looks like an option and is none of the command that is named, with the nearest one.
+void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* command = &app;
+  std::vector<std::string> names;
+  const auto add_names = [&] {
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  };
+  add_names();
+  for (const std::string& argument : arguments) {
+    if (argument == "--") return;
+    for (const CLI::App* below : command->get_subcommands({}))
+      if (below->get_name() == argument) {
+        command = below;
+        add_names();
+        break;
+      }
+    const std::string name = argument.substr(0, argument.find('='));
+    if (name.starts_with("--") && std::ranges::find(names, name) == names.end())
+      fail(ErrorKind::usage, "there is no option {}{}; see 'subcert {}--help'", in_quotes(name),
+           did_you_mean(name, names), helped(app, arguments));
+  }
+}
+
 }  // namespace
 
 int run_program(const std::string& description, const std::string& footer,
@@ -266,6 +290,7 @@ int run_program(const std::string& description, const std::string& footer,
   } catch (const CLI::RuntimeError& left) {
     return left.get_exit_code();
   } catch (const CLI::ParseError& error) {
+    refuse_unknown_option(app, arguments);
     fail(ErrorKind::usage, "{}; see 'subcert {}--help'", error.what(), helped(app, arguments));
   }
 }

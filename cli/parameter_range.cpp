@@ -1,7 +1,9 @@
 #include "parameter_range.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/expression.hpp>
 #include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/format.h>
 
@@ -11,23 +13,24 @@
 
 namespace subcert::cli {
 
-std::pair<Rational, Rational> read_over(const std::string& text, char parameter) {
-  const std::string head = std::string(1, parameter) + "=";
+std::pair<Rational, Rational> read_over(const std::string& written, const std::string& name) {
+  const std::string text = plain_text(written);
+  const std::string head = name + "=";
   const std::size_t equals = text.find('='), dots = text.find("..");
   const std::string letter = text.substr(0, std::min(equals, text.size()));
-  if (equals != std::string::npos && letter != std::string_view(head).substr(0, 1))
-    fail(ErrorKind::usage, "--over {}: the letter of the family is {}, not {}", in_quotes(text), parameter,
+  if (equals != std::string::npos && letter != name)
+    fail(ErrorKind::usage, "--over {}: the parameter of the family is {}, not {}", in_quotes(written), name,
          in_quotes(letter));
   const auto number = [&](std::size_t begin, std::size_t end) {
     return begin > end || end - begin > 200 ? std::nullopt
-                                            : parse_number(std::string_view(text).substr(begin, end - begin));
+                                            : parse_constant(std::string_view(text).substr(begin, end - begin));
   };
-  const auto low = text.starts_with(head) && dots != std::string::npos ? number(2, dots) : std::nullopt,
+  const auto low = text.starts_with(head) && dots != std::string::npos ? number(head.size(), dots) : std::nullopt,
              // 0...1 is neither 0..0.1 nor 0..1.
       high = low && text.substr(dots + 2, 1) != "." ? number(dots + 2, text.size()) : std::nullopt;
   if (!high || !(*low < *high))
     fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got {}", head, head,
-         in_quotes(text));
+         in_quotes(written));
   return {*low, *high};
 }
 

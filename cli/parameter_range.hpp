@@ -11,8 +11,8 @@
 
 namespace subcert::cli {
 
-/// `w=-1..1` for this letter. Errors: throws a usage error.
-std::pair<Rational, Rational> read_over(const std::string& text, char parameter);
+/// `w=-1..1` for this name. Errors: throws a usage error.
+std::pair<Rational, Rational> read_over(const std::string& text, const std::string& name);
 
 /// Exact where that is short, else rounded to 12 digits.
 std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest);

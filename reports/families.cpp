@@ -69,11 +69,12 @@ bool agrees(const std::string& printed, const Rational& value, const ProvedEnd& 
   return abs(Rational(end.low - value)) <= unit / 2 && abs(Rational(end.high - value)) <= unit / 2;
 }
 
-std::string polynomials_text(const ProvedRange& range, char letter) {
+std::string polynomials_text(const ProvedRange& range, const ParametricScheme& family) {
   std::string text;
   for (const ProvedEnd* proved : {&range.low, &range.high})
     if (proved->end && !zero_of_linear(proved->end->polynomial))
-      text += fmt::format("; {} is the zero of {}", proved->text(), to_text(proved->end->polynomial, letter));
+      text += fmt::format("; {} is the zero of {}", proved->text(),
+                          family.named(to_text(proved->end->polynomial, family.letter)));
   return text;
 }
 
@@ -91,7 +92,7 @@ void refute(formats::Comparison& comparison, const PropertyRange& range, const P
 /// The verdict on `C^k for LOW < w < HIGH`, a sufficient condition, or on `exactly for`.
 formats::Comparison compare_range(const statements::PublishedCell& cell) {
   const ParametricScheme family = make_parametric_scheme(cell.scheme);
-  const char letter = family.parameter;
+  const std::string& letter = family.name;
   const bool is_exact = cell.quantity.ends_with(exactly);
   const auto property = parse_range_property(
       std::string_view(cell.quantity).substr(0, cell.quantity.size() - (is_exact ? exactly.size() : 0)));
@@ -130,7 +131,7 @@ formats::Comparison compare_range(const statements::PublishedCell& cell) {
              high_inside = (high_agrees && !printed->high_included) || printed->high <= proved->high.proved,
              beyond = (proved->low.proved < printed->low && !low_agrees) ||
                       (printed->high < proved->high.proved && !high_agrees);
-  const std::string polynomials = polynomials_text(*proved, letter);
+  const std::string polynomials = polynomials_text(*proved, family);
   if (proved->has_gaps) {
     comparison.note = "gaps inside are open" + polynomials;
   } else if (is_exact && beyond) {

@@ -1,5 +1,6 @@
 #include "report_files.hpp"
 
+#include "formats/paper_text.hpp"
 #include "formats/section.hpp"
 #include "formats/surface_figure.hpp"
 #include "pages.hpp"
@@ -37,17 +38,6 @@ Json comparison_json(const formats::ComparisonTable& table, const formats::Compa
   return json;
 }
 
-std::string escaped(const std::string& text, const std::string& special, const std::string& prefix) {
-  std::string result;
-  for (char c : text) {
-    if (special.find(c) != std::string::npos) result += prefix;
-    result += c;
-  }
-  return result;
-}
-
-std::string latex(const std::string& text) { return escaped(text, "_&%#$^", "\\"); }
-
 std::string csv_field(const std::string& text) {
   std::string result = "\"";
   for (char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -63,15 +53,11 @@ std::string csv(const std::vector<std::vector<std::string>>& rows) {
   return result;
 }
 
-std::string latex_table(const std::string& caption, const std::vector<std::vector<std::string>>& rows) {
-  std::string result = "% needs \\usepackage{booktabs}\n\\begin{table}\n  \\centering\n  \\caption{" + latex(caption) +
-                       "}\n  \\begin{tabular}{l" + std::string(rows.front().size() - 1, 'r') + "}\n    \\toprule\n";
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    result += "    ";
-    for (std::size_t i = 0; i < rows[r].size(); ++i) result += (i ? " & " : "") + latex(rows[r][i]);
-    result += r == 0 ? " \\\\\n    \\midrule\n" : " \\\\\n";
-  }
-  return result + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+std::string latex_table(const std::string& caption, formats::TableRows rows) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = formats::latex_text(cell);
+  return "% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{" + formats::latex_text(caption) +
+         "}\n" + formats::latex_tabular(rows, 'r') + "\\end{table}\n";
 }
 
 std::vector<std::vector<std::string>> rows_of(const formats::ComparisonTable& table) {

@@ -1,11 +1,15 @@
 #include "as_written.hpp"
 
+#include "plain_text.hpp"
+
 #include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/expression.hpp>
 #include <subcert/analysis/symbol/utf8.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 namespace subcert {
@@ -94,31 +98,91 @@ std::size_t depth_of(std::string_view list) {
   return depth;
 }
 
-/// D of a factor 1/D in front of a list, with or without parentheses and a star; 0 for another text.
-Integer divisor_of(std::string_view before) {
-  std::string factor = trimmed(before);
-  if (factor.ends_with('*')) factor = trimmed(factor.substr(0, factor.size() - 1));
-  if (factor.starts_with('(') && factor.ends_with(')')) factor = trimmed(factor.substr(1, factor.size() - 2));
-  const auto value = parse_number(factor);
-  return value && *value > 0 && numerator(*value) == 1 ? denominator(*value) : Integer(0);
+/// Whether one of these signs stands outside of parentheses, but for one before the number or in a power.
+bool has_sign(std::string_view text, std::string_view signs) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    const bool is_own = i == 0 || text[i - 1] == '^';
+    if (depth == 0 && !is_own && signs.find(text[i]) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+/// A number before a list, with or without a star, or behind one with its sign; 1 for none, nothing for another text
+/// and for what could mean two things, as `1+1/4 [...]` and `[...]/4/2`.
+std::optional<Rational> factor_of(std::string_view text, bool before) {
+  std::string factor = trimmed(text);
+  if (factor.empty()) return 1;
+  if (before && factor.ends_with('*')) factor = trimmed(factor.substr(0, factor.size() - 1));
+  const bool divides = !before && factor.front() == '/';
+  if (!before) {
+    if (!divides && factor.front() != '*') return std::nullopt;
+    factor = trimmed(factor.substr(1));
+  }
+  const auto value = has_sign(factor, divides ? "+-*/" : "+-") ? std::nullopt : parse_constant(factor);
+  if (!value || *value == 0) return std::nullopt;
+  return divides ? Rational(1 / *value) : *value;
+}
+
+/// Each entry of a list times p; numbers are multiplied.
+std::string times(const std::string& list, const Integer& p) {
+  if (p == 1) return list;
+  std::string result;
+  int depth = 0;
+  for (std::size_t i = 0, begin = 0; i <= list.size(); ++i) {
+    const char c = i < list.size() ? list[i] : ']';
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (depth != 0 || (c != '[' && c != ']' && c != ',')) continue;
+    if (const std::string entry = list.substr(begin, i - begin); !entry.empty()) {
+      const auto number = parse_constant(entry);
+      result += number ? to_text(Rational(*number * p)) : p.str() + "*(" + entry + ")";
+    }
+    if (i < list.size()) result += c;
+    begin = i + 1;
+  }
+  return result;
 }
 
 /// A mask that may have a factor in front; `family`: that was named, if any. Nothing for another text.
 std::string mask_as_written(std::string_view text, std::string family = "mask") {
   const std::size_t begin = text.find('[');
   if (begin == std::string_view::npos) return {};
-  const Integer divisor = begin == 0 ? Integer(1) : divisor_of(text.substr(0, begin));
-  if (divisor == 0) return {};
+  const auto before = factor_of(text.substr(0, begin), true);
+  if (!before) return {};
   text.remove_prefix(begin);
-  const std::size_t end = end_of_list(text);
-  const std::string_view written = text.substr(0, end);
-  const std::string list = in_rows(without_blanks(written, written.find(',') == std::string_view::npos));
-  const std::string rest = without_blanks(text.substr(end), false);
-  const bool divided = rest.starts_with('/');
-  if (divisor != 1 && divided) return {};
+  const std::size_t end = end_of_list(text), fields = std::min(text.find_first_of("@,", end), text.size());
+  const std::string_view written = text.substr(0, end), behind = text.substr(end, fields - end);
+  std::string list = in_rows(without_blanks(written, written.find(',') == std::string_view::npos));
+  const std::string rest = without_blanks(text.substr(fields), false);
   const std::size_t depth = depth_of(list);
   if (family == "mask" && (depth == 2 || depth == 3)) family += std::to_string(depth);
-  return family + ":" + list + (divisor == 1 ? "" : "/" + divisor.str()) + rest;
+  const std::string divisor = without_blanks(behind, false);
+  // One by a whole number is the form of specifications; one with letters is read there.
+  const auto factor = factor_of(behind, false);
+  if (*before == 1 && (!factor || (divisor.starts_with('/') && parse_rational(divisor.substr(1)))))
+    return family + ":" + list + divisor + rest;
+  if (!factor) return {};
+  const Rational scale = *before * *factor;
+  const Integer below = denominator(scale);
+  return family + ":" + times(list, numerator(scale)) + (below == 1 ? "" : "/" + below.str()) + rest;
+}
+
+/// `1/4 (1,3,3,1)` in brackets: a list in parentheses, which no symbol has.
+std::string in_brackets(std::string text) {
+  if (text.find_first_of("[:") != std::string::npos) return text;
+  int depth = 0;
+  for (std::size_t i = 0, begin = 0; i < text.size(); ++i) {
+    if (text[i] == '(' && depth++ == 0) begin = i;
+    if (text[i] == ')') --depth;
+    if (text[i] != ',' || depth != 1) continue;
+    for (; i < text.size() && depth > 0; ++i) depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (depth != 0) return text;
+    text[begin] = '[';
+    text[i - 1] = ']';
+    return text;
+  }
+  return text;
 }
 
 /// The family of a symbol by its variables: symbol in z, symbol2 in x and y, symbol3 in x, y and z.
@@ -137,13 +201,13 @@ bool is_symbol(std::string_view text) {
 }  // namespace
 
 std::string specification_as_written(std::string_view text) {
-  const std::string written = trimmed(text);
+  const std::string written = in_brackets(trimmed(plain_text(text)));
   const std::size_t colon = written.starts_with('[') ? std::string::npos : written.find(':');
   if (colon == std::string::npos) {
     if (std::string mask = mask_as_written(written); !mask.empty()) return mask;
     if (is_symbol(written)) return symbol_family(written) + ":" + written;
   }
-  std::string name = name_of(written.substr(0, colon));
+  std::string name = name_of(trimmed(written.substr(0, colon)));
   const std::string body = colon == std::string::npos ? "" : trimmed(written.substr(colon + 1));
   if (body.empty())
     for (const auto& [other, specification] : names)

@@ -2,6 +2,7 @@
 #include "parametric_specification.hpp"
 
 #include "classical.hpp"
+#include "plain_text.hpp"
 #include "regression_text.hpp"
 
 #include <subcert/analysis/symbol/decimal.hpp>
@@ -31,34 +32,115 @@ constexpr const char* regression_usage = "regression:stencils=[-1..1;-1..2],at=[
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// The letters inside brackets and parentheses, or of a symbol all but z, each with its place.
-std::vector<Piece> letters_inside(const Piece& family, const Piece& body) {
-  if (family.text == "symbol") {
-    const Piece expression = split(body, ',').front();
-    std::vector<Piece> letters;
-    for (std::size_t i = 0; i < expression.text.size(); ++i)
-      if (is_letter(expression.text[i]) && expression.text[i] != 'z')
-        letters.push_back({expression.text.substr(i, 1), expression.at + i});
-    return letters;
-  }
-  std::vector<Piece> letters;
-  int depth = 0;
-  for (std::size_t i = 0; i < body.text.size(); ++i) {
-    const char c = body.text[i];
+/// Whether the letter at this place belongs to a decimal, as in 25e-2.
+bool is_of_decimal(std::string_view text, std::size_t at) {
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  if ((text[at] != 'e' && text[at] != 'E') || at == 0 || (!is_digit(at - 1) && text[at - 1] != '.')) return false;
+  const bool sign = at + 1 < text.size() && (text[at + 1] == '-' || text[at + 1] == '+');
+  return is_digit(at + (sign ? 2 : 1));
+}
+
+/// What stands together of letters inside brackets and parentheses, or in a symbol but for z.
+std::vector<Piece> names_inside(const Piece& family, const Piece& body) {
+  const bool is_symbol = family.text == "symbol";
+  const Piece whole = is_symbol ? split(body, ',').front() : body;
+  std::vector<Piece> names;
+  int depth = is_symbol ? 1 : 0;
+  for (std::size_t i = 0; i < whole.text.size(); ++i) {
+    const char c = whole.text[i];
     depth += c == '[' || c == '(' ? 1 : c == ']' || c == ')' ? -1 : 0;
-    if (depth != 0 && is_letter(c)) letters.push_back({body.text.substr(i, 1), body.at + i});
+    std::size_t end = i;
+    while (end < whole.text.size() && is_letter(whole.text[end])) ++end;
+    if (end == i) continue;
+    const Piece letters{whole.text.substr(i, end - i), whole.at + i};
+    if (is_symbol && letters.text.find("zeta") != std::string_view::npos)
+      fail(letters, "another name for the parameter, as z is the variable");
+    if (depth != 0 && !(end == i + 1 && is_of_decimal(whole.text, i)))
+      for (const Piece& part : is_symbol ? split(letters, 'z') : std::vector<Piece>{letters})
+        if (!part.text.empty()) names.push_back(part);
+    i = end - 1;
   }
+  return names;
+}
+
+/// One letter for those that are a product of it.
+std::string_view name_of(std::string_view letters) {
+  return letters.find_first_not_of(letters.front()) == std::string_view::npos ? letters.substr(0, 1) : letters;
+}
+
+/// The one name inside brackets and parentheses.
+std::string read_parameter(const Piece& family, const Piece& body, const char* usage) {
+  const std::vector<Piece> names = names_inside(family, body);
+  if (names.empty()) fail(body, std::string("a letter for the parameter, as in ") + usage);
+  const std::string_view parameter = name_of(names.front().text);
+  for (const Piece& name : names) {
+    constexpr std::string_view functions[] = {"sqrt", "sin", "cos", "tan", "exp", "log", "ln", "abs", "pi"};
+    if (std::ranges::find(functions, name.text) != std::end(functions))
+      fail(name, std::string("exact numbers and a parameter; a root as ") + algebraic_usage);
+    if (name_of(name.text) != parameter)
+      fail(name, fmt::format("one letter or name for the parameter, here {}", parameter));
+  }
+  for (std::size_t i = 0; i < body.text.size(); ++i)
+    if (parameter.size() == 1 && body.text[i] == parameter.front() && is_of_decimal(body.text, i))
+      fail({body.text.substr(i, 1), body.at + i}, "a * before the parameter");
+  return std::string(parameter);
+}
+
+/// Where names end in letters that are a product of them; empty for no product, or for more than one.
+std::vector<std::size_t> ends_of_names(std::string_view letters, const std::vector<std::string>& names) {
+  std::vector<std::size_t> ways(letters.size() + 1, 0), from(letters.size() + 1, 0);
+  ways[0] = 1;
+  for (std::size_t end = 1; end <= letters.size(); ++end)
+    for (const std::string& name : names)
+      if (letters.substr(0, end).ends_with(name) && ways[end - name.size()] > 0) {
+        ways[end] = std::min<std::size_t>(ways[end] + ways[end - name.size()], 2);
+        from[end] = end - name.size();
+      }
+  std::vector<std::size_t> ends;
+  if (ways.back() == 1)
+    for (std::size_t end = letters.size(); end > 0; end = from[end]) ends.insert(ends.begin(), end);
+  return ends;
+}
+
+/// An expression with a name in place of its letter.
+std::string with_name(const std::string& expression, char letter, const std::string& name) {
+  std::string result;
+  for (const char c : expression) result += c == letter ? name : std::string(1, c);
+  return result;
+}
+
+/// A letter for each name, its first where that is free and not z.
+std::string letters_for(const std::vector<std::string>& names) {
+  std::string letters;
+  for (const std::string& name : names)
+    for (const char c : name + "wtsuvabcdfghk")
+      if (letters.find(c) == std::string::npos &&
+          (name.size() == 1 || (c != 'z' && std::ranges::find(names, std::string(1, c)) == names.end()))) {
+        letters += c;
+        break;
+      }
   return letters;
 }
 
-/// The one letter inside brackets and parentheses.
-char read_parameter(const Piece& family, const Piece& body, const char* usage) {
-  const std::vector<Piece> letters = letters_inside(family, body);
-  if (letters.empty()) fail(body, std::string("a letter for the parameter, as in ") + usage);
-  const char parameter = letters.front().text.front();
-  for (const Piece& letter : letters)
-    if (letter.text.front() != parameter) fail(letter, fmt::format("one letter for the parameter, here {}", parameter));
-  return parameter;
+/// The text with the letters in place of the names.
+std::string replaced(std::string_view text, std::vector<Piece> pieces, const std::vector<std::string>& names,
+                     std::string_view letters) {
+  std::string result;
+  std::size_t done = 0;
+  for (const Piece& piece : pieces) {
+    const std::vector<std::size_t> ends = ends_of_names(piece.text, names);
+    if (ends.empty())
+      fail(piece, fmt::format("products of {}, with * where they stand together", fmt::join(names, ", ")));
+    result += text.substr(done, piece.at - done);
+    for (std::size_t k = 0, begin = 0; k < ends.size(); begin = ends[k++]) {
+      const auto name = std::ranges::find(names, piece.text.substr(begin, ends[k] - begin));
+      result += letters[static_cast<std::size_t>(name - names.begin())];
+    }
+    done = piece.at + piece.text.size();
+  }
+  return result += text.substr(done);
 }
 
 RationalFunction read_function(const Piece& piece, char parameter) {
@@ -152,14 +234,13 @@ ParametricMask checked_mask(const LetterMask& text) {
   return mask;
 }
 
-ParametricScheme make_mask(const Piece& family, const Piece& body) {
-  const char letter = read_parameter(family, body, mask_usage);
+ParametricScheme make_mask(const Piece& family, const Piece& body, char letter, const std::string& name) {
   const LetterMask text = read_letter_mask(family, body, std::string(1, letter), mask_usage);
   text.fields.finish();
   ParametricMask mask = checked_mask(text);
-  const std::string printed = mask.to_text(letter);
+  const std::string printed = with_name(mask.to_text(letter), letter, name);
   return {"mask:" + printed + (text.arity == 2 ? "" : ",arity=" + std::to_string(text.arity)),
-          fmt::format("mask with the parameter {}", letter), letter, std::move(mask)};
+          "mask with the parameter " + name, letter, name, std::move(mask)};
 }
 
 /// p modulo a polynomial of positive degree.
@@ -200,9 +281,8 @@ AlgebraicNumber read_number(const Piece& piece, char letter) {
   fail(ends, "an interval with a zero");
 }
 
-ParametricScheme make_regression(const Piece& family, const Piece& body) {
+ParametricScheme make_regression(const Piece& family, const Piece& body, char parameter, const std::string& name) {
   Fields fields(family, body, regression_usage);
-  const char parameter = read_parameter(family, body, regression_usage);
   const auto number = [=](const Piece& piece) { return read_function(piece, parameter); };
   const auto weight = [=](const Piece& piece) {
     RationalFunction value = read_function(piece, parameter);
@@ -211,28 +291,24 @@ ParametricScheme make_regression(const Piece& family, const Piece& body) {
     return value;
   };
   const auto [scheme, text, points, digits, stencils] = read_regression<RationalFunction>(
-      fields, number, weight, [=](const RationalFunction& value) { return value.to_text(parameter); });
+      fields, number, weight,
+      [&](const RationalFunction& value) { return with_name(value.to_text(parameter), parameter, name); });
   fields.finish();
   const long effective = std::min<long>(scheme.degree, points - 1);
   if (points * std::max(1L, effective * effective) > max_symbolic_work)
     fail(stencils, fmt::format("points * d^2 <= {} with a parameter", max_symbolic_work));
   ParametricMask mask = parametric_regression_mask(scheme);
   require_size(mask, stencils);
-  return {text, fmt::format("local regression of degree {} with the parameter {}", scheme.degree, parameter), parameter,
-          std::move(mask)};
-}
-
-ParametricScheme make_classical(const ClassicalFamily& family, const Piece& body) {
-  if (body.text.size() != 1 || !is_letter(body.text.front()))
-    fail(body, "a letter for the parameter, as in " + family.name + ":w");
-  const char letter = body.text.front();
-  return {fmt::format("{}:{}", family.name, letter), fmt::format("{} {}", family.title, letter), letter, family.mask};
+  return {text, fmt::format("local regression of degree {} with the parameter {}", scheme.degree, name), parameter,
+          name, std::move(mask)};
 }
 
 }  // namespace
 
 Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece& body) {
-  const char letter = read_parameter(family, body, algebraic_usage);
+  const std::string name = read_parameter(family, body, algebraic_usage);
+  if (name.size() > 1) fail(body, "one letter for the number, as t in " + std::string(algebraic_usage));
+  const char letter = name.front();
   LetterMask text = read_letter_mask(family, body, std::string(1, letter), algebraic_usage);
   const AlgebraicNumber number = read_number(text.fields.required("where"), letter);
   text.fields.finish();
@@ -267,35 +343,67 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
 
 namespace {
 
-ParametricScheme parametric_scheme_of(std::string_view specification) {
-  const Piece family = family_of(specification);
-  const Piece body = body_of(specification);
-  if (family.text == "mask" || family.text == "symbol") return make_mask(family, body);
-  if (family.text == "regression") return make_regression(family, body);
-  std::string names = std::string(" or ") + regression_usage;
-  for (const ClassicalFamily& classical : classical_families()) {
-    if (family.text == classical.name) return make_classical(classical, body);
-    names += " or " + classical.name + ":w";
+const ClassicalFamily* classical_family(std::string_view name) {
+  const auto& families = classical_families();
+  const auto found = std::ranges::find(families, name, &ClassicalFamily::name);
+  return found == families.end() ? nullptr : &*found;
+}
+
+bool has_letters(std::string_view family) { return family == "mask" || family == "symbol" || family == "regression"; }
+
+bool is_name(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_letter); }
+
+/// A specification with one letter for the parameter.
+struct Lettered {
+  std::string specification;
+  std::string name;
+  char letter;
+};
+
+Lettered in_one_letter_of(std::string_view specification) {
+  const Piece family = family_of(specification), body = body_of(specification);
+  if (const ClassicalFamily* classical = classical_family(family.text)) {
+    if (!is_name(body.text)) fail(body, "a letter for the parameter, as in " + classical->name + ":w");
+    return {std::string(specification), std::string(body.text), letters_for({std::string(body.text)}).front()};
   }
-  fail(family, std::string("a family with a parameter: ") + mask_usage + names);
+  if (!has_letters(family.text)) {
+    std::string names = std::string(" or ") + regression_usage;
+    for (const ClassicalFamily& one : classical_families()) names += " or " + one.name + ":w";
+    fail(family, std::string("a family with a parameter: ") + mask_usage + names);
+  }
+  const std::string name = read_parameter(family, body, family.text == "regression" ? regression_usage : mask_usage);
+  const std::string letter = letters_for({name});
+  return {replaced(specification, names_inside(family, body), {name}, letter), name, letter.front()};
 }
 
 }  // namespace
 
-ParametricScheme make_parametric_scheme(std::string_view specification) {
-  return from_written(specification, parametric_scheme_of);
+std::string ParametricScheme::named(const std::string& expression) const { return with_name(expression, letter, name); }
+
+ParametricScheme make_parametric_scheme(std::string_view text) {
+  const Lettered lettered = from_written(text, in_one_letter_of);
+  return read_as(text, lettered.specification, [&](std::string_view specification) {
+    const Piece family = family_of(specification), body = body_of(specification);
+    const auto& [read, name, letter] = lettered;
+    if (const ClassicalFamily* classical = classical_family(family.text))
+      return ParametricScheme{classical->name + ":" + name, classical->title + " " + name, letter, name,
+                              classical->mask};
+    return family.text == "regression" ? make_regression(family, body, letter, name)
+                                       : make_mask(family, body, letter, name);
+  });
 }
 
 bool has_parameter(std::string_view text) {
   const std::string specification = specification_as_written(text);
-  const std::string_view family = family_of(specification).text;
-  const Piece body = body_of(specification);
+  const Piece family = family_of(specification), body = body_of(specification);
   if (body.text.find(",where=") != std::string_view::npos) return false;
-  if (family == "mask" || family == "regression" || family == "symbol")
-    return !letters_inside(family_of(specification), body).empty();
-  const auto& families = classical_families();
-  return body.text.size() == 1 && is_letter(body.text.front()) &&
-         std::any_of(families.begin(), families.end(), [&](const ClassicalFamily& one) { return one.name == family; });
+  if (has_letters(family.text)) return !names_inside(family, body).empty();
+  return is_name(body.text) && classical_family(family.text) != nullptr;
+}
+
+std::pair<std::string, std::string> in_letters(std::string_view specification, const std::vector<std::string>& names) {
+  const std::string letters = letters_for(names), written = specification_as_written(specification);
+  return {replaced(written, names_inside(family_of(written), body_of(written)), names, letters), letters};
 }
 
 ParametricMask make_parametric_mask(std::string_view specification, const std::string& letters) {
@@ -309,11 +417,12 @@ ParametricMask make_parametric_mask(std::string_view specification, const std::s
   });
 }
 
-std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter) {
+std::optional<ParameterRange> parse_parameter_range(std::string text, std::string_view name) {
+  text = plain_text(text);
   std::erase(text, ' ');
-  const std::size_t at = text.find(parameter);
+  const std::size_t at = text.find(name);
   if (at == std::string::npos || text.size() > 1000) return std::nullopt;
-  std::string_view low = std::string_view(text).substr(0, at), high = std::string_view(text).substr(at + 1);
+  std::string_view low = std::string_view(text).substr(0, at), high = std::string_view(text).substr(at + name.size());
   if (!(low.ends_with('<') || low.ends_with("<=")) || !high.starts_with('<')) return std::nullopt;
   ParameterRange range{0, 0, low.ends_with('='), high.starts_with("<=")};
   low.remove_suffix(range.low_included ? 2 : 1);

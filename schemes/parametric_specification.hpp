@@ -11,19 +11,29 @@ namespace subcert {
 struct ParametricScheme {
   std::string specification;
   std::string title;
-  char parameter;
+  char letter;       ///< for the parameter, as in certificates
+  std::string name;  ///< of the parameter, as it is written: the letter, or `mu`
   ParametricMask mask;
+
+  /// An expression in the letter, with the name in its place.
+  std::string named(const std::string& expression) const;
 };
 
 /// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]`, `regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]`,
-/// or a classical family, as `four-point:w`, with any letter for the parameter. Coefficients, positions and weights are
-/// what RationalFunction::parse reads. Domain: up to 100 coefficients, degree up to 12 over their common denominator;
-/// else as make_scheme. Errors: throws SpecificationError, also for two letters, none, or coset sums other than 1
-/// for some value.
+/// or a classical family, as `four-point:w`, with any letter or a name of several, `mu`, for the parameter. Letters
+/// that stand together are one name, those of one letter, `ww`, a product, and z in a symbol stands for itself.
+/// Coefficients, positions and weights are what RationalFunction::parse reads. Domain: up to 100 coefficients, degree
+/// up to 12 over their common denominator; else as make_scheme. Errors: throws SpecificationError, also for two
+/// letters, none, or coset sums other than 1 for some value.
 ParametricScheme make_parametric_scheme(std::string_view specification);
 
 /// Whether the text names a family that make_parametric_scheme may read: with a letter where a number may stand.
 bool has_parameter(std::string_view text);
+
+/// The specification with a letter for each of these names, as `wt` for {"omega", "tau"}, which are returned behind it.
+/// Domain: different names of letters. Errors: throws SpecificationError where letters that stand together are products
+/// of them in two ways.
+std::pair<std::string, std::string> in_letters(std::string_view specification, const std::vector<std::string>& names);
 
 /// Reads `mask:[t,0,-w-3*t,...]` with two or three letters: coefficients are what LetterFunction::parse reads. Domain:
 /// different letters; up to 100 coefficients, degrees up to 12 in each; else as make_scheme. Errors: throws
@@ -38,6 +48,6 @@ struct ParameterRange {
 
 /// Reads `0 < w <= 1/5` or `-0.1 <= w < 2`, blanks anywhere; nothing for another text. Domain: low < high, up to 1000
 /// characters.
-std::optional<ParameterRange> parse_parameter_range(std::string text, char parameter);
+std::optional<ParameterRange> parse_parameter_range(std::string text, std::string_view name);
 
 }  // namespace subcert

@@ -7,6 +7,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/expression.hpp>
 #include <subcert/analysis/symbol/term_text.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -33,7 +34,15 @@ struct Piece {
   throw SpecificationError(piece.text, piece.at + 1, expected);
 }
 
-/// Splits at `separator` outside of brackets.
+/// Without the blanks at its ends.
+inline Piece trimmed(Piece piece) {
+  const std::size_t begin = std::min(piece.text.find_first_not_of(" \t"), piece.text.size());
+  piece.text.remove_prefix(begin);
+  piece.text = piece.text.substr(0, piece.text.find_last_not_of(" \t") + 1);
+  return {piece.text, piece.at + begin};
+}
+
+/// Splits at `separator` outside of brackets; blanks about the pieces go.
 inline std::vector<Piece> split(const Piece& piece, char separator) {
   std::vector<Piece> result;
   int depth = 0;
@@ -43,7 +52,7 @@ inline std::vector<Piece> split(const Piece& piece, char separator) {
     if (c == '[' || c == '(') ++depth;
     if (c == ']' || c == ')') --depth;
     if (i == piece.text.size() || (c == separator && depth <= 0)) {
-      result.push_back({piece.text.substr(begin, i - begin), piece.at + begin});
+      result.push_back(trimmed({piece.text.substr(begin, i - begin), piece.at + begin}));
       begin = i + 1;
     }
   }
@@ -58,8 +67,8 @@ inline std::vector<Piece> read_list(const Piece& piece, char separator) {
 }
 
 inline Rational read_rational(const Piece& piece) {
-  const auto value = parse_number(piece.text);
-  if (!value) fail(piece, "an exact number p, p/q with q > 0, or a decimal (for example 1/16 or 0.0625)");
+  const auto value = parse_constant(piece.text);
+  if (!value) fail(piece, "an exact number p, p/q with q > 0, a decimal, or a sum of such (for example 1/16)");
   return *value;
 }
 
@@ -95,14 +104,15 @@ class Fields {
   Piece required(std::string_view key) {
     if (const auto value = optional(key)) return *value;
     const std::string expected = "the key '" + std::string(key) + "', as in " + usage_;
+    const std::vector<std::string> keys = keys_of(usage_);
     for (const Field& field : fields_)
-      if (!field.used && !has_key(usage_, field.key.text)) fail(field.key, expected);
+      if (!field.used && std::ranges::find(keys, field.key.text) == keys.end()) fail(field.key, expected);
     fail(family_, expected);
   }
 
   void finish() const {
     for (const Field& field : fields_)
-      if (!field.used) fail(field.key, "a key of " + usage_);
+      if (!field.used) fail(field.key, "a key of " + usage_ + did_you_mean(field.key.text, keys_of(usage_)));
   }
 
  private:
@@ -112,21 +122,23 @@ class Fields {
     bool used = false;
   };
 
-  /// Whether `key=` stands in the usage behind a colon or a comma.
-  static bool has_key(const std::string& usage, std::string_view key) {
-    for (std::size_t at = usage.find(key); at != std::string::npos; at = usage.find(key, at + 1))
-      if (at > 0 && (usage[at - 1] == ':' || usage[at - 1] == ',') && usage.substr(at + key.size(), 1) == "=")
-        return true;
-    return false;
+  /// What stands between a colon or a comma and = there.
+  static std::vector<std::string> keys_of(const std::string& usage) {
+    std::vector<std::string> keys;
+    for (std::size_t at = usage.find('='); at != std::string::npos; at = usage.find('=', at + 1)) {
+      const std::size_t begin = usage.find_last_of(":,", at) + 1;
+      keys.push_back(usage.substr(begin, at - begin));
+    }
+    return keys;
   }
 
   void add(const Piece& piece) {
     const std::size_t equals = piece.text.find('=');
     if (equals == std::string_view::npos) fail(piece, "key=value, as in " + usage_);
-    const Piece key{piece.text.substr(0, equals), piece.at};
+    const Piece key = trimmed({piece.text.substr(0, equals), piece.at});
     for (const Field& field : fields_)
       if (field.key.text == key.text) fail(key, "each key once");
-    fields_.push_back({key, {piece.text.substr(equals + 1), piece.at + equals + 1}});
+    fields_.push_back({key, trimmed({piece.text.substr(equals + 1), piece.at + equals + 1})});
   }
 
   Piece family_;
@@ -241,24 +253,29 @@ inline std::string unknown_family(std::string_view word) {
   names.emplace_back("l1");
   for (const auto* helps : {&families(), &multivariate_families()})
     for (const FamilyHelp& help : *helps) names.push_back(help.family);
+  if (const std::string first(word.substr(0, word.find_first_of(" (="))); first.size() < word.size())
+    if (std::ranges::find(names, first) != names.end()) return "a colon behind '" + first + "', as in primal:n=3";
   return "a family (primal:n=3; 'subcert mask --help' lists all), a mask ([1,3,3,1]/4) or a symbol ((1+z)^3/4z)" +
          did_you_mean(word, names);
 }
 
-/// What `read` makes of a text as it is written. Errors speak of the specification that was read, where it is another.
+/// What `read` makes of a specification that stands for a text. Errors speak of the specification, where it is another.
 template <class Read>
-auto from_written(std::string_view text, Read read) {
-  if (text.size() > max_text) fail({text, 0}, "at most " + std::to_string(max_text) + " characters");
-  const std::string specification = specification_as_written(text);
+auto read_as(std::string_view text, const std::string& specification, Read read) {
   try {
     return read(specification);
   } catch (const SpecificationError& error) {
     if (specification == text) throw;
-    constexpr std::size_t longest = 60;
     throw SpecificationError(error.token(), error.position(),
-                             error.expected() + "; read as '" + specification.substr(0, longest) +
-                                 (specification.size() > longest ? "...'" : "'"));
+                             error.expected() + "; read as '" + printable(specification) + "'");
   }
+}
+
+/// The same of a text as it is written.
+template <class Read>
+auto from_written(std::string_view text, Read read) {
+  if (text.size() > max_text) fail({text, 0}, "at most " + std::to_string(max_text) + " characters");
+  return read_as(text, specification_as_written(text), read);
 }
 
 inline Piece family_of(std::string_view specification) { return {specification.substr(0, specification.find(':')), 0}; }

@@ -212,6 +212,22 @@ MultivariatePolynomial read_polynomial(std::string_view text, std::string_view l
   return Reader("polynomial", text, letters, degree).polynomial();
 }
 
+std::optional<Rational> parse_constant(std::string_view text) {
+  if (auto number = parse_number(text)) return number;
+  constexpr std::string_view letter = "z";  // a reader has one
+  if (text.empty() || text.find_first_of(letter) != std::string_view::npos) return std::nullopt;
+  bool divided = false;
+  for (const char c : text) {
+    if (c == '/' && divided) return std::nullopt;
+    divided = c == '/' || (divided && std::string_view("+-*()").find(c) == std::string_view::npos);
+  }
+  try {
+    return in_one_letter(read_polynomial(text, letter, 1)).coefficient(0);
+  } catch (const ParseError&) {
+    return std::nullopt;
+  }
+}
+
 LaurentPolynomial in_one_letter(const MultivariatePolynomial& p) {
   if (p.is_zero()) return {};
   const long lowest = p.lowest().front();

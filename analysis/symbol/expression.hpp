@@ -3,6 +3,8 @@
 
 #include "rational_function.hpp"
 
+#include <optional>
+
 namespace subcert {
 
 /// sum = ['+'|'-'] product {('+'|'-') product}; product = power {['*'] power | '/' power}; power = atom ['^' integer];
@@ -13,6 +15,10 @@ LetterFunction read_expression(std::string_view text, std::string_view letters, 
 
 /// The same where whole powers may be negative, and the value is a Laurent polynomial.
 MultivariatePolynomial read_polynomial(std::string_view text, std::string_view letters, long degree);
+
+/// The value of a sum, a product, ... of numbers, as `1/2-1/4`; nothing for another text, also for `1/2/3`, which could
+/// mean two.
+std::optional<Rational> parse_constant(std::string_view text);
 
 /// A polynomial in one letter. Domain: one variable.
 LaurentPolynomial in_one_letter(const MultivariatePolynomial& p);

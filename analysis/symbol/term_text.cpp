@@ -2,6 +2,7 @@
 
 #include "decimal.hpp"
 #include "error.hpp"
+#include "expression.hpp"
 #include "parse_error.hpp"
 
 #include <algorithm>
@@ -26,8 +27,8 @@ std::string print_magnitude(const Rational& value, Style style) {
 }
 
 Rational read_number(std::string_view text) {
-  const auto value = parse_number(text);
-  if (!value) throw ParseError("mask", text, 1, "an exact number p, p/q with q > 0, or a decimal");
+  const auto value = parse_constant(text);
+  if (!value) throw ParseError("mask", text, 1, "an exact number p, p/q with q > 0, a decimal, or a sum of such");
   return *value;
 }
 
@@ -106,7 +107,8 @@ class MaskReader {
     if (divisor_text.empty()) return;
     const bool is_expression = has_letters_ && divisor_text.starts_with("/(");
     const auto integer = parse_rational(divisor_text.substr(1));
-    if (!is_expression && (divisor_text.front() != '/' || !integer || denominator(*integer) != 1 || *integer <= 0))
+    const bool is_one = divisor_text.front() == '/' && divisor_text.find('/', 1) == std::string_view::npos;
+    if (!is_expression && (!is_one || !integer || denominator(*integer) != 1 || *integer <= 0))
       fail(divisor_text, at_, "/D with a positive integer D, or @ and the first index");
     const Number divisor = number(divisor_text.substr(1), at_ + 1);
     if (is_zero(divisor)) fail(divisor_text.substr(1), at_ + 1, "a denominator that is not zero");

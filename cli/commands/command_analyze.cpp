@@ -77,7 +77,7 @@ void add_analyze(Command& app) {
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
   command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--plot", options->plot,
-                 "Draw the basic limit function of one or two variables, as .svg, .png or .html");
+                 "Draw the basic limit function of one or two variables, as .svg, .png, .pdf, .tex or .html");
   command.option("--html", options->html, "A page with pictures and the certificate, all in one file");
   add_scheme(command, options->scheme, true);
 }

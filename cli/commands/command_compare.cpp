@@ -4,6 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/reports/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -18,10 +19,11 @@ constexpr std::size_t widest_column = 48;
 struct CompareOptions : SearchOptions {
   std::vector<std::string> schemes;
   std::string html;
+  PaperForm form;
 };
 
-/// A line a fact, a column a scheme; what is too wide ends in dots.
-std::string table_text(const std::vector<reports::Plate>& plates) {
+/// A row a fact, a column a scheme.
+formats::TableRows table_rows(const std::vector<reports::Plate>& plates) {
   std::vector<Facts> known;
   for (const reports::Plate& plate : plates) known.push_back(reports::plate_facts(plate));
   std::vector<std::vector<std::string>> rows{{"scheme"}};
@@ -33,7 +35,12 @@ std::string table_text(const std::vector<reports::Plate>& plates) {
       rows.back().push_back(fact ? fact->text.substr(0, fact->text.find('\n')) : "-");
     }
   }
-  std::vector<std::size_t> widths(plates.size() + 1, 0);
+  return rows;
+}
+
+/// What is too wide ends in dots.
+std::string table_text(formats::TableRows rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
   for (auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (row[i].size() > widest_column) row[i] = row[i].substr(0, widest_column - 3) + "...";
@@ -49,6 +56,7 @@ std::string table_text(const std::vector<reports::Plate>& plates) {
 }
 
 ExitCode run(const CompareOptions& options) {
+  require_one_form(options, options.form);
   if (options.schemes.size() < 2)
     fail(ErrorKind::usage, "compare: needs two schemes or more, got '{}'", options.schemes.front());
   std::vector<reports::GalleryScheme> schemes;
@@ -60,7 +68,19 @@ ExitCode run(const CompareOptions& options) {
   if (!options.html.empty()) plate_options.verified = verified;
   const std::vector<reports::Plate> plates = make_plates(schemes, plate_options, options);
   if (!options.html.empty()) runtime::write_file(options.html, reports::comparison_html(plates));
-  options.answer(plates_json(plates), table_text(plates));
+  formats::TableRows rows = table_rows(plates);
+  if (options.form.markdown) {
+    options.answer(formats::markdown_table(rows));
+  } else if (options.form.latex) {
+    for (auto& row : rows) {
+      const bool formulas = row.front() == "symbol";
+      for (std::size_t i = 0; i < row.size(); ++i)
+        row[i] = formulas && i > 0 ? "$" + formats::latex_formula(row[i]) + "$" : formats::latex_text(row[i]);
+    }
+    options.answer("% needs \\usepackage{booktabs}\n" + formats::latex_tabular(rows, 'l'));
+  } else {
+    options.answer(plates_json(plates), table_text(std::move(rows)));
+  }
   return exit_code(plates);
 }
 
@@ -75,6 +95,7 @@ void add_compare(Command& app) {
   command.option("SCHEME", options->schemes, "Scheme specifications, two or more").required();
   command.option("--html", options->html, "A page with pictures and certificates, all in one file");
   add_limits(command, *options);
+  add_paper_form(command, options->form, "The table in LaTeX", "The table in Markdown");
 }
 
 }  // namespace subcert::cli

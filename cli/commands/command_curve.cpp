@@ -54,7 +54,7 @@ Json json_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
                       {"reason", piece.proof.reason}});
   for (const CurvePoint& point : curve.special)
     special.push_back({{"value", enclosure_json(point.at.value)},
-                       {"polynomial", to_text(point.at.polynomial, scheme.parameter)},
+                       {"polynomial", scheme.named(to_text(point.at.polynomial, scheme.letter))},
                        {"why", why_text(point.at.why)},
                        {"holder", enclosure_json(positive_part(point.exponent.value_or(Enclosure{})))}});
   return {{"family", scheme.specification}, {"sum_rules", curve.sum_rules}, {"pieces", pieces}, {"special", special}};
@@ -80,7 +80,7 @@ std::string exponent_text(const CurvePoint& point) {
 /// A row for each run of pieces with one product and one verdict on convergence.
 std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
   std::ostringstream page;
-  const char w = scheme.parameter;
+  const std::string& w = scheme.name;
   page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
        << "sum rules    " << curve.sum_rules << " for all " << w << "\n"
        << "pieces       " << curve.pieces.size() << "\n";
@@ -126,7 +126,7 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
 /// Both envelopes in runs without gaps, what lies between them, and the exponents at single values.
 void draw(const ExponentCurve& curve, const ParametricScheme& scheme, const std::string& file) {
   const auto number = [](const Rational& value) { return value.convert_to<double>(); };
-  formats::Panel panel{scheme.specification, std::string(1, scheme.parameter), "Hoelder exponent", {}};
+  formats::Panel panel{scheme.specification, scheme.name, "Hoelder exponent", {}};
   struct Envelope {
     const char *label, *colour;
     std::optional<Rational> Enclosure::*end;
@@ -169,7 +169,7 @@ void draw(const ExponentCurve& curve, const ParametricScheme& scheme, const std:
 ExitCode run(const CurveCommandOptions& options) {
   require_picture_name(options.plot);
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
-  const auto [low, high] = read_over(options.over, scheme.parameter);
+  const auto [low, high] = read_over(options.over, scheme.name);
   if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("pieces");
   const ExponentCurve curve = exponent_curve(scheme.mask, low, high,
@@ -180,7 +180,7 @@ ExitCode run(const CurveCommandOptions& options) {
   if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(curve));
   if (!options.certificate.empty()) {
     std::vector<NamedCertificate> certificates;
-    for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.parameter, curve))
+    for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.letter, curve))
       certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate});
     written = write_certificates(options.certificate, certificates, {"-piece"}, json);
   }
@@ -205,7 +205,7 @@ void add_curve(Command& app) {
   command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")
       .within(1, 100'000)
       .with_default();
-  command.option("--plot", options->plot, "Draw both envelopes, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw both envelopes, as .svg, .png, .pdf, .tex or .html");
   command.option("--csv", options->csv, "Write the pieces as a table");
   command.option("--certificate", options->certificate, "Write a certificate for each piece into this folder");
   add_limits(command, *options);

@@ -6,6 +6,7 @@
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
+#include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/ranges.h>
 
@@ -50,20 +51,20 @@ Json json_of(const PropertyMap& map, const MapCommandOptions& options) {
           {"shares", shares},         {"cells", cells}};
 }
 
-std::string csv_of(const PropertyMap& map, const std::string& letters) {
+std::string csv_of(const PropertyMap& map, const std::vector<std::string>& names) {
   std::string text;
-  for (const char letter : letters) text += fmt::format("{0}_from,{0}_to,", letter);
+  for (const std::string& letter : names) text += fmt::format("{0}_from,{0}_to,", letter);
   text += "verdict\n";
   for (const MapCell& cell : map.cells) {
-    for (std::size_t v = 0; v < letters.size(); ++v)
+    for (std::size_t v = 0; v < names.size(); ++v)
       text += fmt::format("{},{},", to_text(cell.box.low[v]), to_text(cell.box.high[v]));
     text += fmt::format("{}\n", verdict_text(cell.holds));
   }
   return text;
 }
 
-void draw(const PropertyMap& map, const MapCommandOptions& options, const std::string& letters) {
-  formats::Panel panel{options.property, letters.substr(0, 1), letters.substr(1, 1), {}};
+void draw(const PropertyMap& map, const MapCommandOptions& options, const std::vector<std::string>& names) {
+  formats::Panel panel{options.property, names[0], names[1], {}};
   const auto number = [](const Rational& value) { return value.convert_to<double>(); };
   for (const Truth holds : verdicts) {
     formats::Cells cells{verdict_text(holds), colour_of(holds), {}};
@@ -78,51 +79,54 @@ void draw(const PropertyMap& map, const MapCommandOptions& options, const std::s
   formats::draw_file({"map", options.scheme, "", 1, {panel}}, options.plot);
 }
 
-/// The letters of the parameters, in the order of --over.
-std::string read_letters(const std::vector<std::string>& over) {
-  std::string letters;
-  for (const std::string& range : over)
-    if (range.size() > 2 && std::isalpha(static_cast<unsigned char>(range[0])) != 0 && range[1] == '=' &&
-        letters.find(range[0]) == std::string::npos)
-      letters += range[0];
-  if (over.size() < 2 || over.size() > 3 || letters.size() != over.size())
+/// The names of the parameters, in the order of --over.
+std::vector<std::string> read_names(const std::vector<std::string>& over) {
+  std::vector<std::string> names;
+  for (const std::string& range : over) {
+    const std::string name = plain_text(range.substr(0, range.find('=')));
+    const bool letters = !name.empty() &&
+                         std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (letters && name.size() < range.size() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  if (over.size() < 2 || over.size() > 3 || names.size() != over.size())
     fail(ErrorKind::usage,
          "--over: expected two or three ranges with different letters, --over v=LOW..HIGH --over w=LOW..HIGH");
-  return letters;
+  return names;
 }
 
 /// `v and w`
-std::string listed(const std::string& letters) {
-  return fmt::format("{} and {}", fmt::join(letters.substr(0, letters.size() - 1), ", "), letters.back());
+std::string listed(const std::vector<std::string>& names) {
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
 ExitCode run(const MapCommandOptions& options) {
   require_picture_name(options.plot);
-  const std::string letters = read_letters(options.over);
-  const ParametricMask mask = make_parametric_mask(options.scheme, letters);
+  const std::vector<std::string> names = read_names(options.over);
+  const auto [scheme, letters] = in_letters(options.scheme, names);
+  const ParametricMask mask = make_parametric_mask(scheme, letters);
   Box box;
-  for (std::size_t v = 0; v < letters.size(); ++v) {
-    auto [low, high] = read_over(options.over[v], letters[v]);
+  for (std::size_t v = 0; v < names.size(); ++v) {
+    auto [low, high] = read_over(options.over[v], names[v]);
     box.low.push_back(std::move(low));
     box.high.push_back(std::move(high));
   }
-  if (!options.plot.empty() && letters.size() > 2)
-    fail(ErrorKind::usage, "--plot: expected two ranges, got {}; --csv and --json list the cells", letters.size());
+  if (!options.plot.empty() && names.size() > 2)
+    fail(ErrorKind::usage, "--plot: expected two ranges, got {}; --csv and --json list the cells", names.size());
   const auto property = parse_range_property(options.property);
   if (!property)
     fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
   options.progress("cells");
   const PropertyMap map = property_map(mask, *property, box, {options.resolution, options.threads(), options.limits()});
   options.end_progress();
-  if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(map, letters));
-  if (!options.plot.empty()) draw(map, options, letters);
+  if (!options.csv.empty()) runtime::write_file(options.csv, csv_of(map, names));
+  if (!options.plot.empty()) draw(map, options, names);
   std::string text = fmt::format("scheme       {}\nproperty     {}\nsum rules    {} for all {}\n", options.scheme,
-                                 options.property, map.sum_rules, listed(letters));
+                                 options.property, map.sum_rules, listed(names));
   // No larger share is said to be decided than is.
   for (const Truth holds : verdicts)
     text += fmt::format("{}{} % of the {}, {} cells\n", padded(verdict_text(holds), 13),
                         to_decimal(map.share(holds) * 100, 4, holds == Truth::unknown ? Rounding::up : Rounding::down),
-                        letters.size() == 2 ? "area" : "volume", std::ranges::count(map.cells, holds, &MapCell::holds));
+                        names.size() == 2 ? "area" : "volume", std::ranges::count(map.cells, holds, &MapCell::holds));
   std::map<std::string, int> reasons;
   for (const MapCell& cell : map.cells)
     if (cell.holds == Truth::unknown) ++reasons[cell.reason];
@@ -148,7 +152,7 @@ void add_map(Command& app) {
       .one_each();
   command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
   command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
-  command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png, .pdf, .tex or .html");
   command.option("--csv", options->csv, "Write the cells as a table");
   add_limits(command, *options);
 }

@@ -1,12 +1,26 @@
 // subcert mask SCHEME
 
 #include <subcert/cli/command.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 
 namespace subcert::cli {
 namespace {
 
-void print(const Scheme& scheme, const CommonOptions& options) {
+struct MaskOptions : CommonOptions {
+  std::string scheme;
+  PaperForm form;
+};
+
+std::string latex_of(const Scheme& scheme) {
+  std::string text = "% " + scheme.specification + "\n" + formats::mask_latex(scheme.mask) + "\n";
+  if (scheme.mask.dimension() == 1) text += formats::symbol_latex(scheme.mask.curve()) + "\n";
+  return text;
+}
+
+void print(const Scheme& scheme, const MaskOptions& options) {
+  require_one_form(options, options.form);
+  if (options.form.latex) return options.answer(latex_of(scheme));
   const Dilation& dilation = scheme.mask.dilation();
   const bool multiple = dilation.factor().value_or(0) > 0;
   if (!options.json) {
@@ -31,13 +45,13 @@ void print(const Scheme& scheme, const CommonOptions& options) {
 }  // namespace
 
 void add_mask(Command& app) {
-  auto options = std::make_shared<CommonOptions>();
-  auto specification = std::make_shared<std::string>();
+  auto options = std::make_shared<MaskOptions>();
   Command command = add_command(app, "mask", "The exact mask of a scheme", "subcert mask primal:n=3", options, [=] {
-    print(make_linear_scheme(*specification), *options);
+    print(make_linear_scheme(options->scheme), *options);
     return done;
   });
-  add_scheme(command, *specification, true);
+  add_scheme(command, options->scheme, true);
+  add_paper_form(command, options->form, "Mask and symbol as formulas of LaTeX");
 }
 
 }  // namespace subcert::cli

@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -12,7 +13,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
+#include <utility>
 
 namespace subcert::cli {
 namespace {
@@ -26,21 +29,36 @@ struct ParameterRangeOptions : SearchOptions {
   std::string property;
   std::string width = "1e-9";
   std::string certificate;
+  PaperForm form;
 };
 
 constexpr std::size_t longest_polynomial = 12;  // coefficients, in text
 
+/// How formulas are printed.
+using Formula = std::function<std::string(const std::string&)>;
+std::string as_text(const std::string& formula) { return formula; }
+std::string as_latex(const std::string& formula) { return "$" + formats::latex_formula(formula) + "$"; }
+
 /// The number itself, where it is rational.
-std::string zero_text(const LaurentPolynomial& of, const Rational& near, char w) {
+std::string zero_text(const LaurentPolynomial& of, const Rational& near, const ParametricScheme& scheme,
+                      const Formula& formula = as_text) {
   if (const auto zero = zero_of_linear(of)) return to_text(*zero);
   const std::string polynomial = static_cast<std::size_t>(of.length()) <= longest_polynomial
-                                     ? to_text(of, w)
+                                     ? formula(scheme.named(to_text(of, scheme.letter)))
                                      : fmt::format("a polynomial of degree {}", of.highest());
-  return fmt::format("the zero of {} near {}", polynomial, number_text(near));
+  return fmt::format("the zero of {} near {}", polynomial, formula(number_text(near)));
 }
 
-std::string end_text(const RangeEnd& end, char w) {
-  return (zero_of_linear(end.polynomial) ? fmt::format("{} = ", w) : "") + zero_text(end.polynomial, end.low, w);
+/// `$C^{1}$`, `$\\alpha \\ge 3/2$`, or the word.
+std::string property_latex(const std::string& property) {
+  if (property.starts_with('C')) return as_latex("C^" + property.substr(1));
+  for (const auto& [name, letter] : {std::pair{"holder", "alpha"}, {"sobolev", "s"}})
+    if (property.starts_with(name)) return as_latex(letter + property.substr(std::string_view(name).size()));
+  return property;
+}
+
+std::string end_text(const RangeEnd& end, const ParametricScheme& scheme) {
+  return (zero_of_linear(end.polynomial) ? scheme.name + " = " : "") + zero_text(end.polynomial, end.low, scheme);
 }
 
 /// Where the values for which the property holds begin or end.
@@ -53,25 +71,41 @@ struct Border {
 /// than the width that was asked for.
 class Summary {
  public:
-  Summary(const PropertyRange& range, char letter) : range_(range), letter_(letter) {}
+  Summary(const PropertyRange& range, const ParametricScheme& scheme, Formula formula)
+      : range_(range), scheme_(scheme), formula_(std::move(formula)), name_(formula_(scheme.name)) {}
 
-  /// `w = 0 and 1 < w <= 2`; `no w`; nothing where some values are open.
-  std::optional<std::string> values() {
+  /// `C1 exactly for 0 < w < r, r the zero of 32*w^3 + 4*w - 1 near 0.19`; nothing where some values are open.
+  std::optional<std::string> sentence(const std::string& property) {
     for (std::size_t k = 0; k < range_.pieces.size(); ++k)
       if (!add(k)) return std::nullopt;
     if (open_) close({last(), true});
-    return text_.empty() ? std::string("no ") + letter_ : text_;
-  }
-  bool holds_nowhere() const { return text_.empty(); }
-  /// `; other w within 1e-10 of 0 are not decided`, or nothing.
-  std::string open_values() const {
-    if (near_.empty()) return "";
-    return fmt::format("; other {} within {} of {} are not decided", letter_, to_decimal(gap_, 2, Rounding::up),
-                       fmt::join(near_, ", "));
+    const std::string among = fmt::format(" from {} to {}", formula_(number_text(range_.pieces.front().low)),
+                                          formula_(last()));
+    std::string text = values_.empty() ? fmt::format("{} for no {}", property, name_)
+                       : near_.empty() ? fmt::format("{} exactly for {}, of all {}", property, values_, name_)
+                                       : fmt::format("{} for {}, and for no other {}", property, values_, name_);
+    text += among;
+    std::string near;
+    for (const std::string& value : near_) near += (near.empty() ? "" : ", ") + formula_(value);
+    if (!near.empty()) text += fmt::format(" but perhaps within {} of {}", to_decimal(gap_, 2, Rounding::up), near);
+    for (const auto& [meaning, name] : roots_) text += fmt::format("; {} is {}", formula_(name), meaning);
+    return text;
   }
 
  private:
   std::string last() const { return number_text(range_.pieces.back().high); }
+
+  /// A rational number, or a name for a zero.
+  std::string value_text(const LaurentPolynomial& of, const Rational& near) {
+    std::string text = zero_text(of, near, scheme_, formula_);
+    if (zero_of_linear(of)) return text;
+    for (const auto& [meaning, name] : roots_)
+      if (meaning == text) return name;
+    std::string name = roots_.empty() ? "r" : fmt::format("r{}", roots_.size() + 1);
+    if (name == scheme_.name) name = "r1";
+    roots_.emplace_back(std::move(text), name);
+    return name;
+  }
 
   bool add(std::size_t k) {
     const RangePiece& piece = range_.pieces[k];
@@ -90,10 +124,10 @@ class Summary {
     };
     std::vector<std::pair<std::string, Truth>> points;
     for (const RangeEnd& end : range_.ends)
-      if (inside(end.low, end.high)) points.emplace_back(zero_text(end.polynomial, end.low, letter_), end.holds);
+      if (inside(end.low, end.high)) points.emplace_back(value_text(end.polynomial, end.low), end.holds);
     for (const SpecialValue& value : range_.special)
       if (inside(*value.value.lower, *value.value.upper))
-        points.emplace_back(zero_text(value.polynomial, *value.value.lower, letter_), value.holds);
+        points.emplace_back(value_text(value.polynomial, *value.value.lower), value.holds);
     if (points.size() != 1 || points.front().second == Truth::unknown) return false;
     const auto& [value, holds] = points.front();
     if (piece.low < piece.high) near_.push_back(value);
@@ -107,32 +141,48 @@ class Summary {
   }
 
   void close(const Border& end) {
-    text_ += text_.empty() ? "" : " and ";
-    if (open_->value == end.value)
-      text_ += fmt::format("{} = {}", letter_, end.value);
-    else
-      text_ += fmt::format("{} {} {} {} {}", open_->value, open_->included ? "<=" : "<", letter_,
-                           end.included ? "<=" : "<", end.value);
+    values_ += values_.empty() ? "" : " and ";
+    values_ += formula_(open_->value == end.value
+                            ? fmt::format("{} = {}", scheme_.name, end.value)
+                            : fmt::format("{} {} {} {} {}", open_->value, open_->included ? "<=" : "<", scheme_.name,
+                                          end.included ? "<=" : "<", end.value));
     open_.reset();
   }
 
   const PropertyRange& range_;
-  char letter_;
+  const ParametricScheme& scheme_;
+  Formula formula_;
+  std::string name_;  // of the parameter, as a formula
   std::optional<Border> open_;
-  std::string text_;
-  Rational gap_ = 0;               // the width of the widest piece that is not decided
-  std::vector<std::string> near_;  // what lies in such pieces
+  std::string values_;                                      // `w = 0 and 1 < w <= 2`
+  Rational gap_ = 0;                                        // the width of the widest piece that is not decided
+  std::vector<std::string> near_;                           // what lies in such pieces
+  std::vector<std::pair<std::string, std::string>> roots_;  // what they are, and their names
 };
 
 /// The answer in one sentence, or nothing.
 std::string summary(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
-  Summary summary(range, scheme.parameter);
-  const auto values = range.complete ? summary.values() : std::nullopt;
-  if (!values) return "";
-  const std::string whole = fmt::format("from {} to {}", number_text(range.pieces.front().low),
-                                        number_text(range.pieces.back().high));
-  const std::string rest = summary.holds_nowhere() ? "" : fmt::format(", and for no other {}", scheme.parameter);
-  return fmt::format("{} for {}{} {}{}", options.property, *values, rest, whole, summary.open_values());
+  if (!range.complete) return "";
+  return Summary(range, scheme, as_text).sentence(options.property).value_or("");
+}
+
+/// The same in LaTeX, or what is not decided.
+std::string latex_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
+  const std::string head = "% " + scheme.specification + ", " + options.over + "\n";
+  const auto text = range.complete ? Summary(range, scheme, as_latex).sentence(property_latex(options.property))
+                                   : std::nullopt;
+  if (text) return head + *text + "\n";
+  formats::TableRows rows{{"from", "to", "verdict"}};
+  for (const RangePiece& piece : range.pieces) {
+    const bool open = piece.holds == Truth::unknown, one = piece.low == piece.high;
+    rows.push_back({as_latex((piece.low_included ? "" : "> ") +
+                             number_text(piece.low, open || one ? Rounding::down : Rounding::up)),
+                    as_latex((piece.high_included ? "" : "< ") +
+                             number_text(piece.high, open || one ? Rounding::up : Rounding::down)),
+                    verdict_text(piece.holds)});
+  }
+  return head + "% " + property_latex(options.property) + ", needs \\usepackage{booktabs}\n" +
+         formats::latex_tabular(rows, 'l');
 }
 
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
@@ -147,12 +197,12 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
   for (const RangeEnd& end : range.ends)
     ends.push_back({{"lower", to_text(end.low)},
                     {"upper", to_text(end.high)},
-                    {"polynomial", to_text(end.polynomial, scheme.parameter)},
+                    {"polynomial", scheme.named(to_text(end.polynomial, scheme.letter))},
                     {"product", word_text(end.word)},
                     {"verdict", verdict_text(end.holds)}});
   for (const SpecialValue& value : range.special)
     special.push_back({{"value", enclosure_json(value.value)},
-                       {"polynomial", to_text(value.polynomial, scheme.parameter)},
+                       {"polynomial", scheme.named(to_text(value.polynomial, scheme.letter))},
                        {"why", why_text(value.why)},
                        {"verdict", verdict_text(value.holds)}});
   return {{"family", scheme.specification},
@@ -166,9 +216,10 @@ Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, c
 
 std::string text_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
   std::ostringstream page;
-  const char w = scheme.parameter;
-  page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n"
-       << "property     " << options.property
+  const std::string& w = scheme.name;
+  page << "scheme       " << scheme.specification << "  (" << scheme.title << ")\n";
+  if (const std::string text = summary(range, options, scheme); !text.empty()) page << "answer       " << text << "\n";
+  page << "property     " << options.property
        << (options.property == "stable" ? ": the integer shifts of the refinable distribution\n" : "\n")
        << "sum rules    " << range.sum_rules << " for all " << w << "\n";
   for (const RangePiece& piece : range.pieces) {
@@ -186,14 +237,13 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
     page << "\n";
   }
   for (const RangeEnd& end : range.ends)
-    page << "end          " << end_text(end, w) << ", where "
+    page << "end          " << end_text(end, scheme) << ", where "
          << (end.word.empty() ? "the spectral radius" : "the radius of the product " + word_text(end.word))
          << " crosses the threshold"
          << (end.holds == Truth::unknown ? "" : fmt::format("; {} there", verdict_text(end.holds))) << "\n";
   for (const SpecialValue& value : range.special)
     page << "special      " << w << " = " << number_text(value.value) << ": " << why_text(value.why) << "; "
          << verdict_text(value.holds) << " there\n";
-  if (const std::string text = summary(range, options, scheme); !text.empty()) page << "in short     " << text << "\n";
   return page.str();
 }
 
@@ -206,27 +256,31 @@ std::vector<NamedCertificate> named(const std::vector<RangeCertificate>& certifi
 }
 
 ExitCode run(const ParameterRangeOptions& options) {
+  require_one_form(options, options.form);
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   const auto property = parse_range_property(options.property);
   if (!property) fail(ErrorKind::usage, "--property: expected {}, got '{}'", properties, options.property);
-  const auto [low, high] = read_over(options.over, scheme.parameter);
+  const auto [low, high] = read_over(options.over, scheme.name);
   const auto width = parse_number(options.width);
   if (!width || !(*width > 0))
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-9 or 1/1000, got '{}'", options.width);
   if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("intervals");
-  const PropertyRange range = property_range(scheme.mask, *property, low, high,
-                                             {*width, options.threads(), options.limits()});
+  const Budget budget = options.limits();
+  const PropertyRange range = property_range(scheme.mask, *property, low, high, {*width, options.threads(), budget});
   options.end_progress();
   Json json = json_of(range, options, scheme);
   WrittenCertificates written;
   if (!options.certificate.empty()) {
-    const auto certificates = range_certificates(scheme.mask, scheme.parameter, *property, range, *width);
+    const auto certificates = range_certificates(scheme.mask, scheme.letter, *property, range, *width);
     written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, json);
   }
-  options.answer(json, text_of(range, options, scheme) + written.text);
+  if (options.form.latex)
+    options.answer(latex_of(range, options, scheme));
+  else
+    options.answer(json, text_of(range, options, scheme) + written.text);
   written.failure.raise();
-  return range.complete ? done : undecided;
+  return range.complete ? done : budget.deadline.expired() ? undecided : obstructed;
 }
 
 }  // namespace
@@ -245,6 +299,7 @@ void add_range(Command& app) {
   command.option("--width", options->width, "Of what is left open about an end").exact_number().with_default();
   command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");
   add_limits(command, *options);
+  add_paper_form(command, options->form, "The answer as a sentence in LaTeX, or a table of the pieces");
 }
 
 }  // namespace subcert::cli

@@ -130,7 +130,7 @@ void add_refine(Command& app) {
   command.option("--boundary", options->boundary, "What rules at the ends read")
       .one_of(data::refinement_boundary_names())
       .with_default();
-  command.option("--plot", options->plot, "Draw data and result, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
 }
 
 }  // namespace subcert::cli

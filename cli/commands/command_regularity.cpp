@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 
@@ -15,7 +16,26 @@ struct RegularityCommandOptions : SearchOptions {
   std::string certificate;
   std::string method = "radius";
   int levels = 16;
+  PaperForm form;
 };
+
+constexpr int latex_digits = 14;
+
+/// `\alpha = 2`, or a remark.
+std::string latex_of(const std::string& scheme, const Enclosure& exponent, const Decision& converges) {
+  const std::string relation = formats::relation_latex(exponent, latex_digits);
+  return "% " + scheme + ": " +
+         (relation.empty() ? "no exponent is known; convergence: " + to_text(converges.truth) + "\n"
+                           : "the Hoelder exponent, enclosed with proof\n\\alpha " + relation + "\n");
+}
+
+/// In the form that was asked for.
+void print(const RegularityCommandOptions& options, const Json& json, const Facts& facts, const std::string& latex,
+           const std::string& more) {
+  if (options.form.latex) return options.answer(latex);
+  if (options.form.markdown) return options.answer(formats::markdown_table(fact_rows(facts)));
+  options.answer(json, page_text(facts, 13) + more);
+}
 
 /// A lower end alone, within seconds also where matrices are far too large.
 ExitCode by_frequency(const RegularityCommandOptions& options) {
@@ -31,12 +51,23 @@ ExitCode by_frequency(const RegularityCommandOptions& options) {
   const WrittenCertificate certificate = write_certificate(
       options.certificate, [&] { return frequency_certificate(scheme.mask.curve(), bound); });
   certificate.add_to(json);
-  options.answer(json, page_text(facts, 13) + certificate.text(false));
+  const Decision converges{bound && bound->exponent > 0 ? Truth::yes : Truth::unknown, ""};
+  print(options, json, facts,
+        latex_of(scheme.specification, converges.is_yes() ? Enclosure::at_least(bound->exponent) : Enclosure{},
+                 converges),
+        certificate.text(false));
   certificate.failure.raise();
   return bound && bound->exponent > 0 ? done : undecided;
 }
 
+/// As the page has it.
+Enclosure proved_exponent(const Regularity& found) {
+  const Enclosure exponent = found.curve ? found.curve->proved_exponent() : found.exponent();
+  return found.curve || exponent.lower ? exponent : Enclosure{};
+}
+
 ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
+  require_one_form(options, options.form);
   if (options.method == "frequency") return by_frequency(options);
   const WantedWidth wanted = wanted_width(options);
   const Scheme scheme = make_linear_scheme(options.scheme);
@@ -61,7 +92,8 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   options.end_progress();
   Json json = page_json(list);
   certificate.add_to(json);
-  options.answer(json, page_text(list, 13) + certificate.text(found.exact().is_yes()));
+  print(options, json, list, latex_of(scheme.specification, proved_exponent(found), found.converges()),
+        certificate.text(found.exact().is_yes()));
   certificate.failure.raise();
   if (found.converges().is_no()) return failed;
   return found.converges().is_yes() && complete ? done : undecided;
@@ -88,6 +120,7 @@ void add_regularity(Command& app) {
       .with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme, true);
+  add_paper_form(command, options->form, "The exponent as a formula of LaTeX", "All facts as a table in Markdown");
 }
 
 }  // namespace subcert::cli

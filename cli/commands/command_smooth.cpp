@@ -167,7 +167,7 @@ void add_smooth(Command& app) {
   command.option("--derivative", options->derivative, "Order of the derivative").within(0, 20).with_default();
   command.flag("--stream", options->stream,
                "Write values as soon as their data have come, in memory that does not grow");
-  command.option("--plot", options->plot, "Draw data and result, as .svg, .png or .html");
+  command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
 }
 
 }  // namespace subcert::cli

@@ -4,6 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/proofs-checks/certificates/claim.hpp>
+#include <subcert/proofs-checks/certificates/identity.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -16,6 +17,7 @@ struct VerifyOptions : CommonOptions {
   std::vector<std::string> files;
   std::string claim;
   bool print_claim = false;
+  bool ids = false;
 };
 
 /// As a shell reads it.
@@ -67,8 +69,10 @@ ExitCode run(const VerifyOptions& options) {
         }
         const CheckerAnswer answer = run_checker(arguments);
         if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
-        list.push_back({{"file", file}, {"verified", answer.code == 0}, {"answer", answer.text}});
+        list.push_back(
+            {{"file", file}, {"verified", answer.code == 0}, {"answer", answer.text}, {"id", content_id(text)}});
         lines += file + ": " + answer.text + "\n";
+        if (options.ids) lines += file + ": sha256 " + content_id(text) + "\n";
       }
   } catch (const Error&) {
     if (list.empty()) throw;
@@ -96,6 +100,8 @@ void add_verify(Command& app) {
       "--print-claim", options->print_claim,
       "Asks no checker: prints the arguments by which each of them is asked, one line a file, as a shell reads "
       "them");
+  command.flag("--ids", options->ids,
+               "Also the SHA-256 of each certificate, by which papers may name it; --json has it always");
 }
 
 }  // namespace subcert::cli

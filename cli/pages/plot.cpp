@@ -25,7 +25,7 @@ formats::DrawnSurface drawn_surface(const data::GridData<double>& data, const st
 
 void require_picture_name(const std::string& plot) {
   if (!plot.empty() && !formats::is_picture_name(plot))
-    fail(ErrorKind::usage, "--plot {}: expected a name that ends in .svg, .png or .html", plot);
+    fail(ErrorKind::usage, "--plot {}: expected a name that ends in {}", plot, formats::picture_endings);
 }
 
 void require_drawable(const std::string& plot, const data::GridData<double>& data) {

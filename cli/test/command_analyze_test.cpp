@@ -21,7 +21,8 @@ TEST_CASE("analyze: pictures of basic limit functions") {
   CHECK(divergent.code == 1);
   CHECK(divergent.err.starts_with("subcert: mask:[1,1]: no limit function to draw; convergence: no"));
   CHECK(run("analyze loop: --plot /proc/nowhere/x.svg").code == 66);
-  check_fails(run("analyze loop: --plot x.pdf"), 64, "--plot x.pdf: expected a name that ends in .svg, .png or .html");
+  check_fails(run("analyze loop: --plot x.eps"), 64,
+              "--plot x.eps: expected a name that ends in .svg, .png, .pdf, .tex (TikZ) or .html");
   check_fails(
       run("analyze 'tensor:(dd:n=1)x(dd:n=1)x(dd:n=1)' --plot x.svg"), 64,
       "--plot x.svg: pictures are of functions of one or two variables; tensor:(dd:n=1)x(dd:n=1)x(dd:n=1) has 3");

@@ -52,8 +52,30 @@ TEST_CASE("coefficients that were rounded: by how much their sum is off, and how
   CHECK(contains(run("mask 'mask:[1/3,1,1/3]'").err, "the class 1 mod 2 sums to 2/3"));
   CHECK(contains(run("mask 'mask2:[[1,1],[1,1.001]]'").err,
                  "sums to 1 + 0.001; where coefficients are rounded take that"));
+  // A minus sign that is no hyphen is read as one, and the message says so.
   CHECK(contains(run("mask 'mask:[1,\xe2\x88\x92"
                      "1]'")
                      .err,
-                 "'\xe2\x88\x92"));
+                 "'[1,-1]'; expected coefficients that sum to 1"));
+}
+
+TEST_CASE("mask and regularity for papers") {
+  CHECK(run("mask '(1+z)\xc2\xb3/4z\xc2\xb2' --latex").out ==
+        "% mask:[1,3,3,1]/4@-2\n(a_{-2}, \\ldots, a_{1}) = \\frac{1}{4}(1,\\, 3,\\, 3,\\, 1)\n"
+        "a(z) = \\frac{(1 + z)^{3}}{4 z^{2}}\n");
+  CHECK(contains(run("mask loop: --latex").out, "\\begin{bmatrix} 0 & 0 & 1 & 2 & 1 \\\\ 0 & 2 & 6 & 6 & 2"));
+  CHECK(contains(run("mask box:'[1,0,0;0,1,0;0,0,1]' --latex").err, "one or two variables"));
+  CHECK(contains(run("regularity dd:n=2 --latex").out, "\n\\alpha = 2\n"));
+  CHECK(contains(run("regularity primal:n=3 --latex").out, "\n\\alpha = 1.9363087904562\\ldots\n"));
+  CHECK(contains(run("regularity four-point:w=1/2 --latex").out, "no exponent is known; convergence: no\n"));
+  CHECK(run("regularity four-point:w=1/2 --latex").code == 1);
+  CHECK(contains(run("regularity dd:n=2 --markdown").out, "\n| exponent | 2  (exactly, with proof) |\n"));
+  const std::string table = run("compare dd:n=2 chaikin --markdown").out;
+  CHECK(table.starts_with("| scheme | dd:n=2 | bspline:degree=2 |\n|---|---|---|\n"));
+  CHECK(contains(run("compare dd:n=2 chaikin --latex").out,
+                 "\n  scheme & dd:n=2 & bspline:degree=2 \\\\\n  \\midrule\n"));
+  CHECK(contains(run("compare dd:n=2 chaikin --latex").out, "& $\\frac{1}{4} z^{-2} + \\frac{3}{4} z^{-1}"));
+  CHECK(contains(run("range four-point:mu --over mu=0..1/4 --property C1 --latex").out,
+                 "$C^{1}$ for $0 < \\mu < r$, and for no other $\\mu$ from $0$ to $\\frac{1}{4}$ but perhaps within "));
+  check_fails(run("mask dd:n=2 --latex --json"), 64, "expected one of --json, --latex and --markdown");
 }

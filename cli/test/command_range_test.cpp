@@ -91,25 +91,50 @@ TEST_CASE("ranges that make no sense are refused in one line") {
 
 TEST_CASE("range: one sentence that says what is known, and reasons for what is not") {
   CHECK(contains(run("range corner-cutting:w --over w=0..1 --property convergent").out,
-                 "in short     convergent for 0 < w < 1, and for no other w from 0 to 1\n"));
+                 "answer       convergent exactly for 0 < w < 1, of all w from 0 to 1\n"));
   CHECK(contains(run("range four-point:w --over w=-1..1 --property stable").out,
-                 "in short     stable for -1 <= w < -1/2 and -1/2 < w <= 1, and for no other w from -1 to 1\n"));
-  const Run smooth = run("range four-point:w --over w=-1..1 --property C1");
-  CHECK(contains(smooth.out, "in short     C1 for 0 < w < the zero of -1 + 4*w + 32*w^3 near 0.1927"));
-  CHECK(contains(smooth.out, " of -1/2, 0, the zero of -1 + 4*w + 32*w^3 near 0.1927"));
+                 "answer       stable exactly for -1 <= w < -1/2 and -1/2 < w <= 1, of all w from -1 to 1\n"));
+  CHECK(contains(run("range four-point:w --over w=1..2 --property C1").out, "answer       C1 for no w from 1 to 2\n"));
+  const Run smooth = run("range four-point:r --over r=-1..1 --property C1");
+  CHECK(contains(smooth.out, "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1 but perhaps within "));
+  CHECK(contains(smooth.out, " of -1/2, 0, r1; r1 is the zero of -1 + 4*r + 32*r^3 near 0.1927"));
   const Run open = run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1");
-  CHECK(open.code == 2);
-  CHECK_FALSE(contains(open.out, "in short"));
+  CHECK(open.code == 3);  // no budget changes the reason
+  CHECK_FALSE(contains(open.out, "answer"));
   CHECK(contains(open.out, "common zero for all values of the parameter"));
+  CHECK(run("range four-point:w --over w=-1..1 --property C1 --budget 0.01").code == 2);
   const auto json = nlohmann::json::parse(
       run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1 --json").out);
   CHECK(json.at("summary") == "");
   CHECK(contains(json.at("pieces").at(0).at("reason"), "common zero"));
 }
 
+TEST_CASE("range, curve and map: parameters with names of several letters") {
+  const auto same = [](const std::string& command, const std::string& named) {
+    const Run one = run(command + " --json"), other = run(named + " --json");
+    CAPTURE(command, one.err, other.err);
+    CHECK(one.code == 0);
+    CHECK(other.code == 0);
+    CHECK(nlohmann::json::parse(one.out).at("pieces") == nlohmann::json::parse(other.out).at("pieces"));
+  };
+  same("range four-point:w --over w=0..1/2 --property stable",
+       "range '[-μ,0,½+μ,1,½+μ,0,-μ]' --over mu=0..½ --property stable");
+  const std::string bundle = std::filesystem::temp_directory_path() / "subcert_name_test";
+  const Run named = run("range four-point:omega --over omega=1/16..1/8 --property C1 --certificate " + bundle);
+  CHECK(contains(named.out, "answer       C1 exactly for 1/16 <= omega <= 1/8, of all omega from 1/16 to 1/8\n"));
+  CHECK(run("verify " + bundle).code == 0);
+  CHECK(run("verify " + bundle + "/01-proved.cert --claim 'four-point:omega for omega=1/16..1/8 <= C1'").code == 1);
+  std::filesystem::remove_all(bundle);
+  CHECK(contains(run("curve four-point:mu --over mu=1/16..1/8").out, " <= mu <= 1/8: exponent"));
+  const Run map = run(
+      "map '[tau,0,-mu-3tau,0,1/2+mu+2tau,1,1/2+mu+2tau,0,-mu-3tau,0,tau]' --over μ=0..1/8 "
+      "--over tau=-1/64..1/64 --property convergent --resolution 2");
+  CHECK(contains(map.out, "2 for all mu and tau"));
+}
+
 TEST_CASE("range: --over names the letter of the family, and one range") {
   check_fails(run("range four-point:w --over v=0..1 --property C1"), 64,
-              "--over 'v=0..1': the letter of the family is w, not 'v'");
+              "--over 'v=0..1': the parameter of the family is w, not 'v'");
   for (const char* wrong : {"w=0...1", "w=0....1", "w=1..0", "w=0..", "w=..1", "0..1", "w=0..1..2", "w=nan..1"}) {
     const Run result = run(std::string("range four-point:w --property C1 --over ") + wrong);
     CAPTURE(wrong, result.err);

@@ -48,14 +48,19 @@ L1Subject l1_subject(const std::string& scheme) {
   return {std::to_string(rule.points[0]), std::to_string(rule.degree)};
 }
 
+/// `w=0..1` with the letter of the family, which certificates have, in the place of its name.
+std::string with_letter(const ParametricScheme& family, const std::string& range) {
+  return range.starts_with(family.name + "=") ? family.letter + range.substr(family.name.size()) : range;
+}
+
 ClaimSubject stated_subject(const std::string& subject) {
   constexpr std::string_view radius = "radius ", subradius = "subradius ", range = " for ";
   if (subject.starts_with(radius)) return FamilySubject{false, {}, {}, trimmed(subject.substr(radius.size()))};
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (const std::size_t at = subject.find(range); at != std::string::npos) {
     const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
-    return MaskSubject{family.mask.to_text(family.parameter), std::to_string(family.mask.arity()),
-                       trimmed(subject.substr(at + range.size()))};
+    return MaskSubject{family.mask.to_text(family.letter), std::to_string(family.mask.arity()),
+                       with_letter(family, trimmed(subject.substr(at + range.size())))};
   }
   if (is_l1_specification(subject)) return l1_subject(subject);
   const Scheme scheme = make_linear_scheme(subject);

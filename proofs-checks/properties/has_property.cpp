@@ -211,7 +211,7 @@ Decision property_of(const SchemeRange& range, const Property& property, const E
   // C^0 limits are those of a scheme that converges.
   const Kind kind = property.of_ranges == Kind::smooth && expectation.number == 0 ? Kind::convergent
                                                                                   : *property.of_ranges;
-  const std::string letter(1, range.family.parameter);
+  const std::string& letter = range.family.name;
   const auto describe = [&](const RangePiece& piece, const char* verdict) {
     const auto text = [](const Rational& value) { return to_decimal(value, 10, Rounding::nearest); };
     return verdict + (piece.low == piece.high

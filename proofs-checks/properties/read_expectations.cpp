@@ -90,10 +90,9 @@ std::string joined_names() {
 
 SchemeRange read_range(const toml::node& node, ParametricScheme family) {
   const auto* text = node.as_string();
-  const auto values = text ? parse_parameter_range(text->get(), family.parameter) : std::nullopt;
+  const auto values = text ? parse_parameter_range(text->get(), family.name) : std::nullopt;
   if (!values)
-    throw FileError(place_of(node),
-                    std::string("'for' takes \"LOW < ") + family.parameter + " < HIGH\", with < or <= and LOW < HIGH");
+    throw FileError(place_of(node), "'for' takes \"LOW < " + family.name + " < HIGH\", with < or <= and LOW < HIGH");
   return {std::move(family), *values};
 }
 

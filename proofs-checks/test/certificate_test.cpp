@@ -993,11 +993,11 @@ TEST_CASE("certificates of ranges are accepted, and prove no more than their cla
     const Rational width(1, 1000);
     const PropertyRange range = property_range(scheme.mask, property, c.low, c.high, {width, 2, {Deadline::in(60)}});
     std::string verdicts;
-    for (const RangeCertificate& piece : range_certificates(scheme.mask, scheme.parameter, property, range, width)) {
+    for (const RangeCertificate& piece : range_certificates(scheme.mask, scheme.letter, property, range, width)) {
       verdicts += piece.holds == Truth::yes ? 'y' : 'n';
       const auto subject = [&](const Rational& low, const Rational& high) {
-        return "--mask '" + scheme.mask.to_text(scheme.parameter) + "' --arity " + std::to_string(scheme.mask.arity()) +
-               " --for " + scheme.parameter + "=" + to_text(low) + ".." + to_text(high);
+        return "--mask '" + scheme.mask.to_text(scheme.letter) + "' --arity " + std::to_string(scheme.mask.arity()) +
+               " --for " + scheme.letter + "=" + to_text(low) + ".." + to_text(high);
       };
       const CertificateClaim& claim = piece.certificate.claim;
       const std::string text = piece.certificate.text();
@@ -1015,9 +1015,9 @@ TEST_CASE("certificates of curves are accepted, and prove no more than their env
        {"four-point:w", "mask:[w^2,1/2,1-2*w^2,1/2,w^2]", "mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]"}) {
     const ParametricScheme scheme = make_parametric_scheme(text);
     const ExponentCurve curve = exponent_curve(scheme.mask, q("1/20"), 1, {8, 2, {Deadline::in(60)}});
-    for (const RangeCertificate& piece : curve_certificates(scheme.mask, scheme.parameter, curve)) {
-      const std::string subject = "--mask '" + scheme.mask.to_text(scheme.parameter) + "' --arity 2 --for " +
-                                  scheme.parameter + "=" + to_text(piece.low) + ".." + to_text(piece.high);
+    for (const RangeCertificate& piece : curve_certificates(scheme.mask, scheme.letter, curve)) {
+      const std::string subject = "--mask '" + scheme.mask.to_text(scheme.letter) + "' --arity 2 --for " +
+                                  scheme.letter + "=" + to_text(piece.low) + ".." + to_text(piece.high);
       const auto& [lower, upper] = static_cast<const ClaimedEnds&>(piece.certificate.claim);
       CHECK_FALSE((piece.certificate.claim.exact || piece.certificate.claim.logarithm));
       CAPTURE(subject, lower.value_or("-"), upper.value_or("-"));

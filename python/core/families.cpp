@@ -90,8 +90,7 @@ void add_families(py::module_& module) {
   py::class_<ParametricScheme>(module, "ParametricScheme")
       .def_readonly("specification", &ParametricScheme::specification)
       .def_readonly("title", &ParametricScheme::title)
-      .def_property_readonly("parameter",
-                             [](const ParametricScheme& scheme) { return std::string(1, scheme.parameter); })
+      .def_property_readonly("parameter", [](const ParametricScheme& scheme) { return scheme.name; })
       .def_property_readonly("sum_rules", [](const ParametricScheme& scheme) { return sum_rules(scheme.mask); })
       .def("at", [](const ParametricScheme& scheme, const Rational& value) {
         const Mask mask = scheme.mask.at(value);
@@ -102,14 +101,14 @@ void add_families(py::module_& module) {
   py::class_<RangeEvidence, std::shared_ptr<RangeEvidence>>(module, "RangeEvidence")
       .def_property_readonly("facts", &range_dict)
       .def("certificates", [](const RangeEvidence& evidence) {
-        return certificates_list(range_certificates(evidence.scheme.mask, evidence.scheme.parameter, evidence.property,
+        return certificates_list(range_certificates(evidence.scheme.mask, evidence.scheme.letter, evidence.property,
                                                     evidence.range, evidence.width));
       });
   module.def("property_range", &range);
   py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
       .def_property_readonly("facts", &curve_dict)
       .def("certificates", [](const CurveEvidence& evidence) {
-        return certificates_list(curve_certificates(evidence.scheme.mask, evidence.scheme.parameter, evidence.curve));
+        return certificates_list(curve_certificates(evidence.scheme.mask, evidence.scheme.letter, evidence.curve));
       });
   module.def("exponent_curve", [](const ParametricScheme& scheme, const Rational& low, const Rational& high, int pieces,
                                   double seconds, int jobs, const py::object& progress) {

@@ -56,6 +56,7 @@ from ._schemes import (
     mask,
     scheme,
 )
+from ._tables import SchemeTable, compare
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 import os
 import pathlib
 import shutil
 import tempfile
 from typing import Optional, Union
 
-from . import _core
+from ._calls import core as _core
 from ._errors import MissingFileError
 
 Path = Union[str, "os.PathLike[str]"]
@@ -50,6 +51,11 @@ class Certificate:
     exact: Optional[str] = None
     logarithm: Optional[int] = None
 
+    @property
+    def id(self) -> str:
+        """The SHA-256 of the text, by which a paper may name it."""
+        return hashlib.sha256(self.text.encode("ascii")).hexdigest()
+
     def save(self, path: Path) -> None:
         """Writes it, and the matrices beside it as PATH.matrices: under another name first, then renamed."""
         _write(path, self.text)
@@ -80,6 +86,8 @@ def strongest(
 def verify(path: Path) -> Verification:
     """Checks a certificate in a file with the independent checker, a program that shares no line with this package.
     Raises DataError for a file that is no certificate, MissingFileError where it cannot be read."""
+    if not isinstance(path, (str, os.PathLike)):
+        raise TypeError(f"verify: expected the name of a file, got {type(path).__name__}")
     try:
         with open(path, encoding="ascii", errors="replace") as file:
             text = file.read(1 << 28)

@@ -6,7 +6,8 @@ import dataclasses
 from fractions import Fraction
 from typing import Any, Optional, Sequence, Union
 
-from . import _core
+from . import _plots
+from ._calls import core as _core
 from ._errors import DomainError
 from ._exact import Exact, fraction
 from ._regularity import Progress
@@ -67,6 +68,10 @@ class Smoothed:
     noise_variance: Optional[float] = None
     candidates: tuple[tuple[str, float], ...] = ()
     """Of the choice by estimated error: schemes with their expected squared error, the smallest first."""
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws values and band, and returns the axes of matplotlib."""
+        return _plots.bands(ax, self.x, self.values, self.lower, self.upper, self.scheme)
 
 
 def smooth(

@@ -9,7 +9,7 @@ import numbers
 from fractions import Fraction
 from typing import Any, Optional, Union
 
-from . import _core
+from ._calls import core as _core
 from ._errors import DomainError, UndecidedError, UsageError
 
 Exact = Union[int, Fraction, str, decimal.Decimal, numbers.Rational]
@@ -205,12 +205,46 @@ class Enclosure:
     def __repr__(self) -> str:
         return f"<Enclosure {self}>"
 
+    def to_dict(self) -> dict[str, Optional[str]]:
+        """The exact ends as texts, None where there is none."""
+        return {end: None if x is None else str(x) for end, x in (("lower", self.lower), ("upper", self.upper))}
+
+    def to_latex(self, digits: int = 14) -> str:
+        """A number, with dots where it goes on and no digit rounded up; an interval; or a relation.
+
+        >>> from fractions import Fraction
+        >>> Enclosure(Fraction(2), Fraction(2)).to_latex(), Enclosure(Fraction(1), None).to_latex()
+        ('2', '\\\\ge 1')
+        >>> print(Enclosure(Fraction(3, 2), Fraction(8, 5)).to_latex())
+        [1.5,\\,1.6]
+        """
+        if self.lower is None and self.upper is None:
+            return "?"
+        if self.lower is None or self.upper is None:
+            return self.text(digits).replace(">=", "\\ge").replace("<=", "\\le")
+        if self.is_point and len(str(self.lower)) <= 24:
+            n, d = self.lower.numerator, self.lower.denominator
+            return str(n) if d == 1 else f"\\frac{{{n}}}{{{d}}}"
+        low, high = truncated(self.lower, digits), truncated(self.upper, digits)
+        if low == high:
+            return f"{low}\\ldots"
+        low, _, high = self.text(digits).partition(" ... ")
+        return f"[{low},\\,{high or low}]"
+
     def _repr_latex_(self) -> str:
-        text = self.text()
-        if not self.is_bounded:
-            return f"${text.replace('>=', chr(92) + 'ge').replace('<=', chr(92) + 'le')}$"
-        low, _, high = text.partition(" ... ")
-        return f"$[{low},\\,{high}]$" if high else f"${low}$"
+        return f"${self.to_latex()}$"
+
+
+def truncated(value: Fraction, digits: int) -> str:
+    """The first significant digits, with zeros where these are some, not rounded up.
+
+    >>> truncated(Fraction(2, 3), 4), truncated(Fraction(3, 2), 4)
+    ('0.6666', '1.500')
+    """
+    with decimal.localcontext() as context:
+        context.prec, context.rounding = digits, decimal.ROUND_FLOOR
+        number = decimal.Decimal(value.numerator) / value.denominator
+        return str(number.quantize(decimal.Decimal(1).scaleb(number.adjusted() - digits + 1)) if number else number)
 
 
 def _negation(truth: Truth) -> Truth:

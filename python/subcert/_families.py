@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+import decimal
 from fractions import Fraction
 from typing import Any, Iterable, Optional
 
-from . import _core
+from . import _plots
+from ._calls import core as _core
 from ._certificates import Certificate
 from ._data import _jobs
 from ._exact import Enclosure, Exact, Truth, fraction, optional_enclosure
@@ -59,7 +61,7 @@ class IntervalCertificate:
     certificate: Certificate
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class PropertyRange:
     """For which values a property is proved, refuted, or not decided."""
 
@@ -69,7 +71,12 @@ class PropertyRange:
     sum_rules: int
     complete: bool
     """No undecided piece is longer than the width asked for."""
+    parameter: str = "w"
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        open_pieces = sum(piece.holds.is_unknown for piece in self.pieces)
+        return f"<PropertyRange over {self.parameter}: {len(self.pieces)} pieces, {open_pieces} of them undecided>"
 
     def proved(self) -> tuple[Piece, ...]:
         """The pieces on which the property holds."""
@@ -79,10 +86,30 @@ class PropertyRange:
         """One for each decided interval."""
         return _certificates(self._evidence)
 
+    def to_dict(self) -> list[dict[str, Any]]:
+        """The pieces, as plain values for JSON."""
+        return [
+            {"from": str(p.low), "to": str(p.high), "verdict": _verdict(p.holds), "reason": p.reason}
+            for p in self.pieces
+        ]
+
+    def to_latex(self) -> str:
+        """A tabular of the pieces."""
+        lines = ["\\begin{tabular}{rcll}", "\\toprule"]
+        for p in self.pieces:
+            low, high = _ends_text(p)
+            signs = ["\\le" if included else "<" for included in (p.low_included, p.high_included)]
+            values = f"{low} & ${signs[0]}\\;{self.parameter}\\;{signs[1]}$ & {high}"
+            lines.append(f"{values} & {_verdict(p.holds)} \\\\")
+        return "\n".join([*lines, "\\bottomrule", "\\end{tabular}"])
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the pieces, and returns the axes of matplotlib."""
+        return _plots.pieces(ax, self, self.parameter)
+
     def _repr_html_(self) -> str:
         rows = "".join(
-            f"<tr><td>{float(p.low):.12g}</td><td>{float(p.high):.12g}</td><td>{_verdict(p.holds)}</td></tr>"
-            for p in self.pieces
+            "<tr><td>{}</td><td>{}</td><td>{}</td></tr>".format(*_ends_text(p), _verdict(p.holds)) for p in self.pieces
         )
         return f"<table><tr><th>from</th><th>to</th><th>verdict</th></tr>{rows}</table>"
 
@@ -97,17 +124,25 @@ class CurvePiece:
     product: tuple[int, ...]
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class ExponentCurve:
     """The exponent over the parameter, between certified envelopes."""
 
     pieces: tuple[CurvePiece, ...]
     special: tuple[SpecialValue, ...]
     sum_rules: int
+    parameter: str = "w"
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        return f"<ExponentCurve over {self.parameter}: {len(self.pieces)} pieces>"
 
     def certificates(self) -> list[IntervalCertificate]:
         return _certificates(self._evidence)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws what lies between the proved ends, and returns the axes of matplotlib."""
+        return _plots.envelope(ax, self, self.parameter)
 
 
 class Family(Named):
@@ -166,6 +201,7 @@ class Family(Named):
             special=_special(facts["special"]),
             sum_rules=facts["sum_rules"],
             complete=facts["complete"],
+            parameter=self.parameter,
             _evidence=evidence,
         )
 
@@ -188,14 +224,31 @@ class Family(Named):
             pieces=tuple(CurvePiece(p[0], p[1], Enclosure._of(p[2]), tuple(p[3])) for p in facts["pieces"]),
             special=_special(facts["special"]),
             sum_rules=facts["sum_rules"],
+            parameter=self.parameter,
             _evidence=evidence,
         )
 
 
 def family(specification: str) -> Family:
-    """The family of this specification, with a letter where a number may stand: ``four-point:w``,
-    ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``. Raises UsageError for a text that names none."""
+    """The family of this specification, with a letter, or a name as ``mu``, where a number may stand:
+    ``four-point:w``, ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``. Raises UsageError for a text that names none."""
+    if not isinstance(specification, str):
+        raise TypeError(f"family: expected a text, as 'four-point:w', got {type(specification).__name__}")
     return Family(_core.make_parametric_scheme(specification))
+
+
+def _ends_text(piece: Piece) -> tuple[str, str]:
+    """What is said of a decided piece is true as it is printed: it is rounded inward, the others outward."""
+    inward = not piece.holds.is_unknown and piece.low < piece.high
+
+    def text(x: Fraction, up: bool) -> str:
+        if len(str(x)) <= 12:
+            return str(x)
+        with decimal.localcontext() as context:
+            context.prec, context.rounding = 12, decimal.ROUND_CEILING if up else decimal.ROUND_FLOOR
+            return str(decimal.Decimal(x.numerator) / x.denominator)
+
+    return text(piece.low, inward), text(piece.high, not inward)
 
 
 def _verdict(truth: Truth) -> str:

@@ -7,7 +7,7 @@ import json
 import os
 from typing import Any, Optional, Sequence
 
-from . import _core
+from ._calls import core as _core
 from ._data import _jobs
 from ._errors import DataError, Error, MissingFileError
 from ._exact import Decision
@@ -139,6 +139,8 @@ def check(
     >>> answer.answer.is_yes
     True
     """
+    if not isinstance(expectations, str):
+        raise TypeError(f"check: expected TOML or the name of a file, got {type(expectations).__name__}")
     text, name = expectations, ""
     if "\n" not in expectations:
         name = f"{expectations}, "

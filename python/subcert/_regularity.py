@@ -7,7 +7,7 @@ import json
 from fractions import Fraction
 from typing import Any, Callable, Iterable, Optional, Sequence
 
-from . import _core
+from ._calls import core as _core
 from ._certificates import Certificate, Verification, strongest
 from ._errors import CertificateError
 from ._exact import Decision, Enclosure, Exact, Truth, bits_of, fraction, optional_enclosure
@@ -81,6 +81,15 @@ class _Certified:
     def __str__(self) -> str:
         return str(self.enclosure)
 
+    def to_latex(self, digits: int = 14) -> str:
+        """See Enclosure.to_latex."""
+        return self.enclosure.to_latex(digits)
+
+    def to_dict(self) -> dict[str, Any]:
+        """What is known of it, as plain values for JSON: the enclosure, `exact`, `product`, ..."""
+        known = {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.compare}
+        return {key: _plain(value) for key, value in known.items()}
+
     def _repr_latex_(self) -> str:
         return self.enclosure._repr_latex_()
 
@@ -109,6 +118,18 @@ class _Certified:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Enclosure):
+        return value.to_dict()
+    if isinstance(value, Fraction):
+        return str(value)
+    if isinstance(value, (Decision, Bound)):
+        return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+    if isinstance(value, Truth):
+        return value.value
+    return list(value) if isinstance(value, tuple) else value
 
 
 def _hidden() -> Any:

@@ -5,10 +5,13 @@ from __future__ import annotations
 import dataclasses
 import functools
 import json
+import math
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
+from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, Union
 
-from . import _core, _display
+from . import _display, _plots
+from ._calls import core as _core
+from ._errors import DomainError
 from ._exact import Decision, Enclosure, Exact, bits_of, fraction, optional_enclosure
 from ._regularity import Computation, HolderExponent, Progress, exponent_of
 
@@ -16,7 +19,7 @@ if TYPE_CHECKING:
     import numpy
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, repr=False)
 class Symbol:
     """The Laurent polynomial sum of coefficients[k] z^(lowest + k) with exact coefficients.
 
@@ -40,8 +43,20 @@ class Symbol:
     def __str__(self) -> str:
         return _core.symbol_text((list(self.coefficients), self.lowest))
 
+    def __repr__(self) -> str:
+        text = str(self)
+        return f"<Symbol {text if len(text) <= 60 else text[:57] + '...'}>"
+
+    def to_latex(self) -> str:
+        """The sum of its terms, for a formula.
+
+        >>> print(Symbol((Fraction(1, 4), Fraction(-1)), -2).to_latex())
+        \\frac{1}{4} z^{-2} - z^{-1}
+        """
+        return _core.symbol_latex((list(self.coefficients), self.lowest))
+
     def _repr_latex_(self) -> str:
-        return f"${_core.symbol_latex((list(self.coefficients), self.lowest))}$"
+        return f"${self.to_latex()}$"
 
     def to_sympy(self, z: Any = None) -> Any:
         """The same for sympy; `z`: the symbol to use, named z where none is given."""
@@ -107,7 +122,8 @@ class Named:
         return self._handle.title
 
     def __repr__(self) -> str:
-        return f"<subcert {self.specification}: {self.title}>"
+        text = self.specification
+        return f"<subcert {text if len(text) <= 60 else text[:57] + '...'}: {self.title}>"
 
     def __str__(self) -> str:
         return self.specification
@@ -135,6 +151,10 @@ class LinearScheme(Named):
     def facts(self) -> dict[str, Any]:
         """What follows from the mask alone, by the keys of `subcert analyze --json`; exact numbers are texts."""
         return json.loads(_core.facts(self._handle))
+
+    def to_dict(self) -> dict[str, Any]:
+        """These facts, as plain values for JSON."""
+        return dict(self.facts)
 
     def analyze(self, levels: int = 16, budget: float = 10, progress: Progress = None) -> dict[str, Any]:
         """The page of `subcert analyze --json`: these facts, convergence, smoothness and what else the time allows.
@@ -310,8 +330,30 @@ class Scheme(LinearScheme):
 
         return smooth(y, scheme=self, **options)
 
+    def to_latex(self) -> str:
+        """The mask over its common denominator.
+
+        >>> import subcert
+        >>> print(subcert.scheme("dd:n=2").to_latex())
+        \\frac{1}{16}\\left[-1,\\,0,\\,9,\\,16,\\,9,\\,0,\\,-1\\right]
+        """
+        below = math.lcm(*(c.denominator for c in self.mask))
+        numbers = ",\\,".join(str(c * below) for c in self.mask)
+        return ("" if below == 1 else f"\\frac{{1}}{{{below}}}") + f"\\left[{numbers}\\right]"
+
+    def plot(self, ax: Any = None, *, level: int = 8, derivative: int = 0) -> Any:
+        """Draws the basic limit function, or a derivative, and returns the axes of matplotlib. Errors: as limit."""
+        x, y = self.limit(level, derivative=derivative)
+        return _plots.line(ax, x, y, self.specification, f"{self.specification}, basic limit function")
+
+    def plot_variance(self, ax: Any = None, *, level: int = 8) -> Any:
+        """Draws the variance curve over a period, and returns the axes of matplotlib."""
+        values = self.variance(level)
+        x = [i / self.arity**level for i in range(len(values))]
+        return _plots.line(ax, x, values, self.specification, f"{self.specification}, variance")
+
     def _repr_latex_(self) -> str:
-        return f"$a(z) = {_core.symbol_latex(self._handle.symbol)}$"
+        return f"$a(z) = {self.symbol.to_latex()}$"
 
     def _repr_html_(self) -> str:
         """The mask, and the basic limit function as a picture where convergence is proved."""
@@ -381,6 +423,31 @@ class MultivariateScheme(LinearScheme):
 
         return numpy.array(points, dtype=float), numpy.array(values, dtype=float)
 
+    def to_latex(self) -> str:
+        """The mask of two variables as a matrix, x to the right and y upwards. Raises DomainError for three.
+
+        >>> import subcert
+        >>> print(subcert.mask([[1, 2, 1], [2, 4, 2], [1, 2, 1]], 4).to_latex())
+        \\frac{1}{4}\\begin{bmatrix}1 & 2 & 1\\\\ 2 & 4 & 2\\\\ 1 & 2 & 1\\end{bmatrix}
+        """
+        if self.dimension != 2:
+            raise DomainError(f"to_latex: need a mask of two variables, got {self.dimension}")
+        below = math.lcm(*(c.denominator for c in self.mask.values()))
+        columns, rows = (sorted({index[k] for index in self.mask}) for k in (0, 1))
+        lines = [
+            " & ".join(str(self.mask.get((i, j), Fraction(0)) * below) for i in range(columns[0], columns[-1] + 1))
+            for j in range(rows[-1], rows[0] - 1, -1)
+        ]
+        matrix = "\\begin{bmatrix}" + "\\\\ ".join(lines) + "\\end{bmatrix}"
+        return ("" if below == 1 else f"\\frac{{1}}{{{below}}}") + matrix
+
+    def plot(self, ax: Any = None, *, level: int = 4) -> Any:
+        """Draws the basic limit function of two variables, and returns the axes of matplotlib. Errors: as limit."""
+        if self.dimension != 2:
+            raise DomainError(f"plot: need a scheme of two variables, got {self.dimension}")
+        points, values = self.limit(level)
+        return _plots.surface(ax, points, values, f"{self.specification}, basic limit function")
+
     def _repr_html_(self) -> str:
         return _display.surface_html(self)
 
@@ -431,20 +498,43 @@ def scheme(specification: Union[str, Named]) -> Any:
 
 
 def mask(
-    coefficients: Iterable[Exact], denominator: Exact = 1, *, first: Optional[int] = None, arity: int = 2
-) -> Scheme:
+    coefficients: Iterable[Any],
+    denominator: Exact = 1,
+    *,
+    first: Union[int, Sequence[int], None] = None,
+    arity: int = 2,
+    dilation: Optional[Sequence[Sequence[int]]] = None,
+) -> Any:
     """The scheme with these coefficients over a common denominator, from the index `first` on (default: centred).
+
+    Nested lists are masks of two or three variables, the last one outermost, with as many first indices; `dilation`:
+    their matrix, else `arity` times the identity.
 
     >>> import subcert
     >>> subcert.mask([1, 3, 3, 1], 4).specification
     'mask:[1,3,3,1]/4@-2'
+    >>> subcert.mask([[1, 1], [1, 1]], 1, first=(0, 0)).mask[1, 1]
+    Fraction(1, 1)
     """
     below = fraction(denominator)
     if below == 0:
         raise ZeroDivisionError("mask: need a denominator other than 0")
-    numbers = ",".join(str(fraction(c) / below) for c in coefficients)
-    place = "" if first is None else f"@{int(first)}"
-    return scheme(f"mask:[{numbers}]{place}" + ("" if arity == 2 else f",arity={int(arity)}"))
+    if hasattr(coefficients, "tolist"):  # arrays of numpy
+        coefficients = coefficients.tolist()
+
+    def listed(entries: Any) -> tuple[str, int]:
+        if isinstance(entries, (list, tuple)):
+            inner = [listed(entry) for entry in entries]
+            return "[" + ",".join(text for text, _ in inner) + "]", 1 + max((depth for _, depth in inner), default=0)
+        return str(fraction(entries) / below), 0
+
+    numbers, variables = listed(list(coefficients))
+    indices = [] if first is None else [first] if isinstance(first, int) else list(first)
+    text = f"mask{variables if variables > 1 else ''}:{numbers}"
+    text += "@" + ",".join(str(int(i)) for i in indices) if indices else ""
+    if dilation is not None:
+        return scheme(text + ",dilation=[" + ";".join(",".join(str(int(d)) for d in row) for row in dilation) + "]")
+    return scheme(text + ("" if arity == 2 else f",arity={int(arity)}"))
 
 
 def families() -> dict[str, str]:

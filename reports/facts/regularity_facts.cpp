@@ -179,6 +179,7 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   const auto& curve = regularity.curve;
   const auto& surface = regularity.surface;
   Facts list = named(scheme.specification, scheme.title);
+  list.push_back(exponent_fact(scheme, regularity, form.digits));
   append(list, curve ? Facts{rounding_fact(scheme.rounding)} : dilation_facts(scheme.mask));
   list.push_back(plain("sum_rules", "sum rules", regularity.sum_rules()));
   list.push_back(converges_fact(regularity.converges()));
@@ -196,13 +197,13 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                      : exact_facts(surface->exact, surface->is_closed()));
   append(list, stable_facts(regularity.stable(), !curve || curve->converges.is_yes()));
   if (curve) {
-    append(list, {reduced_fact(*curve), exponent_fact(scheme, regularity, form.digits)});
+    list.push_back(reduced_fact(*curve));
     if (curve->proved_exponent().lower && *curve->exponent.lower > 0) list.push_back(attained_fact(*curve));
     append(list, {logarithm_member(curve->logarithm), member("single", decision_json(curve->single.applies)),
                   sobolev_fact(sobolev, curve->stable)});
     if (!form.complete) list.push_back({"", "budget", "the polytope did not close; the enclosure reached is printed"});
   } else {
-    append(list, {exponent_fact(scheme, regularity, form.digits), sobolev_fact(surface->sobolev, surface->stable)});
+    list.push_back(sobolev_fact(surface->sobolev, surface->stable));
     if (!surface->is_closed() && !surface->converges.is_no())
       list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});
   }

@@ -60,13 +60,30 @@ struct Figure {
 /// gnuplot is missing or fails; the CSV file is written first.
 void draw(const Figure& figure, const std::filesystem::path& folder);
 
-/// Whether pictures have the ending of this name: .svg, .png or .html.
+/// A kind of picture that gnuplot draws.
+struct PictureKind {
+  std::string ending;    ///< of file names
+  std::string terminal;  ///< of gnuplot
+  std::string end;       ///< which a whole file has
+  bool is_on_paper;      ///< measured in inches, not in pixels
+
+  /// For gnuplot: `460,320`, or of these hundredths of an inch.
+  std::string size(int width, int height) const;
+  /// In quotes, as gnuplot reads strings; in pictures that LaTeX reads what it prints as this text.
+  std::string quoted_text(const std::string& text) const;
+};
+const std::vector<PictureKind>& picture_kinds();
+/// As people read them.
+inline constexpr const char* picture_endings = ".svg, .png, .pdf, .tex (TikZ) or .html";
+
+/// Whether pictures have the ending of this name.
 bool is_picture_name(const std::filesystem::path& file);
 
 /// Lets `plot` have gnuplot draw into the file that it is given, which then takes this name; gnuplot must have ended
-/// when `plot` returns. Domain: .svg or .png. Errors: throws a domain error for another ending; missing_file where the
-/// file cannot be written, or gnuplot is missing or did not come to the end of the picture.
-void write_picture(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& plot);
+/// when `plot` returns. Domain: an ending of picture_kinds(). Errors: throws a domain error for another ending;
+/// missing_file where the file cannot be written, or gnuplot is missing or did not come to the end of the picture.
+void write_picture(const std::filesystem::path& file,
+                   const std::function<void(const PictureKind&, const std::filesystem::path&)>& plot);
 
 /// Writes one picture, its kind by the ending. Errors: as write_picture().
 void draw_file(const Figure& figure, const std::filesystem::path& file);

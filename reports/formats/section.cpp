@@ -2,6 +2,8 @@
 
 #include "html.hpp"
 
+#include <subcert/proofs-checks/certificates/identity.hpp>
+
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
@@ -31,6 +33,13 @@ nlohmann::json packed_files(const RowProof& proof) {
   return files;
 }
 
+/// Empty for a proof without its file.
+std::string certificate_id(const RowProof& proof) {
+  for (const auto& [name, text] : proof.files)
+    if (name == proof.name) return content_id(text);
+  return {};
+}
+
 std::string button(const std::string& certificate, const RowProof& proof) {
   const std::string scheme = proof.scheme.empty() ? "" : " data-scheme=\"" + html(proof.scheme) + "\"";
   return "<button type=button class=check data-certificate=\"" + html(certificate) + "\" data-words=\"" +
@@ -41,7 +50,8 @@ std::string button(const std::string& certificate, const RowProof& proof) {
 
 std::string check_button(const std::string& folder, const RowProof& proof) {
   if (proof.name.empty()) return "";
-  return button(script_name(folder, proof), proof) + " <a href=\"" + html(folder + "/" + proof.name) + "\">file</a>";
+  return button(script_name(folder, proof), proof) + " <a href=\"" + html(folder + "/" + proof.name) +
+         "\" title=\"SHA-256 " + certificate_id(proof) + "\">file</a>";
 }
 
 std::string check_button_inside(const RowProof& proof) {

@@ -50,11 +50,12 @@ std::string grid_text(const DrawnSurface& surface, std::size_t most) {
 }
 
 /// `most`: points in a direction.
-void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::size_t most, const std::string& terminal,
+void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::size_t most, const PictureKind& kind,
           const std::filesystem::path& target) {
   const std::size_t rows = (surfaces.size() + columns - 1) / columns;
   Gnuplot gnuplot(gnuplot_command);
-  gnuplot << "set encoding utf8\nset terminal " << terminal << " size " << 520 * columns << "," << 380 * rows << "\n"
+  gnuplot << "set encoding utf8\nset terminal " << kind.terminal << " size "
+          << kind.size(static_cast<int>(520 * columns), static_cast<int>(380 * rows)) << "\n"
           << "set output " << quoted(target.string()) << "\n"
           << "set multiplot layout " << rows << "," << columns << "\n"
           << "set xyplane relative 0.05\nset tics textcolor rgb '#333333'\nset border lc rgb '#888888'\n"
@@ -62,7 +63,7 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::s
           << "set pm3d lighting primary 0.4 specular 0.1\n";
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
-    gnuplot << "set title " << quoted(surface.title) << "\n"
+    gnuplot << "set title " << kind.quoted_text(surface.title) << "\n"
             << (surface.heights ? "set view 60,30,1\n"
                                 : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) +
                                       "\nunset tics\nunset border\n")
@@ -87,13 +88,12 @@ void draw_surfaces(const std::vector<DrawnSurface>& surfaces, const std::filesys
     for (const DrawnSurface& surface : surfaces) views += surface_view(surface);
     return runtime::write_file(file, html_page(html(surfaces.front().title), views));
   }
-  const bool is_svg = file.extension() == ".svg";
-  const char* terminal = is_svg ? "svg font 'DejaVu Sans,12' background rgb 'white'" : "pngcairo font 'DejaVu Sans,11'";
-  // Each facet of an SVG is a line of text.
+  const bool is_drawn = file.extension() != ".png";
+  // Each facet is a line of text, but in pictures of points.
   const double count = static_cast<double>(surfaces.size());
-  const std::size_t most = is_svg ? std::max<std::size_t>(20, static_cast<std::size_t>(100 / std::sqrt(count))) : 200;
-  write_picture(file, [&](const std::filesystem::path& target) {
-    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), most, terminal, target);
+  const std::size_t most = is_drawn ? std::max<std::size_t>(20, static_cast<std::size_t>(100 / std::sqrt(count))) : 200;
+  write_picture(file, [&](const PictureKind& kind, const std::filesystem::path& target) {
+    plot(surfaces, columns == 0 ? surfaces.size() : std::min(columns, surfaces.size()), most, kind, target);
   });
 }
 

@@ -111,7 +111,7 @@ TEST_CASE("bad surface specifications say what, where and what would be right") 
   CHECK(refusal("mask2:[1,1]") == "8 '1,1]' lists in brackets, nested 2 deep for as many variables");
   CHECK(refusal("mask2:[[[1,1]]]") == "9 '[1,1]]]' lists in brackets, nested 2 deep for as many variables");
   CHECK(refusal("mask3:[[1,1],[1,1]]") == "9 '1,1],[1,1]]' lists in brackets, nested 3 deep for as many variables");
-  CHECK(refusal("mask2:[[1,x],[1,1]]") == "11 'x' an exact number p, p/q with q > 0, or a decimal");
+  CHECK(refusal("mask2:[[1,x],[1,1]]") == "11 'x' an exact number p, p/q with q > 0, a decimal, or a sum of such");
   CHECK(refusal("mask2:[[1,1],[1,1]") == "19 '' a comma or a closing bracket");
   CHECK(refusal("mask2:[[1,1],[1,1]]@0") == "22 '' @ and as many first indices as variables");
   CHECK(refusal("mask2:[[1,1],[1,1]]@0,arity=2") ==

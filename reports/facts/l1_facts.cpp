@@ -44,8 +44,20 @@ Fact lipschitz_fact(const std::optional<Rational>& lipschitz) {
           to_text(*lipschitz)};
 }
 
-Fact contraction_fact(const std::optional<piecewise::Contraction>& found) {
-  if (!found) return {"contraction", "contraction", "unknown", "none within the budget", Json()};
+/// What is known of a contraction that time did not suffice for, and what it would need.
+std::string unfinished_text(const data::UnfinishedContraction& unfinished) {
+  const auto& [steps, order, search] = unfinished;
+  std::string text = fmt::format("{} step{}, differences of order {}: {} of {} differences bounded", steps,
+                                 steps == 1 ? "" : "s", order, search.finished, search.starts);
+  if (search.attained > 0) text += fmt::format(", no bound below {}", search.attained);
+  return text + "; more --budget, or a --bound that is enough";
+}
+
+Fact contraction_fact(const data::LeastAbsoluteLimit& limit) {
+  const std::optional<piecewise::Contraction>& found = limit.contraction;
+  if (!found)
+    return {"contraction", "contraction", "none proved",
+            limit.unfinished ? unfinished_text(*limit.unfinished) : "too many pieces to be listed", Json()};
   const std::string difference = found->order == 1 ? "D" : fmt::format("D^{}", found->order);
   const std::string steps = found->steps == 1 ? "S" : fmt::format("S^{}", found->steps);
   std::vector<std::string> data;
@@ -152,7 +164,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
                     limit.mask->symbol().to_mask_text()});
   else
     list.push_back(member("mask", Json()));
-  list.push_back(contraction_fact(limit.contraction));
+  list.push_back(contraction_fact(limit));
   list.push_back(limits_fact(limit.converges));
   list.push_back(edge_fact(limit.edge));
   append(list, robustness_facts(limit.points, limit.degree));

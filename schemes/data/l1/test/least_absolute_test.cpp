@@ -63,7 +63,7 @@ Rational largest_difference(std::vector<Rational> f, int order) {
 }
 
 std::string bound_text(int points, int degree, int steps, int order) {
-  const auto found = contraction(*least_absolute_rule(points, degree), {steps, order, {}, false});
+  const auto found = contraction(*least_absolute_rule(points, degree), {steps, order}).proved;
   return found ? found->bound.str() : "none";
 }
 
@@ -187,7 +187,7 @@ TEST_CASE("no data exceed the bound of a contraction, and those that it names at
   for (const Known& of : std::vector<Known>{{6, 1, 1, 1}, {6, 1, 1, 2}, {6, 3, 1, 1}, {5, 2, 1, 2}, {3, 1, 2, 1}}) {
     CAPTURE(of.points, of.degree, of.steps, of.order);
     const auto rule = least_absolute_rule(of.points, of.degree);
-    const auto found = contraction(*rule, {of.steps, of.order, {}, false});
+    const auto found = contraction(*rule, {of.steps, of.order}).proved;
     REQUIRE(found);
     const auto ratio_fits = [&](const std::vector<Rational>& f) {
       std::vector<Rational> refined = f;
@@ -208,20 +208,21 @@ TEST_CASE("no data exceed the bound of a contraction, and those that it names at
 
 TEST_CASE("factors of a contraction reproduce polynomials and bound the difference at every leaf") {
   const auto rule = least_absolute_rule(4, 1);
-  const auto found = contraction(*rule, {2, 1, {}, true});
+  const auto found = contraction(*rule, {2, 1, 0, {}, true}).proved;
   REQUIRE(found);
   CHECK(found->trees.size() == 3);
   for (const ContractionTree& tree : found->trees) {
     std::size_t splits = 0, leaves = 0;
     for (const ProofNode& node : tree.nodes) ++(node.split ? splits : leaves);
-    CHECK(leaves == splits * (rule->pieces.size() - 1) + 1);
+    CHECK(leaves == splits + 1);
     for (const ResidualFactors& factors : tree.leaves) {
       CHECK(factors.bound <= found->bound);
       // A window of level 0 hands on what its outputs are asked for: the sum of its factors.
       Rational sum = 0;
       for (std::size_t window = 0; window < tree.windows.size(); ++window)
         if (tree.windows[window].level == 1)
-          for (const Rational& factor : factors.of_window[window]) sum += factor;
+          for (const auto& [place, factor] : factors.factors)
+            if (place / rule->points == window) sum += factor;
       CHECK(sum == 0);
     }
   }

@@ -69,7 +69,7 @@ class ConeProgram {
   double product(std::size_t row, const double* x) const;
   double width(std::size_t coordinate) const { return coordinate < boxed_ ? 1 : free_width; }
 
-  static constexpr double free_width = 1e5;  // in the search alone; a bound never rests on it
+  static constexpr double free_width = 1e4;  // in the search alone; a bound never rests on it
 
   std::size_t dimension_, boxed_;
   std::vector<Row> rows_;

@@ -409,18 +409,14 @@ void TreeSearch::visit(Corner corner) {
     stopped_ = true;
     return;
   }
-  bool found = program_.improve(corner, sides_, enough());
   std::vector<Split> splits;
   for (const bool anew : {false, true}) {
-    if (anew) {  // rounding errors add up
-      corner = program_.corner_of_box();
-      found = program_.improve(corner, sides_, enough());
-    }
-    if (!found) continue;
-    if (program_.value(corner) <= best_.convert_to<double>() + clearly && close(corner, false)) return;
+    if (anew) corner = program_.corner_of_box();  // rounding errors add up
+    const bool found = program_.improve(corner, sides_, enough());
+    if (found && program_.value(corner) <= best_.convert_to<double>() + clearly && close(corner, false)) return;
     splits = violated_splits(corner);
     if (!splits.empty()) break;
-    if (close(corner, true)) return;
+    if (found && close(corner, true)) return;
   }
   const Split split = splits.empty() ? any_split() : choose(corner, splits);
   if (split.signs == 0) {

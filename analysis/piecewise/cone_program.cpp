@@ -66,6 +66,14 @@ double ConeProgram::value(const Corner& corner) const {
   return sum;
 }
 
+// Whether a coordinate without a bound of its own is held by that of the search.
+bool ConeProgram::leans_on_free(const Corner& corner) const {
+  for (std::size_t k = 0; k < dimension_; ++k)
+    if (!corner.basis[k].is_row && corner.basis[k].index >= boxed_ && corner.y[k] > pivot_size / free_width)
+      return true;
+  return false;
+}
+
 double ConeProgram::product(std::size_t row, const double* x) const {
   const double* entries = &entries_[row * dimension_];
   double sum = 0;
@@ -155,7 +163,7 @@ void ConeProgram::replace(Corner& corner, std::size_t out, const Constraint& nex
 bool ConeProgram::improve(Corner& corner, const std::vector<Side>& sides, double enough) const {
   const std::size_t most_pivots = 60 * (dimension_ + rows_.size());
   for (std::size_t pivot = 0; pivot < most_pivots; ++pivot) {
-    if (value(corner) < enough) return true;
+    if (value(corner) < enough && !leans_on_free(corner)) return true;
     const auto found = violated(corner, sides);
     if (!found) return true;
     const std::vector<double> entering = in_basis(corner, found->first);

@@ -46,7 +46,8 @@ class ConeProgram {
   /// The corner of the box at which the objective is largest: best where all sides are `any`.
   Corner corner_of_box() const;
   /// Goes on from a corner that was best for sides that are not stricter, to one that is best, or whose value is below
-  /// `enough`. False where the search fails. Cost: dimension * (dimension + rows) operations a pivot.
+  /// `enough` and rests on rows and the box alone. False where the search fails. Cost: dimension * (dimension + rows)
+  /// operations a pivot.
   bool improve(Corner& corner, const std::vector<Side>& sides, double enough) const;
   /// The value of the objective, in double precision; where free coordinates are not held it is large.
   double value(const Corner& corner) const;
@@ -66,6 +67,7 @@ class ConeProgram {
   std::vector<double> in_basis(const Corner& corner, const Constraint& constraint) const;
   void replace(Corner& corner, std::size_t out, const Constraint& next, double by, const std::vector<double>& entering,
                const std::vector<Side>& sides) const;
+  bool leans_on_free(const Corner& corner) const;
   double product(std::size_t row, const double* x) const;
   double width(std::size_t coordinate) const { return coordinate < boxed_ ? 1 : free_width; }
 

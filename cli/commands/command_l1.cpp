@@ -63,7 +63,7 @@ void add_l1(Command& app) {
   command.option("--order", options->order, "Order of the differences; 0: the one that proves most")
       .within(0, 4)
       .with_default();
-  command.option("--bound", options.bound, "A bound of the contraction that is enough; 0: the least one")
+  command.option("--bound", options->bound, "A bound of the contraction that is enough; 0: the least one")
       .with_default();
   command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");

@@ -46,6 +46,9 @@ TEST_CASE("cone programs: bounds by rows, by the box, and none where a free coor
   CHECK(maximum(early, {Side::nonnegative}, 10).bound->bound == 2);
   CHECK_FALSE(maximum(early, {Side::nonnegative}, 10).point);
   CHECK(maximum(early, {Side::nonnegative}, 0).bound->bound == 0);
+  // A value that is small already, but rests on a coordinate without bound.
+  CHECK(maximum(ConeProgram(2, 1, {{1, -1}}, {0, {1, 100'000}}), {Side::nonnegative}, 0.5).bound->bound ==
+        Rational(1, 100'000));
 }
 
 TEST_CASE("cone programs: multipliers prove the bound, a point attains it, and a corner serves stricter sides") {

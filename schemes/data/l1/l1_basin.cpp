@@ -108,13 +108,13 @@ Rational largest_square(const std::vector<Form>& forms) {
 
 }  // namespace
 
-L1Basin l1_basin(int points, int degree) {
+std::optional<L1Basin> l1_basin(int points, int degree) {
   require(degree >= 0 && degree <= 3 && points >= degree + 2 && points <= degree + 17,
           "l1 basin: need 0 <= degree <= 3 and degree + 2 <= points <= degree + 17, got {} and {}", degree, points);
   const LeastSquares fit = least_squares(points, degree);
   L1Basin result;
   result.linear = norm_of_differences(fit.outputs, degree + 1);
-  require(result.linear < 1, "l1 basin: need least squares that contract differences, got {}", result.linear);
+  if (result.linear >= 1) return std::nullopt;
   Rational largest = 0;
   for (const Form& form : fit.residuals) largest = std::max(largest, sum_of_moduli(form));
   const Rational squares = root_above(largest_square(fit.residuals));

@@ -3,6 +3,8 @@
 
 #include <subcert/analysis/symbol/numbers.hpp>
 
+#include <optional>
+
 namespace subcert::data {
 
 /// Let q = degree + 1, S the rule with any number of fits and delta > 0, L that of least squares, |D^q f| the supremum
@@ -16,9 +18,9 @@ struct L1Basin {
   Rational error;
 };
 
-/// Domain: 0 <= degree <= 3, degree + 2 <= points <= degree + 17, and least squares contracts q-th differences in one
-/// step. Errors: throws a domain error. Cost: 2^(points - degree - 1) products of a vector. Ref: docs/l1.md,
-/// section 10.
-L1Basin l1_basin(int points, int degree);
+/// Nothing where least squares does not contract q-th differences in one step. Domain: 0 <= degree <= 3, degree + 2 <=
+/// points <= degree + 17. Errors: throws a domain error. Cost: 2^(points - degree - 1) products of a vector. Ref:
+/// docs/l1.md, section 10.
+std::optional<L1Basin> l1_basin(int points, int degree);
 
 }  // namespace subcert::data

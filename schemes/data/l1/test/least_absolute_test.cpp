@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -67,7 +68,63 @@ std::string bound_text(int points, int degree, int steps, int order) {
   return found ? found->bound.str() : "none";
 }
 
+/// Follows a tree: the factors of a leaf have the signs of all pieces that are possible there, and both parts of a
+/// split have a piece.
+class TreeWalk {
+ public:
+  TreeWalk(const Rule& rule, const ContractionTree& tree) : rule_(rule), tree_(tree) {
+    std::vector<std::size_t> all(rule.pieces.size());
+    std::iota(all.begin(), all.end(), 0);
+    possible_.assign(tree.windows.size(), all);
+    visit();
+    CHECK(next_ == tree.nodes.size());
+  }
+
+ private:
+  void visit() {
+    REQUIRE(next_ < tree_.nodes.size());
+    const ProofNode node = tree_.nodes[next_++];
+    if (!node.split) return check_leaf(tree_.leaves.at(node.index));
+    std::vector<std::size_t> parts[2];
+    for (const std::size_t piece : possible_.at(node.index)) {
+      const int sign = rule_.pieces[piece].signs.at(node.datum);
+      const auto kind = sign > 0 ? ProofNode::positive : sign < 0 ? ProofNode::negative : ProofNode::none;
+      parts[(node.signs & kind) != 0 ? 0 : 1].push_back(piece);
+    }
+    const std::vector<std::size_t> all = possible_[node.index];
+    for (const std::vector<std::size_t>& part : parts) {
+      REQUIRE_FALSE(part.empty());
+      possible_[node.index] = part;
+      visit();
+    }
+    possible_[node.index] = all;
+  }
+
+  void check_leaf(const ResidualFactors& leaf) const {
+    long wrong = 0;
+    for (const auto& [place, factor] : leaf.factors)
+      for (const std::size_t piece : possible_.at(place / rule_.points))
+        wrong += rule_.pieces[piece].signs[place % rule_.points] == -factor.sign() ? 1 : 0;
+    CHECK(wrong == 0);
+  }
+
+  const Rule& rule_;
+  const ContractionTree& tree_;
+  std::size_t next_ = 0;
+  std::vector<std::vector<std::size_t>> possible_;
+};
+
 }  // namespace
+
+TEST_CASE("the trees of contractions go through all pieces, and their factors have the signs of the pieces") {
+  for (const auto& [points, steps] : std::vector<std::pair<int, int>>{{3, 1}, {4, 2}, {5, 2}, {6, 1}, {6, 2}, {7, 1}}) {
+    CAPTURE(points, steps);
+    const auto rule = least_absolute_rule(points, 1);
+    const auto found = contraction(*rule, {steps, 1, 0, {}, true}).proved;
+    REQUIRE(found);
+    for (const ContractionTree& tree : found->trees) TreeWalk(*rule, tree);
+  }
+}
 
 TEST_CASE("pieces of least absolute deviations: how many, and whether they determine the fit") {
   struct Known {

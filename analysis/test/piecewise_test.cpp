@@ -51,6 +51,17 @@ TEST_CASE("cone programs: bounds by rows, by the box, and none where a free coor
         Rational(1, 100'000));
 }
 
+TEST_CASE("cone programs: a corner of another search is not believed") {
+  const ConeProgram program(2, 2, {{-2, -1}}, {3, 1});
+  ConeProgram::Corner corner = program.corner_of_box();
+  REQUIRE(program.improve(corner, {Side::nonnegative}, 2));  // at (1, -2), outside of the box
+  CHECK_FALSE(program.point(corner, {Side::nonnegative}));
+  CHECK(program.bound(corner, {Side::nonnegative})->bound == 1);
+  CHECK(program.bound(corner, {Side::zero})->bound == 1);
+  CHECK_FALSE(program.bound(corner, {Side::any}));
+  CHECK_FALSE(program.bound(corner, {Side::nonpositive}));
+}
+
 TEST_CASE("cone programs: multipliers prove the bound, a point attains it, and a corner serves stricter sides") {
   Random random;
   for (const auto round : rounds(200)) {

@@ -246,6 +246,7 @@ class Start:
         signs = possible[0][r]
         if r % 2 == len(self.lines) % 2:  # the others first
             signs = "".join(c for c in "+-0" if c != signs)
+        signs = next((s for s in self.prefer if 0 < sum(v[r] in s for v in possible) < len(possible)), signs)
         self.lines.append(f"side {w} {r} {signs}")
         for first in (True, False):
             self.assigned[w] = [v for v in possible if (v[r] in signs) == first]
@@ -255,13 +256,14 @@ class Start:
         return True
 
 
-def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False):
+def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False, prefer=()):
     """The lines of a certificate from the second one on."""
     bound = Q(bound)
     lines = [f"l1 {n} {d}", "bounds - -", f"contraction {steps} {order} {bound}"]
     for j in range(2**steps):
         if j <= (2 * n - 3 - order - j) % 2**steps:
             start = Start((n, d), steps, order, bound, j, thin, early, deep)
+            start.prefer = prefer  # signs of sides
             numbers = list(range(len(start.windows)))
             grow = start.grow_by_sides if sides else start.grow
             assert grow(numbers[::-1] if from_above else numbers), (n, d, steps, order, bound, j, start.assigned)
@@ -335,6 +337,8 @@ ACCEPTED = [
     ("l1-4-twice", "--l1 4,1 --lower 1/16 --contraction 2,1,11/12", written(4, 1, 2, 1, "11/12", thin=(0, 1))),
     ("l1-4-from-above", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True)),
     ("l1-4-sides", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True, sides=True)),
+    ("l1-4-sides-zero", "--l1 4,1 --contraction 1,1,7/6", written(4, 1, 1, 1, "7/6", early=True, sides=True, prefer=("0", "+0"))),
+    ("l1-5-sides-zero", "--l1 5,1 --contraction 1,1,1", written(5, 1, 1, 1, 1, early=True, sides=True, prefer=("+0", "+-", "0"))),
     ("l1-4-split-after-side", "--l1 4,1 --contraction 1,1,7/6", split_after_side()),
     ("l1-5-sides", "--l1 5,1 --contraction 1,1,1", written(5, 1, 1, 1, 1, early=True, sides=True)),
     ("l1-6-sides", "--l1 6,1 --contraction 1,1,3/5", written(6, 1, 1, 1, "3/5", early=True, from_above=True, sides=True)),
@@ -502,6 +506,7 @@ WRITTEN = [(f"l1-thin-{name}", f"--l1 {lines[3:6].replace(' ', ',')} --contracti
     ("unknown-1", 2, f"{HEAD}; split 2; split 0; thin 0 0 0 0 0 0 1 -1 0", f"{SHOWN} to be one, line 8"),
     ("nothing", 2, f"{SAME}; thin 0 0 0 0 0 0 0 0 0", f"{SHOWN} to be one, line 10"),
     ("early", 2, f"{HEAD}; thin 1 -1 0 0 0 0 0 0 0", f"{SIGN}, line 6"),
+    ("part", 2, f"{HEAD}; side 0 1 +; side 1 0 -; thin 0 1 -1 -1 1 0 0 0 0", f"{SHOWN} to be one, line 8"),
     ("sign", 2, f"{HEAD}; split 0; thin -1 1 0 0 0 0 0 0 0", f"{SIGN}, line 7"),
     ("fit", 2, f"{HEAD}; split 0; thin 1 0 0 0 0 0 0 0 0", f"{FIT}, line 7"),
     ("sum", 2, f"{HEAD}; split 0; thin 1 -1 0 0 0 0 0 0 0", f"{SUM}, line 7"),

@@ -7,11 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace subcert::piecewise {
 namespace {
 
-constexpr double clearly = 1e-7;  // larger values of forms are no rounding
+constexpr double clearly = 1e-7;         // larger values of forms are no rounding
+constexpr double slightly = 1e-6;        // smaller residuals are rounding
+constexpr std::size_t most_asked = 500;  // known factors that are tried on a cell
+constexpr std::size_t most_tried = 3;    // splits of a window of which programs are solved
 
 /// sum += factor * row.
 void add_multiple(Row& sum, const Rational& factor, const Row& row) {
@@ -67,22 +72,53 @@ std::vector<Row> data_by_differences(std::size_t count, std::size_t order) {
   return rows;
 }
 
-/// The sum of |c_j| where form = sum of c_j * differences; nothing where it is no such sum.
-std::optional<Rational> difference_norm(Row form, int order) {
-  for (int k = 0; k < order; ++k) {
-    for (std::size_t j = 0; j + 1 < form.size(); ++j) {
-      form[j + 1] += form[j];
-      form[j] = -form[j];
-    }
-    if (form.back() != 0) return std::nullopt;
-    form.pop_back();
-  }
-  Rational norm = 0;
-  for (const Rational& entry : form) norm += abs(entry);
-  return norm;
+/// The form in the differences of the data that one difference of the last level is, and the residuals of all windows
+/// that it depends on, in these differences and the coefficients of all fits.
+struct Forms {
+  std::vector<Row> data;       // each datum
+  std::vector<Row> residuals;  // [window * points + datum]
+  Row objective;
+  std::size_t dimension = 0, boxed = 0;
+};
+
+/// p(x), twice x being an integer: coefficient k belongs to (2 x / (points - 1))^k.
+Row fit_value(const Rule& rule, std::size_t begin, const Rational& twice_x) {
+  Row row(begin, 0);
+  const Rational x = twice_x / static_cast<long>(rule.points - 1);
+  row.push_back(1);
+  for (int k = 0; k < rule.degree; ++k) row.push_back(row.back() * x);
+  return row;
 }
 
-/// Which data of a window have a positive, which a negative sign.
+Forms forms_of(const Rule& rule, const Dependence& plan, int order) {
+  Forms result;
+  const auto differences = static_cast<std::size_t>(order), own = static_cast<std::size_t>(rule.degree) + 1;
+  result.data = data_by_differences(plan.levels[0].count, differences);
+  result.boxed = plan.levels[0].count - std::min(differences, plan.levels[0].count);
+  result.dimension = result.boxed + own * plan.windows.size();
+  std::vector<std::vector<Row>> values{result.data};  // [level][index]
+  for (std::size_t level = 1; level < plan.levels.size(); ++level) values.emplace_back(plan.levels[level].count);
+  for (std::size_t w = 0; w < plan.windows.size(); ++w) {
+    const auto [level_number, window] = plan.windows[w];
+    const auto level = static_cast<std::size_t>(level_number);
+    const std::size_t begin = result.boxed + own * w;
+    for (std::size_t r = 0; r < rule.points; ++r) {
+      Row residual = values[level][static_cast<std::size_t>(window - plan.levels[level].first) + r];
+      add_multiple(residual, -1, fit_value(rule, begin, 2 * static_cast<long>(r) - static_cast<long>(rule.points - 1)));
+      result.residuals.push_back(std::move(residual));
+    }
+    for (long phase = 0; phase < 2; ++phase) {
+      const long index = 2 * window + phase - plan.levels[level + 1].first;
+      if (index >= 0 && index < static_cast<long>(plan.levels[level + 1].count))
+        values[level + 1][static_cast<std::size_t>(index)] = fit_value(rule, begin, Rational(2 * phase - 1, 2));
+    }
+  }
+  const Row difference = difference_form(order);
+  for (std::size_t s = 0; s < difference.size(); ++s) add_multiple(result.objective, difference[s], values.back()[s]);
+  return result;
+}
+
+/// Which data of a window have a positive, which a negative sign, in some of its pieces or of its factors.
 struct SignMasks {
   std::uint64_t positive = 0, negative = 0;
 };
@@ -96,6 +132,11 @@ SignMasks masks_of(const std::vector<int>& signs) {
   return masks;
 }
 
+std::uint8_t sign_of(const SignMasks& masks, std::size_t r) {
+  if ((masks.positive >> r & 1) != 0) return ProofNode::positive;
+  return (masks.negative >> r & 1) != 0 ? ProofNode::negative : ProofNode::none;
+}
+
 /// Factors with the signs that they have, so that they may serve other cells too.
 struct KnownFactors {
   ResidualFactors factors;
@@ -103,16 +144,12 @@ struct KnownFactors {
   std::size_t listed = 0;        // its number in the tree plus one; 0: not yet there
 };
 
-/// No piece: the two values of the fit are variables, or one where the fit is constant.
-Piece free_piece(const Rule& rule) {
-  Piece piece{std::vector<int>(rule.points, 0), rule.degree == 0 ? std::size_t{1} : 2, {}, {}};
-  for (std::size_t phase = 0; phase < 2; ++phase) {
-    Row output(rule.points + piece.own, 0);
-    output[rule.points + std::min(phase, piece.own - 1)] = 1;
-    piece.outputs.push_back(std::move(output));
-  }
-  return piece;
-}
+/// Pieces of a window by the sign of one of its data.
+struct Split {
+  std::size_t window = 0, datum = 0;
+  std::uint8_t signs = 0;  // of the first child
+  double rank = 0;
+};
 
 /// The tree of one start.
 class TreeSearch {
@@ -121,24 +158,23 @@ class TreeSearch {
       : rule_(rule),
         options_(options),
         plan_(dependence(rule, options.steps, options.order, start)),
-        difference_(difference_form(options.order)),
+        forms_(forms_of(rule, plan_, options.order)),
+        program_(forms_.dimension, forms_.boxed, forms_.residuals, forms_.objective),
         best_(std::move(known)),
-        free_(free_piece(rule)) {
+        sides_(forms_.residuals.size(), Side::any),
+        any_(plan_.windows.size()) {
     tree_.start = start;
     tree_.windows = plan_.windows;
-    const auto order = static_cast<std::size_t>(options.order);
-    const std::size_t data = plan_.levels[0].count;
-    boxed_ = data > order ? data - order : 0;
-    for (const Dependence::Level& level : plan_.levels) values_.emplace_back(level.count);
-    values_[0] = data_by_differences(data, order);
     for (const Piece& piece : rule.pieces) piece_masks_.push_back(masks_of(piece.signs));
-    piece_masks_.emplace_back();
-    path_.assign(plan_.windows.size(), rule.pieces.size());
+    std::vector<std::uint32_t> all(rule.pieces.size());
+    std::iota(all.begin(), all.end(), 0);
+    possible_.assign(plan_.windows.size(), all);
+    for (std::size_t window = 0; window < possible_.size(); ++window) lay_out(window);
   }
 
   /// False where time is up or a program failed.
   bool run() {
-    visit();
+    visit(program_.corner_of_box());
     return !stopped_;
   }
 
@@ -147,152 +183,71 @@ class TreeSearch {
   ContractionTree take_tree() { return std::move(tree_); }
 
  private:
-  struct Program {
-    ConeProgram cone;
-    Row form;
-    std::optional<ConeBound> found;
-  };
+  using Corner = ConeProgram::Corner;
+  using Pieces = std::vector<std::uint32_t>;
 
-  // The path: rows of the cells of its windows, in the differences of the data and the variables of the pieces.
-  void lay_out();
-  Row over_path(const Row& form, const WindowPlace& place, std::size_t own_begin) const;
-  Row objective() const;
-  bool is_free(std::size_t window) const { return path_[window] == rule_.pieces.size(); }
-  const Piece& piece(std::size_t window) const { return is_free(window) ? free_ : rule_.pieces[path_[window]]; }
-  Program solve(double enough);
-  std::optional<std::size_t> window_to_split(const ConeProgram& program) const;
+  double enough() const { return best_.convert_to<double>() - clearly; }
+  void lay_out(std::size_t window);
+  std::pair<Pieces, Pieces> parts(const Split& split) const;
 
   // Factors.
-  std::optional<KnownFactors> factors_of(const ConeBound& bound) const;
-  bool have_signs_of_path(const KnownFactors& known) const;
+  bool have_signs(const KnownFactors& known) const;
   bool close_by_known();
-  bool close(const Program& program, bool last);
+  bool close(const Corner& corner, bool attained);
   void use(KnownFactors& known);
+  void keep_data(const Corner& corner);
 
-  void visit();
-  void keep_data(const Program& program);
+  // Splitting.
+  double violation(const double* residuals, const SignMasks& any) const;
+  double least_violation(const double* residuals, const Pieces& pieces) const;
+  void rate_splits(std::size_t window, const double* residuals, std::vector<Split>& found) const;
+  std::vector<Split> violated_splits(const Corner& corner) const;
+  Split choose(const Corner& corner, const std::vector<Split>& splits);
+  Split any_split() const;
+  double gain(const Corner& corner, std::size_t window, Pieces pieces);
+
+  void visit(Corner corner);
+  void branch(const Corner& corner, Split split);
 
   const Rule& rule_;
   const ContractionOptions& options_;
   const Dependence plan_;
-  const Row difference_;
+  const Forms forms_;
+  const ConeProgram program_;
   Rational best_;
-  const Piece free_;
   std::vector<Rational> data_;
   ContractionTree tree_;
   bool stopped_ = false;
 
-  std::vector<std::size_t> path_;  // the piece of each window, or the number of pieces: free
-  std::size_t boxed_ = 0, dimension_ = 0;
-  std::vector<std::vector<Row>> values_;  // [level][index]
-  std::vector<Row> rows_;
-  std::vector<std::pair<std::size_t, std::size_t>> places_;  // window and row of its cell, of each row
-  std::vector<std::size_t> owners_;                          // the window of each variable beyond the data
   std::vector<SignMasks> piece_masks_;
+  std::vector<Pieces> possible_;  // of each window
+  std::vector<Side> sides_;       // of each residual: what all possible pieces say of it
+  std::vector<SignMasks> any_;    // of each window: the signs that some possible piece has
   std::vector<KnownFactors> leaves_;
 };
 
-// A form in the data of a window and its own variables, in those of the path.
-Row TreeSearch::over_path(const Row& form, const WindowPlace& place, std::size_t own_begin) const {
-  const auto level = static_cast<std::size_t>(place.level);
-  const auto begin = static_cast<std::size_t>(place.window - plan_.levels[level].first);
-  Row result;
-  for (std::size_t r = 0; r < rule_.points; ++r) add_multiple(result, form[r], values_[level][begin + r]);
-  if (form.size() > rule_.points) result.resize(std::max(result.size(), own_begin + form.size() - rule_.points), 0);
-  for (std::size_t k = rule_.points; k < form.size(); ++k) result[own_begin + k - rule_.points] += form[k];
+void TreeSearch::lay_out(std::size_t window) {
+  SignMasks& any = any_[window] = {};
+  for (const std::uint32_t piece : possible_[window]) {
+    any.positive |= piece_masks_[piece].positive;
+    any.negative |= piece_masks_[piece].negative;
+  }
+  for (std::size_t r = 0; r < rule_.points; ++r)
+    sides_[window * rule_.points + r] = static_cast<Side>(((any.negative >> r & 1) != 0 ? 0U : 1U) +
+                                                          ((any.positive >> r & 1) != 0 ? 0U : 2U));
+}
+
+std::pair<TreeSearch::Pieces, TreeSearch::Pieces> TreeSearch::parts(const Split& split) const {
+  std::pair<Pieces, Pieces> result;
+  for (const std::uint32_t piece : possible_[split.window])
+    ((sign_of(piece_masks_[piece], split.datum) & split.signs) != 0 ? result.first : result.second).push_back(piece);
   return result;
 }
 
-void TreeSearch::lay_out() {
-  rows_.clear();
-  places_.clear();
-  owners_.clear();
-  for (std::size_t window = 0; window < path_.size(); ++window) {
-    const WindowPlace& place = plan_.windows[window];
-    const std::size_t begin = boxed_ + owners_.size();
-    owners_.insert(owners_.end(), piece(window).own, window);
-    for (std::size_t i = 0; i < piece(window).cell.size(); ++i) {
-      rows_.push_back(over_path(piece(window).cell[i], place, begin));
-      places_.emplace_back(window, i);
-    }
-    const auto next = static_cast<std::size_t>(place.level) + 1;
-    for (long phase = 0; phase < 2; ++phase) {
-      const long index = 2 * place.window + phase - plan_.levels[next].first;
-      if (index >= 0 && index < static_cast<long>(plan_.levels[next].count))
-        values_[next][static_cast<std::size_t>(index)] = over_path(
-            piece(window).outputs[static_cast<std::size_t>(phase)], place, begin);
-    }
-  }
-  dimension_ = boxed_ + owners_.size();
-}
-
-Row TreeSearch::objective() const {
-  Row result;
-  for (std::size_t s = 0; s < difference_.size(); ++s) add_multiple(result, difference_[s], values_.back()[s]);
-  return result;
-}
-
-TreeSearch::Program TreeSearch::solve(double enough) {
-  lay_out();
-  Program program{ConeProgram(dimension_, boxed_), objective(), std::nullopt};
-  for (const Row& row : rows_) program.cone.add(row);
-  program.found = program.cone.bound(program.form, enough);
-  return program;
-}
-
-// One whose fit is free and moves the difference, of the last level that has such.
-std::optional<std::size_t> TreeSearch::window_to_split(const ConeProgram& program) const {
-  if (const auto coordinate = program.unbounded_coordinate())
-    if (const std::size_t window = owners_[*coordinate - boxed_]; is_free(window)) return window;
-  for (std::size_t window = path_.size(); window-- > 0;)
-    if (is_free(window)) return window;
-  return std::nullopt;
-}
-
-// From the last level down: the form in the values of a level becomes one in the values of the level before, the
-// factors of each window being the linear rule that takes its place.
-std::optional<KnownFactors> TreeSearch::factors_of(const ConeBound& bound) const {
-  KnownFactors result;
-  result.factors.of_window.assign(path_.size(), Row(rule_.points, 0));
-  result.masks.resize(path_.size());
-  std::vector<Row> added(path_.size());
-  for (const auto& [row, factor] : bound.multipliers) {
-    const auto [window, place] = places_[row];
-    add_multiple(added[window], factor, piece(window).cell[place]);
-  }
-  std::vector<Row> forms;
-  for (const Dependence::Level& level : plan_.levels) forms.emplace_back(level.count, 0);
-  forms.back() = difference_;
-  for (std::size_t window = path_.size(); window-- > 0;) {
-    const auto level = static_cast<std::size_t>(plan_.windows[window].level);
-    Row form = added[window];
-    for (long phase = 0; phase < 2; ++phase) {
-      const long index = 2 * plan_.windows[window].window + phase - plan_.levels[level + 1].first;
-      if (index < 0 || index >= static_cast<long>(plan_.levels[level + 1].count)) continue;
-      add_multiple(form, forms[level + 1][static_cast<std::size_t>(index)],
-                   piece(window).outputs[static_cast<std::size_t>(phase)]);
-    }
-    const auto begin = static_cast<std::size_t>(plan_.windows[window].window - plan_.levels[level].first);
-    for (std::size_t r = 0; r < form.size(); ++r) {
-      if (form[r] == 0) continue;
-      if (r >= rule_.points) return std::nullopt;
-      forms[level][begin + r] += form[r];
-      result.factors.of_window[window][r] = form[r];
-      (form[r] > 0 ? result.masks[window].positive : result.masks[window].negative) |= std::uint64_t{1} << r;
-    }
-  }
-  const auto norm = difference_norm(forms[0], options_.order);
-  if (!norm) return std::nullopt;
-  result.factors.bound = *norm;
-  return result;
-}
-
-bool TreeSearch::have_signs_of_path(const KnownFactors& known) const {
-  for (std::size_t window = path_.size(); window-- > 0;) {
-    const SignMasks& signs = piece_masks_[path_[window]];
-    const SignMasks& own = known.masks[window];
-    if ((own.positive & signs.negative) != 0 || (own.negative & signs.positive) != 0) return false;
-    if (is_free(window) && (own.positive | own.negative) != 0) return false;
+bool TreeSearch::have_signs(const KnownFactors& known) const {
+  for (std::size_t window = 0; window < any_.size(); ++window) {
+    const SignMasks &own = known.masks[window], &any = any_[window];
+    if (((own.positive & any.negative) | (own.negative & any.positive)) != 0) return false;
   }
   return true;
 }
@@ -303,13 +258,14 @@ void TreeSearch::use(KnownFactors& known) {
     tree_.leaves.push_back(known.factors);
     known.listed = tree_.leaves.size();
   }
-  tree_.nodes.push_back({false, static_cast<std::uint32_t>(known.listed - 1)});
+  tree_.nodes.push_back({false, 0, 0, static_cast<std::uint32_t>(known.listed - 1)});
 }
 
 // What served last is asked first.
 bool TreeSearch::close_by_known() {
-  for (std::size_t i = leaves_.size(); i-- > 0;)
-    if (have_signs_of_path(leaves_[i])) {
+  const std::size_t asked = std::min(leaves_.size(), most_asked);
+  for (std::size_t i = leaves_.size(); i-- > leaves_.size() - asked;)
+    if (have_signs(leaves_[i])) {
       std::swap(leaves_[i], leaves_.back());
       use(leaves_.back());
       return true;
@@ -317,64 +273,210 @@ bool TreeSearch::close_by_known() {
   return false;
 }
 
-bool TreeSearch::close(const Program& program, bool last) {
-  if (!program.found || (!last && program.found->bound > best_)) return false;
-  auto known = factors_of(*program.found);
-  if (!known || (!last && known->factors.bound > best_)) return false;
-  if (known->factors.bound > best_) {
-    best_ = known->factors.bound;
-    keep_data(program);
+// Where the corner is attained by fits, its bound is the least one there.
+bool TreeSearch::close(const Corner& corner, bool attained) {
+  auto found = program_.bound(corner, sides_);
+  if (!found || (!attained && found->bound > best_)) return false;
+  KnownFactors known{{std::move(found->multipliers), found->bound}, std::vector<SignMasks>(any_.size()), 0};
+  for (const auto& [place, factor] : known.factors.factors) {
+    SignMasks& masks = known.masks[place / rule_.points];
+    (factor > 0 ? masks.positive : masks.negative) |= std::uint64_t{1} << place % rule_.points;
   }
-  leaves_.push_back(std::move(*known));
+  if (found->bound > best_) {
+    best_ = found->bound;
+    keep_data(corner);
+  }
+  leaves_.push_back(std::move(known));
   use(leaves_.back());
   return true;
 }
 
-void TreeSearch::keep_data(const Program& program) {
+void TreeSearch::keep_data(const Corner& corner) {
   data_.clear();
-  const auto x = program.cone.maximiser();
-  if (!x || value_at(program.form, *x) != best_) return;
-  for (const Row& row : values_[0]) data_.push_back(value_at(row, *x));
+  const auto x = program_.point(corner, sides_);
+  if (!x || value_at(forms_.objective, *x) != best_) return;
+  for (std::size_t window = 0; window < possible_.size(); ++window) {
+    std::vector<int> signs;
+    for (std::size_t r = 0; r < rule_.points; ++r)
+      signs.push_back(value_at(forms_.residuals[window * rule_.points + r], *x).sign());
+    const SignMasks own = masks_of(signs);
+    const auto agrees = [&](const SignMasks& piece) {
+      const std::uint64_t zero = ~(piece.positive | piece.negative);
+      return ((own.positive & (piece.negative | zero)) | (own.negative & (piece.positive | zero))) == 0;
+    };
+    if (std::none_of(piece_masks_.begin(), piece_masks_.end(), agrees)) return;
+  }
+  for (const Row& row : forms_.data) data_.push_back(value_at(row, *x));
 }
 
-void TreeSearch::visit() {
+/// By how much residuals miss the signs that all pieces with these signs share.
+double TreeSearch::violation(const double* residuals, const SignMasks& any) const {
+  double sum = 0;
+  for (std::size_t r = 0; r < rule_.points; ++r) {
+    const bool positive = (any.positive >> r & 1) != 0, negative = (any.negative >> r & 1) != 0;
+    if (!positive) sum += std::max(0.0, residuals[r]);
+    if (!negative) sum += std::max(0.0, -residuals[r]);
+  }
+  return sum;
+}
+
+double TreeSearch::least_violation(const double* residuals, const Pieces& pieces) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t piece : pieces) least = std::min(least, violation(residuals, piece_masks_[piece]));
+  return least;
+}
+
+void TreeSearch::rate_splits(std::size_t window, const double* residuals, std::vector<Split>& found) const {
+  for (std::size_t datum = 0; datum < rule_.points; ++datum)
+    for (const std::uint8_t sign : {ProofNode::positive, ProofNode::negative, ProofNode::none}) {
+      SignMasks any[2];
+      bool occupied[2] = {false, false};
+      for (const std::uint32_t piece : possible_[window]) {
+        const int side = sign_of(piece_masks_[piece], datum) == sign ? 0 : 1;
+        occupied[side] = true;
+        any[side].positive |= piece_masks_[piece].positive;
+        any[side].negative |= piece_masks_[piece].negative;
+      }
+      if (!occupied[0] || !occupied[1]) continue;
+      const double first = violation(residuals, any[0]), second = violation(residuals, any[1]);
+      if (const double rank = 10 * std::min(first, second) + std::max(first, second); rank > 0)
+        found.push_back({window, datum, sign, rank});
+    }
+}
+
+// Of windows whose fits at the corner are no fits, the splits that move the corner most.
+std::vector<Split> TreeSearch::violated_splits(const Corner& corner) const {
+  const std::vector<double> residuals = program_.row_values(corner);
+  std::vector<Split> result;
+  for (std::size_t window = 0; window < possible_.size(); ++window) {
+    const double* own = &residuals[window * rule_.points];
+    if (possible_[window].size() < 2 || least_violation(own, possible_[window]) < slightly) continue;
+    std::vector<Split> found;
+    rate_splits(window, own, found);
+    const std::size_t kept = std::min(found.size(), most_tried);
+    std::partial_sort(found.begin(), found.begin() + static_cast<long>(kept), found.end(),
+                      [](const Split& a, const Split& b) { return a.rank > b.rank; });
+    result.insert(result.end(), found.begin(), found.begin() + static_cast<long>(kept));
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Split& a, const Split& b) { return a.rank > b.rank; });
+  return result;
+}
+
+/// How much of what is above the best bound goes, 0 to 1, if the window has these pieces only.
+double TreeSearch::gain(const Corner& corner, std::size_t window, Pieces pieces) {
+  std::swap(possible_[window], pieces);
+  lay_out(window);
+  Corner next = corner;
+  const double above = program_.value(corner) - enough();
+  const bool found = program_.improve(next, sides_, enough());
+  std::swap(possible_[window], pieces);
+  lay_out(window);
+  return found ? std::min(1.0, (program_.value(corner) - program_.value(next)) / above) : 0;
+}
+
+Split TreeSearch::choose(const Corner& corner, const std::vector<Split>& splits) {
+  if (splits.size() == 1) return splits[0];
+  Split best = splits[0];
+  double most = -1;
+  for (const Split& split : splits) {
+    auto [first, second] = parts(split);
+    const double one = gain(corner, split.window, std::move(first));
+    const double other = gain(corner, split.window, std::move(second));
+    if (const double product = (one + 1e-4) * (other + 1e-4); product > most) {
+      most = product;
+      best = split;
+    }
+    if (one == 1 && other == 1) break;
+  }
+  return best;
+}
+
+// Of the last level that has one.
+Split TreeSearch::any_split() const {
+  for (std::size_t window = possible_.size(); window-- > 0;)
+    for (std::size_t datum = 0; datum < rule_.points; ++datum)
+      for (const std::uint8_t sign : {ProofNode::positive, ProofNode::negative}) {
+        const auto has = [&](std::uint32_t piece) { return sign_of(piece_masks_[piece], datum) == sign; };
+        const auto count = std::count_if(possible_[window].begin(), possible_[window].end(), has);
+        if (count > 0 && count < static_cast<long>(possible_[window].size())) return {window, datum, sign, 0};
+      }
+  return {};
+}
+
+void TreeSearch::visit(Corner corner) {
   if (stopped_ || close_by_known()) return;
   if (options_.deadline.expired()) {
     stopped_ = true;
     return;
   }
-  const Program program = solve(best_.convert_to<double>() - clearly);
-  const auto window = window_to_split(program.cone);
-  const bool last = std::none_of(path_.begin(), path_.end(), [&](std::size_t p) { return p == rule_.pieces.size(); });
-  if (close(program, last)) return;
-  if (last || !window) {
+  std::vector<Split> splits;
+  for (const bool anew : {false, true}) {
+    if (anew) corner = program_.corner_of_box();  // rounding errors add up
+    const bool found = program_.improve(corner, sides_, enough());
+    if (found && program_.value(corner) <= best_.convert_to<double>() + clearly && close(corner, false)) return;
+    splits = violated_splits(corner);
+    if (!splits.empty()) break;
+    if (found && close(corner, true)) return;
+  }
+  const Split split = splits.empty() ? any_split() : choose(corner, splits);
+  if (split.signs == 0) {
     stopped_ = true;
     return;
   }
-  if (options_.keep_trees) tree_.nodes.push_back({true, static_cast<std::uint32_t>(*window)});
-  for (path_[*window] = 0; path_[*window] < rule_.pieces.size(); ++path_[*window]) visit();
+  branch(corner, split);
+}
+
+// The part with the larger bound first: data with large differences are found early.
+void TreeSearch::branch(const Corner& corner, Split split) {
+  auto [first, second] = parts(split);
+  if (gain(corner, split.window, first) > gain(corner, split.window, second)) {
+    std::swap(first, second);
+    split.signs = static_cast<std::uint8_t>(7 - split.signs);
+  }
+  if (options_.keep_trees)
+    tree_.nodes.push_back(
+        {true, split.signs, static_cast<std::uint16_t>(split.datum), static_cast<std::uint32_t>(split.window)});
+  Pieces all = std::move(possible_[split.window]);
+  for (Pieces* part : {&first, &second}) {
+    possible_[split.window] = std::move(*part);
+    lay_out(split.window);
+    visit(corner);
+  }
+  possible_[split.window] = std::move(all);
+  lay_out(split.window);
 }
 
 }  // namespace
 
-std::optional<Contraction> contraction(const Rule& rule, const ContractionOptions& options) {
+ContractionSearch contraction(const Rule& rule, const ContractionOptions& options) {
   require(options.order >= 1 && options.order <= rule.degree + 1, "contraction: need 1 <= order <= {}, got {}",
           rule.degree + 1, options.order);
   require(options.steps >= 1 && options.steps <= 8, "contraction: need 1 <= steps <= 8, got {}", options.steps);
-  require(rule.points <= 64, "contraction: need at most 64 points, got {}", rule.points);
-  Contraction result{options.steps, options.order, 0, {}, {}};
+  require(rule.points >= 2 && rule.points <= 64, "contraction: need 2 to 64 points, got {}", rule.points);
+  require(options.enough >= 0, "contraction: need enough >= 0, got {}", options.enough);
+  Contraction result{options.steps, options.order, options.enough, {}, {}};
+  ContractionSearch answer;
   const long period = 1L << options.steps;
+  bool going_on = true;
   for (long start = 0; start < period; ++start) {
     if (modulo(2 * static_cast<long>(rule.points) - 3 - options.order - start, period) < start) continue;
+    ++answer.starts;
+    if (!going_on) continue;
     TreeSearch search(rule, options, start, result.bound);
-    if (!search.run()) return std::nullopt;
+    going_on = search.run();
+    answer.finished += going_on ? 1 : 0;
     if (search.best() > result.bound) {
       result.bound = search.best();
       result.data = search.data();
+      if (!result.data.empty()) {
+        answer.attained = result.bound;
+        answer.data = result.data;
+      }
     }
     if (options.keep_trees) result.trees.push_back(search.take_tree());
   }
-  return result;
+  if (going_on) answer.proved = std::move(result);
+  return answer;
 }
 
 }  // namespace subcert::piecewise

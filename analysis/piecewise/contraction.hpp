@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace subcert::piecewise {
@@ -21,14 +22,18 @@ struct WindowPlace {
 /// a form in the data minus the sum of factors * residuals, for whatever fits: each window in turn is replaced by the
 /// linear rule of its factors, which reproduces polynomials.
 struct ResidualFactors {
-  std::vector<Row> of_window;  ///< [window][datum]
-  Rational bound;              ///< the sum of moduli of the form in the differences of the data
+  std::vector<std::pair<std::size_t, Rational>> factors;  ///< window * points + datum, factor: those that are not 0
+  Rational bound;                                         ///< sum of moduli of the form in the differences of the data
 };
 
-/// Preorder: the node that is split has one child for each piece of a window; a leaf has factors that are zero at
-/// windows without a piece, and otherwise have the signs of the pieces: factor * residual >= 0.
+/// Preorder. A node splits the pieces that are possible for a window: its first child has those whose sign at one datum
+/// is among `signs`, its second one the others. A leaf has factors with the signs of all pieces that are possible:
+/// factor * residual >= 0.
 struct ProofNode {
+  enum Sign : std::uint8_t { positive = 1, negative = 2, none = 4 };
   bool split;
+  std::uint8_t signs;   ///< a set of Sign
+  std::uint16_t datum;  ///< of the window
   std::uint32_t index;  ///< of the window, or of the factors
 };
 
@@ -53,14 +58,25 @@ struct Contraction {
 struct ContractionOptions {
   int steps = 1;
   int order = 1;
+  Rational enough = 0;  ///< a lower bound than this is not looked for
   Deadline deadline = {};
   bool keep_trees = false;
 };
 
-/// The least such bound, by a tree of linear programs in which the fits of windows without a piece are free. Nothing
-/// past the deadline, or where a program fails. Domain: 1 <= order <= degree + 1, 1 <= steps <= 8; at most 64 points;
-/// with each piece the rule has those with all signs turned and with the order of data turned. Errors: throws a domain
-/// error. Cost: a program of as many rows as the pieces have for each node that no factors known close.
-std::optional<Contraction> contraction(const Rule& rule, const ContractionOptions& options);
+/// What was found of the bound before time was up or a program failed, if it was.
+struct ContractionSearch {
+  std::optional<Contraction> proved;
+  Rational attained;             ///< some data with |D^order f| <= 1 have a difference of this size: no bound is lower
+  std::vector<Rational> data;    ///< these data, where there are such
+  int starts = 0, finished = 0;  ///< differences to be bounded, and those that were
+};
+
+/// The least such bound, or `enough`, by branch and bound: a tree of linear programs, each begun where the one above it
+/// ended, in which the fit of a window is held by those residuals alone whose signs all its possible pieces share.
+/// Domain: 1 <= order <= degree + 1, 1 <= steps <= 8; 2 to 64 points; the fits are polynomials of the degree of the
+/// rule, data at distance 1, outputs at -1/4 and 1/4 about the centre of a window; with each piece the rule has those
+/// with all signs turned and with the order of data turned. Errors: throws a domain error. Cost: some programs, of
+/// points * windows rows, for each node that no factors known close.
+ContractionSearch contraction(const Rule& rule, const ContractionOptions& options);
 
 }  // namespace subcert::piecewise

@@ -34,14 +34,16 @@ Rational lipschitz_constant(const Rule& rule) {
 std::optional<Rational> largest_output(const Rule& rule, const Deadline& deadline) {
   Rational largest = 0;
   for (const Piece& piece : rule.pieces) {
-    ConeProgram program(rule.points + piece.own, rule.points);
-    for (const Row& row : piece.cell) program.add(row);
+    const std::vector<Side> sides(piece.cell.size(), Side::nonnegative);
     for (Row output : piece.outputs)
       for (const int sign : {1, -1}) {
         if (deadline.expired()) return std::nullopt;
         if (sign < 0)
           for (Rational& entry : output) entry = -entry;
-        const auto bound = program.bound(output, 0);
+        const ConeProgram program(rule.points + piece.own, rule.points, piece.cell, output);
+        ConeProgram::Corner corner = program.corner_of_box();
+        if (!program.improve(corner, sides, 0)) return std::nullopt;
+        const auto bound = program.bound(corner, sides);
         if (!bound) return std::nullopt;
         largest = std::max(largest, bound->bound);
       }

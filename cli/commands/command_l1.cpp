@@ -1,5 +1,6 @@
 // subcert l1 SCHEME
 
+#include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/proofs-checks/certificates/l1_certificate.hpp>
 #include <subcert/reports/facts/l1_facts.hpp>
@@ -12,6 +13,7 @@ struct L1Options : CommonOptions {
   std::string certificate;
   int steps = 0;
   int order = 0;
+  std::string bound = "0";
   double budget = 60;
 };
 
@@ -22,9 +24,13 @@ ExitCode run(const L1Options& options) {
   const int points = points_of_curve(scheme), degree = scheme.rules.degree;
   if (options.order > degree + 1)
     fail(ErrorKind::usage, "--order: need at most d + 1 = {}, got {}", degree + 1, options.order);
+  const auto enough = parse_number(options.bound);
+  if (!enough || *enough < 0)
+    fail(ErrorKind::usage, "--bound: expected a number that is not negative, got '{}'", options.bound);
   options.progress("linear programs");
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
-      points, degree, {options.steps, options.order, Deadline::in(options.budget), !options.certificate.empty()});
+      points, degree,
+      {options.steps, options.order, *enough, Deadline::in(options.budget), !options.certificate.empty()});
   const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
     if (points == degree + 1)
       fail(ErrorKind::undecided,
@@ -56,6 +62,8 @@ void add_l1(Command& app) {
       .with_default();
   command.option("--order", options->order, "Order of the differences; 0: the one that proves most")
       .within(0, 4)
+      .with_default();
+  command.option("--bound", options->bound, "A bound of the contraction that is enough; 0: the least one")
       .with_default();
   command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");

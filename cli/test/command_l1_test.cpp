@@ -46,7 +46,11 @@ TEST_CASE("l1: rules of several minimisers, linear ones, and those that do not c
   const std::string file = folder / "l1.cert";
   CHECK(contains(run("l1 l1:points=2,d=1 --certificate " + file).out, "not written: the fit interpolates its data"));
   CHECK(run_json("l1 l1:points=30 --budget 1", 2).at("converges") == "unknown");
-  CHECK(run_json("l1 l1:points=7 --steps 2 --budget 0.01", 2).at("contraction").is_null());
+  const Run late = run("l1 l1:points=8 --steps 2 --order 1 --budget 0.2");
+  CHECK(late.code == 2);
+  CHECK(contains(late.out, "none proved"));
+  CHECK(contains(late.out, "of 3 differences bounded"));
+  CHECK(run_json("l1 l1:points=6 --bound 9/10").at("contraction").at("bound") == "9/10");
   CHECK(run("analyze l1:points=6 --budget 5").out.starts_with("scheme"));
 }
 
@@ -56,5 +60,7 @@ TEST_CASE("l1: bad input") {
   CHECK(run("l1 l1:points=6,residuals=joint").code == 64);
   CHECK(run("l1 l1:points=6 --order 3").code == 64);
   CHECK(run("l1 l1:points=6 --steps 9").code == 64);
+  check_fails(run("l1 l1:points=6 --bound=-1"), 64, "--bound: expected a number that is not negative, got '-1'");
+  CHECK(run("l1 l1:points=6 --bound x").code == 64);
   CHECK(run("l1 l1:points=6 --certificate /nowhere/at/all.cert").code == 66);
 }

@@ -10,30 +10,42 @@ namespace subcert {
 namespace {
 
 using piecewise::ContractionTree;
+using piecewise::ProofNode;
 using piecewise::ResidualFactors;
-using piecewise::Row;
 
 /// The factors of all windows over their least common denominator.
-std::string leaf_line(const ResidualFactors& factors) {
+std::string leaf_line(const ResidualFactors& leaf, std::size_t places) {
   Integer common = 1;
-  for (const Row& row : factors.of_window)
-    for (const Rational& factor : row) common = lcm(common, denominator(factor));
+  for (const auto& [place, factor] : leaf.factors) common = lcm(common, denominator(factor));
   std::string line = "leaf " + common.str();
-  for (const Row& row : factors.of_window)
-    for (const Rational& factor : row) line += " " + numerator(factor * Rational(common)).str();
+  std::size_t next = 0;
+  for (const auto& [place, factor] : leaf.factors) {
+    for (; next < place; ++next) line += " 0";
+    line += " " + numerator(factor * Rational(common)).str();
+    ++next;
+  }
+  for (; next < places; ++next) line += " 0";
   return line + "\n";
 }
 
-std::string tree_lines(const ContractionTree& tree) {
+std::string signs_text(std::uint8_t signs) {
+  std::string text;
+  if ((signs & ProofNode::positive) != 0) text += '+';
+  if ((signs & ProofNode::negative) != 0) text += '-';
+  if ((signs & ProofNode::none) != 0) text += '0';
+  return text;
+}
+
+std::string tree_lines(const ContractionTree& tree, std::size_t points) {
   std::string lines = fmt::format("start {}\n", tree.start);
   std::size_t seen = 0;  // leaves that were written out
-  for (const piecewise::ProofNode& node : tree.nodes) {
+  for (const ProofNode& node : tree.nodes) {
     if (node.split)
-      lines += fmt::format("split {}\n", node.index);
+      lines += fmt::format("side {} {} {}\n", node.index, node.datum, signs_text(node.signs));
     else if (node.index < seen)
       lines += fmt::format("again {}\n", node.index);
     else
-      lines += leaf_line(tree.leaves[seen++]);
+      lines += leaf_line(tree.leaves[seen++], points * tree.windows.size());
   }
   return lines;
 }
@@ -77,7 +89,7 @@ Certificate contraction_certificate(const piecewise::Rule& rule, const piecewise
   certificate.claim.subject = L1Subject{
       std::to_string(rule.points), std::to_string(rule.degree),
       fmt::format("{},{},{}", contraction.steps, contraction.order, to_text(contraction.bound))};
-  for (const ContractionTree& tree : contraction.trees) certificate.sections.push_back({tree_lines(tree)});
+  for (const ContractionTree& tree : contraction.trees) certificate.sections.push_back({tree_lines(tree, rule.points)});
   if (edge && certificate.claim.lower) {
     certificate.claim.upper = exponent_text(edge->factor, 1, Rounding::up);
     certificate.sections.push_back({orbit_lines(rule, *edge)});

@@ -2239,33 +2239,54 @@ var check_certificate = (() => {
         level.number = this.level_of.length;
         for (let i = level.low; i <= level.high; ++i) this.level_of.push(k);
       });
-      this.cell = Array(this.level_of.length).fill(null);
+      this.cells = this.level_of.map(() => this.cell_of(vertices));
       this.full = vertex => is_full(vertex, rule);
       this.powers = range_of(points).map(r => range_of(degree + 1).map(k => l1_position(points, r) ** BigInt(k)));
     }
     node() {
       const word = this.reader.peek();
-      if (word === 'split') this.split();
+      if (word === 'side') this.side();
+      else if (word === 'split') this.split();
       else if (word === 'again') this.again();
       else if (word === 'thin') this.thin();
       else this.leaf();
     }
-    split() {
-      const w = small(this.reader.read('split', 1)[0], 0, this.cell.length - 1);
-      demand(!this.cell[w], 'a window is split twice');
-      for (const vertex of this.vertices) {
-        this.cell[w] = vertex;
+    // The vertices that are possible for a window, and the signs that some of them have at each place
+    cell_of(vertices) {
+      spend(vertices.length * this.points / 50);
+      const some = sign => range_of(this.points).map(r => vertices.some(vertex => vertex[r] === sign));
+      return {vertices, plus: some('+'), minus: some('-')};
+    }
+    parts(w, lists) {
+      const all = this.cells[w];
+      for (const list of lists) {
+        this.cells[w] = this.cell_of(list);
         this.node();
       }
-      this.cell[w] = null;
+      this.cells[w] = all;
     }
+    window_of(token) { return small(token, 0, this.cells.length - 1); }
+    side() {
+      const fields = this.reader.read('side', 3), w = this.window_of(fields[0]), r = small(fields[1], 0, this.points - 1);
+      demand(['+', '-', '0', '+-', '+0', '-0'].includes(fields[2]), 'signs are +, -, 0 or two of these, in this order');
+      const has = vertex => fields[2].includes(vertex[r]), all = this.cells[w].vertices;
+      const lists = [all.filter(has), all.filter(vertex => !has(vertex))];
+      demand(lists.every(list => list.length), 'a side without a vertex');
+      this.parts(w, lists);
+    }
+    split() {
+      const w = this.window_of(this.reader.read('split', 1)[0]);
+      demand(!this.only_vertex(w), 'a window is split that has one vertex');
+      this.parts(w, this.cells[w].vertices.map(vertex => [vertex]));
+    }
+    only_vertex(w) { return this.cells[w].vertices.length === 1 ? this.cells[w].vertices[0] : null; }
     again() {
       const number = integer(this.reader.read('again', 1)[0]);
       demand(number >= 0n && number < BigInt(this.leaves.length), 'there is no leaf of that number yet');
       this.check_signs(this.leaves[Number(number)]);
     }
     leaf() {
-      const [scale_token, ...tokens] = this.reader.read('leaf', this.cell.length * this.points + 1);
+      const [scale_token, ...tokens] = this.reader.read('leaf', this.cells.length * this.points + 1);
       const scale = integer(scale_token);
       demand(scale > 0n, 'a denominator must be positive');
       const multipliers = this.multipliers(tokens);
@@ -2281,12 +2302,12 @@ var check_certificate = (() => {
       this.leaves.push(multipliers);
     }
     thin() {
-      const multipliers = this.multipliers(this.reader.read('thin', this.cell.length * this.points));
+      const multipliers = this.multipliers(this.reader.read('thin', this.cells.length * this.points));
       this.check_signs(multipliers);
       demand(this.form_on_data(multipliers, 0n).every(x => !x), 'the residuals of a thin cell do not sum to 0');
       demand(this.vertices.every(this.full) || multipliers.every(({w}) => this.level_of[w] < 2),
              'a cell that is thin from level 2 on, and a degenerate vertex');
-      const strict = multipliers.filter(({w, r}) => this.cell[w][r] !== '0');
+      const strict = multipliers.filter(({w, r}) => (this.only_vertex(w) || '0'.repeat(this.points))[r] !== '0');
       demand(strict.some(({w}) => this.level_of[w] === 0) || this.is_residual(strict),
              'no inequality of a thin cell is shown to be one');
     }
@@ -2303,11 +2324,8 @@ var check_certificate = (() => {
     }
     check_signs(multipliers) {
       spend(1 + multipliers.length / 2);
-      for (const {w, r, value} of multipliers) {
-        demand(this.cell[w], 'a multiplier of a window that was not split');
-        const c = this.cell[w][r];
-        demand(c === '0' || (c === '+') === (value > 0n), 'a multiplier has the wrong sign');
-      }
+      for (const {w, r, value} of multipliers)
+        demand(!this.cells[w][value > 0n ? 'minus' : 'plus'][r], 'a multiplier has the wrong sign');
     }
     // What is left of the difference, times the scale, when the fits are replaced from the last level to the first
     form_on_data(multipliers, scale) {
@@ -2339,7 +2357,7 @@ var check_certificate = (() => {
       const data_of = (level, i) => range_of(this.points).map(r => level ? known.get(`${level} ${i + r}`)
                                                                      : fraction(1009n ** BigInt(i + r - low)));
       return this.levels.some((one, level) => range_of(one.high - one.low + 1).some(k => {
-        const vertex = this.cell[one.number + k], i = one.low + k, data = data_of(level, i);
+        const vertex = this.only_vertex(one.number + k), i = one.low + k, data = data_of(level, i);
         if (!vertex || data.includes(undefined)) return false;
         const fit = l1_fit(vertex, data, this.degree);
         [fit(-1n), fit(1n)].forEach((y, e) => known.set(`${level + 1} ${2 * i + e}`, y));

@@ -105,11 +105,25 @@ mpq_class fitted(const L1Rule& rule, const std::string& vertex, const Rationals&
   return result;
 }
 
-/// A fit of one window of a level: of the data begin, begin + 1, ...
+/// A fit of one window of a level: of the data begin, begin + 1, ... , and the vertices that are possible for it.
 struct Window {
-  std::size_t level;
-  std::size_t begin;
-  const std::string* vertex;  // what is assumed of it, if anything is
+  std::size_t level = 0, begin = 0;
+  std::vector<const std::string*> vertices = {};
+  std::vector<bool> plus = {}, minus = {};  // at each place, whether some of these have the sign
+
+  void take(std::vector<const std::string*> possible) {
+    vertices = std::move(possible);
+    const std::size_t points = vertices[0]->size();
+    plus.assign(points, false);
+    minus.assign(points, false);
+    for (const std::string* vertex : vertices)
+      for (std::size_t r = 0; r < points; ++r) {
+        if ((*vertex)[r] == '+') plus[r] = true;
+        if ((*vertex)[r] == '-') minus[r] = true;
+      }
+  }
+
+  const std::string* only_vertex() const { return vertices.size() == 1 ? vertices[0] : nullptr; }
 };
 
 /// Multipliers of residuals that are not zero, by window and place: window * points + place.
@@ -121,7 +135,6 @@ class Start {
   Start(const L1Rule& rule, const std::vector<std::string>& vertices, const Contraction& contraction, std::size_t j,
         Reader& reader, Arithmetic& arithmetic)
       : rule_(rule),
-        vertices_(vertices),
         contraction_(contraction),
         reader_(reader),
         arithmetic_(arithmetic),
@@ -134,14 +147,18 @@ class Start {
       high += rule.points - 1;
     }
     for (std::size_t level = 0; level < contraction.steps; ++level)
-      for (std::size_t begin = firsts_[level]; begin <= lasts_[level]; ++begin)
-        windows_.push_back({level, begin, nullptr});
+      for (std::size_t begin = firsts_[level]; begin <= lasts_[level]; ++begin) windows_.push_back({level, begin});
+    std::vector<const std::string*> all;
+    for (const std::string& vertex : vertices) all.push_back(&vertex);
+    for (Window& window : windows_) window.take(all);
     all_full_ = std::all_of(vertices.begin(), vertices.end(), [&rule](const auto& v) { return is_full(rule, v); });
   }
 
   /// A node of the tree, and all that is below it.
   void read_node() {
-    if (reader_.at("split"))
+    if (reader_.at("side"))
+      read_side();
+    else if (reader_.at("split"))
       read_split();
     else if (reader_.at("again"))
       read_again();
@@ -152,14 +169,39 @@ class Start {
   }
 
  private:
+  Window& window_of(std::string_view number) { return windows_[parse_size(number, 0, windows_.size() - 1)]; }
+
+  /// What follows holds of a window with these vertices.
+  void read_part(Window& window, std::vector<const std::string*> possible) {
+    arithmetic_.spend(possible.size() * rule_.points);
+    window.take(std::move(possible));
+    read_node();
+  }
+
+  /// The vertices with one of some signs at a place, then the others.
+  void read_side() {
+    const Fields fields = reader_.take("side", 3, 3);
+    Window& window = window_of(fields[0]);
+    const std::size_t place = parse_size(fields[1], 0, rule_.points - 1);
+    const std::string signs(fields[2]);
+    require(signs == "+" || signs == "-" || signs == "0" || signs == "+-" || signs == "+0" || signs == "-0",
+            "signs are +, -, 0 or two of these, in this order");
+    const std::vector<const std::string*> all = window.vertices;
+    std::vector<const std::string*> first, second;
+    for (const std::string* vertex : all)
+      (signs.find((*vertex)[place]) != std::string::npos ? first : second).push_back(vertex);
+    require(!first.empty() && !second.empty(), "a side without a vertex");
+    read_part(window, std::move(first));
+    read_part(window, std::move(second));
+    window.take(all);
+  }
+
   void read_split() {
-    Window& window = windows_[parse_size(reader_.take("split", 1, 1)[0], 0, windows_.size() - 1)];
-    require(!window.vertex, "a window is split twice");
-    for (const std::string& vertex : vertices_) {
-      window.vertex = &vertex;
-      read_node();
-    }
-    window.vertex = nullptr;
+    Window& window = window_of(reader_.take("split", 1, 1)[0]);
+    require(!window.only_vertex(), "a window is split that has one vertex");
+    const std::vector<const std::string*> all = window.vertices;
+    for (const std::string* vertex : all) read_part(window, {vertex});
+    window.take(all);
   }
 
   void read_again() {
@@ -196,7 +238,7 @@ class Start {
     require(all_full_ || std::all_of(multipliers.begin(), multipliers.end(),
                                      [&](const auto& one) { return level_of(one) <= 1; }),
             "a cell that is thin from level 2 on, and a degenerate vertex");
-    const auto on_data = [&](const auto& one) { return level_of(one) == 0 && sign_at(one.first) != '0'; };
+    const auto on_data = [&](const auto& one) { return level_of(one) == 0 && is_strict(one.first); };
     require(std::any_of(multipliers.begin(), multipliers.end(), on_data) || has_residual(multipliers),
             "no inequality of a thin cell is shown to be one");
   }
@@ -209,15 +251,18 @@ class Start {
     return result;
   }
 
-  char sign_at(std::size_t place) const { return (*windows_[place / rule_.points].vertex)[place % rule_.points]; }
+  /// The only vertex of the window of this place has + or - there.
+  bool is_strict(std::size_t place) const {
+    const std::string* vertex = windows_[place / rule_.points].only_vertex();
+    return vertex && (*vertex)[place % rule_.points] != '0';
+  }
 
   /// A multiple of a residual that is not negative is not negative.
   void check_signs(const Multipliers& multipliers) {
     arithmetic_.spend(20 + 20 * multipliers.size());
     for (const auto& [place, value] : multipliers) {
-      require(windows_[place / rule_.points].vertex, "a multiplier of a window that was not split");
-      const char sign = sign_at(place);
-      require(sign == '0' || (sign == '+' ? value > 0 : value < 0), "a multiplier has the wrong sign");
+      const Window& window = windows_[place / rule_.points];
+      require(!(value > 0 ? window.minus : window.plus)[place % rule_.points], "a multiplier has the wrong sign");
     }
   }
 
@@ -276,13 +321,13 @@ class Start {
         const auto from = values.begin() + static_cast<std::ptrdiff_t>(begin - first);
         const auto to = from + static_cast<std::ptrdiff_t>(rule_.points);
         next.resize(next.size() + 2);
-        const std::string* vertex = windows_[window].vertex;
+        const std::string* vertex = windows_[window].only_vertex();
         if (!vertex || std::find(from, to, std::nullopt) != to) continue;
         Rationals data;
         for (auto value = from; value != to; ++value) data.push_back(**value);
         for (const auto& [place, value] : multipliers)
           if (const std::size_t r = place % rule_.points;
-              place / rule_.points == window && sign_at(place) != '0' && is_full(rule_, *vertex) &&
+              place / rule_.points == window && is_strict(place) && is_full(rule_, *vertex) &&
               fitted(rule_, *vertex, data, position(rule_, r), arithmetic_) != data[r])
             return true;
         next[next.size() - 2] = fitted(rule_, *vertex, data, -1, arithmetic_);
@@ -295,7 +340,6 @@ class Start {
   }
 
   const L1Rule& rule_;
-  const std::vector<std::string>& vertices_;
   const Contraction& contraction_;
   Reader& reader_;
   Arithmetic& arithmetic_;

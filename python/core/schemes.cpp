@@ -24,7 +24,8 @@ std::string l1_analysis_of(const DataDependentScheme& scheme, int steps, int ord
                            const py::object& progress) {
   return interruptible(progress, [&] {
     const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
-        facts::points_of_curve(scheme), scheme.rules.degree, {steps, order, Deadline::in(budget), false});
+        facts::points_of_curve(scheme), scheme.rules.degree,
+        {.steps = steps, .order = order, .deadline = Deadline::in(budget)});
     return page_json(facts::l1_facts(scheme, limit)).dump();
   });
 }

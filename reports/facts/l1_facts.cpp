@@ -1,6 +1,7 @@
 #include "l1_facts.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/l1/l1_basin.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>
 #include <subcert/schemes/outlier_remainder.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -10,6 +11,8 @@
 
 namespace subcert::facts {
 namespace {
+
+constexpr int most_points = 12;  // of windows for which corners and pairs are tried
 
 Fact unique_fact(const Decision& unique) {
   Fact fact{"unique", "minimiser",
@@ -44,8 +47,20 @@ Fact lipschitz_fact(const std::optional<Rational>& lipschitz) {
           to_text(*lipschitz)};
 }
 
-Fact contraction_fact(const std::optional<piecewise::Contraction>& found) {
-  if (!found) return {"contraction", "contraction", "unknown", "none within the budget", Json()};
+/// What is known of a contraction that time did not suffice for, and what it would need.
+std::string unfinished_text(const data::UnfinishedContraction& unfinished) {
+  const auto& [steps, order, search] = unfinished;
+  std::string text = fmt::format("{} step{}, differences of order {}: {} of {} differences bounded", steps,
+                                 steps == 1 ? "" : "s", order, search.finished, search.starts);
+  if (search.attained > 0) text += fmt::format(", no bound below {}", search.attained);
+  return text + "; more --budget, or a --bound that is enough";
+}
+
+Fact contraction_fact(const data::LeastAbsoluteLimit& limit) {
+  const std::optional<piecewise::Contraction>& found = limit.contraction;
+  if (!found)
+    return {"contraction", "contraction", "none proved",
+            limit.unfinished ? unfinished_text(*limit.unfinished) : "too many pieces to be listed", Json()};
   const std::string difference = found->order == 1 ? "D" : fmt::format("D^{}", found->order);
   const std::string steps = found->steps == 1 ? "S" : fmt::format("S^{}", found->steps);
   std::vector<std::string> data;
@@ -106,7 +121,6 @@ Facts two_outliers_facts(const data::LeastAbsoluteRobustness& known) {
 
 /// What outliers do to the exact rule, and what fits leave of them. Nothing where the fit interpolates.
 Facts robustness_facts(int points, int degree) {
-  constexpr int most_points = 12;
   if (points < degree + 2 || points > most_points) return {};
   const data::LeastAbsoluteRobustness known = data::least_absolute_robustness(points, degree);
   Facts list{one_outlier_fact(known.one)};
@@ -116,15 +130,37 @@ Facts robustness_facts(int points, int degree) {
                     "the sum of moduli grows at least by this times what a value moves", to_text(*known.sharpness)});
   const Rational factor = outlier_factor(points, degree), part(1, 1'000'000);
   list.push_back({"outlier_factor", "left over", to_text(factor),
-                  factor < 1
-                      ? "the factor to which what each further fit leaves of an outlier tends, as computed numbers show"
-                      : "not below 1: no number of fits leaves out every outlier",
+                  factor < 1 ? "m fits leave at most a constant times the power m of this of an outlier"
+                             : "not below 1: no number of fits leaves out every outlier",
                   to_text(factor)});
   if (factor >= 1) return list;
   const std::optional<int> fits = iterations_for_remainder(points, degree, part);
   list.push_back({"iterations_1e-6", "fits", fits ? std::to_string(*fits) : "unknown",
                   "that leave at most 1e-6 of an outlier (iterations=auto)", fits ? Json(*fits) : Json()});
   return list;
+}
+
+/// With delta > 0 and any number of fits. Nothing where least squares does not contract differences in one step.
+Facts basin_facts(int points, int degree) {
+  if (points < degree + 2 || points > most_points) return {};
+  const auto basin = data::l1_basin(points, degree);
+  if (!basin) return {};
+  const std::string difference = degree == 0 ? "D" : fmt::format("D^{}", degree + 1);
+  return {{"basin",
+           "small data",
+           fmt::format("|{0} S f| <= {1} |{0} f| where |{0} f| <= {2} delta^(1/2)", difference, basin->contraction,
+                       basin->radius),
+           "with delta > 0 and any number of fits: S is nearly least squares there",
+           {{"radius", to_text(basin->radius)}, {"bound", to_text(basin->contraction)}}}};
+}
+
+/// Of what rule the facts are.
+std::string subject_text(const L1Options& options) {
+  if (options.exact) return "holds for every choice of minimisers; where there are several the middle one is taken";
+  if (options.iterations == 0)
+    return "holds for least absolute deviations; without iterations the scheme is linear, that of least squares: "
+           "analyze dual: or dual-odd:";
+  return "holds for least absolute deviations, which the fits come near to with many iterations and a small delta";
 }
 
 }  // namespace
@@ -138,11 +174,7 @@ int points_of_curve(const DataDependentScheme& scheme) {
 
 Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit) {
   Facts list = named(scheme.specification, scheme.title);
-  list.push_back({"", "what follows",
-                  scheme.rules.options.exact
-                      ? "holds for every choice of minimisers; where there are several the middle one is taken"
-                      : "holds for least absolute deviations, which the fits come near to with many iterations and a "
-                        "small delta"});
+  list.push_back({"", "what follows", subject_text(scheme.rules.options)});
   list.push_back(unique_fact(limit.unique));
   list.push_back(pieces_fact(limit.pieces));
   append(list, range_facts(limit));
@@ -152,10 +184,11 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
                     limit.mask->symbol().to_mask_text()});
   else
     list.push_back(member("mask", Json()));
-  list.push_back(contraction_fact(limit.contraction));
+  list.push_back(contraction_fact(limit));
   list.push_back(limits_fact(limit.converges));
   list.push_back(edge_fact(limit.edge));
   append(list, robustness_facts(limit.points, limit.degree));
+  if (!scheme.rules.options.exact) append(list, basin_facts(limit.points, limit.degree));
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""

@@ -122,10 +122,14 @@ class Start:
     def split_variables(self):
         """The multipliers that may be there: (window, place), sign."""
         found = []
-        for w, vertex in self.assigned.items():
-            for r, c in enumerate(vertex):
-                found += [((w, r), s) for s in (1, -1) if c in ("0", "+-"[s < 0])]
+        for w in self.assigned:
+            for r in range(self.n):
+                found += [((w, r), s) for s in (1, -1) if self.allows(w, r, s)]
         return found
+
+    def allows(self, w, r, value):
+        """All vertices that are possible for the window have the sign of the value there, or none."""
+        return all(vertex[r] in ("0", "+-"[value < 0]) for vertex in self.assigned[w])
 
     def multipliers(self, found, x):
         result = {}
@@ -155,9 +159,9 @@ class Start:
         residuals = {}
         for w, (level, i) in enumerate(self.windows):
             data = [values.get((level, i + r)) for r in range(self.n)]
-            if w not in self.assigned or None in data:
+            if len(self.assigned.get(w, ())) != 1 or None in data:
                 continue
-            vertex = self.assigned[w]
+            vertex, = self.assigned[w]
             nodes = [(r, data[r] + (c != "0")) for r, c in sorted(enumerate(vertex), key=lambda one: (one[1] != "0", one[0]))][: self.d + 1]
 
             def fit(x):
@@ -179,7 +183,7 @@ class Start:
 
         def counts(key):
             w, r = key
-            sharp = self.assigned[w][r] != "0"
+            sharp = self.assigned[w][0][r] != "0"
             return sharp and (self.windows[w][0] == 0 or (key in residuals and residuals[key][0] != 0 and residuals[key][1]))
         moments, right, data = self.equations([key for key, _ in found], 0)
         rows = [[s * x for (_, s), x in zip(found, row)] for row in moments + data] + [[int(counts(key)) for key, _ in found]]
@@ -192,10 +196,10 @@ class Start:
         return scale, " ".join(str(x.numerator) for x in numbers)
 
     def fits(self, multipliers):
-        return all(w in self.assigned and (c := self.assigned[w][r]) in ("0", "+-"[value < 0]) for (w, r), value in multipliers.items())
+        return all(w in self.assigned and self.allows(w, r, value) for (w, r), value in multipliers.items())
 
     def close(self):
-        if self.deep and len(self.assigned) < len(self.windows) and all(v == self.deep for v in self.assigned.values()):
+        if self.deep and len(self.assigned) < len(self.windows) and all(v == [self.deep] for v in self.assigned.values()):
             return False
         if self.deep and len(self.assigned) == len(self.windows) and (multipliers := self.thin_multipliers()) is not None:
             self.lines.append(f"thin {self.text(multipliers)[1]}")
@@ -222,22 +226,47 @@ class Start:
             return False
         self.lines.append(f"split {order[0]}")
         for vertex in self.vertices:
-            self.assigned[order[0]] = vertex
+            self.assigned[order[0]] = [vertex]
             if not self.grow(order[1:]):
                 return False
         del self.assigned[order[0]]
         return True
 
+    def grow_by_sides(self, order):
+        """The same by the signs of single places, in windows with more than one vertex."""
+        if self.close():
+            return True
+        for w in order:
+            possible = self.assigned.get(w, self.vertices)
+            if len(possible) > 1:
+                break
+        else:
+            return False
+        r = next(r for r in range(self.n) if len({v[r] for v in possible}) > 1)
+        signs = possible[0][r]
+        if r % 2 == len(self.lines) % 2:  # the others first
+            signs = "".join(c for c in "+-0" if c != signs)
+        signs = next((s for s in self.prefer if 0 < sum(v[r] in s for v in possible) < len(possible)), signs)
+        self.lines.append(f"side {w} {r} {signs}")
+        for first in (True, False):
+            self.assigned[w] = [v for v in possible if (v[r] in signs) == first]
+            if not self.grow_by_sides(order):
+                return False
+        self.assigned[w] = possible
+        return True
 
-def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None):
+
+def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False, prefer=()):
     """The lines of a certificate from the second one on."""
     bound = Q(bound)
     lines = [f"l1 {n} {d}", "bounds - -", f"contraction {steps} {order} {bound}"]
     for j in range(2**steps):
         if j <= (2 * n - 3 - order - j) % 2**steps:
             start = Start((n, d), steps, order, bound, j, thin, early, deep)
+            start.prefer = prefer  # signs of sides
             numbers = list(range(len(start.windows)))
-            assert start.grow(numbers[::-1] if from_above else numbers), (n, d, steps, order, bound, j, start.assigned)
+            grow = start.grow_by_sides if sides else start.grow
+            assert grow(numbers[::-1] if from_above else numbers), (n, d, steps, order, bound, j, start.assigned)
             lines += start.lines
     return lines + ["end"]
 
@@ -291,6 +320,13 @@ MIRRORED = "; ".join(orbit(6, 1, 1, 1, "5/12", [165, 133, 95] + [0] * 8, 4))
 TWICE = "; ".join(orbit(6, 1, 2, 0, "25/144", [0] * 8 + [95, 133, 165], 5))
 UPPER = "--l1 6,1 --lower 73/100 --upper 158/125"
 
+def split_after_side():
+    """A rule whose first window is split by a side and each part of it by vertices."""
+    lines = written(4, 1, 1, 1, "7/6").split("; ")
+    at = lines.index("start 0") + 1
+    return "; ".join(lines[:at] + ["side 0 0 +-", "split 0", *lines[at + 1:at + 3], "split 0"] + lines[at + 3:])
+
+
 MATRICES = []
 ACCEPTED = [
     ("l1-by-hand", "--l1 3,1 --contraction 1,1,1", BY_HAND),
@@ -300,6 +336,13 @@ ACCEPTED = [
     ("l1-4", "--l1 4,1 --contraction 1,1,7/6", written(4, 1, 1, 1, "7/6")),
     ("l1-4-twice", "--l1 4,1 --lower 1/16 --contraction 2,1,11/12", written(4, 1, 2, 1, "11/12", thin=(0, 1))),
     ("l1-4-from-above", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True)),
+    ("l1-4-sides", "--l1 4,1 --lower 1/16", written(4, 1, 2, 1, "11/12", early=True, from_above=True, sides=True)),
+    ("l1-4-sides-zero", "--l1 4,1 --contraction 1,1,7/6", written(4, 1, 1, 1, "7/6", early=True, sides=True, prefer=("0", "+0"))),
+    ("l1-5-sides-zero", "--l1 5,1 --contraction 1,1,1", written(5, 1, 1, 1, 1, early=True, sides=True, prefer=("+0", "+-", "0"))),
+    ("l1-4-split-after-side", "--l1 4,1 --contraction 1,1,7/6", split_after_side()),
+    ("l1-5-sides", "--l1 5,1 --contraction 1,1,1", written(5, 1, 1, 1, 1, early=True, sides=True)),
+    ("l1-6-sides", "--l1 6,1 --contraction 1,1,3/5", written(6, 1, 1, 1, "3/5", early=True, from_above=True, sides=True)),
+    ("l1-median-sides", MEDIAN, written(3, 0, 2, 1, 1, thin=(0, 1), early=True, sides=True)),
     ("l1-5-second", "--l1 5,2 --contraction 1,2,31/32 --lower 9/200", written(5, 2, 1, 2, "31/32")),
     ("l1-6", SIX, written(6, 1, 1, 1, "3/5")),
     ("l1-6-kink", UPPER, written(6, 1, 1, 1, "3/5").replace("; end", f"; {KINK}; end")),
@@ -322,6 +365,10 @@ CHANGED = [
     ("l1-by-hand-bounds", "l1-by-hand", None, [("bounds - -", "bounds 1/3 C7")]),
     # numbers need not be reduced
     ("l1-by-hand-loose", "l1-by-hand", "--l1 3,1 --contraction 1,1,8/8", [("1 1 1\n", "1 1 3/3\n"), ("leaf 8 -2 0 2", "leaf 16 -4 0 4")]),
+    # places where all vertices have 0 have multipliers before the window is split
+    ("l1-by-hand-early", "l1-by-hand", None, [("split 0\nleaf 8 -2 0 2\nagain 0", "leaf 8 -2 0 2")]),
+    ("l1-by-hand-early-1", "l1-by-hand", None, [("split 0\nsplit 1\nleaf 8 -3 0 -5 5 0 3\nagain 0\nsplit 1\nagain 0\nagain 0", "leaf 8 -3 0 -5 5 0 3")]),
+    ("l1-by-hand-side", "l1-by-hand", None, [("split 0\nleaf 8 -2 0 2", "side 0 1 -0\nleaf 8 -2 0 2")]),
     # the last window first, and a leaf where the other was not split
     ("l1-pair-other-order", "l1-pair", None, [("split 0\nleaf 1 0 0\nagain 0\n", "leaf 1 0 0\n"), (
         "split 0\nsplit 1\nleaf 1 0 -1 1 0\nleaf 1 0 -1 0 1\nsplit 1\nleaf 1 -1 0 1 0", "split 1\nsplit 0\nleaf 1 0 -1 1 0\nleaf 1 -1 0 1 0\nsplit 0\nleaf 1 0 -1 0 1")]),
@@ -333,7 +380,7 @@ def changes(name, base, reason, old, *news):
     return [(f"{name}-{i}" if i else name, base, None, reason, [(old, new)]) for i, new in enumerate(news)]
 
 
-SIGN, FIT, LATE = "a multiplier has the wrong sign", "do not take its fit away", "a multiplier of a window that was not split"
+SIGN, FIT = "a multiplier has the wrong sign", "do not take its fit away"
 BOUND, SUM, SHOWN = "do not prove the bound", "of a thin cell do not sum to 0", "no inequality of a thin cell is shown"
 REJECTED = [
     # the claim
@@ -368,7 +415,7 @@ REJECTED = [
     # the tree
     *changes("l1-split", "l1-by-hand", "number outside 0..0, line 6", "split 0", "split 1", "split -1"),
     *changes("l1-split-fields", "l1-by-hand", "wrong number of fields, line 6", "split 0", "split", "split 0 0"),
-    *changes("l1-split-twice", "l1-by-hand", "a window is split twice, line 11", "split 0\nsplit 1", "split 0\nsplit 0", "split 1\nsplit 1"),
+    *changes("l1-split-twice", "l1-by-hand", "a window is split that has one vertex, line 11", "split 0\nsplit 1", "split 0\nsplit 0", "split 1\nsplit 1"),
     *changes("l1-missing", "l1-by-hand", "expected 'leaf'", "again 0\nstart 1", "start 1", "node 0\nstart 1"),
     *changes("l1-missing-last", "l1-by-hand", "expected 'leaf', line 16", "again 0\nend", "end"),
     *changes("l1-more", "l1-by-hand", "expected 'start 1', line 9", "again 0\nstart 1", "again 0\nagain 0\nstart 1"),
@@ -378,9 +425,23 @@ REJECTED = [
     # leaves are those of one start
     *changes("l1-again-start", "l1-by-hand", "there is no leaf of that number yet, line 12", "leaf 8 -3 0 -5 5 0 3", "again 0"),
     # a leaf with multipliers of a window that is not split here
-    *changes("l1-again-split", "l1-by-hand", f"{LATE}, line 14", "again 0\nsplit 1\nagain 0\nagain 0", "again 0\nagain 0"),
-    *changes("l1-leaf-early", "l1-by-hand", f"{LATE}, line 6", "split 0\nleaf 8 -2 0 2\nagain 0", "leaf 8 -2 0 2"),
-    *changes("l1-leaf-early-1", "l1-by-hand", f"{LATE}, line 11", "split 1\nleaf 8 -3 0 -5 5 0 3\nagain 0", "leaf 8 -3 0 -5 5 0 3"),
+    *changes("l1-leaf-early", "l1-pair", f"{SIGN}, line 14", "split 1\nleaf 1 -1 0 1 0\nleaf 1 -1 0 0 1", "leaf 1 -1 0 1 0",
+             "leaf 1 -1 0 0 1", "again 0"),
+    *changes("l1-again-early", "l1-pair", f"{SIGN}, line 14", "split 1\nleaf 1 -1 0 1 0\nleaf 1 -1 0 0 1", "again 1"),
+    # sides
+    *changes("l1-side", "l1-by-hand", "number outside", "split 0\nleaf 8 -2 0 2", "side 1 1 +\nleaf 8 -2 0 2", "side 0 3 +\nleaf 8 -2 0 2",
+             "side -1 1 +\nleaf 8 -2 0 2", "side 0 -1 +\nleaf 8 -2 0 2"),
+    *changes("l1-side-fields", "l1-by-hand", "wrong number of fields, line 6", "split 0\nleaf 8 -2 0 2", "side 0 1", "side 0", "side", "side 0 1 + -"),
+    *changes("l1-side-signs", "l1-by-hand", "signs are +, -, 0 or two of these", "split 0\nleaf 8 -2 0 2", "side 0 1 x", "side 0 1 -+", "side 0 1 0+",
+             "side 0 1 0-", "side 0 1 +-0", "side 0 1 ++", "side 0 1 1"),
+    *changes("l1-side-empty", "l1-by-hand", "a side without a vertex, line 6", "split 0\nleaf 8 -2 0 2", "side 0 1 +-", "side 0 1 0", "side 0 0 +",
+             "side 0 0 0", "side 0 0 -0"),
+    *changes("l1-side-twice", "l1-by-hand", "a side without a vertex, line 7", "split 0\nleaf 8 -2 0 2", "side 0 1 +\nside 0 1 +"),
+    *changes("l1-side-split", "l1-by-hand", "a window is split that has one vertex, line 7", "split 0\nleaf 8 -2 0 2", "side 0 1 +\nsplit 0"),
+    # each part has the signs of its own vertices
+    *changes("l1-side-turned", "l1-pair", f"{SIGN}, line 12", "start 1\nsplit 0\nsplit 1", "start 1\nsplit 0\nside 1 0 -", "start 1\nside 0 0 -\nsplit 1"),
+    *changes("l1-side-again", "l1-by-hand", f"{SIGN}, line 8", "split 0\nleaf 8 -2 0 2", "side 0 1 +\nleaf 8 -3 2 1"),
+    *changes("l1-side-leaf", "l1-by-hand", f"{SIGN}, line 7", "split 0\nleaf 8 -2 0 2", "side 0 1 -\nleaf 8 -3 2 1", "side 0 1 +\nleaf 8 -1 -2 3"),
     *changes("l1-leaf-denominator", "l1-by-hand", "a denominator must be positive, line 7", "leaf 8 -2", "leaf 0 -2", "leaf -8 -2"),
     *changes("l1-leaf-zero", "l1-by-hand", "a denominator must be positive, line 7", "leaf 8 -2 0 2", "leaf 0 0 0 0"),
     *changes("l1-leaf-fields", "l1-by-hand", "wrong number of fields, line 7", "leaf 8 -2 0 2", "leaf", "leaf 8 -2 0", "leaf 8 -2 0 2 0"),
@@ -444,7 +505,8 @@ WRITTEN = [(f"l1-thin-{name}", f"--l1 {lines[3:6].replace(' ', ',')} --contracti
     ("unknown", 2, f"{HEAD}; split 2; thin 0 0 0 0 0 0 1 -1 0", f"{SHOWN} to be one, line 7"),
     ("unknown-1", 2, f"{HEAD}; split 2; split 0; thin 0 0 0 0 0 0 1 -1 0", f"{SHOWN} to be one, line 8"),
     ("nothing", 2, f"{SAME}; thin 0 0 0 0 0 0 0 0 0", f"{SHOWN} to be one, line 10"),
-    ("early", 2, f"{HEAD}; thin 1 -1 0 0 0 0 0 0 0", f"{LATE}, line 6"),
+    ("early", 2, f"{HEAD}; thin 1 -1 0 0 0 0 0 0 0", f"{SIGN}, line 6"),
+    ("part", 2, f"{HEAD}; side 0 1 +; side 1 0 -; thin 0 1 -1 -1 1 0 0 0 0", f"{SHOWN} to be one, line 8"),
     ("sign", 2, f"{HEAD}; split 0; thin -1 1 0 0 0 0 0 0 0", f"{SIGN}, line 7"),
     ("fit", 2, f"{HEAD}; split 0; thin 1 0 0 0 0 0 0 0 0", f"{FIT}, line 7"),
     ("sum", 2, f"{HEAD}; split 0; thin 1 -1 0 0 0 0 0 0 0", f"{SUM}, line 7"),

@@ -23,28 +23,25 @@ Decision stays_in_range(int degree, const std::optional<Rational>& largest) {
   return {*largest > 1 ? Truth::no : Truth::yes, "by the pieces"};
 }
 
-/// The best of the orders asked for; nothing where none was finished.
-std::optional<Contraction> best_order(const Rule& rule, int steps, const LimitOptions& options) {
-  std::optional<Contraction> best;
+/// The best of the orders asked for, and what was found of the last one that was not finished.
+void try_orders(const Rule& rule, int steps, const LimitOptions& options, LeastAbsoluteLimit& result) {
   const int first = options.order == 0 ? 1 : options.order;
   const int last = options.order == 0 ? rule.degree + 1 : options.order;
   for (int order = first; order <= last; ++order) {
-    auto found = contraction(rule, {steps, order, options.deadline, options.keep_trees});
-    if (found && (!best || found->bound < best->bound)) best = std::move(found);
+    auto found = contraction(rule, {steps, order, options.enough, options.deadline, options.keep_trees});
+    if (!found.proved)
+      result.unfinished = UnfinishedContraction{steps, order, std::move(found)};
+    else if (!result.contraction || found.proved->bound < result.contraction->bound)
+      result.contraction = std::move(found.proved);
   }
-  return best;
 }
 
-std::optional<Contraction> find_contraction(const Rule& rule, const LimitOptions& options) {
-  if (options.steps > 0 || rule.degree == 0) return best_order(rule, std::max(options.steps, 1), options);
-  std::optional<Contraction> best;
-  for (int steps = 1; steps <= most_steps && !options.deadline.expired(); ++steps) {
-    auto found = best_order(rule, steps, options);
-    if (!found) break;
-    if (!best || found->bound < best->bound) best = std::move(found);
-    if (best->bound < 1) break;
+void find_contraction(const Rule& rule, const LimitOptions& options, LeastAbsoluteLimit& result) {
+  if (options.steps > 0 || rule.degree == 0) return try_orders(rule, std::max(options.steps, 1), options, result);
+  for (int steps = 1; steps <= most_steps && !result.unfinished; ++steps) {
+    try_orders(rule, steps, options, result);
+    if (result.contraction && result.contraction->bound < 1) return;
   }
-  return best;
 }
 
 /// Degree 0: a step from 0 to 1 is a step again, with a choice of medians where they are not unique.
@@ -78,6 +75,7 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
           options.steps);
   require(options.order >= 0 && options.order <= degree + 1, "l1 limit: need 0 <= order <= {}, got {}", degree + 1,
           options.order);
+  require(options.enough >= 0, "l1 limit: need enough >= 0, got {}", options.enough);
   LeastAbsoluteLimit result;
   result.points = points;
   result.degree = degree;
@@ -88,7 +86,7 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
     if (degree > 1) result.largest_output = largest_output(*rule, options.deadline);
     if (rule->is_function()) result.lipschitz = lipschitz_constant(*rule);
     result.mask = linear_mask(*rule, points % 2 == 0 ? 1 - points / 2 : -(points / 2));
-    result.contraction = find_contraction(*rule, options);
+    find_contraction(*rule, options, result);
   }
   result.range = stays_in_range(degree, result.largest_output);
   if (degree == 0) {

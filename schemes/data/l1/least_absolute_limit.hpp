@@ -12,12 +12,19 @@
 namespace subcert::data {
 
 /// `steps`, `order`: of the contraction; 0: the fewest steps that contract, and of the orders up to D + 1 the one that
-/// proves most.
+/// proves most. `enough`: a lower bound than this is not looked for.
 struct LimitOptions {
   int steps = 0;
   int order = 0;
+  Rational enough = 0;
   Deadline deadline = {};
   bool keep_trees = false;
+};
+
+/// A contraction that time did not suffice for.
+struct UnfinishedContraction {
+  int steps, order;
+  piecewise::ContractionSearch search;
 };
 
 struct LeastAbsoluteLimit {
@@ -31,6 +38,7 @@ struct LeastAbsoluteLimit {
   std::optional<Mask> mask;                ///< of a rule that is linear
   /// Of the steps and the order asked for, or the best of those tried; nothing where none was finished.
   std::optional<piecewise::Contraction> contraction;
+  std::optional<UnfinishedContraction> unfinished;  ///< the last that was tried, if it was not finished
   /// For all data and all choices of minimisers, from window to window and from level to level.
   Decision converges;
   std::optional<piecewise::EdgeOrbit> edge;  ///< of degree 1, where minimisers are unique

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -63,11 +64,67 @@ Rational largest_difference(std::vector<Rational> f, int order) {
 }
 
 std::string bound_text(int points, int degree, int steps, int order) {
-  const auto found = contraction(*least_absolute_rule(points, degree), {steps, order, {}, false});
+  const auto found = contraction(*least_absolute_rule(points, degree), {steps, order}).proved;
   return found ? found->bound.str() : "none";
 }
 
+/// Follows a tree: the factors of a leaf have the signs of all pieces that are possible there, and both parts of a
+/// split have a piece.
+class TreeWalk {
+ public:
+  TreeWalk(const Rule& rule, const ContractionTree& tree) : rule_(rule), tree_(tree) {
+    std::vector<std::size_t> all(rule.pieces.size());
+    std::iota(all.begin(), all.end(), 0);
+    possible_.assign(tree.windows.size(), all);
+    visit();
+    CHECK(next_ == tree.nodes.size());
+  }
+
+ private:
+  void visit() {
+    REQUIRE(next_ < tree_.nodes.size());
+    const ProofNode node = tree_.nodes[next_++];
+    if (!node.split) return check_leaf(tree_.leaves.at(node.index));
+    std::vector<std::size_t> parts[2];
+    for (const std::size_t piece : possible_.at(node.index)) {
+      const int sign = rule_.pieces[piece].signs.at(node.datum);
+      const auto kind = sign > 0 ? ProofNode::positive : sign < 0 ? ProofNode::negative : ProofNode::none;
+      parts[(node.signs & kind) != 0 ? 0 : 1].push_back(piece);
+    }
+    const std::vector<std::size_t> all = possible_[node.index];
+    for (const std::vector<std::size_t>& part : parts) {
+      REQUIRE_FALSE(part.empty());
+      possible_[node.index] = part;
+      visit();
+    }
+    possible_[node.index] = all;
+  }
+
+  void check_leaf(const ResidualFactors& leaf) const {
+    long wrong = 0;
+    for (const auto& [place, factor] : leaf.factors)
+      for (const std::size_t piece : possible_.at(place / rule_.points))
+        wrong += rule_.pieces[piece].signs[place % rule_.points] == -factor.sign() ? 1 : 0;
+    CHECK(wrong == 0);
+  }
+
+  const Rule& rule_;
+  const ContractionTree& tree_;
+  std::size_t next_ = 0;
+  std::vector<std::vector<std::size_t>> possible_;
+};
+
 }  // namespace
+
+TEST_CASE("the trees of contractions go through all pieces, and their factors have the signs of the pieces") {
+  for (const auto& [points, steps] : std::vector<std::pair<int, int>>{{3, 1}, {4, 2}, {5, 2}, {6, 1}, {6, 2}, {7, 1}}) {
+    CAPTURE(points, steps);
+    const auto rule = least_absolute_rule(points, 1);
+    const auto found = contraction(*rule, {steps, 1, 0, {}, true}).proved;
+    REQUIRE(found);
+    for (const ContractionTree& tree : found->trees) TreeWalk(*rule, tree);
+  }
+}
 
 TEST_CASE("pieces of least absolute deviations: how many, and whether they determine the fit") {
   struct Known {
@@ -176,6 +233,10 @@ TEST_CASE("contraction of differences: the least bounds") {
   CHECK(bound_text(5, 2, 1, 1) == "13/8");
   CHECK(bound_text(5, 2, 1, 2) == "31/32");
   CHECK(bound_text(4, 0, 1, 1) == "2");
+  CHECK(bound_text(5, 2, 2, 2) == "403/512");
+  CHECK(bound_text(6, 1, 2, 2) == "8019/24032");
+  CHECK(bound_text(7, 1, 2, 1) == "599/1116");
+  CHECK(bound_text(5, 1, 3, 1) == "25/32");
   CHECK_THROWS_AS(bound_text(6, 1, 1, 3), Error);
   CHECK_THROWS_AS(bound_text(6, 1, 0, 1), Error);
 }
@@ -187,7 +248,7 @@ TEST_CASE("no data exceed the bound of a contraction, and those that it names at
   for (const Known& of : std::vector<Known>{{6, 1, 1, 1}, {6, 1, 1, 2}, {6, 3, 1, 1}, {5, 2, 1, 2}, {3, 1, 2, 1}}) {
     CAPTURE(of.points, of.degree, of.steps, of.order);
     const auto rule = least_absolute_rule(of.points, of.degree);
-    const auto found = contraction(*rule, {of.steps, of.order, {}, false});
+    const auto found = contraction(*rule, {of.steps, of.order}).proved;
     REQUIRE(found);
     const auto ratio_fits = [&](const std::vector<Rational>& f) {
       std::vector<Rational> refined = f;
@@ -208,20 +269,21 @@ TEST_CASE("no data exceed the bound of a contraction, and those that it names at
 
 TEST_CASE("factors of a contraction reproduce polynomials and bound the difference at every leaf") {
   const auto rule = least_absolute_rule(4, 1);
-  const auto found = contraction(*rule, {2, 1, {}, true});
+  const auto found = contraction(*rule, {2, 1, 0, {}, true}).proved;
   REQUIRE(found);
   CHECK(found->trees.size() == 3);
   for (const ContractionTree& tree : found->trees) {
     std::size_t splits = 0, leaves = 0;
     for (const ProofNode& node : tree.nodes) ++(node.split ? splits : leaves);
-    CHECK(leaves == splits * (rule->pieces.size() - 1) + 1);
+    CHECK(leaves == splits + 1);
     for (const ResidualFactors& factors : tree.leaves) {
       CHECK(factors.bound <= found->bound);
       // A window of level 0 hands on what its outputs are asked for: the sum of its factors.
       Rational sum = 0;
       for (std::size_t window = 0; window < tree.windows.size(); ++window)
         if (tree.windows[window].level == 1)
-          for (const Rational& factor : factors.of_window[window]) sum += factor;
+          for (const auto& [place, factor] : factors.factors)
+            if (place / rule->points == window) sum += factor;
       CHECK(sum == 0);
     }
   }

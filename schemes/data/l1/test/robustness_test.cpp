@@ -81,6 +81,8 @@ TEST_CASE("what fits leave of an outlier: the table, its factor, and the fits fo
   close(7, 6, 0.0028, 1e-4);
   close(8, 6, 8.1e-4, 1e-5);
   CHECK(outlier_factor(6, 1) == Rational(4, 7));
+  for (int m = 0; m <= 12; ++m)  // with the constant of the proof
+    CHECK(*outlier_remainder(6, 1, m)->upper <= 2 * power(Rational(4, 7), m));
   CHECK(outlier_factor(7, 1) == Rational(5, 11));
   CHECK(outlier_factor(8, 1) == Rational(5, 13));
   CHECK(iterations_for_remainder(6, 1, Rational(1, 1'000'000)) == 24);

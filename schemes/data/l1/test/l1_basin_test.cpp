@@ -1,0 +1,92 @@
+#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/random.hpp>
+#include <subcert/schemes/data/l1/l1_basin.hpp>
+#include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/data/l1/l1_regression.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace subcert;
+using namespace subcert::data;
+using subcert::testing::Random;
+using subcert::testing::rounds;
+
+namespace {
+
+double largest_difference(std::vector<double> f, int order) {
+  for (; order > 0; --order) {
+    for (std::size_t i = 0; i + 1 < f.size(); ++i) f[i] = f[i + 1] - f[i];
+    f.pop_back();
+  }
+  double largest = 0;
+  for (const double difference : f) largest = std::max(largest, std::abs(difference));
+  return largest;
+}
+
+std::vector<double> step(const L1Fitter& fitter, const std::vector<double>& f) {
+  const std::size_t points = fitter.window().nodes();
+  std::vector<double> next;
+  for (std::size_t i = 0; i + points <= f.size(); ++i)
+    for (const double value :
+         fitter.fit(std::vector<double>(f.begin() + static_cast<long>(i), f.begin() + static_cast<long>(i + points))))
+      next.push_back(value);
+  return next;
+}
+
+}  // namespace
+
+TEST_CASE("basin of least squares: the numbers of 6 points, as docs/l1.md says") {
+  struct Known {
+    int points;
+    Rational linear, contraction, residual, radius, error;
+  };
+  for (const Known& known : std::vector<Known>{{4, {3, 10}, {13, 20}, {41, 64}, {837, 1000}, {123, 1000}},
+                                               {5, {7, 20}, {27, 40}, {73, 64}, {366, 1000}, {606, 1000}},
+                                               {6, {57, 140}, {197, 280}, {115, 64}, {185, 1000}, {216, 100}},
+                                               {7, {13, 28}, {41, 56}, {335, 128}, {102, 1000}, {621, 100}},
+                                               {8, {11, 21}, {16, 21}, {231, 64}, {62, 1000}, {155, 10}}}) {
+    CAPTURE(known.points);
+    const L1Basin basin = l1_basin(known.points, 1).value();
+    CHECK(basin.linear == known.linear);
+    CHECK(basin.contraction == known.contraction);
+    CHECK(basin.residual == known.residual);
+    CHECK(basin.radius == known.radius);
+    CHECK(basin.error <= known.error);
+    CHECK(basin.error > known.error * Rational(99, 100));
+  }
+  CHECK_THROWS_AS(l1_basin(2, 1), Error);
+  CHECK_THROWS_AS(l1_basin(19, 1), Error);
+  CHECK_THROWS_AS(l1_basin(6, 4), Error);
+  CHECK_FALSE(l1_basin(6, 0));  // means of 6 data
+}
+
+TEST_CASE("basin of least squares: random data at its edge contract, and are refined nearly as by least squares") {
+  Random random;
+  const std::vector<std::pair<int, int>> rules{{3, 1}, {4, 1}, {6, 1}, {7, 1}, {8, 1}, {4, 2}, {6, 3}, {7, 3}};
+  for (const auto& [points, degree] : rules) {
+    CAPTURE(points, degree);
+    const L1Basin basin = l1_basin(points, degree).value();
+    const RegressionWindow window = l1_window({{points}, degree, {}});
+    for (const auto round : rounds(20)) {
+      const double delta = std::pow(10.0, static_cast<double>(random.integer(-8, 4)));
+      const int fits = static_cast<int>(random.integer(1, 9));
+      const double largest = basin.radius.convert_to<double>() * std::sqrt(delta);
+      std::vector<double> f(static_cast<std::size_t>(points) + 3);
+      for (double& value : f)
+        value = round % 2 == 0 ? static_cast<double>(random.integer(-1000, 1000))
+                               : static_cast<double>(random.integer(-1, 1));
+      const double found = largest_difference(f, degree + 1);
+      if (found == 0) continue;
+      for (double& value : f) value *= largest / found;
+      const std::vector<double> refined = step(L1Fitter(window, {delta, fits, 0, false}), f);
+      const std::vector<double> linear = step(L1Fitter(window, {delta, 0, 0, false}), f);
+      CHECK(largest_difference(refined, degree + 1) <= basin.contraction.convert_to<double>() * largest);
+      CHECK(largest_difference(linear, degree + 1) <= basin.linear.convert_to<double>() * largest * (1 + 1e-9));
+      double apart = 0;
+      for (std::size_t i = 0; i < linear.size(); ++i) apart = std::max(apart, std::abs(linear[i] - refined[i]));
+      CHECK(apart <= basin.error.convert_to<double>() * largest * largest * largest / delta);
+    }
+  }
+}

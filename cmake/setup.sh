@@ -18,6 +18,24 @@ readonly packages_to_try="$packages_to_pack lintian mmdebstrap coq chromium fire
 readonly packages_where_they_exist="libflint-arb-dev"
 packages=$packages_to_run
 
+# refuse COMMAND WORDS: the one line about wrong usage.
+refuse() {
+  command=$1
+  shift
+  echo "$command: $*" >&2
+  exit 64
+}
+
+# is_one_of WORD WORD...
+is_one_of() {
+  sought=$1
+  shift
+  for one; do
+    [ "$one" != "$sought" ] || return 0
+  done
+  return 1
+}
+
 has_package() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }

@@ -1,6 +1,6 @@
-# Run at an installation: copies the shared libraries that FILE needs, all but those of the C library, into FOLDER below
-# the prefix, with the copyright of each as Debian has it. FILE is a program or, with KIND MODULES, a module, which takes
-# the C++ library that other modules have.
+# Run at an installation: copies the shared libraries that FILE needs, all but those of the C library, into FOLDER
+# below the prefix, with the copyright of each as Debian has it. FILE is a program or, with KIND MODULES, a module,
+# which takes the C++ library that other modules have.
 cmake_policy(VERSION 3.25)
 set(system "^ld-linux" "^lib(c|m|mvec|pthread|dl|rt|util)\\.so")
 if(KIND STREQUAL "MODULES")

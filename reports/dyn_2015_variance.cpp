@@ -71,7 +71,7 @@ formats::Panel printed_over_certified(const statements::PublishedTable& publishe
   for (std::size_t i = 0; i < published.cells.size(); ++i) {
     const statements::PublishedCell& cell = published.cells[i];
     const auto& certified = std::get<Enclosure>(compared.comparisons[i].computed);
-    if (cell.derived || !certified.upper || *certified.upper <= 0) continue;
+    if (!cell.derived.empty() || !certified.upper || *certified.upper <= 0) continue;
     auto curve = std::ranges::find(panel.curves, cell.quantity, &formats::Curve::label);
     if (curve == panel.curves.end()) curve = panel.curves.insert(curve, {cell.quantity, {}, true, false});
     curve->points.emplace_back(cell.n.value(),

@@ -105,7 +105,8 @@ std::string card(const Plate& plate, const std::string& anchor) {
                      drawn ? formats::thumbnail(anchor + "-limit") : "<span class=none>no limits</span>",
                      formats::html(plate.specification()),
                      plate.convergence.is_no() ? "diverges"
-                     : plate.holder.lower ? "Hölder " + formats::html(formats::fixed_text(plate.holder, places_of_card))
+                     : plate.holder.lower
+                         ? "Hoelder " + formats::html(formats::fixed_text(plate.holder, places_of_card))
                      : plate.convergence.is_yes() ? "converges"
                                                   : "not decided",
                      plate.key.empty() ? "" : "<br>[" + plate.key + "]");

@@ -1,11 +1,11 @@
 #include "provenance.hpp"
 
-#include <subcert/reports/provenance.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 
 namespace subcert::cli {
 
 facts::Json provenance() {
-  return {{"version", reports::version()}, {"commit", reports::commit()}, {"schema", json_schema}};
+  return {{"version", formats::version()}, {"commit", formats::commit()}, {"schema", json_schema}};
 }
 
 }  // namespace subcert::cli

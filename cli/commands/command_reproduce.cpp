@@ -3,8 +3,8 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 #include <subcert/reports/overview.hpp>
-#include <subcert/reports/provenance.hpp>
 #include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -66,7 +66,7 @@ reports::Origin origin(const ReproduceOptions& options) {
   const std::time_t now = std::time(nullptr);
   char when[16] = "";
   if (const std::tm* day = std::gmtime(&now)) std::strftime(when, sizeof when, "%Y-%m-%d", day);
-  return {reports::version(), reports::commit(), input, when};
+  return {formats::version(), formats::commit(), input, when};
 }
 
 bool wants_colours() {

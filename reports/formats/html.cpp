@@ -1,8 +1,7 @@
 #include "html.hpp"
 
+#include "provenance.hpp"
 #include "typeset.hpp"
-
-#include <subcert/reports/provenance.hpp>
 
 #include <fmt/ranges.h>
 
@@ -80,8 +79,8 @@ std::string slug(const std::string& text) {
 }
 
 std::string html_page(const std::string& title, const std::string& body) {
-  const std::string commit = reports::commit(), program = std::string("subcert ") + reports::version(),
-                    made = program + (commit.empty() ? "" : ", commit " + commit);
+  const std::string from = commit(),
+                    made = std::string("subcert ") + version() + (from.empty() ? "" : ", commit " + from);
   return fmt::format(
       "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=generator content=\"{}\">\n<title>{}</title>\n"

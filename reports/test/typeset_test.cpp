@@ -1,10 +1,9 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/formats/html.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 #include <subcert/reports/formats/typeset.hpp>
-#include <subcert/reports/provenance.hpp>
 
-using namespace subcert::reports;
-using subcert::formats::typeset;
+using namespace subcert::formats;
 
 TEST_CASE("pages: words, signs and powers as they are printed") {
   CHECK(typeset("Hoelder exponent &gt;= 2 ... 3, n^2 max |psi'|") ==
@@ -36,7 +35,7 @@ TEST_CASE("pages: scripts, formulas, pictures and forms are as they were") {
 }
 
 TEST_CASE("pages: each says which program made it") {
-  const std::string page = subcert::formats::html_page("title", "<p>body</p>\n");
+  const std::string page = html_page("title", "<p>body</p>\n");
   CHECK(page.find(std::string("<meta name=generator content=\"subcert ") + version()) != std::string::npos);
   CHECK(page.find(std::string("Made by subcert ") + version()) != std::string::npos);
   CHECK(page.find(commit()) != std::string::npos);

@@ -1,8 +1,8 @@
 #include "provenance.hpp"
 
-namespace subcert::reports {
+namespace subcert::formats {
 
 const char* version() { return SUBCERT_VERSION; }
 const char* commit() { return SUBCERT_COMMIT; }
 
-}  // namespace subcert::reports
+}  // namespace subcert::formats

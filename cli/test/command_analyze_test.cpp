@@ -41,10 +41,13 @@ TEST_CASE("analyze: a family with a parameter") {
   const auto dual = run_json("analyze dual-four-point:w");
   CHECK(dual.at("more_reproduction") == nlohmann::json::parse(R"(["w = 1/128"])"));
   CHECK(dual.at("parametrization") == "-1/2");
-  check_fails(run("analyze four-point:w --plot p.svg"), 64, "pictures are of single schemes; four-point:w has");
-  check_fails(run("analyze four-point:w --html p.html"), 64, "--html of a scheme with a parameter: expected --over");
-  check_fails(run("analyze four-point:w --over w=0..1"), 64, "--over of a scheme with a parameter: expected --html");
-  check_fails(run("analyze dd:n=2 --over w=0..1 --html p.html"), 64, "--over: dd:n=2 has no parameter");
+  check_fails(run("analyze four-point:w --plot p.svg"), 64,
+              "--plot: pictures are of single schemes; four-point:w has a parameter, see --html");
+  check_fails(run("analyze four-point:w --html p.html"), 64,
+              "--html of a scheme with a parameter: expected --over w=LOW..HIGH, too");
+  check_fails(run("analyze four-point:w --over w=0..1"), 64,
+              "--over of a scheme with a parameter: expected --html FILE, too");
+  check_fails(run("analyze dd:n=2 --over w=0..1"), 64, "--over: dd:n=2 has no parameter");
   CHECK(run("analyze 'mask:[w,v,1-w,1-v]'").code == 64);
 }
 
@@ -72,7 +75,10 @@ TEST_CASE("analyze: a page on which a parameter is moved") {
     // The scheme interpolates: phi is 1 at 0, and its shifts sum to 1.
     const nlohmann::json& limit = value.at("limit");
     const double from = limit.at("from"), step = limit.at("step");
-    const auto at = [&](double x) { return limit.at("values").at(std::size_t((x - from) / step + 0.5)).get<double>(); };
+    const auto at = [&](double x) {  // 0 outside of the support
+      const long i = std::lround((x - from) / step);
+      return i < 0 || i >= long(limit.at("values").size()) ? 0 : limit.at("values").at(std::size_t(i)).get<double>();
+    };
     CHECK(at(0) == 1);
     double sum = 0, squares = 0;
     for (double x = -2.5; x < 3; ++x) {

@@ -1,9 +1,11 @@
 #include "provenance.hpp"
 
+#include <subcert/reports/formats/provenance.hpp>
+
 namespace subcert::cli {
 
-const char* commit() { return SUBCERT_COMMIT; }
-
-facts::Json provenance() { return {{"version", SUBCERT_VERSION}, {"commit", commit()}, {"schema", json_schema}}; }
+facts::Json provenance() {
+  return {{"version", formats::version()}, {"commit", formats::commit()}, {"schema", json_schema}};
+}
 
 }  // namespace subcert::cli

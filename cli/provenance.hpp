@@ -7,9 +7,6 @@ namespace subcert::cli {
 
 constexpr int json_schema = 1;  ///< higher once a field of an answer is renamed, removed or means something else
 
-/// The commit of the sources; empty where they were no repository.
-const char* commit();
-
 /// {"version", "commit", "schema"}
 facts::Json provenance();
 

@@ -28,7 +28,27 @@ if(NOT PROJECT_IS_TOP_LEVEL OR NOT SUBCERT_BUILD_CLI)
   return()
 endif()
 
-# cpack -G DEB: subcert, with the program, the checker, pages and completions; libsubcert-dev, with the libraries.
+# What is installed may bring its libraries: those of an archive in lib/subcert, those of a wheel in lib beside the
+# module. A DT_RPATH, as that holds for the libraries of libraries, too.
+foreach(target IN ITEMS subcert subcert-check subcert_python)
+  if(TARGET ${target})
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/subcert:$ORIGIN/lib")
+    target_link_options(${target} PRIVATE LINKER:--disable-new-dtags)
+  endif()
+endforeach()
+function(subcert_bring_libraries kind target component folder)
+  install(CODE "set(KIND ${kind})\nset(FILE \"$<TARGET_FILE:${target}>\")\nset(FOLDER ${folder})"
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(SCRIPT "${PROJECT_SOURCE_DIR}/cmake/bring_libraries.cmake" COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+subcert_bring_libraries(EXECUTABLES subcert libraries lib/subcert)
+if(TARGET subcert_python)
+  subcert_bring_libraries(MODULES subcert_python python subcert/lib)
+endif()
+install(FILES LICENSE CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT libraries EXCLUDE_FROM_ALL)
+
+# cpack -G TGZ: an archive that runs where it is unpacked. cpack -G DEB: subcert, with the program, the checker, pages
+# and completions; libsubcert-dev, with the libraries.
 set(SUBCERT_PACKAGE_CONTACT "The subcert developers" CACHE STRING
   "Who maintains the Debian packages: name and <address>")
 set(CPACK_GENERATOR DEB)
@@ -38,7 +58,8 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
   WORLD_READ WORLD_EXECUTE)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake")
+set(CPACK_PROJECT_CONFIG_FILE "${PROJECT_SOURCE_DIR}/cmake/cpack_generator.cmake")
+set(CPACK_PACKAGE_FILE_NAME "subcert-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 set(CPACK_SUBCERT_SOURCE "${PROJECT_SOURCE_DIR}")
 set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -50,6 +50,11 @@ License: Expat
   if(pages)
     compressed(${pages})
   endif()
+  # The system has the libraries.
+  file(GLOB programs "${CPACK_TEMPORARY_INSTALL_DIRECTORY}/${folder}${CPACK_PACKAGING_INSTALL_PREFIX}/bin/*")
+  foreach(program IN LISTS programs)
+    file(RPATH_REMOVE FILE "${program}")
+  endforeach()
   # Where zsh of Debian looks for what packages bring.
   if(EXISTS "${share}/zsh/site-functions")
     file(RENAME "${share}/zsh/site-functions" "${share}/zsh/vendor-completions")

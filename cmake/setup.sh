@@ -8,8 +8,8 @@ readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem
   libboost-system-dev libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
 # What tests and benchmarks need beside.
-readonly packages_to_check="catch2 libbenchmark-dev python3 python3-yaml git clang-format clang-tidy man-db pkg-config
-  zsh fish pybind11-dev python3-dev python3-numpy python3-sympy python3-pytest python3-hypothesis mypy
+readonly packages_to_check="catch2 libbenchmark-dev python3 python3-jsonschema python3-yaml git clang-format clang-tidy
+  man-db pkg-config zsh fish pybind11-dev python3-dev python3-numpy python3-sympy python3-pytest python3-hypothesis mypy
   python3-nbconvert python3-ipykernel python3-matplotlib ocaml ocaml-findlib libzarith-ocaml-dev nodejs"
 # What makes Debian packages, and what tries them in the long tests.
 readonly packages_to_pack="dpkg-dev file"
@@ -17,6 +17,24 @@ readonly packages_to_try="$packages_to_pack lintian mmdebstrap coq chromium fire
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
 readonly packages_where_they_exist="libflint-arb-dev"
 packages=$packages_to_run
+
+# refuse COMMAND WORDS: the one line about wrong usage.
+refuse() {
+  command=$1
+  shift
+  echo "$command: $*" >&2
+  exit 64
+}
+
+# is_one_of WORD WORD...
+is_one_of() {
+  sought=$1
+  shift
+  for one; do
+    [ "$one" != "$sought" ] || return 0
+  done
+  return 1
+}
 
 has_package() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]

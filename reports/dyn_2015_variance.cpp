@@ -64,14 +64,14 @@ RecipeFinding recipe_found(const statements::PublishedTable& table, ComputedQuan
                                    : Truth::unknown};
 }
 
-/// Printed over certified values, by n.
+/// Printed over certified values, by n; without what is a multiple of another value.
 formats::Panel printed_over_certified(const statements::PublishedTable& published,
                                       const formats::ComparisonTable& compared) {
   formats::Panel panel{"Table 3: printed / certified", "n", "", {}, true};
   for (std::size_t i = 0; i < published.cells.size(); ++i) {
     const statements::PublishedCell& cell = published.cells[i];
     const auto& certified = std::get<Enclosure>(compared.comparisons[i].computed);
-    if (!certified.upper || *certified.upper <= 0) continue;
+    if (!cell.derived.empty() || !certified.upper || *certified.upper <= 0) continue;
     auto curve = std::ranges::find(panel.curves, cell.quantity, &formats::Curve::label);
     if (curve == panel.curves.end()) curve = panel.curves.insert(curve, {cell.quantity, {}, true, false});
     curve->points.emplace_back(cell.n.value(),

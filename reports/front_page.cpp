@@ -102,9 +102,11 @@ std::string origin_html(const Origin& origin, const std::string& standing) {
   if (!origin.commit.empty()) made += " (" + html(origin.commit) + ")";
   if (!origin.input.empty()) made += ", from <code>" + html(origin.input) + "</code>";
   if (!origin.when.empty()) made += ", on " + html(origin.when);
-  return "<p class=lead>subcert recomputes what papers on least squares subdivision print: numbers as exact fractions "
-         "or "
-         "enclosures rounded outward, formulas and theorems as executable checks, experiments over many samples. " +
+  return "<p class=lead>Subdivision schemes draw smooth curves and surfaces through or near a few points, by fixed "
+         "averages "
+         "of neighbours. subcert proves what is claimed about them. These pages recompute what papers on least squares "
+         "schemes print: numbers as exact fractions or enclosures rounded outward, formulas and theorems as executable "
+         "checks, experiments over many samples. " +
          html(standing) + "</p>\n" +
          (made.empty() ? "" : "<p class=place>Made by " + made + ". <a href=\"#object\">How to object</a></p>\n");
 }

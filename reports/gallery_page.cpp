@@ -31,22 +31,10 @@ std::vector<std::string> anchors(const std::vector<Plate>& plates) {
   return result;
 }
 
-/// Plain text with the letters and signs that people use.
-std::string typeset(const std::string& text) {
-  static const std::vector<std::pair<std::string, std::string>> words{
-      {"Hoelder", "Hölder"},       {"&gt;= ", "≥ "},      {"&lt;= ", "≤ "},      {" ... ", " … "},
-      {"&lt;phi", "&lt;<i>φ</i>"}, {"phi(", "<i>φ</i>("}, {" psi", " <i>ψ</i>"}, {",", ",<wbr>"}};
-  std::string result = formats::html(text);
-  for (const auto& [from, to] : words)
-    for (std::size_t at = result.find(from); at != std::string::npos; at = result.find(from, at + to.size()))
-      result.replace(at, from.size(), to);
-  return result;
-}
-
 std::string value_html(const Fact& fact) {
   const bool strong = fact.key == "holder" && fact.text.find_first_of("0123456789") != std::string::npos;
-  return (strong ? "<b>" + typeset(fact.text) + "</b>" : typeset(fact.text)) +
-         (fact.remark.empty() ? "" : " <span class=why>" + typeset(fact.remark) + "</span>");
+  return (strong ? "<b>" + formats::html(fact.text) + "</b>" : formats::html(fact.text)) +
+         (fact.remark.empty() ? "" : " <span class=why>" + formats::html(fact.remark) + "</span>");
 }
 
 std::string mask_html(const Scheme& scheme) {
@@ -76,7 +64,7 @@ std::string facts_html(const Plate& plate) {
   for (const Fact& fact : plate_facts(plate)) {
     if (fact.label.empty()) continue;
     const bool mask = fact.label == "mask", table = mask && plate.scheme.mask.dimension() > 1;
-    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", typeset(fact.label), mask && !table ? " class=mask" : "",
+    result += fmt::format("<dt>{}</dt><dd{}>{}</dd>\n", formats::html(fact.label), mask && !table ? " class=mask" : "",
                           table ? mask_html(plate.scheme) : value_html(fact));
   }
   if (plate.proof && !plate.proof->name.empty())
@@ -116,7 +104,8 @@ std::string card(const Plate& plate, const std::string& anchor) {
                      drawn ? formats::thumbnail(anchor + "-limit") : "<span class=none>no limits</span>",
                      formats::html(plate.specification()),
                      plate.convergence.is_no() ? "diverges"
-                     : plate.holder.lower      ? "Hölder " + typeset(formats::fixed_text(plate.holder, places_of_card))
+                     : plate.holder.lower
+                         ? "Hoelder " + formats::html(formats::fixed_text(plate.holder, places_of_card))
                      : plate.convergence.is_yes() ? "converges"
                                                   : "not decided",
                      plate.key.empty() ? "" : "<br>[" + plate.key + "]");
@@ -168,7 +157,7 @@ std::string comparison_html(const std::vector<Plate>& plates) {
                          formats::html(plates[i].specification()));
   table += "</tr>\n";
   for (const std::string& label : labels(known)) {
-    table += fmt::format("<tr><th>{}</th>", typeset(label));
+    table += fmt::format("<tr><th>{}</th>", formats::html(label));
     for (const facts::Facts& list : known) {
       const Fact* fact = find(list, label);
       table += fmt::format("<td class=text>{}</td>", fact ? value_html(*fact) : "");

@@ -113,6 +113,11 @@ std::string listed(const std::vector<Counts::Group>& groups, const std::vector<S
 
 }  // namespace
 
+std::string to_text(const Origin& origin) {
+  return "Made by subcert " + origin.version + (origin.commit.empty() ? "" : " (" + origin.commit + ")") + ", from " +
+         origin.input + ", on " + origin.when + ".\n\n";
+}
+
 bool Findings::as_recorded() const {
   return std::ranges::all_of(reports, &Report::as_recorded) &&
          std::ranges::all_of(statements, &CheckedStatement::as_recorded);

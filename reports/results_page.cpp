@@ -79,8 +79,8 @@ std::string results_page(const std::vector<Result>& results) {
           "type=reset>all</button> <output></output></form>\n<div class=scroll tabindex=0 role=region "
           "aria-label=\"Results\"><table "
           "class=results>\n<thead><tr><th>paper</th><th class=text>what</th><th class=text>printed</th><th "
-          "class=text>found</th><th>verdict</th><th class=text>why, and again "
-          "by</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+          "class=text>found</th><th>verdict</th><th class=text>why, and the command</th>"
+          "</tr></thead>\n<tbody>\n{}</tbody>\n"
           "</table></div>\n",
           form, rows));
 }

@@ -3,6 +3,8 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/parameter_range.hpp>
+#include <subcert/reports/explorer.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
 #include <subcert/reports/facts/l1_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
@@ -19,6 +21,7 @@ struct AnalyzeOptions : CommonOptions {
   double budget = 10;
   std::string plot;
   std::string html;
+  std::string over;
 };
 
 /// Prints the page, and says whether the scheme converges.
@@ -44,15 +47,29 @@ ExitCode analyze_l1(const AnalyzeOptions& options) {
   return limit.converges.truth == Truth::unknown ? undecided : done;
 }
 
+/// What holds for all values, and a page on which the parameter is moved.
+ExitCode analyze_family(const AnalyzeOptions& options) {
+  if (!options.plot.empty())
+    fail(ErrorKind::usage, "--plot: pictures are of single schemes; {} has a parameter, see --html", options.scheme);
+  if (options.html.empty() != options.over.empty())
+    fail(ErrorKind::usage, "{} of a scheme with a parameter: expected {}, too",
+         options.html.empty() ? "--over" : "--html", options.html.empty() ? "--html FILE" : "--over w=LOW..HIGH");
+  const ParametricScheme scheme = make_parametric_scheme(options.scheme);
+  if (!options.html.empty()) {
+    const auto [low, high] = read_over(options.over, scheme.parameter);
+    reports::ExplorerOptions limits;
+    limits.jobs = options.threads();
+    limits.budget.deadline = Deadline::in(options.budget);
+    runtime::write_file(options.html, reports::explorer_html(scheme, low, high, limits));
+  }
+  options.answer(family_facts(scheme), 14);
+  return done;
+}
+
 ExitCode run(const AnalyzeOptions& options) {
   require_picture_name(options.plot);
-  const std::string picture = options.html.empty() ? "--plot" : "--html";
-  if (has_parameter(options.scheme)) {
-    if (!options.plot.empty() || !options.html.empty())
-      fail(ErrorKind::usage, "{}: pictures are of single schemes; {} has a parameter", picture, options.scheme);
-    options.answer(family_facts(make_parametric_scheme(options.scheme)), 14);
-    return done;
-  }
+  if (has_parameter(options.scheme)) return analyze_family(options);
+  if (!options.over.empty()) fail(ErrorKind::usage, "--over: {} has no parameter", options.scheme);
   if (is_l1_specification(options.scheme)) return analyze_l1(options);
   const Deadline deadline = Deadline::in(options.budget);
   const Scheme scheme = make_linear_scheme(options.scheme);
@@ -78,7 +95,10 @@ void add_analyze(Command& app) {
   command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--plot", options->plot,
                  "Draw the basic limit function of one or two variables, as .svg, .png, .pdf, .tex or .html");
-  command.option("--html", options->html, "A page with pictures and the certificate, all in one file");
+  command.option(
+      "--html", options->html,
+      "A page with pictures and the certificate, all in one file; of a family, a page to move its parameter");
+  command.option("--over", options->over, "The values on that page: w=LOW..HIGH");
   add_scheme(command, options->scheme, true);
 }
 

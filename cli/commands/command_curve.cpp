@@ -5,6 +5,7 @@
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/facts/exponents.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -25,14 +26,6 @@ struct CurveCommandOptions : SearchOptions {
   std::string certificate;
   int pieces = 200;
 };
-
-/// The ends that say something about exponents: positive ones.
-Enclosure positive_part(const Enclosure& exponent) {
-  Enclosure result;
-  if (exponent.lower && *exponent.lower > 0) result.lower = exponent.lower;
-  if (exponent.upper && *exponent.upper > 0) result.upper = exponent.upper;
-  return result;
-}
 
 const char* convergence_text(const Enclosure& exponent) {
   if (exponent.lower && *exponent.lower > 0) return "convergent";

@@ -3,7 +3,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
-#include <subcert/cli/provenance.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 #include <subcert/reports/pages.hpp>
 #include <subcert/reports/report_files.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -66,7 +66,7 @@ reports::Origin origin(const ReproduceOptions& options) {
   const std::time_t now = std::time(nullptr);
   char when[16] = "";
   if (const std::tm* day = std::gmtime(&now)) std::strftime(when, sizeof when, "%Y-%m-%d", day);
-  return {SUBCERT_VERSION, commit(), input, when};
+  return {formats::version(), formats::commit(), input, when};
 }
 
 bool wants_colours() {
@@ -101,7 +101,8 @@ ExitCode run(ReproduceOptions& options) {
     if (options.only.empty()) findings.statements = check_statements_of(papers, options);
     options.progress("writing " + options.out);
     reports::write_reports(findings, options.out, options.threads());
-    runtime::write_file(std::filesystem::path(options.out) / "summary.txt", reports::full_list(findings));
+    runtime::write_file(std::filesystem::path(options.out) / "summary.txt",
+                        to_text(findings.origin) + reports::full_list(findings));
   }
   options.end_progress();
   const std::vector<reports::Result> all = reports::results(findings);

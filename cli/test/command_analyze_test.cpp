@@ -42,6 +42,62 @@ TEST_CASE("analyze: a family with a parameter") {
   const auto dual = run_json("analyze dual-four-point:w");
   CHECK(dual.at("more_reproduction") == nlohmann::json::parse(R"(["w = 1/128"])"));
   CHECK(dual.at("parametrization") == "-1/2");
-  CHECK(run("analyze four-point:w --plot p.svg").code == 64);
+  check_fails(run("analyze four-point:w --plot p.svg"), 64,
+              "--plot: pictures are of single schemes; four-point:w has a parameter, see --html");
+  check_fails(run("analyze four-point:w --html p.html"), 64,
+              "--html of a scheme with a parameter: expected --over w=LOW..HIGH, too");
+  check_fails(run("analyze four-point:w --over w=0..1"), 64,
+              "--over of a scheme with a parameter: expected --html FILE, too");
+  check_fails(run("analyze dd:n=2 --over w=0..1"), 64, "--over: dd:n=2 has no parameter");
   CHECK(run("analyze 'mask:[w,v,1-w,1-v]'").code == 64);
+}
+
+namespace {
+
+nlohmann::json moved(const std::string& arguments) {
+  const Folder folder;
+  const std::string page = folder / "moved.html";
+  REQUIRE(run("analyze " + arguments + " --html " + page + " --quiet").code == 0);
+  const std::string text = content(page), before = "<script type=\"application/json\" id=\"explorer\">";
+  const std::size_t begin = text.find(before) + before.size();
+  return nlohmann::json::parse(text.substr(begin, text.find("</script>", begin) - begin));
+}
+
+}  // namespace
+
+TEST_CASE("analyze: a page on which a parameter is moved") {
+  const nlohmann::json page = moved("four-point:w --over w=-3/4..1/2");
+  int drawn = 0;
+  for (const nlohmann::json& value : page.at("values")) {
+    CAPTURE(value.at("text"));
+    CHECK(value.contains("exponent") == value.contains("limit"));
+    if (!value.contains("limit")) continue;
+    ++drawn;
+    // The scheme interpolates: phi is 1 at 0, and its shifts sum to 1.
+    const nlohmann::json& limit = value.at("limit");
+    const double from = limit.at("from"), step = limit.at("step");
+    const auto at = [&](double x) {  // 0 outside of the support
+      const long i = std::lround((x - from) / step);
+      return i < 0 || i >= long(limit.at("values").size()) ? 0 : limit.at("values").at(std::size_t(i)).get<double>();
+    };
+    CHECK(at(0) == 1);
+    double sum = 0, squares = 0;
+    for (double x = -2.5; x < 3; ++x) {
+      sum += at(x);
+      squares += at(x) * at(x);
+    }
+    CHECK(sum == Approx(1).margin(1e-3));
+    const nlohmann::json& psi = value.at("variance");
+    CHECK(psi.at(psi.size() / 2).get<double>() == Approx(squares).margin(1e-3));
+  }
+  CHECK(drawn > 40);
+  CHECK(drawn < 61);
+  // Exact at single values, which are among them; divergent ones are no gaps.
+  const nlohmann::json odd = moved("four-point:w --over w=0..1/7 --budget 20");
+  bool found = false;
+  for (const nlohmann::json& value : odd.at("values"))
+    if (value.at("text") == "1/16") found = value.at("exponent") == "2";
+  CHECK(found);
+  CHECK(odd.at("values").size() == 62);
+  CHECK(moved("'mask:[w,1/2,1/2-w,1/2-w,1/2,w]' --over w=2..3").at("values").at(0).at("note") == "does not converge");
 }

@@ -80,8 +80,6 @@ TEST_CASE("compare and pages of one scheme: wrong usage") {
   check_fails(run("compare primal:n=2"), 64, "compare: needs two schemes or more, got 'primal:n=2'");
   CHECK(run("compare").code == 64);
   CHECK(run("compare primal:n=2 primal:n=0").code == 64);
-  check_fails(run("analyze four-point:w --html page.html"), 64,
-              "--html: pictures are of single schemes; four-point:w has a parameter");
   check_fails(run("analyze primal:n=2 --html /dev/null/page.html"), 66,
               "cannot write /dev/null/page.html: cannot make its folder: Not a directory");
 }

@@ -42,6 +42,8 @@ minor = ".".join(version.split(".")[:2])
 for name in ["README.md", "docs/installing.md", "cmake/test/consumer/CMakeLists.txt"]:
     found = re.findall(r"find_package\(subcert (\S+) REQUIRED\)", (source / name).read_text())
     assert found and set(found) == {minor}, name
+archives = set(re.findall(r"subcert-([0-9.]+)-Linux", (source / "README.md").read_text()))
+assert archives == {version}, "the archive in README.md"
 project = source / "pyproject.toml"
 if project.exists():
     fixed = re.search(r'^version = "(.*)"$', project.read_text(), re.M)

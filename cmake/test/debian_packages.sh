@@ -4,7 +4,7 @@
 # root or of a mirror.
 set -eu
 build=$1 work=$2
-skip() { echo "skipped: $1"; exit 77; }
+. "$(dirname "$0")/bare_root.sh"
 command -v dpkg-shlibdeps >/dev/null || skip "need dpkg-dev"
 rm -rf "$work"
 mkdir -p "$work"
@@ -19,35 +19,8 @@ else
   echo "lintian is not there: the packages are not looked at"
 fi
 
-[ "$(id -u)" -eq 0 ] || skip "the bare root needs root"
-command -v mmdebstrap >/dev/null || skip "the bare root needs mmdebstrap"
-. /etc/os-release
-[ -n "${VERSION_CODENAME:-}" ] || skip "the system has no code name"
-mirror=$(apt-get indextargets --format '$(SITE) $(RELEASE) $(IDENTIFIER)' | awk -v release="$VERSION_CODENAME" \
-  '$2 == release && $3 == "Packages" { print $1; exit }')
-[ -n "$mirror" ] || skip "no mirror with $VERSION_CODENAME is configured"
-root=$(mktemp -d)
-trap 'rm -rf "$root"' EXIT
-mmdebstrap --quiet --mode=root --variant=apt --dpkgopt='path-include=/usr/share/man/*' "$VERSION_CODENAME" "$root" \
-  "$mirror" || skip "$mirror gives no $VERSION_CODENAME"
+make_bare_root
 cp "$work"/*.deb "$root/root"
-
-inside() {
-  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
-    ${http_proxy:+"http_proxy=$http_proxy"} "$@"
-}
-check() {
-  wanted=$1
-  shift
-  got=$(inside "$@") || { echo "$*: exit code $?"; exit 1; }
-  case "$got" in
-    *"$wanted"*) ;;
-    *) echo "$*: expected $wanted, got $got"; exit 1 ;;
-  esac
-}
-cp /etc/resolv.conf "$root/etc/resolv.conf"
-cp -r /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
-inside apt-get update -qq
 inside sh -c 'apt-get install -y -qq --no-install-recommends /root/subcert_*.deb' >"$work/install.txt" 2>&1 ||
   { cat "$work/install.txt"; exit 1; }
 check "subcert $(sed -n 's/^CPACK_PACKAGE_VERSION "\(.*\)"/\1/p; s/^set(CPACK_PACKAGE_VERSION "\(.*\)")/\1/p' \

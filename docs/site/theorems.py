@@ -19,6 +19,8 @@ import tempfile
 FIRST = ("P", "Q", "S", "W", "X")  # the letters of the first paper
 CHECKLIST = """# Who decides which line
 
+*For provers.*
+
 For a referee: each number of the two papers, the command that decides it, the source with its computation
 (in `proofs-checks/theorems/`), the constants that it bounds, and what is compared. Made from the program's answers by
 `docs/site/theorems.py tables`; a long test compares it with them. `subcert theorem ID --d D --all` prints every

@@ -1,12 +1,24 @@
 #!/bin/sh
-# Installs the package by pip into a folder of its own and uses it. Usage: wheel.sh PYTHON SOURCE FOLDER
+# Builds the wheel, installs it into a folder of its own and uses it; then, as root, in a bare Debian that has Python,
+# numpy and pip, as a user who is not root. Usage: wheel.sh PYTHON SOURCE FOLDER
 set -eu
-rm -rf "$3"
-"$1" -m pip install --quiet --no-build-isolation --no-deps --target "$3" "$2"
-cd "$3"
-PYTHONPATH="$3" "$1" -c "
+python=$1 source=$2 folder=$3
+. "$source/cmake/test/bare_root.sh"
+rm -rf "$folder"
+mkdir -p "$folder"
+"$python" -m pip wheel --quiet --no-build-isolation --no-deps --wheel-dir "$folder/dist" "$source"
+"$python" -m pip install --quiet --no-deps --target "$folder/site" "$folder"/dist/*.whl
+cat >"$folder/use.py" <<'END'
 import subcert
-assert subcert.__file__.startswith('$3'), subcert.__file__
 exponent = subcert.scheme('primal:n=5').holder()
 assert exponent.exact and exponent.verify().accepted
-print(subcert.__version__, exponent)"
+print(subcert.__version__, exponent, subcert.__file__)
+END
+cd "$folder"
+PYTHONPATH="$folder/site" "$python" use.py | grep "1.9901439593863 $folder/site"
+make_bare_root python3,python3-numpy,python3-pip
+cp dist/*.whl use.py "$root/tmp"
+inside useradd --create-home someone
+as_someone() { inside setpriv --reuid someone --regid someone --clear-groups env HOME=/home/someone "$@"; }
+as_someone sh -c 'pip install --quiet --break-system-packages --no-deps --user /tmp/subcert-*.whl'
+as_someone python3 /tmp/use.py | grep "1.9901439593863 /home/someone"

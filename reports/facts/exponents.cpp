@@ -6,6 +6,13 @@
 
 namespace subcert::facts {
 
+Enclosure positive_part(const Enclosure& exponent) {
+  Enclosure result;
+  if (exponent.lower && *exponent.lower > 0) result.lower = exponent.lower;
+  if (exponent.upper && *exponent.upper > 0) result.upper = exponent.upper;
+  return result;
+}
+
 Json bound_json(const HolderBound& bound) {
   return {{"levels", bound.levels}, {"norm", to_text(bound.norm)}, {"holder", enclosure_json(bound.exponent)}};
 }

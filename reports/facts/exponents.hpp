@@ -9,6 +9,9 @@
 
 namespace subcert::facts {
 
+/// The ends that say something about exponents of limits: positive ones.
+Enclosure positive_part(const Enclosure& exponent);
+
 /// {"levels", "norm", "holder"}.
 Json bound_json(const HolderBound& bound);
 /// Of one variable, by norms.

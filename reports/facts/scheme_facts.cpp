@@ -56,9 +56,9 @@ Fact smoothness_fact(const SmoothnessProof& proof, const Enclosure& exponent, bo
 
 /// Exactly, or where that would not be read, rounded.
 std::string integers_text(const LimitValues& integers) {
-  constexpr std::size_t longest = 40;
+  constexpr std::size_t longest_text = 40;
   const bool exact = std::ranges::all_of(integers.values,
-                                         [](const Rational& value) { return to_text(value).size() <= longest; });
+                                         [](const Rational& value) { return to_text(value).size() <= longest_text; });
   std::string text;
   for (std::size_t i = 0; i < integers.values.size(); ++i)
     text += fmt::format("{}phi({}) = {}", i ? ", " : "", to_text(integers.point(i)),

@@ -1,5 +1,8 @@
 #include "html.hpp"
 
+#include "provenance.hpp"
+#include "typeset.hpp"
+
 #include <fmt/ranges.h>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
@@ -25,10 +28,10 @@ struct PageScript {
 };
 
 constexpr const char* check_button = "class=check";
-constexpr PageScript page_scripts[] = {{"load", check_button},        {"load", "class=turn"},
-                                       {"check_here", check_button},  {"surface", "class=turn"},
-                                       {"surface", "data-surface="},  {"plot", "<svg class=\"picture"},
-                                       {"details", "id=\"details\""}, {"filter", "<form class=filter"}};
+constexpr PageScript page_scripts[] = {
+    {"load", check_button},        {"load", "class=turn"},           {"check_here", check_button},
+    {"surface", "class=turn"},     {"surface", "data-surface="},     {"plot", "<svg class=\"picture"},
+    {"details", "id=\"details\""}, {"filter", "<form class=filter"}, {"explorer", "<form class=explorer"}};
 
 /// The checker runs in a worker, which gets it as a text.
 constexpr const char* worker = "checker";
@@ -78,11 +81,14 @@ std::string slug(const std::string& text) {
 }
 
 std::string html_page(const std::string& title, const std::string& body) {
+  const std::string from = commit(),
+                    made = std::string("subcert ") + version() + (from.empty() ? "" : ", commit " + from);
   return fmt::format(
       "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
-      "content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
-      "<main>\n{}</main>\n{}</body>\n</html>\n",
-      title, page_files.at("style"), body, scripts_for(body));
+      "content=\"width=device-width, initial-scale=1\">\n<meta name=generator content=\"{}\">\n<title>{}</title>\n"
+      "<style>\n{}</style>\n</head>\n<body>\n<main>\n{}<footer class=place>Made by {}.</footer>\n</main>\n{}"
+      "</body>\n</html>\n",
+      made, title, page_files.at("style"), typeset(body), made, scripts_for(body));
 }
 
 std::string data_script(const std::string& id, const std::string& json) {

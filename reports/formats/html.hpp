@@ -12,7 +12,8 @@ std::string html(const std::string& text);
 /// What stays of a text in a link: letters, digits, and single hyphens for the rest; at most 60 characters.
 std::string slug(const std::string& text);
 
-/// A page: its title, the style sheet of all pages, the body, and those scripts that something in the body needs.
+/// A page: its title, the style sheet of all pages, the body as typeset() has it, which program made it, and those
+/// scripts that something in the body needs.
 std::string html_page(const std::string& title, const std::string& body);
 
 /// Data for the scripts of a page, as the JSON text of an element with this id.

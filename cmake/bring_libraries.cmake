@@ -1,0 +1,31 @@
+# Run at an installation: copies the shared libraries that FILE needs, all but those of the C library, into FOLDER
+# below the prefix, with the copyright of each as Debian has it. FILE is a program or, with KIND MODULES, a module,
+# which takes the C++ library that other modules have.
+cmake_policy(VERSION 3.25)
+set(system "^ld-linux" "^lib(c|m|mvec|pthread|dl|rt|util)\\.so")
+if(KIND STREQUAL "MODULES")
+  list(APPEND system "^lib(stdc\\+\\+|gcc_s)\\.so")
+endif()
+file(GET_RUNTIME_DEPENDENCIES ${KIND} "${FILE}" RESOLVED_DEPENDENCIES_VAR libraries PRE_EXCLUDE_REGEXES ${system})
+set(folder "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${FOLDER}")
+file(MAKE_DIRECTORY "${folder}")
+find_program(DPKG_QUERY dpkg-query)
+foreach(library IN LISTS libraries)
+  cmake_path(GET library FILENAME name)
+  message(STATUS "Installing: ${folder}/${name}")
+  file(COPY_FILE "${library}" "${folder}/${name}")
+  file(RPATH_REMOVE FILE "${folder}/${name}")  # a path of its own would replace that of the program
+  file(REAL_PATH "${library}" real)
+  set(owner "")
+  if(DPKG_QUERY)
+    execute_process(COMMAND "${DPKG_QUERY}" -S "${real}" OUTPUT_VARIABLE owner ERROR_QUIET)
+    if(NOT owner)  # of a system whose /lib is a link, the data base may have the other name
+      string(REGEX REPLACE "^/usr" "" short "${real}")
+      execute_process(COMMAND "${DPKG_QUERY}" -S "${short}" OUTPUT_VARIABLE owner ERROR_QUIET)
+    endif()
+  endif()
+  string(REGEX MATCH "^[^:]+" package "${owner}")
+  if(package AND EXISTS "/usr/share/doc/${package}/copyright")
+    file(COPY_FILE "/usr/share/doc/${package}/copyright" "${folder}/${package}.copyright")
+  endif()
+endforeach()

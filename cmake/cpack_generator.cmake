@@ -1,0 +1,12 @@
+# Read by cpack for each kind of package: what is different in them.
+cmake_policy(VERSION 3.25)
+if(CPACK_GENERATOR STREQUAL "DEB")
+  set(CPACK_PRE_BUILD_SCRIPTS "${CPACK_SUBCERT_SOURCE}/cmake/debian_files.cmake")
+else()
+  set(CPACK_COMPONENTS_ALL program libraries)
+  set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+  set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
+  set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY ON)
+  set(CPACK_PACKAGING_INSTALL_PREFIX "")
+  set(CPACK_ARCHIVE_FILE_NAME "${CPACK_PACKAGE_FILE_NAME}")
+endif()

@@ -1,0 +1,36 @@
+# Sourced: a Debian that has little, as the system that runs the test; as root, with a mirror, or the test is skipped.
+skip() { echo "skipped: $1"; exit 77; }
+
+# make_bare_root [PACKAGE,...]: sets $root, which is removed at the end.
+make_bare_root() {
+  [ "$(id -u)" -eq 0 ] || skip "the bare root needs root"
+  command -v mmdebstrap >/dev/null || skip "the bare root needs mmdebstrap"
+  . /etc/os-release
+  [ -n "${VERSION_CODENAME:-}" ] || skip "the system has no code name"
+  mirror=$(apt-get indextargets --format '$(SITE) $(RELEASE) $(IDENTIFIER)' | awk -v release="$VERSION_CODENAME" \
+    '$2 == release && $3 == "Packages" { print $1; exit }')
+  [ -n "$mirror" ] || skip "no mirror with $VERSION_CODENAME is configured"
+  root=$(mktemp -d)
+  trap 'rm -rf "$root"' EXIT
+  mmdebstrap --quiet --mode=root --variant=apt --dpkgopt='path-include=/usr/share/man/*' ${1:+"--include=$1"} \
+    "$VERSION_CODENAME" "$root" "$mirror" || skip "$mirror gives no $VERSION_CODENAME"
+  cp /etc/resolv.conf "$root/etc/resolv.conf"
+  cp -r /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
+  inside apt-get update -qq
+}
+
+inside() {
+  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
+    ${http_proxy:+"http_proxy=$http_proxy"} "$@"
+}
+
+# check TEXT COMMAND...: the command runs in the root and prints the text.
+check() {
+  wanted=$1
+  shift
+  got=$(inside "$@") || { echo "$*: exit code $?"; exit 1; }
+  case "$got" in
+    *"$wanted"*) ;;
+    *) echo "$*: expected $wanted, got $got"; exit 1 ;;
+  esac
+}

@@ -1,0 +1,92 @@
+#include "typeset.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace subcert::formats {
+namespace {
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
+
+constexpr std::pair<std::string_view, std::string_view> words[] = {
+    {"Hoelder", "Hölder"}, {"psi", "<i>ψ</i>"}, {"phi", "<i>φ</i>"}};
+constexpr std::pair<std::string_view, std::string_view> signs[] = {
+    {"&gt;= ", "≥ "}, {"&lt;= ", "≤ "}, {" ... ", " … "}};
+constexpr std::string_view untouched[] = {"script", "style", "math", "svg", "pre", "option", "title", "textarea"};
+
+/// Of what stands behind `^`, as `-2`, `0.5`, `k` or `(2)`: how long it is; 0 where it is no exponent.
+std::size_t exponent_length(std::string_view text) {
+  if (text.empty()) return 0;
+  if (text[0] == '(') {
+    const std::size_t end = text.find(')');
+    return end == std::string_view::npos || end > 8 || text.find('(', 1) < end ? 0 : end + 1;
+  }
+  const auto digit_at = [&](std::size_t i) { return i < text.size() && is_digit(text[i]); };
+  std::size_t length = text[0] == '-' ? 1 : 0;
+  while (digit_at(length) || (length > 0 && digit_at(length - 1) && digit_at(length + 1) && text[length] == '.'))
+    ++length;
+  if (length > 0 && is_digit(text[length - 1])) return length;
+  const bool letter = length < text.size() && std::isalpha(static_cast<unsigned char>(text[length]));
+  return letter && (length + 1 == text.size() || !is_word(text[length + 1])) ? length + 1 : 0;
+}
+
+/// What stands in `text` from `at` on, as it is printed, and how long it was; length 0 where nothing is to be changed.
+std::pair<std::size_t, std::string> printed(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  const char before = at > 0 ? text[at - 1] : ' ';
+  for (const auto& [from, to] : signs)
+    if (rest.starts_with(from)) return {from.size(), std::string(to)};
+  for (const auto& [from, to] : words)
+    if (!is_word(before) && rest.starts_with(from) && (rest.size() == from.size() || !is_word(rest[from.size()])))
+      return {from.size(), std::string(to)};
+  if (rest[0] == '^' && (is_word(before) || before == ')' || before == '|'))
+    if (const std::size_t length = exponent_length(rest.substr(1)); length > 0)
+      return {length + 1, "<sup>" + std::string(rest.substr(1, length)) + "</sup>"};
+  return {0, ""};
+}
+
+/// Adds a text without tags.
+void add(std::string& result, std::string_view text, bool code) {
+  for (std::size_t at = 0; at < text.size();) {
+    if (const auto [length, by] = printed(text, at); length > 0 && !code) {
+      result += by;
+      at += length;
+      continue;
+    }
+    result += text[at++];
+    if (result.back() == ',' && at < text.size() && text[at] != ' ') result += "<wbr>";
+  }
+}
+
+std::string_view name_of(std::string_view tag) {
+  std::size_t length = 1;
+  while (length < tag.size() && std::isalnum(static_cast<unsigned char>(tag[length]))) ++length;
+  return tag.substr(1, length - 1);
+}
+
+}  // namespace
+
+std::string typeset(const std::string& html) {
+  const std::string_view text = html;
+  std::string result;
+  int code = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t tag = std::min(text.find('<', at), text.size());
+    add(result, text.substr(at, tag - at), code > 0);
+    if (tag == text.size()) break;
+    std::size_t end = std::min(text.find('>', tag), text.size() - 1) + 1;
+    const std::string_view name = name_of(text.substr(tag, end - tag));
+    for (const std::string_view one : untouched)
+      if (name == one) end = std::min(text.find("</" + std::string(one), end), text.size());
+    if (name == "code") ++code;
+    if (text.substr(tag).starts_with("</code")) --code;
+    result += text.substr(tag, end - tag);
+    at = end;
+  }
+  return result;
+}
+
+}  // namespace subcert::formats

@@ -1,0 +1,13 @@
+#pragma once
+/// Plain words of a page with the letters and signs that people use.
+
+#include <string>
+
+namespace subcert::formats {
+
+/// The HTML with Hoelder, psi, phi, <=, >=, ... and powers such as n^2 in its texts as they are printed, and places
+/// where lists of numbers may go on in the next line: behind commas. In code only these places; nothing in tags,
+/// scripts, styles, formulas, pictures and what a form shows. Domain: well-formed. Cost: linear.
+std::string typeset(const std::string& html);
+
+}  // namespace subcert::formats

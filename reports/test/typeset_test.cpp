@@ -1,0 +1,42 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/reports/formats/html.hpp>
+#include <subcert/reports/formats/provenance.hpp>
+#include <subcert/reports/formats/typeset.hpp>
+
+using namespace subcert::formats;
+
+TEST_CASE("pages: words, signs and powers as they are printed") {
+  CHECK(typeset("Hoelder exponent &gt;= 2 ... 3, n^2 max |psi'|") ==
+        "Hölder exponent ≥ 2 … 3, n<sup>2</sup> max |<i>ψ</i>'|");
+  CHECK(typeset("||S_b^16||, h^0.99 of f^(2), 2^-8, C^k, phi(x)^2") ==
+        "||S_b<sup>16</sup>||, h<sup>0.99</sup> of f<sup>(2)</sup>, 2<sup>-8</sup>, C<sup>k</sup>, "
+        "<i>φ</i>(x)<sup>2</sup>");
+  CHECK(typeset("<p>psi</p>") == "<p><i>ψ</i></p>");
+}
+
+TEST_CASE("pages: what is no word or power stays") {
+  for (const char* text : {"psi_n", "epsilon", "graphic", "phi2", "^2", "a ^ b", "2^", "x^^2", "x^word", "a^((k-1)", "",
+                           "...", "&lt;=", "a <b title=\"psi^2 ... phi\">b</b>"})
+    CHECK(typeset(text) == text);
+}
+
+TEST_CASE("pages: lists break behind commas alone") {
+  CHECK(typeset("[1,-3,3]/4, or so") == "[1,<wbr>-3,<wbr>3]/4, or so");
+  CHECK(typeset("<code>mask:[1,2]/4 psi^2 &lt;= 3</code> psi") ==
+        "<code>mask:[1,<wbr>2]/4 psi^2 &lt;= 3</code> <i>ψ</i>");
+}
+
+TEST_CASE("pages: scripts, formulas, pictures and forms are as they were") {
+  for (const char* kind : {"script", "style", "math", "svg", "pre", "option", "title", "textarea"}) {
+    const std::string element = std::string("<") + kind + " id=a>psi^2, 1,2 ... Hoelder</" + kind + ">";
+    CHECK(typeset(element + "psi") == element + "<i>ψ</i>");
+  }
+  for (const char* broken : {"<", "<b", "<script>psi", "a<"}) CHECK(typeset(broken) == broken);
+}
+
+TEST_CASE("pages: each says which program made it") {
+  const std::string page = html_page("title", "<p>body</p>\n");
+  CHECK(page.find(std::string("<meta name=generator content=\"subcert ") + version()) != std::string::npos);
+  CHECK(page.find(std::string("Made by subcert ") + version()) != std::string::npos);
+  CHECK(page.find(commit()) != std::string::npos);
+}

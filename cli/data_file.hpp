@@ -25,7 +25,8 @@ struct DataFile {
 /// the variables.
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed);
 
-/// Throws a data error where a direction has fewer points, of those that are closed and those that are not, or is closed and repeats its first points at the end.
+/// Throws a data error where a direction has fewer points, of those that are closed and those that are not, or is
+/// closed and repeats its first points at the end.
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,
                 const std::vector<std::size_t>& fewest, const std::vector<std::size_t>& fewest_closed);
 

@@ -116,14 +116,13 @@ std::string explorer_html(const ParametricScheme& scheme, const Rational& low, c
       "<dd class=mask data-shows=mask></dd>\n<dt>Hoelder exponent</dt><dd data-shows=value "
       "aria-live=polite></dd>\n</dl>\n"
       "<div class=pictures>\n{}{}{}</div>\n{}",
-      formats::html(scheme.specification), formats::html(scheme.title), scheme.parameter, to_text(low), to_text(high),
-      scheme.parameter, values.size() - 1, values.size() / 2, scheme.parameter,
+      formats::html(scheme.specification), formats::html(scheme.title), scheme.name, to_text(low), to_text(high),
+      scheme.name, values.size() - 1, values.size() / 2, scheme.name,
       figure("curve", "the exponent: between the lines, with proof"),
       figure("limit", "phi, the limit of the unit sequence"),
       figure("variance", "psi, the variance of limits of unit noise, over one period"),
-      formats::data_script(
-          "explorer",
-          Json{{"letter", std::string(1, scheme.parameter)}, {"values", shown}, {"curve", curve_json(curve)}}.dump()));
+      formats::data_script("explorer",
+                           Json{{"letter", scheme.name}, {"values", shown}, {"curve", curve_json(curve)}}.dump()));
   return formats::html_page(formats::html(scheme.specification), body);
 }
 

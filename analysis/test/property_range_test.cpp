@@ -301,8 +301,8 @@ TEST_CASE("specifications of families") {
   CHECK(make_parametric_scheme("four-point:w").mask.to_text('w') == "[-w,0,1/2+w,1,1/2+w,0,-w]@-3");
   CHECK(make_parametric_scheme("mask:[1-t,1,t]/1@0").specification == "mask:[1-t,1,t]@0");
   for (const char* bad :
-       {"mask:[1,2,1]/2", "mask:[v,1-v,w,1-w]", "mask:[w,1]", "mask:[w,1/w]", "four-point:", "four-point:ww",
-        "mask:[w,1-w,w*,1]", "primal:n=w", "mask:", "mask:[w,w,1-w,1-w]@x", "mask:[w^13,1,1-w^13]", "mask:[1,1,w]/(1+w",
+       {"mask:[1,2,1]/2", "mask:[v,1-v,w,1-w]", "mask:[w,1]", "mask:[w,1/w]", "four-point:", "mask:[w,1-w,w*,1]",
+        "primal:n=w", "mask:", "mask:[w,w,1-w,1-w]@x", "mask:[w^13,1,1-w^13]", "mask:[1,1,w]/(1+w",
         "mask:[1,1+w,w]/(w-w)", "mask:[w,1,1-w]/(1+v)", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",
         "regression:stencils=[-1..1;-1..2],at=[0;w],weights=[v;1;1|1;1;1;1]",
         "regression:stencils=[-1..1;-1..2],at=[0;w],weights=[0;w;1|1;1;1;1]",

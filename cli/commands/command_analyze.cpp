@@ -56,7 +56,7 @@ ExitCode analyze_family(const AnalyzeOptions& options) {
          options.html.empty() ? "--over" : "--html", options.html.empty() ? "--html FILE" : "--over w=LOW..HIGH");
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   if (!options.html.empty()) {
-    const auto [low, high] = read_over(options.over, scheme.parameter);
+    const auto [low, high] = read_over(options.over, scheme.name);
     reports::ExplorerOptions limits;
     limits.jobs = options.threads();
     limits.budget.deadline = Deadline::in(options.budget);

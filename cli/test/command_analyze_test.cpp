@@ -82,7 +82,8 @@ TEST_CASE("analyze: a page on which a parameter is moved") {
     };
     CHECK(at(0) == 1);
     double sum = 0, squares = 0;
-    for (double x = -2.5; x < 3; ++x) {
+    for (int k = 0; k < 6; ++k) {
+      const double x = k - 2.5;
       sum += at(x);
       squares += at(x) * at(x);
     }

@@ -76,8 +76,8 @@ std::string product_text(std::size_t block, const RationalComplex& eigenvalue, c
                      fmt::join(word, " "));
 }
 
-/// Whether the eigenvalue that the line `product` gives has the modulus of the lower end itself; one that is multiple is
-/// a little off. It need not be known to be the largest.
+/// Whether the eigenvalue that the line `product` gives has the modulus of the lower end itself; one that is multiple
+/// is a little off. It need not be known to be the largest.
 bool is_exactly_given(const ProductEvidence& product) {
   const auto letters = static_cast<long>(product.word.size());
   return product.eigenvalue.squared_modulus() == power(*product.radius.lower, 2 * letters);

@@ -92,7 +92,7 @@ TEST_CASE("the fit reproduces polynomials of its degree") {
 
 TEST_CASE("broken preconditions name the inequality") {
   CHECK_FAILS(regression_weights({}, {}, 0, 0), domain);
-  CHECK_FAILS(regression_weights({0, 1, 0}, {}, 1, 0), domain);
+  CHECK_FAILS(regression_weights({0, 0, 0}, {}, 1, 0), domain);
   CHECK_FAILS(regression_weights({0, 1}, {1}, 1, 0), domain);
   CHECK_FAILS(regression_weights({0, 1}, {1, 0}, 1, 0), domain);
   CHECK_FAILS(regression_weights({0, 1}, {}, -1, 0), domain);

@@ -101,11 +101,11 @@ def smooth(
     `spacing`, by default the mean, is that of the answer. At the data the answer has the order of `y`; on a grid it
     falls where `x` falls. `scheme`: a scheme or a specification, also "local:points=21,d=1" and its like; by default
     the one with the smallest estimated error. `weights`: prior weights, inverse to the variance of the noise; 0:
-    missing. `bands`: level of the confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
-    prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this grid,
-    or at the data ("data"). `noise`: its standard deviation, where it is known. `boundary`: interp, mirror, nearest,
-    constant or wrap. Raises DataError for samples that cannot be smoothed, DomainError for a scheme without proof of
-    convergence.
+    missing. `bands`: level of the confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected
+    value of the limit, or prediction, for a new datum. `level`: values at the multiples of arity^-level of the
+    spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard deviation, where it is known.
+    `boundary`: interp, mirror, nearest, constant or wrap. Raises DataError for samples that cannot be smoothed,
+    DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")

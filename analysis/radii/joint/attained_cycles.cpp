@@ -19,8 +19,8 @@ bool is_near(const ComplexVector& v, const RationalComplex& factor, const Comple
 class Cycles {
  public:
   Cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
-         const CycleFactors& known, const Deadline& deadline)
-      : candidate_(candidate), polytope_(polytope), known_(known), deadline_(deadline) {
+         const CycleFactors& known, const std::vector<bool>& inside, const Deadline& deadline)
+      : candidate_(candidate), polytope_(polytope), known_(known), inside_(inside), deadline_(deadline) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
   }
 
@@ -40,8 +40,11 @@ class Cycles {
     if (proof_.cycles.empty()) return "no vertex of the polytope stems from an eigenvector";
     for (AttainedProof::Cycle& cycle : proof_.cycles)
       if (!find_last(cycle)) return "an image of the first vertex of a cycle is no vertex";
-    for (const PolytopeCandidate::Image& image : candidate_.images)
-      if (image.identity && !image.terms.front().conjugated) add_coincidence(image);
+    for (std::size_t i = 0; i < candidate_.images.size(); ++i) {
+      const PolytopeCandidate::Image& image = candidate_.images[i];
+      const bool lies_inside = i < inside_.size() && inside_[i];
+      if (image.identity && !lies_inside && !image.terms.front().conjugated) add_coincidence(image);
+    }
     proof_.number = common_->first.number(common_->second);
     return "";
   }
@@ -143,6 +146,7 @@ class Cycles {
   const PolytopeCandidate& candidate_;
   const PolytopeProof& polytope_;
   const CycleFactors& known_;
+  const std::vector<bool>& inside_;
   Deadline deadline_;
   std::vector<RationalMatrix> matrices_;
   std::map<Image, std::size_t> children_;                        // vertices that are images
@@ -153,8 +157,8 @@ class Cycles {
 }  // namespace
 
 void find_cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
-                 const CycleFactors& known, const Deadline& deadline) {
-  Cycles cycles(family, candidate, polytope, known, deadline);
+                 const CycleFactors& known, const std::vector<bool>& inside, const Deadline& deadline) {
+  Cycles cycles(family, candidate, polytope, known, inside, deadline);
   polytope.not_attained = cycles.run();
   polytope.attained = polytope.not_attained.empty() ? std::optional(std::move(cycles.proof())) : std::nullopt;
 }

@@ -61,6 +61,7 @@ class Proof {
     // kappa: norm by the true polytope / norm by the rational one.
     if (error_ >= 1) return unknown("the vertices are not known well enough");
     const Rational kappa = 1 / (1 - error_);
+    inside_.assign(candidate_.images.size(), false);
     for (std::size_t i = 0; i < candidate_.images.size(); ++i) {
       const PolytopeCandidate::Image& image = candidate_.images[i];
       if (deadline_.expired()) return unknown(no_time);
@@ -70,11 +71,14 @@ class Proof {
       if (moduli + kappa * rest >= lower_)
         return unknown(image.identity ? "an image coincides with a vertex for no known reason"
                                       : "an image lies too near to the boundary");
+      inside_[i] = true;
     }
     return {Truth::yes, "every image is a vertex or lies inside, and the product attains the radius"};
   }
 
   const CycleFactors& factors() const { return factors_; }
+  /// For each image, whether it was shown to lie inside, and not to be a vertex.
+  const std::vector<bool>& inside() const { return inside_; }
 
  private:
   /// A product and one of its leading eigenvectors, of which the images along the word are roots of the polytope.
@@ -457,6 +461,7 @@ class Proof {
   std::vector<Cycle> cycles_;
   std::map<std::size_t, std::size_t> cycle_of_root_;
   CycleFactors factors_;
+  std::vector<bool> inside_;
   Rational error_ = 0;
 };
 
@@ -466,7 +471,7 @@ Decision product_attains_radius(const MatrixFamily& family, const PolytopeCandid
                                 const Rational& lower, const Deadline& deadline) {
   Proof proof(family, candidate, polytope, lower, deadline);
   Decision decision = proof.run();
-  if (candidate.closed) find_cycles(family, candidate, polytope, proof.factors(), deadline);
+  if (candidate.closed) find_cycles(family, candidate, polytope, proof.factors(), proof.inside(), deadline);
   return decision;
 }
 

@@ -296,7 +296,7 @@ std::optional<PolytopeProof> strict_proof(const MatrixFamily& family, std::vecto
   Orbit orbit(family, power_of_radius, letters, true, budget);
   if (!orbit.grow(starts)) return std::nullopt;
   auto proof = certify_polytope(family, orbit.candidate(), budget);
-  if (proof) find_cycles(family, orbit.candidate(), *proof, {}, budget.deadline);
+  if (proof) find_cycles(family, orbit.candidate(), *proof, {}, {}, budget.deadline);
   return proof;
 }
 

@@ -67,6 +67,7 @@ struct SmoothnessRange {
   int first;                ///< the least n from which on all limits have them
   int start;                ///< n_1: from here on for all n at once
   std::optional<int> rate;  ///< n_2: from here on the rate holds with constants
+  bool is_found = true;     ///< else the inequalities fail at `start` as at all numbers tried before
 };
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree);
 

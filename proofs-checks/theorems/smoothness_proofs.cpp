@@ -266,6 +266,7 @@ SmoothnessRange find_range(const SchemeFamily& family, int degree) {
   SmoothnessRange range{alias_order(family.evaluation, degree) - 1, 2, tail, 2};
   if (is_degree_one(family, degree)) return range;
   const auto start = first_start(degree, [&](Ledger& ledger, int from) { state_class(ledger, family, degree, from); });
+  range.is_found = start.has_value();
   range.start = start.value_or(*std::rbegin(tried));
   range.rate = first_start(degree, [&](Ledger& ledger, int from) { state_rate(ledger, family, degree, from, ""); });
   return range;
@@ -311,7 +312,8 @@ SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {
   if (!is_new) return found->second;
   SmoothnessRange range = find_range(family, degree);
   range.first = range.start;
-  while (range.first > family.least_n(degree) && exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
+  // Without a start there is no theorem, and single schemes need not be looked at.
+  while (range.is_found && range.first > family.least_n(degree) && exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
     --range.first;
   return found->second = range;
 }

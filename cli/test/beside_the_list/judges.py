@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from oracles import DifferenceScheme, Words
 
-ENDINGS = {0, 1, 2}  # of what is well formed
+ENDINGS = {0, 1, 2, 3}  # of what is well formed
 # Reasons for no certificate: the mask's own bounds, not those of its factors; a proof that takes more time.
 NO_CLAIM = ("need a positive lower bound", "with a longer budget a proof may be found")
 LONG_CHECK = "more work than"  # says the checker, after some ten seconds

@@ -313,7 +313,8 @@ SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {
   SmoothnessRange range = find_range(family, degree);
   range.first = range.start;
   // Without a start there is no theorem, and single schemes need not be looked at.
-  while (range.is_found && range.first > family.least_n(degree) && exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
+  while (range.is_found && range.first > family.least_n(degree) &&
+         exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
     --range.first;
   return found->second = range;
 }

@@ -13,8 +13,6 @@ namespace {
 
 constexpr int most_levels = 100;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 void append_utf8(std::uint32_t code, std::string& text) {
   const auto byte = [&](std::uint32_t value) { text += static_cast<char>(static_cast<unsigned char>(value)); };
   if (code < 0x80) return byte(code);

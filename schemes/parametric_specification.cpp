@@ -11,6 +11,7 @@
 #include <subcert/analysis/symbol/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/rational_matrix.hpp>
 #include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 
 #include <fmt/ranges.h>
 
@@ -29,8 +30,6 @@ constexpr long max_symbolic_work = 500;  // points * d^2 of a regression: its fr
 constexpr const char* mask_usage = "mask:[-w,0,1/2+w,1,1/2+w,0,-w]@-3,arity=2";
 constexpr const char* algebraic_usage = "mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1.7..1.8";
 constexpr const char* regression_usage = "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]";
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Whether the letter at this place belongs to a decimal, as in 25e-2.
 bool is_of_decimal(std::string_view text, std::size_t at) {

@@ -68,8 +68,6 @@ std::optional<string_view> found(const std::array<std::pair<Key, string_view>, N
   return std::nullopt;
 }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_whole(string_view text) {
   if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
   return !text.empty() && std::ranges::all_of(text, is_digit);

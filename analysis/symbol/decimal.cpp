@@ -1,6 +1,7 @@
 #include "decimal.hpp"
 
 #include "error.hpp"
+#include "utf8.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,8 +11,6 @@ namespace {
 
 constexpr std::size_t max_digits = 1000;
 constexpr long max_exponent = 400;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Moves the digits at the front of `text` to `digits`.
 void take_digits(std::string_view& text, std::string& digits) {

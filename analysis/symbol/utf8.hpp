@@ -1,5 +1,5 @@
 #pragma once
-/// Characters of texts in UTF-8, and the blanks about a text.
+/// Characters of texts in UTF-8, digits and letters among them, and the blanks about a text.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,10 @@ struct Character {
 
 /// The first one of a text. Domain: not empty.
 Character first_character(std::string_view text);
+
+/// Of ASCII.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Without the blanks at its ends, which are spaces and tabs.
 std::string trimmed(std::string_view text);

@@ -19,8 +19,6 @@ struct Number {
   std::size_t length;
 };
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 std::vector<Number> numbers(const std::string& text) {
   std::vector<Number> result;
   for (std::size_t i = 0; i < text.size();) {

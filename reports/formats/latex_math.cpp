@@ -1,6 +1,7 @@
 #include "latex_math.hpp"
 
 #include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -17,9 +18,6 @@ using Nodes = std::vector<MathNode>;
 constexpr std::size_t longest_text = 5000;
 constexpr int deepest = 50;   ///< nested arguments
 constexpr int highest = 100;  ///< of a tree; matching brackets are levels, too
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 struct Symbol {
   std::string text;

@@ -3,12 +3,12 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/utf8.hpp>
 #include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace subcert::formats {
 namespace {
@@ -18,9 +18,6 @@ std::string with_all_replaced(std::string text, std::string_view from, std::stri
     text.replace(at, from.size(), to);
   return text;
 }
-
-bool is_decimal_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_latin_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 std::string latex_fraction(const std::string& above, const std::string& below) {
   return below == "1" ? above : "\\frac{" + above + "}{" + below + "}";
@@ -38,7 +35,7 @@ std::string_view run_of(std::string_view text, std::size_t begin, Is is) {
 std::string with_zeros(std::string decimal, int digits) {
   if (decimal.find('e') != std::string::npos) return decimal;
   const auto first = std::ranges::find_if(decimal, [](char c) { return c >= '1' && c <= '9'; });
-  const auto shown = std::count_if(first, decimal.end(), is_decimal_digit);
+  const auto shown = std::count_if(first, decimal.end(), is_digit);
   if (shown >= digits) return decimal;
   if (decimal.find('.') == std::string::npos) decimal += '.';
   return decimal + std::string(static_cast<std::size_t>(digits - shown), '0');
@@ -123,24 +120,24 @@ std::string markdown_table(const TableRows& rows) {
 std::string latex_formula(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    if (const std::string_view word = run_of(text, i, is_latin_letter); !word.empty()) {
+    if (const std::string_view word = run_of(text, i, is_letter); !word.empty()) {
       result += is_greek(word)     ? "\\" + std::string(word)
                 : word.size() == 1 ? std::string(word)
                                    : "\\mathrm{" + std::string(word) + "}";
       i += word.size();
-    } else if (const std::string_view digits = run_of(text, i, is_decimal_digit); !digits.empty()) {
-      const bool is_index = i > 0 && is_latin_letter(text[i - 1]);
+    } else if (const std::string_view digits = run_of(text, i, is_digit); !digits.empty()) {
+      const bool is_index = i > 0 && is_letter(text[i - 1]);
       i += digits.size();
       if (is_index) {
         result += "_{" + std::string(digits) + "}";
         continue;
       }
-      const std::string_view below = i < text.size() && text[i] == '/' ? run_of(text, i + 1, is_decimal_digit) : "";
+      const std::string_view below = i < text.size() && text[i] == '/' ? run_of(text, i + 1, is_digit) : "";
       result += below.empty() ? std::string(digits) : latex_fraction(std::string(digits), std::string(below));
       i += below.empty() ? 0 : below.size() + 1;
     } else if (text[i] == '^') {
       const std::size_t sign = i + 1 < text.size() && text[i + 1] == '-' ? 1 : 0;
-      const std::string_view power = run_of(text, i + 1 + sign, is_decimal_digit);
+      const std::string_view power = run_of(text, i + 1 + sign, is_digit);
       result += "^{" + std::string(sign, '-') + std::string(power) + "}";
       i += 1 + sign + power.size();
     } else {
@@ -148,7 +145,7 @@ std::string latex_formula(std::string_view text) {
       result += two == "<=" ? "\\le" : two == ">=" ? "\\ge" : text[i] == '*' ? " " : std::string(1, text[i]);
       const bool relation = two == "<=" || two == ">=";
       i += relation ? 2 : 1;
-      if (relation && i < text.size() && is_latin_letter(text[i])) result += ' ';  // as \lex is another command
+      if (relation && i < text.size() && is_letter(text[i])) result += ' ';  // as \lex is another command
     }
   }
   return result;

@@ -1,5 +1,7 @@
 #include "typeset.hpp"
 
+#include <subcert/analysis/symbol/utf8.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -9,7 +11,6 @@ namespace subcert::formats {
 namespace {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_figure(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 constexpr std::pair<std::string_view, std::string_view> words[] = {
     {"Hoelder", "Hölder"}, {"psi", "<i>ψ</i>"}, {"phi", "<i>φ</i>"}};
@@ -24,11 +25,11 @@ std::size_t exponent_length(std::string_view text) {
     const std::size_t end = text.find(')');
     return end == std::string_view::npos || end > 8 || text.find('(', 1) < end ? 0 : end + 1;
   }
-  const auto digit_at = [&](std::size_t i) { return i < text.size() && is_figure(text[i]); };
+  const auto digit_at = [&](std::size_t i) { return i < text.size() && is_digit(text[i]); };
   std::size_t length = text[0] == '-' ? 1 : 0;
   while (digit_at(length) || (length > 0 && digit_at(length - 1) && digit_at(length + 1) && text[length] == '.'))
     ++length;
-  if (length > 0 && is_figure(text[length - 1])) return length;
+  if (length > 0 && is_digit(text[length - 1])) return length;
   const bool letter = length < text.size() && std::isalpha(static_cast<unsigned char>(text[length]));
   return letter && (length + 1 == text.size() || !is_word(text[length + 1])) ? length + 1 : 0;
 }

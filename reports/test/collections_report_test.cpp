@@ -7,14 +7,25 @@
 using namespace subcert;
 using namespace subcert::reports;
 
-TEST_CASE("published exponents of Daubechies' scaling functions") {
+namespace {
+
+/// Of a collection with one table of comparisons, whose verdicts are those on record.
+Report recorded_report(const char* collection) {
   ReportOptions options;
   options.jobs = 2;
-  const Report report = make_report("daubechies", options);
+  Report report = make_report(collection, options);
   CHECK(report.as_recorded());
-  const auto tables = report.comparison_tables();
-  REQUIRE(tables.size() == 1);
-  CHECK(tables.front()->count(ValueVerdict::match) == static_cast<int>(tables.front()->comparisons.size()));
+  REQUIRE(report.comparison_tables().size() == 1);
+  return report;
+}
+
+const formats::ComparisonTable& only_table(const Report& report) { return *report.comparison_tables().front(); }
+
+}  // namespace
+
+TEST_CASE("published exponents of Daubechies' scaling functions") {
+  const Report report = recorded_report("daubechies");
+  CHECK(only_table(report).count(ValueVerdict::match) == static_cast<int>(only_table(report).comparisons.size()));
   const formats::PlainTable& exponents = report.sections.front().tables.front();
   REQUIRE(exponents.rows.size() == 20);
   CHECK(exponents.rows.back().front() == "D42");
@@ -28,13 +39,8 @@ TEST_CASE("published exponents of Daubechies' scaling functions") {
 }
 
 TEST_CASE("published ranges of a parameter") {
-  ReportOptions options;
-  options.jobs = 2;
-  const Report report = make_report("families", options);
-  CHECK(report.as_recorded());
-  const auto tables = report.comparison_tables();
-  REQUIRE(tables.size() == 1);
-  const formats::ComparisonTable& table = *tables.front();
+  const Report report = recorded_report("families");
+  const formats::ComparisonTable& table = only_table(report);
   CHECK(table.comparisons.size() >= 10);
   CHECK(table.count(ValueVerdict::match) == static_cast<int>(table.comparisons.size()));
   for (const formats::Comparison& comparison : table.comparisons) {
@@ -49,17 +55,12 @@ TEST_CASE("published ranges of a parameter") {
 }
 
 TEST_CASE("published joint spectral radii") {
-  ReportOptions options;
-  options.jobs = 2;
-  const Report report = make_report("jsr", options);
-  CHECK(report.as_recorded());
-  const auto tables = report.comparison_tables();
-  REQUIRE(tables.size() == 1);
-  CHECK(tables.front()->comparisons.size() >= 18);
+  const Report report = recorded_report("jsr");
+  CHECK(only_table(report).comparisons.size() >= 18);
   // One last digit is wrong in print.
-  CHECK(tables.front()->count(ValueVerdict::mismatch) == 1);
+  CHECK(only_table(report).count(ValueVerdict::mismatch) == 1);
   // The pair at the end of its plateau, on a slow machine.
-  CHECK(tables.front()->count(ValueVerdict::open) <= 1);
+  CHECK(only_table(report).count(ValueVerdict::open) <= 1);
   const formats::PlainTable& families = report.sections.front().tables.front();
   const auto& rows = families.rows;
   const auto& proofs = families.proofs;

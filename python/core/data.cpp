@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 namespace subcert::python {
@@ -120,17 +119,14 @@ data::PositionOrder set_positions(data::Samples& samples, const DoubleArray& pos
     fail(ErrorKind::data, "x: need one datum for each position, got {} twice; irregular=True takes several",
          x[*order.repeated]);
   if (x.front() == x.back()) fail(ErrorKind::data, "x: need two different positions, got {} alone", x.front());
-  std::vector<double> different;
-  std::ranges::unique_copy(x, std::back_inserter(different));
-  const data::UniformGrid grid = data::uniform_grid(different);
-  if (!grid.uniform && !irregular)
+  const data::UniformGrid grid = samples.put_at(std::move(x));
+  if (!samples.uniform() && !irregular) {
+    const double low = samples.positions[grid.worst], high = samples.positions[grid.worst + 1];
     fail(ErrorKind::data,
          "x: need a uniform grid, got the spacing {:g} between {} and {} where the mean is {:g}; irregular=True takes "
          "positions as they are",
-         x[grid.worst + 1] - x[grid.worst], x[grid.worst], x[grid.worst + 1], grid.spacing.convert_to<double>());
-  samples.origin = grid.origin;
-  samples.spacing = grid.spacing;
-  (grid.uniform && !order.repeated ? samples.given : samples.positions) = std::move(x);
+         high - low, low, high, grid.spacing.convert_to<double>());
+  }
   return order;
 }
 

@@ -82,6 +82,8 @@ bool is_letter(char c) {
 
 }  // namespace
 
+bool is_missing(std::string_view field) { return read_field(field, '.').kind == Kind::missing; }
+
 /// The state of a reader between lines.
 class TableReader::Lines {
  public:

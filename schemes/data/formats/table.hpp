@@ -40,6 +40,9 @@ struct Table {
 /// How missing values are taken: refused, or kept as NaN where a field is empty, `nan`, `NA` or `null`.
 enum class Missing { refuse, keep };
 
+/// Whether this field is a missing value.
+bool is_missing(std::string_view field);
+
 /// How a table is read.
 struct TableForm {
   TableForm(Missing how = Missing::refuse)

@@ -87,8 +87,7 @@ DateForm read_dates(const SampleOptions& options, Table& table, const std::vecto
   std::optional<DateForm> form;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     double& value = table.values[i * table.columns + column];
-    if (const std::string& field = fields[i]; field.empty() || field == "NA" || field == "null" || field == "NaN")
-      continue;
+    if (is_missing(fields[i])) continue;
     const auto date = parse_date(fields[i]);
     if (!date || (form && *form != date->form))
       fail(ErrorKind::data, "{}: expected a date{}; found {}", place(options, table, i, column),
@@ -122,9 +121,9 @@ void require_increasing(const SampleOptions& options, const Table& table, std::s
            before ? " after " + shown(decimal_value(*before)) : "");
 }
 
-/// Sorts the rows by their positions.
-void sort_rows(const SampleOptions& options, std::size_t column, Table& table, NamedSamples& samples) {
-  const std::vector<double> x = read_positions(options, table, column);
+/// Sorts the rows by their positions, which are the answer.
+std::vector<double> sort_rows(const SampleOptions& options, std::size_t column, Table& table, NamedSamples& samples) {
+  std::vector<double> x = read_positions(options, table, column);
   const PositionOrder order = order_of(x);
   if (order.rows.empty())
     fail(ErrorKind::data, "{}, column {}: expected positions; found missing values alone", options.name(), column + 1);
@@ -132,40 +131,36 @@ void sort_rows(const SampleOptions& options, std::size_t column, Table& table, N
   const std::size_t left_out = x.size() - order.rows.size();
   if (left_out > 0) samples.remarks.push_back(fmt::format("rows without a position, left out: {}", left_out));
   if (!order.rising && !order.falling) samples.remarks.emplace_back("the rows were sorted by their positions");
-  if (left_out > 0 || !order.rising) table = selected(table, order.rows);
+  if (left_out > 0 || !order.rising) {
+    table = selected(table, order.rows);
+    x = read_positions(options, table, column);
+  }
   if (order.repeated && options.irregular != "fit") {
     const std::size_t second = *order.repeated;
     fail(ErrorKind::data,
          "{}, lines {} and {}: expected one row for each position; found {} twice (--irregular fit takes several data "
          "at one position)",
-         options.name(), table.lines[second - 1], table.lines[second], shown(decimal_value(x[order.rows[second]])));
+         options.name(), table.lines[second - 1], table.lines[second], shown(decimal_value(x[second])));
   }
+  return x;
 }
 
-/// Sets origin and spacing, or names the spacing that is farthest from the mean. Domain: rows sorted by position.
-void set_grid(const SampleOptions& options, const Table& table, std::size_t column, Samples& samples) {
-  std::vector<double> x = read_positions(options, table, column), different;
-  std::ranges::unique_copy(x, std::back_inserter(different));
-  if (x.size() > 1 && different.size() == 1)
+/// Puts the samples at the positions of these rows, or names the spacing that is farthest from the mean. Domain: rows
+/// sorted by position.
+void set_grid(const SampleOptions& options, const Table& table, std::vector<double> x, Samples& samples) {
+  if (x.size() > 1 && x.front() == x.back())
     fail(ErrorKind::data, "{}: expected two different positions; found {} alone", options.name(),
          shown(decimal_value(x.front())));
-  const auto decimal = [&](std::size_t i) { return decimal_value(x[i]); };
-  const UniformGrid grid = uniform_grid(different);
-  const bool uniform = grid.uniform && different.size() == x.size();
-  if (uniform) {
-    samples.given = std::move(x);
-  } else if (options.irregular == "fit") {
-    samples.positions = std::move(x);
-  } else {
+  const UniformGrid grid = samples.put_at(std::move(x));
+  if (!samples.uniform() && options.irregular != "fit") {
     const std::size_t worst = grid.worst;
+    const auto decimal = [&](std::size_t i) { return decimal_value(samples.positions[i]); };
     fail(ErrorKind::data,
          "{}, lines {} and {}: expected a uniform grid, the mean spacing is {}; found the spacing {} between {} and {} "
          "(--irregular fit takes positions as they are)",
          options.name(), table.lines[worst], table.lines[worst + 1], shown(grid.spacing),
          shown(decimal(worst + 1) - decimal(worst)), shown(decimal(worst)), shown(decimal(worst + 1)));
   }
-  samples.origin = grid.origin;
-  samples.spacing = grid.spacing;
   if (const auto spacing = given_spacing(options); spacing && !samples.uniform()) samples.spacing = *spacing;
 }
 
@@ -218,6 +213,7 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
     use.x = left.front();
     left.erase(left.begin());
   }
+  if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), holds_dates);
   std::erase_if(left, holds_dates);
   if (use.values.empty()) use.values = left;
   if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
@@ -305,8 +301,8 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
                         const std::vector<std::size_t>& kept) {
   NamedSamples samples = named_columns(table, use);
   if (use.x) {
-    sort_rows(options, *use.x, table, samples);
-    set_grid(options, table, *use.x, samples);
+    std::vector<double> x = sort_rows(options, *use.x, table, samples);
+    set_grid(options, table, std::move(x), samples);
   }
   set_rows(options, table, use, samples);
   const auto counts = [&](std::size_t i) { return samples.weights.empty() || samples.weights[i] != 0; };

@@ -113,6 +113,17 @@ DataSites Samples::sites() const {
   return sites;
 }
 
+UniformGrid Samples::put_at(std::vector<double> x) {
+  const bool once = std::ranges::adjacent_find(x) == x.end();
+  std::vector<double> different;
+  if (!once) std::ranges::unique_copy(x, std::back_inserter(different));
+  UniformGrid grid = uniform_grid(once ? x : different);
+  origin = grid.origin;
+  spacing = grid.spacing;
+  (grid.uniform && once ? given : positions) = std::move(x);
+  return grid;
+}
+
 bool Samples::repeated() const { return std::ranges::adjacent_find(positions) != positions.end(); }
 
 Samples merged(const Samples& samples) {

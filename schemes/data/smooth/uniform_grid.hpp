@@ -80,6 +80,9 @@ struct Samples {
   bool uniform() const { return positions.empty(); }
   /// Whether several data have one position.
   bool repeated() const;
+  /// Puts the data at these positions: on their uniform grid, or one by one, with origin and mean spacing of that grid,
+  /// which is the answer. Domain: as many as data, in order, not all of several equal.
+  UniformGrid put_at(std::vector<double> x);
   /// With positions in spacings, rounded.
   DataSites sites() const;
   std::vector<double> rounded_weights() const;

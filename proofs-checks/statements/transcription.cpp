@@ -125,7 +125,7 @@ Formula Transcriptions::formula(const std::string& id, Form form) const {
 }
 
 std::vector<Formula> Transcriptions::list(const std::string& id, Form form) const {
-  const std::string whole = trimmed(form_text(text(id), form));
+  std::string whole = trimmed(form_text(text(id), form));
   const std::size_t close = whole.rfind(']');
   if (whole.empty() || whole.front() != '[' || close == std::string::npos)
     throw ParseError("transcription", whole, 1, "a list in square brackets");

@@ -285,7 +285,7 @@ class Reader {
     const bool braces = at_ < text_.size() && text_[at_] == '{';
     std::size_t end = braces ? text_.find('}', at_) : std::min(at_ + 1, text_.size());
     if (end == std::string_view::npos) wrong(begin, "'}'");
-    const std::string letters(text_.substr(begin + (braces ? 1 : 0), end - begin - (braces ? 1 : 0)));
+    std::string letters(text_.substr(begin + (braces ? 1 : 0), end - begin - (braces ? 1 : 0)));
     at_ = end + (braces ? 1 : 0);
     for (const char c : letters)
       if (!is_letter(c) && (!is_digit(c) || whole == "\\mathcal")) wrong(begin, "plain letters behind " + whole);
@@ -351,18 +351,19 @@ class Reader {
         break;
       }
     }
-    if (!below && above.empty()) return;
+    const bool has_above = !above.empty();
+    if (!below && !has_above) return;
     const bool has_base = !nodes.empty() && nodes.back().kind != Kind::space;
     Nodes parts;
     parts.push_back(has_base ? std::move(nodes.back()) : made(Kind::row, {}, begin));
     if (has_base) nodes.pop_back();
     if (below) parts.push_back(std::move(*below));
-    if (!above.empty())
+    if (has_above)
       parts.push_back(above.size() == 1 ? std::move(above.front()) : made(Kind::row, std::move(above), begin));
     const std::size_t first = parts.front().begin;
-    nodes.push_back(made(!below          ? Kind::superscript
-                         : above.empty() ? Kind::subscript
-                                         : Kind::scripts,
+    nodes.push_back(made(!below       ? Kind::superscript
+                         : !has_above ? Kind::subscript
+                                      : Kind::scripts,
                          std::move(parts), first));
     nodes.back().atom = nodes.back().parts.front().atom;
   }

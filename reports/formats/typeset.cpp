@@ -23,7 +23,7 @@ std::size_t exponent_length(std::string_view text) {
   if (text.empty()) return 0;
   if (text[0] == '(') {
     const std::size_t end = text.find(')');
-    return end == std::string_view::npos || end > 8 || text.find('(', 1) < end ? 0 : end + 1;
+    return end > 8 || text.find('(', 1) < end ? 0 : end + 1;
   }
   const auto digit_at = [&](std::size_t i) { return i < text.size() && is_digit(text[i]); };
   std::size_t length = text[0] == '-' ? 1 : 0;

@@ -105,6 +105,7 @@ TEST_CASE("typical formulas") {
         "<msubsup><mi>ϕ</mi><mi>n</mi>"
         "<mpadded scriptlevel=\"-1\" voffset=\"-0.45em\" height=\"0.3em\"><mo>′</mo></mpadded>"
         "</msubsup>");
+  CHECK(inner("f'^{2}_{1}").find("<msubsup>") != std::string::npos);
   CHECK(inner("x_1^{-1}") ==
         "<msubsup><mi>x</mi><mn>1</mn><mrow><mo form=\"prefix\">−</mo><mn>1</mn></mrow></msubsup>");
   CHECK(inner("\\sum_{j=1}^n j", true) ==

@@ -125,7 +125,7 @@ Formula Transcriptions::formula(const std::string& id, Form form) const {
 }
 
 std::vector<Formula> Transcriptions::list(const std::string& id, Form form) const {
-  std::string whole = trimmed(form_text(text(id), form));
+  const std::string whole = trimmed(form_text(text(id), form));
   const std::size_t close = whole.rfind(']');
   if (whole.empty() || whole.front() != '[' || close == std::string::npos)
     throw ParseError("transcription", whole, 1, "a list in square brackets");
@@ -145,7 +145,7 @@ std::vector<std::string> Transcriptions::words(const std::string& id, Form form)
 }
 
 std::string Transcriptions::latex(const std::string& id, Form form) const {
-  const std::string whole = trimmed(form_text(text(id), form));
+  std::string whole = trimmed(form_text(text(id), form));
   if (whole.front() == '[') return whole;
   if (whole.find('.') != std::string::npos) return fmt::format("{}", fmt::join(words(id, form), ", \\; "));
   return formula(id, form).to_latex();

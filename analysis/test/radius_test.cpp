@@ -375,6 +375,19 @@ TEST_CASE("a rational eigenvalue is called the radius only where it is the large
   }
 }
 
+TEST_CASE("eigenvalues close together are told as exactly as others") {
+  const RationalMatrix turn = of_rows({{2, 1, 0}, {1, 1, 0}, {0, 1, 1}}),
+                       back = solve(turn, RationalMatrix::identity(3));
+  for (const int digits : {15, 20, 30, 45}) {
+    const Rational more = 1 + power(Rational(10), -digits);
+    const RationalMatrix m = turn * of_rows({{more, 1, 0}, {0, 1, 3}, {0, 0, Rational(1, 2)}}) * back;
+    const Rational near = std::min(abs(prove_product({m}, {0}).eigenvalue.re - more),
+                                   abs(prove_product({m}, {0}).eigenvalue.re - 1));
+    CHECK(near < power(Rational(10), -48));
+    CHECK(*prove_product({m}, {0}).radius.lower > 1 - power(Rational(10), -10 - digits / 2));
+  }
+}
+
 TEST_CASE("what does not commute is not taken for the largest of its matrices") {
   // No polytope closes with the radius, which is that of the product of both.
   const JointSpectralRadius found = radius_of({of_rows({{1, 1}, {0, 1}}), Rational(4, 5) * of_rows({{1, 0}, {1, 1}})},

@@ -11,7 +11,7 @@ namespace subcert {
 
 namespace {
 
-constexpr int newton_steps = 16;
+constexpr int newton_steps = 400;  // zeros close together are approached by a factor of 2 or less at a time
 
 /// (-1)^d p(-z), d the degree.
 LaurentPolynomial mirrored(const LaurentPolynomial& p) {
@@ -66,10 +66,12 @@ std::optional<LeadingFactor> leading_factor(const RationalMatrix& matrix, const 
 
 ComplexBall refined_zero(const LaurentPolynomial& p, ComplexBall z) {
   const LaurentPolynomial derivative = p.derivative();
+  const slong enough = z.bits() * 3 / 4;
   for (int k = 0; k < newton_steps; ++k) {
-    const ComplexBall next = z - value_at(p, z) / value_at(derivative, z);
-    if (!next.is_finite()) break;
-    z = middle(next);
+    const ComplexBall step = value_at(p, z) / value_at(derivative, z);
+    if (!step.is_finite()) break;
+    z = middle(z - step);
+    if (abs(step.scaled(enough)).is_less(abs(z))) break;
   }
   return z;
 }

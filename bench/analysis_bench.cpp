@@ -11,7 +11,7 @@
 #include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
-#include <subcert/analysis/symbol/sum_of_squares.hpp>
+#include <subcert/analysis/symbol/polynomials/sum_of_squares.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>

@@ -1,6 +1,6 @@
 #include "checker.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/checker_client.hpp>
 
 #include <functional>

@@ -2,8 +2,8 @@
 
 #include "provenance.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <unistd.h>

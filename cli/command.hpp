@@ -4,9 +4,9 @@
 #include "options.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/reports/facts/fact.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 #include <subcert/schemes/specification.hpp>

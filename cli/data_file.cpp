@@ -2,7 +2,7 @@
 
 #include "command.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/formats/quad_mesh.hpp>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "command.hpp"
 
-#include <subcert/analysis/symbol/flint.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/numbers/flint.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <fcntl.h>
 #include <gmp.h>

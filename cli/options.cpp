@@ -1,7 +1,7 @@
 #include "options.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 #include "parameter_range.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/expression.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/polynomials/expression.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "command.hpp"
 
 #include <subcert/analysis/family/property_range.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "width.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 namespace subcert::cli {
 namespace {

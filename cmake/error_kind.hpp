@@ -1,7 +1,7 @@
 #pragma once
 // For tests of errors: CHECK_FAILS(expression, kind) passes where the expression throws an Error of this kind.
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #pragma once
 // What almost every source reads, parsed once a build. Every source still includes what it uses.
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/core.h>
 #include <gmp.h>

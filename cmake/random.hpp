@@ -2,7 +2,7 @@
 // Random exact inputs for tests, biased to corners. SUBCERT_TEST_EFFORT scales the number of rounds, SUBCERT_TEST_SEED
 // changes the inputs; both default to 1. A failure names the round and the seed.
 
-#include <subcert/analysis/symbol/laurent_polynomial.hpp>
+#include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
 #include <subcert/cmake/catch.hpp>
 
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "ascii_toml.hpp"
 
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
 
 #include <fmt/format.h>

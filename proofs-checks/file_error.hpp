@@ -1,7 +1,7 @@
 #pragma once
 /// Errors of files that people write, with the place.
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <string>
 

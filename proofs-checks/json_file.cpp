@@ -1,7 +1,7 @@
 #include "json_file.hpp"
 
-#include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <fmt/ranges.h>
 

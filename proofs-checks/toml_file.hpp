@@ -1,7 +1,7 @@
 #pragma once
 /// What readers of TOML files share. Inner: no public header may read toml++.
 
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/proofs-checks/ascii_toml.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
 

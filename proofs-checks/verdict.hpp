@@ -2,7 +2,7 @@
 /// The words for what was found: of a printed value, of a statement, of a claim about an experiment. Each kind has its
 /// own, so that none is asked for more than it knows.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "baseline.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/json_file.hpp>
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "report.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/numerical_recipe.hpp>

@@ -5,7 +5,7 @@
 #include "story_sentences.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A page on which a parameter is moved: mask, limit function, exponent and variance curve follow.
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <string>

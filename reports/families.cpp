@@ -3,9 +3,9 @@
 #include "computed_quantities.hpp"
 
 #include <subcert/analysis/family/property_range.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 

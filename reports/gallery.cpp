@@ -8,7 +8,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>

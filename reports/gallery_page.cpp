@@ -5,7 +5,7 @@
 #include "formats/svg.hpp"
 #include "gallery.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 #include <fmt/format.h>
 

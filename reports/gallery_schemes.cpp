@@ -1,6 +1,6 @@
 #include "gallery.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <map>
 #include <string_view>

@@ -3,7 +3,7 @@
 #include "computed_quantities.hpp"
 
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
 

@@ -3,7 +3,7 @@
 #include "facts/scheme_facts.hpp"
 #include "formats/comparison.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "collections.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 
 #include <fmt/format.h>

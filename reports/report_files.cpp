@@ -5,7 +5,7 @@
 #include "formats/surface_figure.hpp"
 #include "pages.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>

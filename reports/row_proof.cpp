@@ -1,6 +1,6 @@
 #include "row_proof.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 namespace subcert::reports {
 

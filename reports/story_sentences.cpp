@@ -1,6 +1,6 @@
 #include "story_sentences.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/sweeps/number_list.hpp>
 #include <subcert/proofs-checks/verdict.hpp>
 

@@ -2,8 +2,8 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>

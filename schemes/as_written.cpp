@@ -2,9 +2,9 @@
 
 #include "plain_text.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/expression.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/expression.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,10 @@
 
 #include "local_regression.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Classical schemes to compare with.
 
-#include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/analysis/symbol/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
 namespace subcert {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Local polynomial regression on grids of two and three variables.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "outlier_remainder.hpp"
 #include "specification_text.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 #include <fmt/ranges.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Local polynomial regression: the one family that contains every linear scheme of the papers.
 
-#include <subcert/analysis/symbol/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
 #include <concepts>
 #include <type_traits>

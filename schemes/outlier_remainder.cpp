@@ -1,7 +1,7 @@
 #include "outlier_remainder.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cstdlib>

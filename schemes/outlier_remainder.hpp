@@ -1,7 +1,7 @@
 #pragma once
 /// What reweighted fits leave of one outlier, in the limit of a far outlier and a small delta.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "specification.hpp"
 
-#include <subcert/analysis/symbol/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
 namespace subcert {
 

@@ -2,7 +2,7 @@
 
 #include "specification.hpp"
 
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
 #include <array>

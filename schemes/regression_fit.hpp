@@ -3,7 +3,7 @@
 
 #include "local_regression.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <utility>

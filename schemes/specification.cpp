@@ -3,7 +3,7 @@
 #include "classical.hpp"
 #include "regression_text.hpp"
 
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include "l1_scheme.hpp"
 #include "local_regression.hpp"
 
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <optional>
 #include <string>

@@ -4,10 +4,10 @@
 #include "as_written.hpp"
 #include "specification.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/expression.hpp>
-#include <subcert/analysis/symbol/term_text.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/expression.hpp>
+#include <subcert/analysis/symbol/polynomials/term_text.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
 #include <cstdint>

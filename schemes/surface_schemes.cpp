@@ -1,7 +1,7 @@
 #include "surface_schemes.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <map>

@@ -3,10 +3,10 @@
 #include "difference.hpp"
 #include "level_norms.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/analysis/symbol/term_text.hpp>
-#include <subcert/analysis/symbol/timed_roots.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/polynomials/term_text.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <fmt/format.h>

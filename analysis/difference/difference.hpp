@@ -1,7 +1,7 @@
 #pragma once
 /// Sum rules and the schemes for divided differences.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 #include <subcert/analysis/transition/lattice_window.hpp>
 
 namespace subcert {

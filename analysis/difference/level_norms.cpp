@@ -2,7 +2,7 @@
 
 #include "difference.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>

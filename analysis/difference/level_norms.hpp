@@ -1,8 +1,8 @@
 #pragma once
 /// Exact norms of the powers of a subdivision operator.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstdint>
 #include <vector>

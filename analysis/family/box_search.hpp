@@ -4,7 +4,7 @@
 #include "family_radius.hpp"
 #include "property_range.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <functional>
 

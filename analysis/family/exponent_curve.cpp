@@ -4,9 +4,9 @@
 #include "box_search.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/numbers.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <algorithm>
 #include <cmath>

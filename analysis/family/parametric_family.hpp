@@ -1,8 +1,8 @@
 #pragma once
 /// Families of matrices that depend linearly on a mask with letters.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
-#include <subcert/analysis/symbol/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 #include <functional>
 #include <optional>

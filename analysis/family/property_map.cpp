@@ -2,7 +2,7 @@
 
 #include "box_search.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 namespace subcert {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "property_range.hpp"
 
-#include <subcert/analysis/symbol/box.hpp>
+#include <subcert/analysis/symbol/polynomials/box.hpp>
 
 namespace subcert {
 

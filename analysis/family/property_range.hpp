@@ -3,8 +3,8 @@
 
 #include "interval_proof.hpp"
 
-#include <subcert/analysis/symbol/interval.hpp>
-#include <subcert/analysis/symbol/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 
 namespace subcert {
 

@@ -5,7 +5,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <numbers>

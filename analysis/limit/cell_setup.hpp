@@ -5,7 +5,7 @@
 ///   walk    limit_cells  forms on cells, their children, the ranges they prove
 
 #include <subcert/analysis/outward_rounding/outward.hpp>
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 #include <subcert/analysis/transition/ball_transition.hpp>
 
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "limit_cells.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "cell_setup.hpp"
 
 #include <subcert/analysis/outward_rounding/outward.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

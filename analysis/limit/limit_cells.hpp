@@ -1,8 +1,8 @@
 #pragma once
 /// The basic limit function and the variance curve on arity-adic cells, as polynomials with proved remainders.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstdint>
 #include <memory>

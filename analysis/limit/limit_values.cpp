@@ -2,9 +2,10 @@
 #include "limit_values.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/analysis/symbol/lifted_solution.hpp>
+#include <subcert/analysis/symbol/matrices/lifted_solution.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>

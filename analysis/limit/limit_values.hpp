@@ -1,9 +1,9 @@
 #pragma once
 /// Exact values of the basic limit function and of its derivatives.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 #include <subcert/analysis/transition/lattice_window.hpp>
 
 #include <optional>

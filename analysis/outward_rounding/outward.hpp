@@ -2,7 +2,7 @@
 /// Where bounds are rounded outward: double precision with proved error bounds, for numbers, vectors and polynomials on
 /// cells (docs/limit-enclosures.md, section 6).
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "piecewise_rule.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstdint>
 #include <optional>

@@ -2,9 +2,9 @@
 /// Binary rules that fit polynomials and are linear on polyhedral cells of their data, also with several fits to one
 /// datum.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstddef>
 #include <optional>

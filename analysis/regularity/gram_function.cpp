@@ -4,10 +4,11 @@
 #include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/lattice_symmetry.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
-#include <subcert/analysis/symbol/torus.hpp>
+#include <subcert/analysis/symbol/masks/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/masks/torus.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <set>

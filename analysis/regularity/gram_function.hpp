@@ -2,7 +2,7 @@
 /// The inner products <phi, phi(. - k)> of the integer shifts of the basic limit function of several variables, and
 /// what follows: stability and the Sobolev exponent.
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 #include <subcert/analysis/transition/lattice_window.hpp>
 
 namespace subcert {

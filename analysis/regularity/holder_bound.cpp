@@ -2,8 +2,8 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 /// Lower bounds for the Hoelder exponent from norms of the difference scheme.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstdint>
 

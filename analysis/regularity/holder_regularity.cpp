@@ -7,8 +7,8 @@
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <fmt/format.h>

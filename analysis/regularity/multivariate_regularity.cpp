@@ -7,9 +7,9 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/analysis/symbol/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/masks/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

@@ -4,7 +4,8 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/cost.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 namespace subcert {

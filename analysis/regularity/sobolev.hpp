@@ -1,8 +1,8 @@
 #pragma once
 /// Sobolev (L2) regularity.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 namespace subcert {
 

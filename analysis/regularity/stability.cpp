@@ -1,9 +1,9 @@
 
 #include "stability.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <numeric>

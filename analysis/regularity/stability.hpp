@@ -1,7 +1,7 @@
 #pragma once
 /// Stability of the integer shifts of the basic limit function.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 #include <optional>
 #include <vector>

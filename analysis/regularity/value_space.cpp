@@ -3,7 +3,7 @@
 #include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

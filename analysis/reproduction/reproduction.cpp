@@ -1,7 +1,7 @@
 #include "reproduction.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Polynomial generation and reproduction.
 
-#include <subcert/analysis/symbol/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/block_triangular.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>

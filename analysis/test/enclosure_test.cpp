@@ -3,7 +3,7 @@
 #include <subcert/analysis/limit/cell_walk.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/cmake/catch.hpp>

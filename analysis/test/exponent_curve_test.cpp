@@ -1,7 +1,7 @@
 // Envelopes of the exponent over a parameter: they hold the exponents of the schemes at single values.
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/parametric_specification.hpp>

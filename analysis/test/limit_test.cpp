@@ -2,7 +2,7 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>

@@ -5,6 +5,7 @@
 #include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 

@@ -5,7 +5,7 @@
 #include <subcert/analysis/regularity/holder_bound.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>

@@ -4,7 +4,8 @@
 #include <subcert/analysis/difference/level_norms.hpp>
 #include <subcert/analysis/radii/joint/single_radius.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>

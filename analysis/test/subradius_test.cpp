@@ -2,7 +2,7 @@
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/subradius/antinorm_search.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 

@@ -2,9 +2,9 @@
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/value_space.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/lattice_symmetry.hpp>
-#include <subcert/analysis/symbol/torus.hpp>
+#include <subcert/analysis/symbol/masks/lattice_symmetry.hpp>
+#include <subcert/analysis/symbol/masks/torus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -1,7 +1,7 @@
 #include "specimens.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/ball_transition.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>

@@ -1,6 +1,6 @@
 #include "specimens.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>

@@ -3,7 +3,7 @@
 
 #include "transition.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 namespace subcert {
 

@@ -3,8 +3,8 @@
 /// the finite sets of lattice points on which they act. Coefficients meet sequences in transitions() alone: windows,
 /// spaces and families of matrices only ask for it and for the support. One variable has kernels in transition.hpp.
 
-#include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 #include <map>
 #include <vector>

@@ -5,8 +5,8 @@
 ///
 /// They are those of lattice_window.hpp for s = 1 and the digits 0, ..., arity - 1.
 
-#include <subcert/analysis/symbol/mask.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "variance.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 /// The variance curve psi(x) = sum over j of phi(x - j)^2: the variance of the limit at x for data with independent
 /// noise of variance 1.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 namespace subcert {
 

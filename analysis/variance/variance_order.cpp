@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/limit/limit_cells.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>

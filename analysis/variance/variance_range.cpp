@@ -5,7 +5,7 @@
 
 #include <subcert/analysis/limit/cell_walk.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

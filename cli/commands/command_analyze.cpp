@@ -1,6 +1,6 @@
 // subcert analyze SCHEME: one page about one scheme
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/parameter_range.hpp>

@@ -1,7 +1,7 @@
 // subcert check FILE...: expected properties of schemes as a gate for continuous integration
 
-#include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 

@@ -1,6 +1,6 @@
 // subcert compare SCHEME SCHEME...: schemes side by side
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>

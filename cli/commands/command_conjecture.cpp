@@ -1,6 +1,6 @@
 // subcert conjecture 7|8: certified tables and verdicts over ranges of n and d
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/conjecture_page.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
 #include <subcert/proofs-checks/sweeps/number_list.hpp>

@@ -1,6 +1,6 @@
 // subcert experiment ID: one experiment of a paper, seeded
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/reports/report_files.hpp>
 

@@ -1,6 +1,6 @@
 // subcert gallery SCHEME...: what is known of schemes, drawn on one page
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>
 #include <subcert/reports/gallery.hpp>

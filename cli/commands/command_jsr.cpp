@@ -3,8 +3,8 @@
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/parameter_range.hpp>

@@ -1,6 +1,6 @@
 // subcert l1 SCHEME
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/proofs-checks/certificates/l1_certificate.hpp>
 #include <subcert/reports/facts/l1_facts.hpp>

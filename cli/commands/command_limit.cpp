@@ -1,7 +1,7 @@
 // subcert limit SCHEME
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/limit_page.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 

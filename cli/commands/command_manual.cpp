@@ -1,6 +1,6 @@
 // subcert manual: writes the manual pages; run when the program is built
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/manual.hpp>

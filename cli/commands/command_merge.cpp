@@ -1,6 +1,6 @@
 // subcert merge JOURNAL... --out JOURNAL: joins the journals of shards
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/proofs-checks/sweeps/journal.hpp>
 

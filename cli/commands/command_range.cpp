@@ -1,8 +1,8 @@
 // subcert range SCHEME --over w=LOW..HIGH --property PROPERTY [--certificate DIR]
 
 #include <subcert/analysis/family/property_range.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>

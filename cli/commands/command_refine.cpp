@@ -1,7 +1,7 @@
 // subcert refine SCHEME DATA
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>

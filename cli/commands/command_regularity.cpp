@@ -1,6 +1,6 @@
 // subcert regularity SCHEME
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/width.hpp>

@@ -1,6 +1,6 @@
 // subcert reproduce [PAPER...]: the main job
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/reports/formats/provenance.hpp>

@@ -1,7 +1,7 @@
 // subcert smooth DATA
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/pages/smooth_page.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>

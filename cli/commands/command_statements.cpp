@@ -1,6 +1,6 @@
 // subcert statements list|check: the statements of the papers as executable checks
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/reports/facts/statement_facts.hpp>
 #include <subcert/reports/results.hpp>

@@ -1,8 +1,8 @@
 // subcert variance SCHEME
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>

@@ -1,6 +1,6 @@
 // subcert verify FILE|DIR...: asks the independent checker, a program of its own
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/proofs-checks/certificates/claim.hpp>

@@ -1,6 +1,6 @@
 #include "conjecture_page.hpp"
 
-#include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 
 #include <fmt/format.h>
 

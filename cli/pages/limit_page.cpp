@@ -1,8 +1,8 @@
 #include "limit_page.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
 
 #include <iomanip>

@@ -1,6 +1,6 @@
 #include "plates.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/reports/gallery.hpp>
 
 #include <algorithm>

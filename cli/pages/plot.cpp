@@ -1,6 +1,6 @@
 #include "plot.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 

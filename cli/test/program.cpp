@@ -1,6 +1,6 @@
 #include "program.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 #include <sys/wait.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The program as its users meet it: output and exit code.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/folder.hpp>
 

@@ -1,4 +1,4 @@
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 #include <iostream>
 

@@ -4,8 +4,8 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/difference/level_norms.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/sum_of_squares.hpp>
+#include <subcert/analysis/symbol/polynomials/sum_of_squares.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -1,8 +1,8 @@
 #include "claim.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/specification.hpp>
 

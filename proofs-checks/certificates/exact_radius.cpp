@@ -3,7 +3,8 @@
 
 #include <subcert/analysis/radii/joint/leading_factor.hpp>
 #include <subcert/analysis/radii/subradius/certify.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,7 +5,7 @@
 #include <subcert/analysis/radii/polytope_proof/polytope_proof.hpp>
 #include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/radii/subradius/antinorm_proof.hpp>
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 #include <optional>
 #include <string>

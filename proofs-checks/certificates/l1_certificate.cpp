@@ -1,6 +1,6 @@
 #include "l1_certificate.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "matrices_file.hpp"
 
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/proofs-checks/json_file.hpp>
 
 #include <fmt/format.h>

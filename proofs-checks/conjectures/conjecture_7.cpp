@@ -1,7 +1,7 @@
 
 #include "conjecture_7.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/sweeps/journal.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>

@@ -1,6 +1,6 @@
 #include "conjecture_8.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_order.hpp>
 #include <subcert/proofs-checks/verdict.hpp>
 #include <subcert/schemes/specification.hpp>

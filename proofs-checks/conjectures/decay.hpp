@@ -1,7 +1,7 @@
 #pragma once
 /// What certified values for several n say about the rate at which they fall.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 // Whatever the bytes, a parser takes them or refuses them with an Error, and the checker answers. FUZZED names which.
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/claim.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
 #include <subcert/proofs-checks/checker/check.hpp>

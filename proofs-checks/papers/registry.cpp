@@ -5,8 +5,8 @@
 #include "mustafa-hameed/checks.hpp"
 #include "mustafa-li-2015/checks.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <fmt/format.h>
 

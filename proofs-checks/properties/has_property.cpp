@@ -6,8 +6,8 @@
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "properties.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/toml_file.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "formula.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <algorithm>
 #include <cctype>

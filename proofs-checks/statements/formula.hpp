@@ -1,9 +1,9 @@
 #pragma once
 /// Closed forms as papers print them: exact expressions in named variables, read from text.
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/multivariate_polynomial.hpp>
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/analysis/symbol/polynomials/multivariate_polynomial.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "identities.hpp"
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 namespace subcert::statements {
 

@@ -3,7 +3,7 @@
 
 #include "formula.hpp"
 
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 namespace subcert::statements {
 

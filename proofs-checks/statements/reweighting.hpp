@@ -4,7 +4,7 @@
 
 #include "identities.hpp"
 
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 namespace subcert::statements {
 

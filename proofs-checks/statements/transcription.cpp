@@ -1,8 +1,8 @@
 #include "transcription.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <fmt/ranges.h>
 

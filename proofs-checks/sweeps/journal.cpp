@@ -1,7 +1,7 @@
 
 #include "journal.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/json_file.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 

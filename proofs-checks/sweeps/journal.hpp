@@ -2,7 +2,7 @@
 /// The journal of a sweep: finished cases, one checksummed line each, safe against kills and power cuts.
 /// The format is specified in docs/sweeps.md.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>

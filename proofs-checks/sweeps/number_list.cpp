@@ -1,6 +1,6 @@
 #include "number_list.hpp"
 
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <algorithm>
 #include <charconv>

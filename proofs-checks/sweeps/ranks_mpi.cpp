@@ -5,8 +5,8 @@
 
 #include "ranks.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <mpi.h>
 

@@ -2,7 +2,7 @@
 
 #include "ranks.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <cstdlib>
 #include <iostream>

@@ -2,8 +2,8 @@
 
 #include "ranks.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>

@@ -2,7 +2,7 @@
 /// Linear combinations of spherical Bessel functions j_l, in which the symbols of the least squares schemes are
 /// written, for the sources of this floor. Proofs: docs/theorems/variance-curves.tex, section 7.
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 #include <vector>
 

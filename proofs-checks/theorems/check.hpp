@@ -1,7 +1,7 @@
 #pragma once
 /// One inequality of a proof, decided on enclosures.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// The constants that a proof states: rounded decimals, each bounded by one inequality of the proof.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/frequency/cell_recursion.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <bit>

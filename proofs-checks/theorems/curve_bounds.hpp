@@ -2,7 +2,7 @@
 /// Bounds of the variance curve of one scheme from its symbol, for the sources of this floor. Proofs:
 /// docs/theorems/variance-curves.tex, section 1; its notation is used.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 namespace subcert::theorems {
 

@@ -4,7 +4,7 @@
 #include "limit_constant.hpp"
 #include "proofs.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <stdexcept>
 #include <string>

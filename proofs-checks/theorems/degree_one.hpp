@@ -3,7 +3,7 @@
 /// explicit bounds for each n. Statements and proofs: docs/limit-constants.md, abbreviated [LC].
 /// Notation: N = 2n - 1/2, phi_n the basic limit function, psi_n the variance curve, I_n the integral of phi_n^2.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <vector>
 

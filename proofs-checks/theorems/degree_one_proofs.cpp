@@ -5,7 +5,7 @@
 #include "proofs.hpp"
 #include "variance_ends.hpp"
 
-#include <subcert/analysis/symbol/ball_solvers.hpp>
+#include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 
 #include <algorithm>
 

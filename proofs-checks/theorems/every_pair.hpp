@@ -2,7 +2,7 @@
 /// Bounds of mean and ripple of the variance curves from the responses of the two rules, for the sources of this floor.
 /// Proofs: docs/theorems/every-pair.tex, Theorem T; its notation is used.
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 namespace subcert::theorems {
 

@@ -3,8 +3,8 @@
 // docs/theorems/every-pair.tex.
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include "curve_bounds.hpp"
 #include "every_pair.hpp"

@@ -4,7 +4,7 @@
 
 #include "uniform_symbol.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 namespace subcert::theorems {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Answers about single schemes that are computed once, for the sources of this floor.
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <map>
 #include <mutex>

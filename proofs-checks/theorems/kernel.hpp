@@ -2,7 +2,7 @@
 /// The Legendre kernel k_d, its transform khat and the product Phi in ball arithmetic, for the sources of this floor.
 /// [LC] is docs/limit-constants.md.
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 #include <cmath>
 #include <vector>

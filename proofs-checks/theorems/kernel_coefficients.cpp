@@ -1,6 +1,6 @@
 #include "kernel_coefficients.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 namespace subcert::theorems {
 namespace {

@@ -2,7 +2,7 @@
 /// The polynomials behind the masks of the least squares schemes, for all large sizes at once, for the sources of this
 /// floor. Proofs: docs/theorems/variance-curves.tex, section 7.
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 #include <vector>
 

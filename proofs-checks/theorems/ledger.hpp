@@ -5,7 +5,7 @@
 #include "check.hpp"
 #include "constants.hpp"
 
-#include <subcert/analysis/symbol/balls.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 namespace subcert::theorems {
 

@@ -2,8 +2,8 @@
 
 #include "kernel.hpp"
 
-#include <subcert/analysis/symbol/ball_solvers.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <cmath>
 #include <functional>

@@ -2,7 +2,7 @@
 /// The limits C_d of n * max psi_n for the primal least squares schemes of degree d as n grows, with proved digits.
 /// Statements and proofs: docs/limit-constants.md, abbreviated [LC].
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 namespace subcert::theorems {
 

@@ -3,8 +3,8 @@
 #include "proofs.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/symbol/ball_solvers.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/ball_transition.hpp>
 
 #include <algorithm>

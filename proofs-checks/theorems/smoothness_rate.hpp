@@ -2,7 +2,7 @@
 /// The true rate of smoothness of the primal schemes of degree 1: how far the exponent stays below 2. Statement and
 /// proof: docs/theorems/rate.tex, Theorem W.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #include "every_pair.hpp"
 #include "proofs.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <functional>

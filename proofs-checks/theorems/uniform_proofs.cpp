@@ -5,8 +5,8 @@
 #include "uniform_curve.hpp"
 #include "variance_ends.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <map>

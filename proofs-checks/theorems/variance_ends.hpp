@@ -2,7 +2,7 @@
 /// Certified extremes of the variance curves of single schemes, for the sources of this floor. Proofs:
 /// docs/theorems/variance-curves.tex, sections 1 and 2.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <string>
 #include <vector>

@@ -3,8 +3,8 @@
 // (None for an absent end), answers pairs of a word and a reason. What is made of them stands in the modules in
 // ../subcert.
 
-#include <subcert/analysis/symbol/interval.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

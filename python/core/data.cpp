@@ -2,7 +2,7 @@
 #include "work.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>

@@ -1,7 +1,7 @@
 #include "work.hpp"
 
 #include <subcert/analysis/family/exponent_curve.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 

@@ -4,7 +4,7 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>

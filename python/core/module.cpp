@@ -3,7 +3,7 @@
 
 #include "casters.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <exception>
 

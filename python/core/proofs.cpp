@@ -1,6 +1,6 @@
 #include "work.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/checker_client.hpp>
 #include <subcert/proofs-checks/certificates/claim.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>

@@ -4,7 +4,7 @@
 #include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/schemes/specification.hpp>

@@ -3,8 +3,8 @@
 
 #include "casters.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <atomic>
 #include <chrono>

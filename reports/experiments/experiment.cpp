@@ -2,8 +2,8 @@
 
 #include "papers.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 

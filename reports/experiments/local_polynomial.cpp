@@ -1,7 +1,7 @@
 
 #include "local_polynomial.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/smooth/scheme_smoother.hpp>
 #include <subcert/schemes/specification.hpp>
 

@@ -1,6 +1,6 @@
 #include "measured.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/verdict.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "statistics.hpp"
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 #include <subcert/reports/formats/section.hpp>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "noisy_data.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <algorithm>
 #include <mutex>

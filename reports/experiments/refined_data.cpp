@@ -1,7 +1,7 @@
 #include "refined_data.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>

@@ -1,6 +1,6 @@
 #include "exponents.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 #include <fmt/ranges.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// What is known of an object, made once and printed in every form: as text, as JSON, as HTML, in Python.
 
-#include <subcert/analysis/symbol/interval.hpp>
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <nlohmann/json.hpp>
 

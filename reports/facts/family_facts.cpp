@@ -1,7 +1,7 @@
 #include "family_facts.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <fmt/ranges.h>
 

@@ -1,6 +1,6 @@
 #include "l1_facts.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/l1/l1_basin.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>
 #include <subcert/schemes/outlier_remainder.hpp>

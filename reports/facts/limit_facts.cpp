@@ -1,6 +1,6 @@
 #include "limit_facts.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 
 namespace subcert::facts {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "exponents.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 
 #include <fmt/format.h>

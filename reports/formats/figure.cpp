@@ -5,7 +5,7 @@
 #include "paper_text.hpp"
 #include "svg.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <gnuplot-iostream.h>

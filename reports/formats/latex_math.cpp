@@ -1,7 +1,7 @@
 #include "latex_math.hpp"
 
-#include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>

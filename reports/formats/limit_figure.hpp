@@ -4,7 +4,7 @@
 #include "figure.hpp"
 #include "surface_figure.hpp"
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 #include <subcert/schemes/data/refine/grid_data.hpp>
 
 namespace subcert::formats {

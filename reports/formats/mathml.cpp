@@ -4,7 +4,7 @@
 #include "html.hpp"
 #include "latex_math.hpp"
 
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,9 +1,9 @@
 #include "paper_text.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 #include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/ranges.h>

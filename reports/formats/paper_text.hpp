@@ -1,9 +1,9 @@
 #pragma once
 /// What goes into papers: formulas and tables in LaTeX, tables in Markdown.
 
-#include <subcert/analysis/symbol/dilation.hpp>
-#include <subcert/analysis/symbol/interval.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/dilation.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 
 #include <string>
 #include <string_view>

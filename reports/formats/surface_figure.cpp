@@ -5,7 +5,7 @@
 #include "gnuplot_text.hpp"
 #include "html.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>

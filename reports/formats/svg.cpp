@@ -2,7 +2,7 @@
 
 #include "html.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "typeset.hpp"
 
-#include <subcert/analysis/symbol/utf8.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
 #include <cctype>

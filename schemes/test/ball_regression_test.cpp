@@ -1,5 +1,5 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/grid_regression.hpp>
 #include <subcert/schemes/specification.hpp>

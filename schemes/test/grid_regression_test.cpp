@@ -1,4 +1,4 @@
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/grid_regression.hpp>

@@ -2,8 +2,8 @@
 /// Joint spectral radii of transition matrices, bounded from above by a function of frequency that a transfer operator
 /// does not enlarge by more than a factor.
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <optional>
 #include <vector>

@@ -3,7 +3,8 @@
 #include "cost.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
-#include <subcert/analysis/symbol/ball_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include "modular_meataxe.hpp"
 #include "subspace.hpp"
 
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 #pragma once
 /// Common invariant subspaces of finite families of rational matrices.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 namespace subcert {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Products of which a graph says what may follow what.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 namespace subcert {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Whether exact algebra that cannot be interrupted ends before a deadline, by measured times. Inner header.
 
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 namespace subcert::radius {
 

@@ -8,8 +8,8 @@
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
 #include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/timed_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

@@ -3,7 +3,8 @@
 #include "cost.hpp"
 #include "subspace.hpp"
 
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <algorithm>
 

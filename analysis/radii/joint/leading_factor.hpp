@@ -3,8 +3,8 @@
 
 #include <subcert/analysis/radii/polytope_proof/attained_number.hpp>
 
-#include <subcert/analysis/symbol/balls.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "subspace.hpp"
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 #include <flint/nmod_mat.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Upper bounds by the norms of all products of one length.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 namespace subcert {
 

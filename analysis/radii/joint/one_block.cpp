@@ -3,8 +3,9 @@
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/quadratic/product_tree.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include "attains.hpp"
 #include "closed_orbit.hpp"

@@ -4,7 +4,8 @@
 #include "cost.hpp"
 
 #include <subcert/analysis/radii/schedule.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 /// Averaged growth of products of a family.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 namespace subcert {
 

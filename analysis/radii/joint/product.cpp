@@ -5,10 +5,11 @@
 #include "rounded_family.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
-#include <subcert/analysis/symbol/ball_matrix.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
-#include <subcert/analysis/symbol/timed_roots.hpp>
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// Products of a family, their leading eigenvalues with proof, and exact comparisons between them.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 namespace subcert {
 

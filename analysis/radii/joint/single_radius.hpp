@@ -1,7 +1,7 @@
 #pragma once
 /// Joint spectral radii of transition matrices that are one spectral radius: Rioul's method, for any arity.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 namespace subcert {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Subspaces over the rationals, by short integer vectors. Inner header.
 
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 namespace subcert::radius {
 

@@ -1,6 +1,6 @@
 #include "attained_number.hpp"
 
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 namespace subcert {
 

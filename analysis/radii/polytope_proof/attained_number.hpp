@@ -1,8 +1,8 @@
 #pragma once
 /// What number a radius is that products attain.
 
-#include <subcert/analysis/symbol/laurent_polynomial.hpp>
-#include <subcert/analysis/symbol/rational_complex.hpp>
+#include <subcert/analysis/symbol/numbers/rational_complex.hpp>
+#include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
 
 namespace subcert {
 

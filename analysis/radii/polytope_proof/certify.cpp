@@ -3,7 +3,7 @@
 #include "orbit.hpp"
 
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
-#include <subcert/analysis/symbol/boost_numbers.hpp>
+#include <subcert/analysis/symbol/numbers/boost_numbers.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "orbit.hpp"
 
-#include <subcert/analysis/symbol/boost_numbers.hpp>
+#include <subcert/analysis/symbol/numbers/boost_numbers.hpp>
 
 #include <utility>
 

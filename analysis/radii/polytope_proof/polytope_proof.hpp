@@ -5,9 +5,9 @@
 #include <subcert/analysis/radii/polytope_proof/attained_number.hpp>
 #include <subcert/analysis/radii/polytope_search/polytope_kind.hpp>
 
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/matrix_family.hpp>
-#include <subcert/analysis/symbol/rational_complex.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/symbol/numbers/rational_complex.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <optional>
 #include <string>

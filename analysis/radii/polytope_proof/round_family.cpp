@@ -1,7 +1,7 @@
 #include "round_family.hpp"
 
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
-#include <subcert/analysis/symbol/ball_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
 
 #include <cmath>
 

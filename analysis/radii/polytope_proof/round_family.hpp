@@ -3,8 +3,8 @@
 /// header.
 
 #include <subcert/analysis/radii/polytope_search/product_search.hpp>
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 namespace subcert::radius {
 

@@ -1,7 +1,7 @@
 #include "incremental_simplex.hpp"
 #include "kernels.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

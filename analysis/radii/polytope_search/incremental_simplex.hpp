@@ -5,7 +5,7 @@
 
 #include "symmetry.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstdint>
 

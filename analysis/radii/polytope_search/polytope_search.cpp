@@ -3,7 +3,7 @@
 #include "polytope_run.hpp"
 
 #include <subcert/analysis/radii/schedule.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "symmetry.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <array>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "ellipsoidal_coordinates.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <optional>
 

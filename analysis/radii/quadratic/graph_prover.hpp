@@ -5,8 +5,8 @@
 #include "product_tree.hpp"
 #include "quadratic_proof.hpp"
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
-#include <subcert/analysis/symbol/rational_complex.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/symbol/numbers/rational_complex.hpp>
 
 namespace subcert::quadratic {
 

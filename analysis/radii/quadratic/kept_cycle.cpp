@@ -1,6 +1,6 @@
 #include "graph_prover.hpp"
 
-#include <subcert/analysis/symbol/ball_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <algorithm>
 #include <atomic>

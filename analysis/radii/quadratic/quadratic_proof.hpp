@@ -2,8 +2,8 @@
 /// Rational proofs of upper bounds for joint spectral radii by quadratic forms.
 
 #include <subcert/analysis/radii/polytope_proof/attained_number.hpp>
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <cstdint>
 #include <memory>

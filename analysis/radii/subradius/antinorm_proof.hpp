@@ -1,7 +1,7 @@
 #pragma once
 /// Rational proofs of both ends of a joint spectral subradius.
 
-#include <subcert/analysis/symbol/matrix_family.hpp>
+#include <subcert/analysis/symbol/matrices/matrix_family.hpp>
 
 #include <optional>
 

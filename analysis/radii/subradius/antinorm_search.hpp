@@ -4,7 +4,7 @@
 #include "antinorm_proof.hpp"
 
 #include <subcert/analysis/radii/polytope_search/dense.hpp>
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 #include <optional>
 #include <vector>

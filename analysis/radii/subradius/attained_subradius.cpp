@@ -2,8 +2,9 @@
 
 #include <subcert/analysis/radii/joint/cost.hpp>
 #include <subcert/analysis/radii/joint/subspace.hpp>
-#include <subcert/analysis/symbol/ball_matrix.hpp>
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <algorithm>
 #include <map>

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/radii/joint/cost.hpp>
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "antinorm_proof.hpp"
 #include "antinorm_search.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 namespace subcert::subradius {
 

@@ -5,8 +5,8 @@
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/radii/polytope_proof/round_family.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <array>

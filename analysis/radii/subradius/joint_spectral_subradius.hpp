@@ -3,7 +3,7 @@
 
 #include "antinorm_proof.hpp"
 
-#include <subcert/analysis/symbol/budget.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 
 namespace subcert {
 

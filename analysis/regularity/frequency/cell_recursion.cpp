@@ -2,7 +2,7 @@
 #include "cell_recursion.hpp"
 
 #include <subcert/analysis/radii/frequency/positive_fixed_point.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -4,8 +4,8 @@
 /// |xi| <= pi 2^-j, cut into equal cells (j, i).
 
 #include <subcert/analysis/radii/polytope_search/dense.hpp>
-#include <subcert/analysis/symbol/balls.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 
 #include <optional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <subcert/analysis/symbol/lifted_solution.hpp>
+#include <subcert/analysis/symbol/matrices/lifted_solution.hpp>
 #include <subcert/cmake/catch.hpp>
 
 #include <random>

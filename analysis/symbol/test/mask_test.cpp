@@ -1,5 +1,5 @@
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 

@@ -1,6 +1,6 @@
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/multivariate_polynomial.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/polynomials/multivariate_polynomial.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 

@@ -1,5 +1,5 @@
-#include <subcert/analysis/symbol/budget.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/cmake/catch.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
 
 using namespace subcert;

@@ -1,5 +1,5 @@
-#include <subcert/analysis/symbol/parse_error.hpp>
-#include <subcert/analysis/symbol/rational_function.hpp>
+#include <subcert/analysis/symbol/polynomials/rational_function.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>

@@ -1,5 +1,5 @@
-#include <subcert/analysis/symbol/real_roots.hpp>
-#include <subcert/analysis/symbol/sum_of_squares.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/sum_of_squares.hpp>
 #include <subcert/cmake/catch.hpp>
 
 using namespace subcert;

@@ -1,8 +1,8 @@
 
 #include "checks.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 /// Dyn, Heard, Hormann & Sharon 2015 [DHHS15], statement by statement.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 #include <subcert/proofs-checks/statements/statement.hpp>
 #include <subcert/proofs-checks/statements/trial.hpp>
 

@@ -4,7 +4,7 @@
 #include "checks.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/laurent_polynomial.hpp>
+#include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 /// The maxima of a variance curve and of its slope as finitely many numbers give them: candidates for how a printed
 /// value came about. Domain, results and what they mean: docs/table-3.md.
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 #include <subcert/proofs-checks/statements/statement.hpp>
 
 #include <cstddef>

@@ -5,8 +5,8 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/schemes/local_regression.hpp>

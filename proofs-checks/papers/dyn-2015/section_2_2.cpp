@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/schemes/local_regression.hpp>

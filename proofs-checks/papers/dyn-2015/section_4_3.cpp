@@ -3,7 +3,7 @@
 #include "checks.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/proofs-checks/statements/normal_equations.hpp>

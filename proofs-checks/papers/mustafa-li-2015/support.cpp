@@ -3,7 +3,7 @@
 #include "checks.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/statements/computed.hpp>
 #include <subcert/proofs-checks/statements/mask_form.hpp>
 #include <subcert/schemes/local_regression.hpp>

@@ -2,7 +2,7 @@
 #include "../identities.hpp"
 #include "../transcription.hpp"
 
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 

@@ -1,7 +1,7 @@
 // toy_sweep CASES MILLISECONDS JOURNAL [SHARD] [JOBS]: a sweep of toy cases, printed as a JSON array.
 // Case i waits as long as asked and gives a rational number and a string; with CASES = -1 the journal is held forever.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 #include <subcert/proofs-checks/sweeps/sweep.hpp>
 
 #include <chrono>

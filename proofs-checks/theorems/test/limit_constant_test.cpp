@@ -1,5 +1,5 @@
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/analysis/symbol/interval.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>

@@ -1,6 +1,6 @@
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/symbol/ball_solvers.hpp>
+#include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/theorems/smoothness_rate.hpp>

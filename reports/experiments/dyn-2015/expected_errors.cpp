@@ -2,7 +2,7 @@
 
 #include "parts.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/expected_error.hpp>
 #include <subcert/schemes/data/smooth/scheme_smoother.hpp>

@@ -3,7 +3,7 @@
 #include "limit_trial.hpp"
 #include "parts.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>
 #include <subcert/reports/experiments/noise_levels.hpp>

@@ -1,6 +1,6 @@
 #include "limit_trial.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "parts.hpp"
 
-#include <subcert/analysis/symbol/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/reports/experiments/figures.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/local_regression.hpp>

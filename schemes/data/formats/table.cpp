@@ -1,7 +1,7 @@
 #include "table.hpp"
 
-#include <subcert/analysis/symbol/parallel.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <algorithm>
 #include <array>

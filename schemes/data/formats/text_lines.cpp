@@ -1,6 +1,6 @@
 #include "text_lines.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <charconv>
 #include <cmath>

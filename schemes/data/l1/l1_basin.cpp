@@ -3,7 +3,7 @@
 #include "l1_refinement.hpp"
 #include "l1_regression.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

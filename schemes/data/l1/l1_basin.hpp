@@ -1,7 +1,7 @@
 #pragma once
 /// Where the reweighted fits of a window are so near to least squares that their limits are as smooth.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <optional>
 

@@ -2,8 +2,8 @@
 
 #include "reweighted_step.hpp"
 
-#include <subcert/analysis/symbol/dilation.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/masks/dilation.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

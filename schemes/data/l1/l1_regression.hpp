@@ -3,7 +3,7 @@
 
 #include "least_absolute_fit.hpp"
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 #include <subcert/schemes/l1_scheme.hpp>
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 
 #include "least_absolute_fit.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 /// The polynomials of least absolute deviations themselves, without delta and without iterations: every decision is
 /// exact, in double precision too.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <cstddef>
 #include <vector>

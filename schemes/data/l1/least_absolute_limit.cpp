@@ -1,7 +1,7 @@
 #include "least_absolute_limit.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>
 

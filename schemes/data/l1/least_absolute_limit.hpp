@@ -5,7 +5,7 @@
 
 #include <subcert/analysis/piecewise/contraction.hpp>
 #include <subcert/analysis/piecewise/edge_orbit.hpp>
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 #include <optional>
 

@@ -5,7 +5,7 @@
 
 #include "robustness.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cstdlib>

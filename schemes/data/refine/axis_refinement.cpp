@@ -3,8 +3,8 @@
 #include "weighted_sum.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 #include <algorithm>

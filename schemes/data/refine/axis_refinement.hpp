@@ -3,7 +3,7 @@
 
 #include "axis_stencils.hpp"
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 #include <map>
 

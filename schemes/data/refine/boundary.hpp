@@ -1,7 +1,7 @@
 #pragma once
 /// What stands beyond the ends of open data.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 /// Points on uniform grids: curves, surfaces and volumes in one container.
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -4,9 +4,9 @@
 #include "weighted_sum.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
-#include <subcert/analysis/symbol/parallel.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/grid_regression.hpp>
 
 #include <algorithm>

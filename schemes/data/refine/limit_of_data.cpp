@@ -4,8 +4,9 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <stdexcept>

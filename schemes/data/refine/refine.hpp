@@ -4,7 +4,7 @@
 #include "boundary.hpp"
 #include "grid_data.hpp"
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "files.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>

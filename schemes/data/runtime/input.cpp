@@ -1,6 +1,6 @@
 #include "input.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>

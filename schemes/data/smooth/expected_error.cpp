@@ -1,6 +1,6 @@
 #include "expected_error.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <boost/math/distributions/normal.hpp>
 

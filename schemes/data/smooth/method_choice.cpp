@@ -1,7 +1,7 @@
 #include "method_choice.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "noise.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <boost/math/distributions/students_t.hpp>
 

@@ -2,9 +2,9 @@
 
 #include "uniform_grid.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/parse_error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 
 #include <fmt/format.h>

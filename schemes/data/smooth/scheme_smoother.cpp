@@ -1,8 +1,8 @@
 #include "scheme_smoother.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
-#include <subcert/analysis/symbol/error.hpp>
-#include <subcert/analysis/symbol/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "uniform_grid.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>

@@ -2,7 +2,7 @@
 
 #include "smooth.hpp"
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>

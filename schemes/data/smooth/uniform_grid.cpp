@@ -1,8 +1,8 @@
 
 #include "uniform_grid.hpp"
 
-#include <subcert/analysis/symbol/decimal.hpp>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "extension.hpp"
 
-#include <subcert/analysis/symbol/numbers.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 
 #include <cstddef>
 #include <limits>

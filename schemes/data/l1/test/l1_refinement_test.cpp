@@ -1,6 +1,6 @@
 #include "least_absolute_deviation.hpp"
 
-#include <subcert/analysis/symbol/mask.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>

@@ -2,7 +2,7 @@
 // The exact least absolute deviation fit, by enumeration: some optimal fit interpolates as many data as there are basis
 // polynomials [BR73].
 
-#include <subcert/analysis/symbol/rational_matrix.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/schemes/data/l1/l1_regression.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The least absolute polynomials against all polynomials through as many data as they have coefficients.
 
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/l1/least_absolute_fit.hpp>

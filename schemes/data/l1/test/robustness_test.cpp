@@ -1,5 +1,5 @@
 #include <cmath>
-#include <subcert/analysis/symbol/error.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/l1/least_absolute_fit.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>

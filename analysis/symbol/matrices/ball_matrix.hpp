@@ -1,0 +1,27 @@
+#pragma once
+/// Matrices of complex balls, for sources (never for public headers).
+
+#include <subcert/analysis/symbol/numbers/balls.hpp>
+#include <subcert/analysis/symbol/numbers/rational_complex.hpp>
+#include "rational_matrix.hpp"
+
+namespace subcert {
+
+/// An eigenvalue of a matrix and an eigenvector of it, both inside.
+struct EigenpairEnclosure {
+  ComplexBall value;
+  std::vector<ComplexBall> vector;
+};
+
+/// Encloses the one eigenpair near an approximation. Domain: a square matrix, a vector of its size that is not 0; its
+/// Rayleigh quotient is taken as the approximate eigenvalue. Nothing where no simple eigenpair is isolated. Cost: a few
+/// products and one inverse of balls of `bits` bits. Ref: [Rum10].
+std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
+                                                    slong bits);
+
+/// The columns of (point - matrix)^(-1), about. Domain: a square matrix. Nothing is proved; nothing where numbers of
+/// `bits` bits find no pivot. Cost: one inverse of such numbers.
+std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
+                                                          slong bits);
+
+}  // namespace subcert

@@ -120,7 +120,8 @@ LogarithmicFactor logarithmic_factor(const Mask& mask, const HolderRegularity& r
 bool has_eigenvalue(const MatrixFamily& family, const std::vector<int>& word, const Rational& modulus,
                     const Deadline& deadline) {
   if (word.empty()) return false;
-  const auto polynomial = characteristic_polynomial(family.product(word), deadline);
+  const auto product = family.product(word, deadline);
+  const auto polynomial = product ? characteristic_polynomial(*product, deadline) : std::nullopt;
   const Rational value = power(modulus, static_cast<long>(word.size()));
   return polynomial && ((*polynomial)(value) == 0 || (*polynomial)(-value) == 0);
 }

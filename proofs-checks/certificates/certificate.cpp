@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace subcert {
@@ -21,6 +22,7 @@ namespace {
 
 constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
 constexpr int inverse_bits = 60;            // of the radius of a product, by an inverse
+constexpr double most_checked = 8e9;        // of the work of all words of a length, of which checkers allow 10^10
 constexpr int most_levels = 6;              // of the norms that bound differences
 
 /// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
@@ -401,6 +403,27 @@ std::optional<std::pair<int, std::string>> logarithm_lines(const Mask& mask, con
   return std::pair(0, fmt::format("{} norm {}\n", line, small - norms.begin() + 1));
 }
 
+/// With norms of words so short that checkers go through all of them: a mask tells the norms of longer ones at once.
+HolderRegularity checkable(const Mask& mask, HolderRegularity regularity) {
+  auto* norms = std::get_if<NormProof>(&regularity.radius.proof);
+  if (!norms) return regularity;
+  const MatrixFamily family = family_of(mask, regularity);
+  const Integer denominator = common_denominator(family);
+  long bits = 1;
+  for (const RationalMatrix& m : family)
+    bits = std::max(bits, binary_exponent(m).value_or(0) + binary_exponent(Rational(denominator)));
+  const double size = static_cast<double>(family.size()), limbs = 1 + static_cast<double>(bits) / 64;
+  const auto is_short = [&](int level) {
+    return std::pow(mask.arity(), level) * size * size * (20 + limbs * limbs * level) <= most_checked;
+  };
+  if (is_short(norms->level)) return regularity;
+  *norms = {1, regularity.bounds.levels.front().norm};
+  for (const HolderBound& bound : regularity.bounds.levels)
+    if (const NormProof other{bound.levels, bound.norm}; is_short(bound.levels) && other.bound() < norms->bound())
+      *norms = other;
+  return regularity;
+}
+
 /// What the certificate proves; the exponent may be known more sharply.
 Rational lower_end(const Mask& mask, const HolderRegularity& regularity, const ExactRadius& exact = {}) {
   return regularity.bounds.sum_rules - *log_ratio(upper_end(regularity.radius, exact), mask.arity()).upper;
@@ -484,10 +507,12 @@ Certificate Certificate::of_bounds() const {
   return result;
 }
 
-Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
+Certificate exponent_certificate(const Mask& mask, const HolderRegularity& found,
                                  const std::optional<MaskRounding>& rounding) {
-  const ReducedRegularity* other = regularity.reduced.get();
-  if (other && !(lower_end(other->mask.mask, other->regularity) > 0)) other = nullptr;
+  const HolderRegularity regularity = checkable(mask, found);
+  std::optional<ReducedRegularity> other;
+  if (found.reduced) other = {found.reduced->mask, checkable(found.reduced->mask.mask, found.reduced->regularity)};
+  if (other && !(lower_end(other->mask.mask, other->regularity) > 0)) other.reset();
   const int rules = regularity.bounds.sum_rules;
   const Rational lower = lower_end(mask, regularity);
   require(lower > 0, "certificate: need a positive lower bound of the exponent, got {}",

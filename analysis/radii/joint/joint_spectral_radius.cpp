@@ -296,7 +296,8 @@ void sharpen(JointSpectralRadius& radius, const MatrixFamily& family, int bits, 
   const std::vector<int>& word = radius.product.word;
   if (!radius.exact.is_yes() || word.empty() || *ends.upper - *ends.lower <= *ends.lower * power(Rational(2), -bits))
     return;
-  const auto characteristic = characteristic_polynomial(family.product(word), deadline);
+  const auto product = family.product(word, deadline);
+  const auto characteristic = product ? characteristic_polynomial(*product, deadline) : std::nullopt;
   if (!characteristic || !radius::has_time_for_roots(*characteristic, deadline)) return;
   const Enclosure modulus = largest_root_modulus(*characteristic, bits).largest;
   const int length = static_cast<int>(word.size());

@@ -126,9 +126,10 @@ std::string word_text(const std::vector<int>& word) {
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline,
                               const Rational& distance) {
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
-  const RationalMatrix product = family.product(word);
-  const auto characteristic = characteristic_polynomial(product, deadline);
+  const auto in_time = family.product(word, deadline);
+  const auto characteristic = in_time ? characteristic_polynomial(*in_time, deadline) : std::nullopt;
   if (!characteristic) return evidence;
+  const RationalMatrix& product = *in_time;
   const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
   // Multiple eigenvalues are found as simple zeros of the squarefree part.
   auto centre = centre_of(product, p, simple, deadline);
@@ -233,8 +234,8 @@ bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const
 }
 
 int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline) {
-  const RationalMatrix product = family.product(word);
-  const auto p = characteristic_polynomial(product, deadline);
+  const auto product = family.product(word, deadline);
+  const auto p = product ? characteristic_polynomial(*product, deadline) : std::nullopt;
   if (!p || !has_time_for_roots(*p, deadline)) return 0;
   const auto factors = irreducible_factors(*p);
   std::vector<Enclosure> moduli;
@@ -245,7 +246,7 @@ int jordan_power(const MatrixFamily& family, const std::vector<int>& word, const
   }
   for (std::size_t i = 0; i < moduli.size(); ++i)
     if (i != leading && *moduli[i].upper >= *moduli[leading].lower) return 0;
-  return largest_jordan_block(product, factors[leading].polynomial) - 1;
+  return largest_jordan_block(*product, factors[leading].polynomial) - 1;
 }
 
 }  // namespace radius

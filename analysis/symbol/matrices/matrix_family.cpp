@@ -92,10 +92,16 @@ bool MatrixFamily::is_flip_symmetric() const {
   return letters == in_order(count());
 }
 
-RationalMatrix MatrixFamily::product(const std::vector<int>& word) const {
-  RationalMatrix product = matrices_[static_cast<std::size_t>(word.front())];
-  for (std::size_t k = 1; k < word.size(); ++k) product = product * matrices_[static_cast<std::size_t>(word[k])];
-  return product;
+RationalMatrix MatrixFamily::product(const std::vector<int>& word) const { return *product(word, Deadline()); }
+
+std::optional<RationalMatrix> MatrixFamily::product(const std::vector<int>& word, const Deadline& deadline) const {
+  const auto of_letters = [&](auto& self, std::size_t first, std::size_t count) -> std::optional<RationalMatrix> {
+    if (count == 1) return matrices_[static_cast<std::size_t>(word[first])];
+    const auto left = self(self, first, count / 2);
+    const auto right = left ? self(self, first + count / 2, count - count / 2) : std::nullopt;
+    return right && !deadline.expired() ? std::optional(*left * *right) : std::nullopt;
+  };
+  return of_letters(of_letters, 0, word.size());
 }
 
 Integer common_denominator(const MatrixFamily& family) {

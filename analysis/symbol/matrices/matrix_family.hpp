@@ -4,6 +4,7 @@
 #include "rational_matrix.hpp"
 
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 namespace subcert {
@@ -65,8 +66,11 @@ class MatrixFamily {
   /// Whether it consists of the identity and the flip.
   bool is_flip_symmetric() const;
 
-  /// A_{word[0]} A_{word[1]} ... Domain: at least one letter, all below count().
+  /// A_{word[0]} A_{word[1]} ... Domain: at least one letter, all below count(). Cost: its halves first, so that long
+  /// numbers meet long ones.
   RationalMatrix product(const std::vector<int>& word) const;
+  /// The same, or nothing past the deadline, which is looked at before each multiplication of two matrices.
+  std::optional<RationalMatrix> product(const std::vector<int>& word, const Deadline& deadline) const;
 
  private:
   std::vector<RationalMatrix> matrices_;

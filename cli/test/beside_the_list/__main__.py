@@ -9,6 +9,7 @@ import os
 import random
 import resource
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -34,7 +35,7 @@ class Run:
             child = subprocess.Popen([program, *arguments], stdin=subprocess.DEVNULL, stdout=output, stderr=errors,
                                      cwd=folder, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU,
                                                                                        (limit, limit)))
-            timer = threading.Timer(LONGEST_WALL, child.kill)
+            timer = threading.Timer(LONGEST_WALL, os.kill, (child.pid, signal.SIGKILL))  # child.kill would wait for it
             timer.start()
             _, status, used = os.wait4(child.pid, 0)
             timer.cancel()

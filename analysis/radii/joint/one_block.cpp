@@ -63,11 +63,13 @@ Decision attains(const MatrixFamily& family, const PolytopeCandidate& candidate,
 
 /// A family without matrices that occur before.
 struct DifferentMatrices {
-  MatrixFamily family;
+  const MatrixFamily* whole;
+  std::optional<MatrixFamily> fewer;   ///< where some occur before: large families are not copied
   std::vector<std::size_t> originals;  ///< the matrix of the family that is this one
   std::vector<std::size_t> places;     ///< of each matrix of the family, among the different ones
   std::vector<bool> opposite;          ///< whether it is -1 times the one at its place
   bool are_fewer() const { return originals.size() < places.size(); }
+  const MatrixFamily& family() const { return fewer ? *fewer : *whole; }
 };
 
 /// The sign of the first entry that is not 0.
@@ -78,42 +80,46 @@ int first_sign(const RationalMatrix& m) {
   return 0;
 }
 
+bool are_opposite(const RationalMatrix& a, const RationalMatrix& b) {
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t j = 0; j < a.columns(); ++j)
+      if (a(i, j) != -b(i, j)) return false;
+  return true;
+}
+
 /// `up_to_sign`: of opposite ones that stays whose first entry is negative, so that no cone, which -1 does not keep,
-/// is looked for; and no use is made of a group then.
+/// is looked for; and no use is made of a group then. Domain: the family outlives the result.
 DifferentMatrices different_matrices(const MatrixFamily& family, bool up_to_sign = false) {
-  std::vector<RationalMatrix> matrices;
-  std::vector<std::size_t> originals, places;
+  DifferentMatrices result{&family, std::nullopt, {}, {}, {}};
+  auto& [whole, fewer, originals, places, opposite] = result;
   bool any_opposite = false;
   for (std::size_t t = 0; t < family.count(); ++t) {
-    auto known = std::find(matrices.begin(), matrices.end(), family[t]);
-    if (up_to_sign && known == matrices.end()) {
-      known = std::find(matrices.begin(), matrices.end(), Rational(-1) * family[t]);
-      if (known != matrices.end()) {
+    auto known = std::ranges::find_if(originals, [&](std::size_t k) { return family[k] == family[t]; });
+    if (up_to_sign && known == originals.end()) {
+      known = std::ranges::find_if(originals, [&](std::size_t k) { return are_opposite(family[k], family[t]); });
+      if (known != originals.end()) {
         any_opposite = true;
-        if (first_sign(family[t]) < 0) {
-          *known = family[t];
-          originals[static_cast<std::size_t>(known - matrices.begin())] = t;
-        }
+        if (first_sign(family[t]) < 0) *known = t;
       }
     }
-    places.push_back(static_cast<std::size_t>(known - matrices.begin()));
-    if (known != matrices.end()) continue;
-    matrices.push_back(family[t]);
-    originals.push_back(t);
+    places.push_back(static_cast<std::size_t>(known - originals.begin()));
+    if (known == originals.end()) originals.push_back(t);
   }
-  std::vector<bool> opposite;
-  for (std::size_t t = 0; t < family.count(); ++t) opposite.push_back(matrices[places[t]] != family[t]);
-  const auto with = [&](MatrixFamily fewer) {
-    return DifferentMatrices{std::move(fewer), std::move(originals), std::move(places), std::move(opposite)};
-  };
-  if (originals.size() == family.count()) return with(family);
+  for (std::size_t t = 0; t < family.count(); ++t) opposite.push_back(family[originals[places[t]]] != family[t]);
+  if (!result.are_fewer()) return result;
+  std::vector<RationalMatrix> matrices;
+  for (const std::size_t t : originals) matrices.push_back(family[t]);
   if (any_opposite) {
     std::vector<std::size_t> letters(matrices.size());
     std::iota(letters.begin(), letters.end(), std::size_t{0});
-    return with({std::move(matrices), {{SparseMap::identity(family.size()), std::move(letters)}}});
+    fewer.emplace(std::move(matrices), std::vector{FamilySymmetry{SparseMap::identity(family.size()), letters}});
+    return result;
   }
   // The flip is kept where it still reverses the order.
-  if (family.is_flip_symmetric()) return with(std::move(matrices));
+  if (family.is_flip_symmetric()) {
+    fewer.emplace(std::move(matrices));
+    return result;
+  }
   std::vector<FamilySymmetry> group;
   for (const FamilySymmetry& element : family.group()) {
     FamilySymmetry one{element.map, {}};
@@ -122,7 +128,8 @@ DifferentMatrices different_matrices(const MatrixFamily& family, bool up_to_sign
     if (std::none_of(group.begin(), group.end(), [&](const FamilySymmetry& g) { return g.letters == one.letters; }))
       group.push_back(std::move(one));
   }
-  return with({std::move(matrices), std::move(group)});
+  fewer.emplace(std::move(matrices), std::move(group));
+  return result;
 }
 
 /// A word over the different matrices in letters of the family.
@@ -478,10 +485,10 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
 /// By the different matrices.
 JointSpectralRadius radius_of_merged(const DifferentMatrices& different, const Budget& budget,
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
-  const auto largest = largest_of_commuting(different.family, budget.deadline.after(shares::commuting));
+  const auto largest = largest_of_commuting(different.family(), budget.deadline.after(shares::commuting));
   const Deadline end = largest ? budget.deadline.after(shares::commuting).at_most(shares::commuting_seconds)
                                : budget.deadline;
-  JointSpectralRadius result = radius_of_different(different.family, different.places.size(), {end, budget.memory},
+  JointSpectralRadius result = radius_of_different(different.family(), different.places.size(), {end, budget.memory},
                                                    known, target);
   if (largest && !result.exact.is_yes()) {
     result.product = *largest;
@@ -544,8 +551,8 @@ std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Ratio
 
 std::optional<GraphProof> quadratic_bound(const MatrixFamily& family, const Rational& target, const Budget& budget) {
   const DifferentMatrices different = different_matrices(family);
-  const Rational unit = power(Rational(2), scaling_exponent(different.family));
-  auto proof = prove_by_quadratic_forms(unit == 1 ? different.family : 1 / unit * different.family, target / unit,
+  const Rational unit = power(Rational(2), scaling_exponent(different.family()));
+  auto proof = prove_by_quadratic_forms(unit == 1 ? different.family() : 1 / unit * different.family(), target / unit,
                                         budget);
   if (!proof) return std::nullopt;
   expand(*proof, different);

@@ -58,9 +58,9 @@ std::string mask_formulas(const Scheme& scheme) {
   return text;
 }
 
-std::string exponent_latex(const Enclosure& exponent) {
+std::string exponent_latex(const Enclosure& exponent, const std::optional<ExponentFormula>& formula) {
   const std::string relation = formats::relation_latex(exponent, latex_digits);
-  return relation.empty() ? "" : "\\alpha " + relation;
+  return relation.empty() ? "" : "\\alpha " + (formula ? "= " + formula->latex() + " " : "") + relation;
 }
 
 ExitCode print_range(const Scheme& scheme, Facts known, bool complete, std::size_t width, const CommonOptions& options,

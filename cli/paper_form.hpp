@@ -3,9 +3,12 @@
 
 #include "command.hpp"
 
+#include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/formats/paper_text.hpp>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace subcert::cli {
 
@@ -49,8 +52,8 @@ void answer(const CommonOptions& options, const PaperForm& form, TableAnswer ans
 /// Mask and symbol, a line each below the name of the scheme. Errors: as mask_latex().
 std::string mask_formulas(const Scheme& scheme);
 
-/// `\alpha = 2`, of proved ends; empty where there are none.
-std::string exponent_latex(const Enclosure& exponent);
+/// `\alpha = 2`, of proved ends; empty where there are none. With a formula it goes first.
+std::string exponent_latex(const Enclosure& exponent, const std::optional<facts::ExponentFormula>& formula = {});
 
 /// Bounds of a function of a scheme, texts from the column `width` on; undecided where they are not as narrow as was
 /// asked for.

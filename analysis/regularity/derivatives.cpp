@@ -29,7 +29,6 @@ std::optional<Decision> refuted_by_sum_rules(const Mask& mask, long order) {
 
 /// Of a scheme that converges, order >= 1, beyond what norms prove.
 DerivativeProof by_exponent(const Mask& mask, long order, const std::string& obstacle, const ProofLimits& limits) {
-  if (const auto refuted = refuted_by_sum_rules(mask, order)) return {*refuted};
   const HolderRegularity found = holder_regularity(mask, limits.levels, {limits.deadline});
   const Truth smooth = has_derivatives(found, order);
   if (smooth == Truth::no) return {{smooth, refutation(found, order)}};
@@ -50,6 +49,8 @@ DerivativeProof of_curve(const Mask& mask, long order, const ProofLimits& limits
         by_radius.truth != Truth::unknown)
       convergence = by_radius;
   if (order == 0 || !convergence.is_yes()) return {convergence};
+  if (order >= sum_rules(mask))
+    if (const auto refuted = refuted_by_sum_rules(mask, order)) return {*refuted};
   const SmoothnessProof proof = proved_smoothness(mask, limits);
   if (proof.order >= order) return {{Truth::yes, proof.evidence}};
   if (!is_affine(mask)) return {{Truth::unknown, proof.obstacle}};

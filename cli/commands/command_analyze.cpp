@@ -36,7 +36,9 @@ void print(const AnalyzeOptions& options, const facts::Facts& facts, std::size_t
 std::string formulas_of(const Scheme& scheme, const facts::Analysis& known) {
   std::string text = mask_formulas(scheme);
   if (known.convergence.is_yes() && known.regularity)
-    if (const std::string exponent = exponent_latex(known.regularity->exponent()); !exponent.empty())
+    if (const std::string exponent = exponent_latex(known.regularity->exponent(),
+                                                    exponent_formula(scheme, *known.regularity));
+        !exponent.empty())
       text += exponent + "\n";
   return text;
 }

@@ -20,8 +20,9 @@ struct RegularityCommandOptions : SearchOptions {
 };
 
 /// `\alpha = 2`, or a remark.
-std::string latex_of(const std::string& scheme, const Enclosure& exponent, const Decision& converges) {
-  const std::string formula = exponent_latex(exponent);
+std::string latex_of(const std::string& scheme, const Enclosure& exponent, const Decision& converges,
+                     const std::optional<ExponentFormula>& closed = {}) {
+  const std::string formula = exponent_latex(exponent, closed);
   return "% " + scheme + ": " +
          (formula.empty() ? "no exponent is known; convergence: " + to_text(converges.truth) + "\n"
                           : "the Hoelder exponent, enclosed with proof\n" + formula + "\n");
@@ -88,7 +89,8 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   options.end_progress();
   Json json = page_json(list);
   certificate.add_to(json);
-  print(options, json, list, latex_of(scheme.specification, proved_exponent(found), found.converges()),
+  print(options, json, list,
+        latex_of(scheme.specification, proved_exponent(found), found.converges(), exponent_formula(scheme, found)),
         certificate.text(found.exact().is_yes()));
   certificate.failure.raise();
   if (found.converges().is_no()) return failed;

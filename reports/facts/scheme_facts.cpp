@@ -147,7 +147,7 @@ Facts scheme_facts(const Scheme& scheme, const Analysis& known) {
                          : sobolev_fact(regularity->surface->sobolev, regularity->stable());
     if (!converges) exponent.label = "";
     if (!curve && !converges) sobolev.label = "";
-    append(list, {exponent, sobolev});
+    append(list, {exponent, formula_fact(exponent_formula(scheme, *regularity)), sobolev});
     list.push_back(decided("stable", converges ? "stable" : "", regularity->stable()));
   }
   if (!known.skipped.empty()) list.push_back({"skipped", "values", "skipped: " + known.skipped, "", known.skipped});

@@ -89,6 +89,7 @@ TEST_CASE("plain text: signs and blanks that look like others") {
   CHECK(plain("z*2") == "z*2");
   CHECK(plain("1&2") == "1&2");  // outside of a list
   CHECK(plain("\\begin{pmatrix}1&-2\\\\3&4\\end{pmatrix}") == "[1,-2;3,4]");
+  CHECK(plain("2*\\begin{matrix}1\\end{matrix}/4") == "2*[1]/4");
   CHECK(plain("$1/4$") == "1/4");
   CHECK(plain("$") == "$");
 }

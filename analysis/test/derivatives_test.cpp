@@ -44,6 +44,14 @@ TEST_CASE("derivatives: the exponent decides, and stability where it is the orde
   CHECK(answer("dual:n=5", 3) == Truth::no);
 }
 
+TEST_CASE("derivatives: by the exponent where 16 levels of norms are too few") {
+  CHECK(converges(make_linear_scheme("four-point:w=49/100").mask).truth == Truth::unknown);
+  CHECK(answer("four-point:w=49/100", 0) == Truth::yes);
+  CHECK(proved_smoothness(make_linear_scheme("four-point:w=1925/10000").mask).order == 0);
+  CHECK(derivative("four-point:w=1925/10000", {1}).decision.reason.starts_with("the exponent is 1.00"));
+  CHECK(answer("four-point:w=1928/10000", 1) == Truth::no);
+}
+
 TEST_CASE("derivatives: too few sum rules, at once, whatever the size") {
   const DerivativeProof large = derivative("primal:n=40,d=3", {4});
   CHECK(large.decision.is_no());
@@ -101,6 +109,8 @@ TEST_CASE("derivatives: what is required is thrown with its proof") {
   CHECK_THROWS_WITH(require_derivative("hat", make_linear_scheme("bspline:degree=1").mask, {1}),
                     "hat: derivative 1 is not continuous; the exponent is at most 1, and the shifts are stable");
   CHECK_NOTHROW(require_derivative("hat", make_linear_scheme("bspline:degree=1").mask, {0}));
+  CHECK_NOTHROW(require_derivative("quadratic", make_linear_scheme("chaikin").mask, {1}));
+  CHECK_NOTHROW(require_convergence("any", {Truth::yes, ""}));
   try {
     require_derivative("few", make_linear_scheme("mask:[1,1,2,2,1,1]/4").mask, {1});
     FAIL("divided differences that do not converge");

@@ -34,7 +34,7 @@ void print(const AnalyzeOptions& options, const facts::Facts& facts, std::size_t
 
 /// Mask, symbol and exponent.
 std::string formulas_of(const Scheme& scheme, const facts::Analysis& known) {
-  std::string text = mask_formulas(scheme);
+  std::string text = scheme.mask.dimension() <= 2 ? mask_formulas(scheme) : "% " + scheme.specification + "\n";
   if (known.convergence.is_yes() && known.regularity)
     if (const std::string exponent = exponent_latex(known.regularity->exponent(),
                                                     exponent_formula(scheme, *known.regularity));

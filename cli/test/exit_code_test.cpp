@@ -79,6 +79,16 @@ TEST_CASE("exit codes: a scheme that converges, and one that does not") {
     }
 }
 
+TEST_CASE("exit codes: convergence that the exponent proves, and 16 levels of norms do not") {
+  const Place place;
+  for (const Question& question : questions()) {
+    const std::string arguments = question.arguments;
+    if (contains(arguments, "--range") || contains(arguments, "variance")) continue;  // enclosures need norms
+    CAPTURE(arguments);
+    CHECK(place.ask(arguments, "four-point:w=49/100").code == 0);
+  }
+}
+
 TEST_CASE("exit codes: what is no scheme, or none of the kind that is asked for") {
   const Place place;
   for (const char* scheme : {"nosuch:n=3", "mask:[0]", "mask:[]", "mask:[nan,1]", "mask:[1,1,1]/2", "primal:n=2,d=-1",

@@ -8,11 +8,19 @@ namespace {
 constexpr int latex_digits = 14;
 constexpr const char* booktabs = "% needs \\usepackage{booktabs}\n";
 
+/// In one line; what follows an equals sign goes on.
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    line += text[i] != '\n' ? std::string(1, text[i]) : text.substr(i + 1).starts_with('=') ? " " : "; ";
+  return line;
+}
+
 /// A row for each fact that people read.
 formats::TableRows fact_rows(const Facts& list) {
   formats::TableRows rows;
   for (const Fact& fact : list)
-    if (!fact.label.empty()) rows.push_back({fact.label, text_with_remark(fact)});
+    if (!fact.label.empty()) rows.push_back({fact.label, in_one_line(text_with_remark(fact))});
   return rows;
 }
 

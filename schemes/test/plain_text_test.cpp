@@ -32,9 +32,12 @@ std::string written(const std::string& text) {
 }  // namespace
 
 TEST_CASE("plain text: fractions of one character, raised and lowered digits") {
-  const Pairs one_character{{"¼", "1/4"}, {"½", "1/2"}, {"¾", "3/4"}, {"⅐", "1/7"}, {"⅑", "1/9"}, {"⅒", "1/10"},
-                            {"⅓", "1/3"}, {"⅔", "2/3"}, {"⅕", "1/5"}, {"⅖", "2/5"}, {"⅗", "3/5"}, {"⅘", "4/5"},
-                            {"⅙", "1/6"}, {"⅚", "5/6"}, {"⅛", "1/8"}, {"⅜", "3/8"}, {"⅝", "5/8"}, {"⅞", "7/8"}};
+  const Pairs one_character{{"¼", "1/4"}, {"½", "1/2"}, {"¾", "3/4"},   //
+                            {"⅐", "1/7"}, {"⅑", "1/9"}, {"⅒", "1/10"},  //
+                            {"⅓", "1/3"}, {"⅔", "2/3"}, {"⅕", "1/5"},   //
+                            {"⅖", "2/5"}, {"⅗", "3/5"}, {"⅘", "4/5"},   //
+                            {"⅙", "1/6"}, {"⅚", "5/6"}, {"⅛", "1/8"},   //
+                            {"⅜", "3/8"}, {"⅝", "5/8"}, {"⅞", "7/8"}};
   for (const auto& [text, value] : one_character) CHECK(plain(text) == "(" + value + ")");
   const Pairs texts{{"¹⁄₁₆·[1,2]", "(1/16)*[1,2]"},
                     {"¹/₁₆[1,2]", "(1/16)[1,2]"},
@@ -95,11 +98,15 @@ TEST_CASE("plain text: signs and blanks that look like others") {
 }
 
 TEST_CASE("plain text: names of letters") {
-  const Pairs names{{"α", "alpha"},   {"β", "beta"},  {"γ", "gamma"},  {"δ", "delta"}, {"ε", "epsilon"}, {"ζ", "zeta"},
-                    {"η", "eta"},     {"θ", "theta"}, {"ι", "iota"},   {"κ", "kappa"}, {"λ", "lambda"},  {"μ", "mu"},
-                    {"ν", "nu"},      {"ξ", "xi"},    {"ρ", "rho"},    {"ς", "sigma"}, {"σ", "sigma"},   {"τ", "tau"},
-                    {"υ", "upsilon"}, {"φ", "phi"},   {"χ", "chi"},    {"ψ", "psi"},   {"ω", "omega"},   {"µ", "mu"},
-                    {"ϑ", "theta"},   {"ϕ", "phi"},   {"ϵ", "epsilon"}};
+  const Pairs names{{"α", "alpha"},   {"β", "beta"},    {"γ", "gamma"},  //
+                    {"δ", "delta"},   {"ε", "epsilon"}, {"ζ", "zeta"},   //
+                    {"η", "eta"},     {"θ", "theta"},   {"ι", "iota"},   //
+                    {"κ", "kappa"},   {"λ", "lambda"},  {"μ", "mu"},     //
+                    {"ν", "nu"},      {"ξ", "xi"},      {"ρ", "rho"},    //
+                    {"ς", "sigma"},   {"σ", "sigma"},   {"τ", "tau"},    //
+                    {"υ", "upsilon"}, {"φ", "phi"},     {"χ", "chi"},    //
+                    {"ψ", "psi"},     {"ω", "omega"},   {"µ", "mu"},     //
+                    {"ϑ", "theta"},   {"ϕ", "phi"},     {"ϵ", "epsilon"}};
   for (const auto& [letter, name] : names) {
     CHECK(plain(letter) == name);
     CHECK(plain("2" + letter + "z") == "2" + name + " z");

@@ -2,6 +2,7 @@
 
 #include "provenance.hpp"
 
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -18,10 +19,15 @@
 
 namespace subcert::cli {
 
-ExitCode exit_code(Truth answer) { return answer == Truth::yes ? done : answer == Truth::no ? failed : undecided; }
+ExitCode exit_code(Truth answer, bool open_for_good) {
+  if (answer == Truth::unknown) return open_for_good ? obstructed : undecided;
+  return answer == Truth::yes ? done : failed;
+}
 
-ExitCode exit_code(ErrorKind kind) {
-  switch (kind) {
+ExitCode exit_code(const Error& error) {
+  if (const auto* refused = dynamic_cast<const NoLimit*>(&error))
+    return exit_code(refused->proof().decision.truth, refused->proof().open_for_good);
+  switch (error.kind()) {
     case ErrorKind::data: return bad_data;
     case ErrorKind::missing_file: return missing_file;
     case ErrorKind::undecided: return undecided;
@@ -45,7 +51,7 @@ std::string exit_code_help() {
 }
 
 std::string json_text(Json json_object) {
-  json_object["subcert"] = provenance();
+  json_object["subcert"] = provenance(json_object);
   return json_object.dump(2) + "\n";
 }
 
@@ -99,7 +105,10 @@ Command add_command(Command& app, const std::string& name, const std::string& de
   command.option("--jobs", options->jobs, "Threads (default: all cores)").within(1, 1024);
   command.option("--seed", options->seed, "Seed for whatever is random");
   command.option("--out", options->out, "Write the answer there; - is standard output");
-  command.run([run] { return static_cast<int>(run()); });
+  command.run([run, options] {
+    if (options->json) record_inputs();
+    return static_cast<int>(run());
+  });
   return command;
 }
 
@@ -129,12 +138,6 @@ void add_scheme(Command& command, std::string& target, bool any) {
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;
-}
-
-ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence) {
-  std::cerr << "subcert: " << scheme << ": " << lack << "; convergence: " << to_text(convergence.truth) << " ("
-            << convergence.reason << ")\n";
-  return convergence.is_no() ? failed : undecided;
 }
 
 }  // namespace subcert::cli

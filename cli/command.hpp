@@ -33,10 +33,11 @@ enum class ExitCode {
 };
 using enum ExitCode;
 
-/// done, failed or undecided.
-ExitCode exit_code(Truth answer);
-/// Whose matter the error is.
-ExitCode exit_code(ErrorKind kind);
+/// One code for one fact, whichever command finds it: done, failed, or undecided, of which obstructed says that no
+/// budget changes it.
+ExitCode exit_code(Truth answer, bool open_for_good = false);
+/// Whose matter the error is, and of NoLimit that of its answer.
+ExitCode exit_code(const Error& error);
 
 /// The meanings, as help prints them.
 std::string exit_code_help();
@@ -108,21 +109,6 @@ void add_scheme(Command& command, std::string& target, bool any = false);
 
 /// The text with blanks up to this width.
 std::string padded(std::string text, std::size_t width);
-
-/// Prints bounds of a function of a scheme, texts from the column `width` on; undecided where they are not as narrow as
-/// was asked for.
-template <class Kind>
-ExitCode print_range(const Kind& scheme, Facts known, bool complete, std::size_t width, const CommonOptions& options) {
-  Facts list = named(scheme.specification, scheme.title);
-  append(list, std::move(known));
-  options.answer(
-      page_json(list),
-      page_text(list, width) + (complete ? "" : "The enclosures are wider than asked for: the budget ran out.\n"));
-  return complete ? done : undecided;
-}
-
-/// Says on standard error, as errors do, that the scheme lacks what limits are needed for; the code to leave with.
-ExitCode refuse_unproved(const std::string& scheme, const std::string& lack, const Decision& convergence);
 
 void add_mask(Command& app);
 void add_analyze(Command& app);

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   } catch (const cli::ReaderLeft&) {
     return static_cast<int>(cli::missing_file);
   } catch (const Error& error) {
-    return complain(error.what(), cli::exit_code(error.kind()));
+    return complain(error.what(), cli::exit_code(error));
   } catch (const std::bad_alloc&) {
     return complain("out of memory", cli::internal);
   } catch (const std::exception& error) {

@@ -13,7 +13,7 @@ readonly packages_to_check="catch2 libbenchmark-dev python3 python3-jsonschema p
   python3-nbconvert python3-ipykernel python3-matplotlib ocaml ocaml-findlib libzarith-ocaml-dev nodejs"
 # What makes Debian packages, and what tries them in the long tests.
 readonly packages_to_pack="dpkg-dev file"
-readonly packages_to_try="$packages_to_pack lintian mmdebstrap coq chromium firefox-esr"
+readonly packages_to_try="$packages_to_pack lintian mmdebstrap buildah coq chromium firefox-esr"
 # Beside FLINT 2 the library Arb is a package of its own; FLINT 3 contains it.
 readonly packages_where_they_exist="libflint-arb-dev"
 packages=$packages_to_run

@@ -123,7 +123,7 @@ std::string explorer_html(const ParametricScheme& scheme, const Rational& low, c
       figure("variance", "psi, the variance of limits of unit noise, over one period"),
       formats::data_script("explorer",
                            Json{{"letter", scheme.name}, {"values", shown}, {"curve", curve_json(curve)}}.dump()));
-  return formats::html_page(formats::html(scheme.specification), body);
+  return formats::html_page(formats::html(scheme.specification), body, {scheme.specification});
 }
 
 }  // namespace subcert::reports

@@ -111,6 +111,12 @@ std::string card(const Plate& plate, const std::string& anchor) {
                      plate.key.empty() ? "" : "<br>[" + plate.key + "]");
 }
 
+std::vector<std::string> specifications(const std::vector<Plate>& plates) {
+  std::vector<std::string> texts;
+  for (const Plate& plate : plates) texts.push_back(plate.specification());
+  return texts;
+}
+
 }  // namespace
 
 std::string gallery_html(const std::vector<Plate>& plates) {
@@ -129,7 +135,7 @@ std::string gallery_html(const std::vector<Plate>& plates) {
   for (std::size_t i = 0; i < plates.size(); ++i) body += plate_html(plates[i], names[i]);
   return formats::html_page(several ? "A gallery of subdivision schemes"
                                     : formats::html(plates.empty() ? "" : plates.front().specification()),
-                            body);
+                            body, specifications(plates));
 }
 
 std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates) {
@@ -173,7 +179,7 @@ std::string comparison_html(const std::vector<Plate>& plates) {
       "class=comparison>\n{}</table></div>\n<div class=pictures>\n{}</div>\n",
       plates.size(), table, pictures);
   for (std::size_t i = 0; i < plates.size(); ++i) body += plate_html(plates[i], names[i]);
-  return formats::html_page("Subdivision schemes side by side", body);
+  return formats::html_page("Subdivision schemes side by side", body, specifications(plates));
 }
 
 }  // namespace subcert::reports

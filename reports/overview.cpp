@@ -143,7 +143,9 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
   for (std::size_t i = 0; i < std::min(alarms.size(), most_alarms); ++i)
     text += coloured(wrapped(alarms[i], "  ! "), "31", options.colours);
   if (alarms.size() > most_alarms) text += fmt::format("  ! and {} more\n", alarms.size() - most_alarms);
-  if (!options.folder.empty()) {
+  if (options.folder.empty()) {
+    text += "The pages, with each value: --out FOLDER\n";
+  } else {
     text += fmt::format("The page        {}/index.html\n", options.folder);
     if (!findings.statements.empty()) text += fmt::format("Errata          {}/errata.html\n", options.folder);
     text += fmt::format("The full list   {}/summary.txt\n", options.folder);

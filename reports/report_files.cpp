@@ -57,7 +57,7 @@ std::string latex_table(const std::string& caption, formats::TableRows rows) {
   for (auto& row : rows)
     for (std::string& cell : row) cell = formats::latex_text(cell);
   return "% needs \\usepackage{booktabs}\n\\begin{table}\n\\centering\n\\caption{" + formats::latex_text(caption) +
-         "}\n" + formats::latex_tabular(rows, 'r') + "\\end{table}\n";
+         "}\n" + formats::latex_tabular(rows, "r") + "\\end{table}\n";
 }
 
 std::vector<std::vector<std::string>> rows_of(const formats::ComparisonTable& table) {

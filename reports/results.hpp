@@ -21,7 +21,7 @@ struct Origin {
   std::string when;     ///< a date
 };
 
-/// `Made by subcert 0.2.0 (COMMIT), from subcert reproduce, on 2026-11-23.` and an empty line, for files of text.
+/// `Made by subcert 0.3.0 (COMMIT), from subcert reproduce, on 2026-11-23.` and an empty line, for files of text.
 std::string to_text(const Origin& origin);
 
 /// `statements` is empty where they were not checked.

@@ -129,11 +129,9 @@ std::optional<Rational> factor_of(std::string_view text, bool before) {
 std::string times(const std::string& list, const Integer& p) {
   if (p == 1) return list;
   std::string result;
-  int depth = 0;
   for (std::size_t i = 0, begin = 0; i <= list.size(); ++i) {
     const char c = i < list.size() ? list[i] : ']';
-    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (depth != 0 || (c != '[' && c != ']' && c != ',')) continue;
+    if (c != '[' && c != ']' && c != ',') continue;
     if (const std::string entry = list.substr(begin, i - begin); !entry.empty()) {
       const auto number = parse_constant(entry);
       result += number ? to_text(Rational(*number * p)) : p.str() + "*(" + entry + ")";

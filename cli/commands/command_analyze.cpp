@@ -1,8 +1,10 @@
 // subcert analyze SCHEME: one page about one scheme
 
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/reports/explorer.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
@@ -22,7 +24,24 @@ struct AnalyzeOptions : CommonOptions {
   std::string plot;
   std::string html;
   std::string over;
+  PaperForm form;
 };
+
+void print(const AnalyzeOptions& options, const facts::Facts& facts, std::size_t width,
+           const std::string& formulas = {}) {
+  answer(options, options.form, {facts, width, page_json(facts), "", formulas});
+}
+
+/// Mask, symbol and exponent.
+std::string formulas_of(const Scheme& scheme, const facts::Analysis& known) {
+  std::string text = scheme.mask.dimension() <= 2 ? mask_formulas(scheme) : "% " + scheme.specification + "\n";
+  if (known.convergence.is_yes() && known.regularity)
+    if (const std::string exponent = exponent_latex(known.regularity->exponent(),
+                                                    exponent_formula(scheme, *known.regularity));
+        !exponent.empty())
+      text += exponent + "\n";
+  return text;
+}
 
 /// Prints the page, and says whether the scheme converges.
 Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Deadline& deadline) {
@@ -31,7 +50,7 @@ Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Dead
   const facts::Analysis known = facts::analysis(scheme, limits);
   options.end_progress();
   const facts::Facts list = facts::scheme_facts(scheme, known);
-  options.answer(list, 14);
+  print(options, list, 14, options.form.latex ? formulas_of(scheme, known) : "");
   return known.convergence;
 }
 
@@ -43,8 +62,8 @@ ExitCode analyze_l1(const AnalyzeOptions& options) {
   const DataDependentScheme scheme = make_l1_scheme(options.scheme);
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(points_of_curve(scheme), scheme.rules.degree,
                                                                     {.deadline = Deadline::in(options.budget)});
-  options.answer(l1_facts(scheme, limit), 13);
-  return limit.converges.truth == Truth::unknown ? undecided : done;
+  print(options, l1_facts(scheme, limit), 13);
+  return exit_code(limit.converges.truth);
 }
 
 /// What holds for all values, and a page on which the parameter is moved.
@@ -62,11 +81,12 @@ ExitCode analyze_family(const AnalyzeOptions& options) {
     limits.budget.deadline = Deadline::in(options.budget);
     runtime::write_file(options.html, reports::explorer_html(scheme, low, high, limits));
   }
-  options.answer(family_facts(scheme), 14);
+  print(options, family_facts(scheme), 14);
   return done;
 }
 
 ExitCode run(const AnalyzeOptions& options) {
+  require_one_form(options, options.form);
   require_picture_name(options.plot);
   if (has_parameter(options.scheme)) return analyze_family(options);
   if (!options.over.empty()) fail(ErrorKind::usage, "--over: {} has no parameter", options.scheme);
@@ -79,10 +99,10 @@ ExitCode run(const AnalyzeOptions& options) {
                                           {options.scheme}, {.budget = options.budget, .verified = verified})}));
   const Decision convergence = analyze(scheme, options, deadline);
   if (!options.plot.empty()) {
-    if (convergence.is_no()) return refuse_unproved(options.scheme, "no limit function to draw", convergence);
+    if (convergence.is_no()) require_convergence(scheme.specification, convergence);
     draw_limit(options.plot, scheme, convergence);
   }
-  return convergence.truth == Truth::unknown ? undecided : done;
+  return exit_code(convergence.truth);
 }
 
 }  // namespace
@@ -100,6 +120,8 @@ void add_analyze(Command& app) {
       "A page with pictures and the certificate, all in one file; of a family, a page to move its parameter");
   command.option("--over", options->over, "The values on that page: w=LOW..HIGH");
   add_scheme(command, options->scheme, true);
+  add_paper_form(command, options->form, "Mask, symbol and exponent as formulas of LaTeX, and all facts as a table",
+                 "All facts as a table in Markdown");
 }
 
 }  // namespace subcert::cli

@@ -69,18 +69,10 @@ ExitCode run(const CompareOptions& options) {
   const std::vector<reports::Plate> plates = make_plates(schemes, plate_options, options);
   if (!options.html.empty()) runtime::write_file(options.html, reports::comparison_html(plates));
   formats::TableRows rows = table_rows(plates);
-  if (options.form.markdown) {
-    options.answer(formats::markdown_table(rows));
-  } else if (options.form.latex) {
-    for (auto& row : rows) {
-      const bool formulas = row.front() == "symbol";
-      for (std::size_t i = 0; i < row.size(); ++i)
-        row[i] = formulas && i > 0 ? "$" + formats::latex_formula(row[i]) + "$" : formats::latex_text(row[i]);
-    }
-    options.answer("% needs \\usepackage{booktabs}\n" + formats::latex_tabular(rows, 'l'));
-  } else {
+  if (options.form.asked_for())
+    answer(options, options.form, TableAnswer{"", std::move(rows)});
+  else
     options.answer(plates_json(plates), table_text(std::move(rows)));
-  }
   return exit_code(plates);
 }
 

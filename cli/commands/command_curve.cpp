@@ -1,7 +1,7 @@
 // subcert curve SCHEME --over w=LOW..HIGH [--plot FILE] [--csv FILE] [--certificate DIR]
 
-#include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -25,6 +25,7 @@ struct CurveCommandOptions : SearchOptions {
   std::string csv;
   std::string certificate;
   int pieces = 200;
+  PaperForm form;
 };
 
 const char* convergence_text(const Enclosure& exponent) {
@@ -70,7 +71,49 @@ std::string exponent_text(const CurvePoint& point) {
   return exponent.lower || exponent.upper ? "; exponent " + enclosure_text(exponent, 8) : "";
 }
 
-/// A row for each run of pieces with one product and one verdict on convergence.
+/// Pieces side by side with one product and one verdict on convergence.
+struct Run {
+  const char* convergence;
+  Rational low, high;
+  Enclosure hull;
+  std::string product;
+  std::string reasons;
+
+  /// `; product 01`, or why there is none.
+  std::string evidence() const {
+    return !product.empty() ? "product " + product
+           : hull.upper     ? "the upper end from the sum rules"
+                            : "no upper end is proved";
+  }
+};
+
+std::vector<Run> runs_of(const ExponentCurve& curve) {
+  std::vector<Run> runs;
+  for (const CurvePiece& piece : curve.pieces) {
+    const Enclosure holder = positive_part(piece.exponent);
+    const char* convergence = convergence_text(piece.exponent);
+    const bool goes_on = !runs.empty() && runs.back().product == product_text(piece) &&
+                         std::string_view(runs.back().convergence) == convergence;
+    if (!goes_on)
+      runs.push_back({convergence, piece.proof.low, piece.proof.high, holder, product_text(piece), piece.proof.reason});
+    Run& run = runs.back();
+    run.high = piece.proof.high;
+    if (run.reasons.find(piece.proof.reason) == std::string::npos)
+      run.reasons += (run.reasons.empty() ? "" : "; ") + piece.proof.reason;
+    Enclosure& hull = run.hull;
+    hull.lower = hull.lower && holder.lower ? std::optional(std::min(*hull.lower, *holder.lower)) : std::nullopt;
+    hull.upper = hull.upper && holder.upper ? std::optional(std::max(*hull.upper, *holder.upper)) : std::nullopt;
+  }
+  return runs;
+}
+
+/// What is said of a run is true as it is printed.
+std::string values_text(const Run& run, const std::string& name) {
+  return fmt::format("{} <= {} <= {}", number_text(run.low, Rounding::up), name, number_text(run.high, Rounding::down));
+}
+
+std::string special_text(const CurvePoint& point) { return why_text(point.at.why) + exponent_text(point); }
+
 std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
   std::ostringstream page;
   const std::string& w = scheme.name;
@@ -85,35 +128,25 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
                                    [](const CurvePiece& piece) { return positive_part(piece.exponent).is_bounded(); });
   page << "envelopes    "
        << (bounded ? fmt::format("{:.2g} apart, or less", widest) : "none, as no piece has both ends") << "\n";
-  for (std::size_t first = 0, next = 0; first < curve.pieces.size(); first = next) {
-    const CurvePiece& begin = curve.pieces[first];
-    std::string reasons;
-    Enclosure hull = positive_part(begin.exponent);
-    for (next = first; next < curve.pieces.size(); ++next) {
-      const CurvePiece& piece = curve.pieces[next];
-      if (product_text(piece) != product_text(begin) ||
-          std::string_view(convergence_text(piece.exponent)) != convergence_text(begin.exponent))
-        break;
-      if (reasons.find(piece.proof.reason) == std::string::npos)
-        reasons += (reasons.empty() ? "" : "; ") + piece.proof.reason;
-      const Enclosure holder = positive_part(piece.exponent);
-      hull.lower = hull.lower && holder.lower ? std::optional(std::min(*hull.lower, *holder.lower)) : std::nullopt;
-      hull.upper = hull.upper && holder.upper ? std::optional(std::max(*hull.upper, *holder.upper)) : std::nullopt;
-    }
-    const std::string product = product_text(begin);
-    page << padded(convergence_text(begin.exponent), 13)
-         << fmt::format("{} <= {} <= {}", number_text(begin.proof.low, Rounding::up), w,
-                        number_text(curve.pieces[next - 1].proof.high, Rounding::down));
-    if (hull.lower || hull.upper) page << ": exponent " << enclosure_text(hull, 5);
-    page << (!product.empty() ? ", product " + product
-             : hull.upper     ? ", the upper end from the sum rules"
-                              : ", no upper end is proved")
-         << (reasons.empty() ? "" : " (" + reasons + ")") << "\n";
+  for (const Run& run : runs_of(curve)) {
+    page << padded(run.convergence, 13) << values_text(run, w);
+    if (run.hull.lower || run.hull.upper) page << ": exponent " << enclosure_text(run.hull, 5);
+    page << ", " << run.evidence() << (run.reasons.empty() ? "" : " (" + run.reasons + ")") << "\n";
   }
   for (const CurvePoint& point : curve.special)
-    page << "special      " << w << " = " << number_text(point.at.value) << ": " << why_text(point.at.why)
-         << exponent_text(point) << "\n";
+    page << "special      " << w << " = " << number_text(point.at.value) << ": " << special_text(point) << "\n";
   return page.str();
+}
+
+/// The same for papers.
+formats::TableRows rows_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
+  formats::TableRows rows{{scheme.name, "scheme", "exponent", "by"}};
+  for (const Run& run : runs_of(curve))
+    rows.push_back({values_text(run, scheme.name), run.convergence,
+                    run.hull.lower || run.hull.upper ? enclosure_text(run.hull, 5) : "-", run.evidence()});
+  for (const CurvePoint& point : curve.special)
+    rows.push_back({scheme.name + " = " + number_text(point.at.value), "special", "", special_text(point)});
+  return rows;
 }
 
 /// Both envelopes in runs without gaps, what lies between them, and the exponents at single values.
@@ -160,6 +193,7 @@ void draw(const ExponentCurve& curve, const ParametricScheme& scheme, const std:
 }
 
 ExitCode run(const CurveCommandOptions& options) {
+  require_one_form(options, options.form);
   require_picture_name(options.plot);
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
   const auto [low, high] = read_over(options.over, scheme.name);
@@ -178,7 +212,10 @@ ExitCode run(const CurveCommandOptions& options) {
     written = write_certificates(options.certificate, certificates, {"-piece"}, json);
   }
   if (!options.plot.empty()) draw(curve, scheme, options.plot);
-  options.answer(json, text_of(curve, scheme) + written.text);
+  if (options.form.asked_for())
+    answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", rows_of(curve, scheme), {0}});
+  else
+    options.answer(json, text_of(curve, scheme) + written.text);
   written.failure.raise();
   return static_cast<int>(curve.pieces.size()) == options.pieces ? done : undecided;
 }
@@ -202,6 +239,7 @@ void add_curve(Command& app) {
   command.option("--csv", options->csv, "Write the pieces as a table");
   command.option("--certificate", options->certificate, "Write a certificate for each piece into this folder");
   add_limits(command, *options);
+  add_paper_form(command, options->form, "The rows of the answer as a table in LaTeX", "The same in Markdown");
 }
 
 }  // namespace subcert::cli

@@ -6,7 +6,7 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
-#include <subcert/cli/command.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -27,6 +27,7 @@ struct JsrOptions : SearchOptions {
   std::string lower, upper;
   int power = 0;       ///< of the averaged growth; 0 for the joint spectral radius
   bool least = false;  ///< the joint spectral subradius is meant
+  PaperForm form;
 };
 
 std::optional<Rational> read_bound(const std::string& name, const std::string& text) {
@@ -136,7 +137,7 @@ ExitCode print(Facts list, const std::vector<Bound>& bounds, const WrittenCertif
   append(list, verdict_facts(bounds));
   Json json = page_json(list);
   certificate.add_to(json);
-  options.answer(json, page_text(list, 13) + certificate.text(attained));
+  answer(options, options.form, {list, 13, json, certificate.text(attained)});
   certificate.failure.raise();
   return code_of(bounds, closed);
 }
@@ -150,11 +151,11 @@ ExitCode run_averaged(const JsrOptions& options, const MatricesFile& file, const
   const auto found = p_radius(file.family, options.power, wanted.bits, options.limits().deadline);
   if (!found)
     fail(ErrorKind::undecided, "--budget: the p-radius takes more than {} seconds of processor time", options.budget);
-  options.answer({matrices_fact(file.family), member("p", options.power),
-                  radius_fact("radius", "p-radius", found->radius,
-                              fmt::format("p = {}, by a matrix of size {}", options.power, found->size), wanted),
-                  member("size", found->size)},
-                 13);
+  const Facts list{matrices_fact(file.family), member("p", options.power),
+                   radius_fact("radius", "p-radius", found->radius,
+                               fmt::format("p = {}, by a matrix of size {}", options.power, found->size), wanted),
+                   member("size", found->size)};
+  answer(options, options.form, {list, 13, page_json(list)});
   return wanted.holds(found->radius) ? done : undecided;
 }
 
@@ -187,6 +188,7 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
 }
 
 ExitCode run(const JsrOptions& options) {
+  require_one_form(options, options.form);
   require_place(options.certificate);
   const MatricesFile file = parse_matrices(read_file(options.file), options.file);
   const WantedWidth wanted = wanted_width(options);
@@ -244,6 +246,7 @@ void add_jsr(Command& app) {
   add_width(command, *options);
   command.option("--certificate", options->certificate,
                  "Write a certificate there, and the matrices beside it as FILE.matrices");
+  add_fact_forms(command, options->form);
 }
 
 }  // namespace subcert::cli

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/cli/checker.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/proofs-checks/certificates/l1_certificate.hpp>
 #include <subcert/reports/facts/l1_facts.hpp>
 
@@ -15,9 +16,11 @@ struct L1Options : CommonOptions {
   int order = 0;
   std::string bound = "0";
   double budget = 60;
+  PaperForm form;
 };
 
 ExitCode run(const L1Options& options) {
+  require_one_form(options, options.form);
   if (!is_l1_specification(options.scheme))
     fail(ErrorKind::usage, "{}: need a scheme of the family l1, as l1:points=6,d=1", options.scheme);
   const DataDependentScheme scheme = make_l1_scheme(options.scheme);
@@ -42,7 +45,7 @@ ExitCode run(const L1Options& options) {
   const Facts list = l1_facts(scheme, limit);
   Json json = page_json(list);
   certificate.add_to(json);
-  options.answer(json, page_text(list, 13) + certificate.text(false));
+  answer(options, options.form, {list, 13, json, certificate.text(false)});
   certificate.failure.raise();
   return exit_code(limit.converges.truth);
 }
@@ -68,6 +71,7 @@ void add_l1(Command& app) {
   command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme, true);
+  add_fact_forms(command, options->form);
 }
 
 }  // namespace subcert::cli

@@ -1,15 +1,11 @@
 // subcert limit SCHEME
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/limit_page.hpp>
-#include <subcert/reports/facts/regularity_facts.hpp>
-
-#include <fmt/format.h>
 
 #include <charconv>
-#include <iostream>
-#include <numeric>
 #include <sstream>
 
 namespace subcert::cli {
@@ -46,53 +42,8 @@ LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
   return orders;
 }
 
-ExitCode refuse_derivative(const std::string& scheme, const LatticePoint& orders, const std::string& obstacle) {
-  std::cerr << "subcert: " << scheme << ": derivative " << fmt::format("{}", fmt::join(orders, ","))
-            << " is not proved to be continuous; " << obstacle << "\n";
-  return undecided;
-}
-
-/// Prints why values are not to be had; nothing where they are.
-std::optional<ExitCode> refused_derivative(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
-  const std::vector<Mask>& factors = scheme.mask.factors();
-  for (std::size_t v = 0; v < factors.size(); ++v) {
-    const SmoothnessProof smoothness = proved_smoothness(factors[v], {proof_levels, deadline});
-    if (smoothness.order < orders[v])
-      return refuse_derivative(
-          scheme.specification, orders,
-          (factors.size() == 1 ? "" : "factor " + std::to_string(v + 1) + ": ") + smoothness.obstacle);
-  }
-  return std::nullopt;
-}
-
-/// The same by the exponent, for derivatives and for values alone.
-std::optional<ExitCode> refused_by_exponent(const Scheme& scheme, const LatticePoint& orders, long total,
-                                            const Deadline& deadline) {
-  MultivariateRegularity regularity;
-  for (const double share : {0.2, 1.0}) {  // most need little of the time
-    regularity = multivariate_regularity(scheme.mask, {deadline.after(share)});
-    const Decision& convergence = regularity.converges;
-    const auto& exponent = regularity.exponent.lower;
-    if (total == 0 ? convergence.is_yes() : exponent && *exponent > total) return std::nullopt;
-    if (convergence.is_no() || regularity.is_closed()) break;
-  }
-  if (!regularity.converges.is_yes())
-    return refuse_unproved(scheme.specification, "no limit function to evaluate", regularity.converges);
-  return refuse_derivative(scheme.specification, orders,
-                           "the exponent is proved to be at least " + regularity.exponent.lower_text(12) +
-                               ", and has to be above " + std::to_string(total));
-}
-
-std::optional<ExitCode> refused(const Scheme& scheme, const LatticePoint& orders, const Deadline& deadline) {
-  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
-  if (total > 0 && scheme.mask.has_factors()) return refused_derivative(scheme, orders, deadline);
-  if (scheme.mask.dimension() > 1) return refused_by_exponent(scheme, orders, total, deadline);
-  const Decision convergence = converges(scheme.mask, {proof_levels, deadline});
-  if (convergence.is_yes()) return std::nullopt;
-  return refuse_unproved(scheme.specification, "no limit function to evaluate", convergence);
-}
-
 ExitCode run(LimitCommandOptions options) {
+  require_one_form(options, options.form);
   const Scheme scheme = make_linear_scheme(options.scheme);
   const int dimension = scheme.mask.dimension();
   const LatticePoint orders = derivative_orders(options.derivative, static_cast<std::size_t>(dimension));
@@ -100,7 +51,7 @@ ExitCode run(LimitCommandOptions options) {
     fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
   if (options.level < 0) options.level = dimension > 1 ? usual_level_of_surfaces : usual_level;
   const Deadline deadline = Deadline::in(options.budget);
-  if (const auto code = refused(scheme, orders, deadline)) return *code;
+  require_derivative(scheme.specification, scheme.mask, orders, {proof_levels, deadline});
   return options.range ? print_limit_range(scheme, options, deadline)
                        : print_limit_values(scheme, orders, options, deadline);
 }
@@ -125,6 +76,7 @@ void add_limit(Command& app) {
       .within(0.001, 1e6)
       .with_default();
   add_scheme(command, options->scheme, true);
+  add_paper_form(command, options->form, "The table in LaTeX", "The table in Markdown");
 }
 
 }  // namespace subcert::cli

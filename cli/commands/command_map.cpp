@@ -1,8 +1,8 @@
 // subcert map SCHEME --over v=LOW..HIGH --over w=LOW..HIGH [--over ...] --property PROPERTY [--plot FILE] [--csv FILE]
 
 #include <subcert/analysis/family/property_map.hpp>
-#include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
@@ -24,6 +24,7 @@ struct MapCommandOptions : SearchOptions {
   std::string plot;
   std::string csv;
   int resolution = 64;
+  PaperForm form;
 };
 
 constexpr Truth verdicts[] = {Truth::yes, Truth::no, Truth::unknown};
@@ -63,6 +64,19 @@ std::string csv_of(const PropertyMap& map, const std::vector<std::string>& names
   return text;
 }
 
+/// No larger share is said to be decided than is.
+std::string percent_text(const PropertyMap& map, Truth holds) {
+  return to_decimal(map.share(holds) * 100, 4, holds == Truth::unknown ? Rounding::up : Rounding::down) + " %";
+}
+
+formats::TableRows rows_of(const PropertyMap& map) {
+  formats::TableRows rows{{"verdict", "share", "cells"}};
+  for (const Truth holds : verdicts)
+    rows.push_back({verdict_text(holds), percent_text(map, holds),
+                    std::to_string(std::ranges::count(map.cells, holds, &MapCell::holds))});
+  return rows;
+}
+
 void draw(const PropertyMap& map, const MapCommandOptions& options, const std::vector<std::string>& names) {
   formats::Panel panel{options.property, names[0], names[1], {}};
   const auto number = [](const Rational& value) { return value.convert_to<double>(); };
@@ -100,6 +114,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 ExitCode run(const MapCommandOptions& options) {
+  require_one_form(options, options.form);
   require_picture_name(options.plot);
   const std::vector<std::string> names = read_names(options.over);
   const auto [scheme, letters] = in_letters(options.scheme, names);
@@ -122,16 +137,17 @@ ExitCode run(const MapCommandOptions& options) {
   if (!options.plot.empty()) draw(map, options, names);
   std::string text = fmt::format("scheme       {}\nproperty     {}\nsum rules    {} for all {}\n", options.scheme,
                                  options.property, map.sum_rules, listed(names));
-  // No larger share is said to be decided than is.
   for (const Truth holds : verdicts)
-    text += fmt::format("{}{} % of the {}, {} cells\n", padded(verdict_text(holds), 13),
-                        to_decimal(map.share(holds) * 100, 4, holds == Truth::unknown ? Rounding::up : Rounding::down),
+    text += fmt::format("{}{} of the {}, {} cells\n", padded(verdict_text(holds), 13), percent_text(map, holds),
                         names.size() == 2 ? "area" : "volume", std::ranges::count(map.cells, holds, &MapCell::holds));
   std::map<std::string, int> reasons;
   for (const MapCell& cell : map.cells)
     if (cell.holds == Truth::unknown) ++reasons[cell.reason];
   for (const auto& [reason, cells] : reasons) text += fmt::format("             {} of them: {}\n", cells, reason);
-  options.answer(json_of(map, options), text);
+  if (options.form.asked_for())
+    answer(options, options.form, TableAnswer{"% " + options.scheme + ", " + options.property + "\n", rows_of(map)});
+  else
+    options.answer(json_of(map, options), text);
   return map.complete ? done : undecided;
 }
 
@@ -155,6 +171,7 @@ void add_map(Command& app) {
   command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png, .pdf, .tex or .html");
   command.option("--csv", options->csv, "Write the cells as a table");
   add_limits(command, *options);
+  add_paper_form(command, options->form, "The shares as a table in LaTeX", "The same in Markdown");
 }
 
 }  // namespace subcert::cli

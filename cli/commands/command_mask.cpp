@@ -12,15 +12,9 @@ struct MaskOptions : CommonOptions {
   PaperForm form;
 };
 
-std::string latex_of(const Scheme& scheme) {
-  std::string text = "% " + scheme.specification + "\n" + formats::mask_latex(scheme.mask) + "\n";
-  if (scheme.mask.dimension() == 1) text += formats::symbol_latex(scheme.mask.curve()) + "\n";
-  return text;
-}
-
 void print(const Scheme& scheme, const MaskOptions& options) {
   require_one_form(options, options.form);
-  if (options.form.latex) return options.answer(latex_of(scheme));
+  if (options.form.latex) return options.answer(mask_formulas(scheme));
   const Dilation& dilation = scheme.mask.dilation();
   const bool multiple = dilation.factor().value_or(0) > 0;
   if (!options.json) {

@@ -182,7 +182,7 @@ std::string latex_of(const PropertyRange& range, const ParameterRangeOptions& op
                     verdict_text(piece.holds)});
   }
   return head + "% " + property_latex(options.property) + ", needs \\usepackage{booktabs}\n" +
-         formats::latex_tabular(rows, 'l');
+         formats::latex_tabular(rows, "l");
 }
 
 Json json_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
@@ -280,7 +280,7 @@ ExitCode run(const ParameterRangeOptions& options) {
   else
     options.answer(json, text_of(range, options, scheme) + written.text);
   written.failure.raise();
-  return range.complete ? done : budget.deadline.expired() ? undecided : obstructed;
+  return exit_code(range.complete ? Truth::yes : Truth::unknown, !budget.deadline.expired());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // subcert refine SCHEME DATA
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/data_file.hpp>
@@ -25,14 +26,14 @@ struct RefineCommand : CommonOptions {
   bool limit = false;
 };
 
-/// The code to leave with where limits are not proved to exist.
-ExitCode check_convergence(const AnyScheme& scheme) {
+/// The mask of which limits are drawn, where these are proved to exist.
+LatticeMask mask_with_limits(const AnyScheme& scheme) {
   const std::optional<LatticeMask> mask = mask_with_factors(scheme);
   if (!mask)
     fail(ErrorKind::usage, "--limit: {}: limits are of schemes of one variable and their tensor products",
          specification_of(scheme));
-  const Decision decision = converges(*mask);
-  return decision.is_yes() ? done : refuse_unproved(specification_of(scheme), "no limit to evaluate", decision);
+  require_derivative(specification_of(scheme), *mask, LatticePoint(mask->factors().size(), 0));
+  return *mask;
 }
 
 Json points_json(const data::GridData<double>& data) {
@@ -86,8 +87,7 @@ ExitCode run(const RefineCommand& options) {
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
   const std::array<bool, 3> closed = closed_directions(options, fewest.size(), boundary);
-  if (options.limit)
-    if (const ExitCode code = check_convergence(scheme); code != done) return code;
+  const std::optional<LatticeMask> mask = options.limit ? std::optional(mask_with_limits(scheme)) : std::nullopt;
   DataFile file = read_data_file(options.data, fewest.size(), closed);
   if (boundary == data::Boundary::periodic)
     for (data::Axis& axis : file.data.axes) axis.close();
@@ -96,8 +96,7 @@ ExitCode run(const RefineCommand& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
-  const data::GridData<double> refined = options.limit ? limit_of_data(file.data, *mask_with_factors(scheme), how)
-                                                       : refine(file.data, scheme, how);
+  const data::GridData<double> refined = mask ? limit_of_data(file.data, *mask, how) : refine(file.data, scheme, how);
   if (!options.plot.empty()) draw_refined(options.plot, name, file.table, file.data, refined);
   if (options.json)
     options.answer(result_json(options, name, file,

@@ -19,22 +19,19 @@ struct RegularityCommandOptions : SearchOptions {
   PaperForm form;
 };
 
-constexpr int latex_digits = 14;
-
 /// `\alpha = 2`, or a remark.
-std::string latex_of(const std::string& scheme, const Enclosure& exponent, const Decision& converges) {
-  const std::string relation = formats::relation_latex(exponent, latex_digits);
+std::string latex_of(const std::string& scheme, const Enclosure& exponent, const Decision& converges,
+                     const std::optional<ExponentFormula>& closed = {}) {
+  const std::string formula = exponent_latex(exponent, closed);
   return "% " + scheme + ": " +
-         (relation.empty() ? "no exponent is known; convergence: " + to_text(converges.truth) + "\n"
-                           : "the Hoelder exponent, enclosed with proof\n\\alpha " + relation + "\n");
+         (formula.empty() ? "no exponent is known; convergence: " + to_text(converges.truth) + "\n"
+                          : "the Hoelder exponent, enclosed with proof\n" + formula + "\n");
 }
 
 /// In the form that was asked for.
 void print(const RegularityCommandOptions& options, const Json& json, const Facts& facts, const std::string& latex,
            const std::string& more) {
-  if (options.form.latex) return options.answer(latex);
-  if (options.form.markdown) return options.answer(formats::markdown_table(fact_rows(facts)));
-  options.answer(json, page_text(facts, 13) + more);
+  options.form.latex ? options.answer(latex) : answer(options, options.form, {facts, 13, json, more});
 }
 
 /// A lower end alone, within seconds also where matrices are far too large.
@@ -92,7 +89,8 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   options.end_progress();
   Json json = page_json(list);
   certificate.add_to(json);
-  print(options, json, list, latex_of(scheme.specification, proved_exponent(found), found.converges()),
+  print(options, json, list,
+        latex_of(scheme.specification, proved_exponent(found), found.converges(), exponent_formula(scheme, found)),
         certificate.text(found.exact().is_yes()));
   certificate.failure.raise();
   if (found.converges().is_no()) return failed;

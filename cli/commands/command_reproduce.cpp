@@ -18,6 +18,7 @@
 #include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <mutex>
 
 namespace subcert::cli {
@@ -29,6 +30,15 @@ struct ReproduceOptions : CommonOptions {
   std::optional<double> budget;
   std::string baseline;
 };
+
+/// Of the items that were asked for those of this paper.
+std::vector<std::string> items_of(const std::string& paper, const std::vector<std::string>& only) {
+  const std::vector<std::string> known = reports::report_items(paper);
+  std::vector<std::string> items;
+  std::ranges::copy_if(only, std::back_inserter(items),
+                       [&](const std::string& item) { return std::ranges::find(known, item) != known.end(); });
+  return items;
+}
 
 void require_known(const ReproduceOptions& options, const std::vector<std::string>& papers) {
   const auto known = reports::reproducible_papers();
@@ -96,7 +106,11 @@ ExitCode run(ReproduceOptions& options) {
   report_options.verified = [](const Certificate& certificate, const std::string& matrices) {
     return verified(certificate, matrices);
   };
-  for (const std::string& paper : papers) findings.reports.push_back(reports::make_report(paper, report_options));
+  for (const std::string& paper : papers) {
+    report_options.only = items_of(paper, options.only);
+    if (options.only.empty() || !report_options.only.empty())
+      findings.reports.push_back(reports::make_report(paper, report_options));
+  }
   if (!options.out.empty()) {
     if (options.only.empty()) findings.statements = check_statements_of(papers, options);
     options.progress("writing " + options.out);

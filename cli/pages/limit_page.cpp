@@ -18,9 +18,19 @@ LimitOptions limit_options(const LimitPageOptions& options, const Deadline& dead
   return {*width, {deadline}};
 }
 
-void add_line(std::ostream& text, const std::string& point, int width, const Rational& value) {
-  text << std::setw(width) << point << "  " << std::setw(20) << to_decimal(value, 15, Rounding::nearest) << "  "
-       << to_text(value) << "\n";
+/// Points in a column of that width, then the values, rounded and exact.
+void print_points(const Scheme& scheme, const std::vector<std::pair<std::string, Rational>>& points, int width,
+                  const LimitPageOptions& options) {
+  const auto rounded = [](const Rational& value) { return to_decimal(value, 15, Rounding::nearest); };
+  if (options.form.asked_for()) {
+    formats::TableRows rows{{"x", "value", "rounded"}};
+    for (const auto& [point, value] : points) rows.push_back({point, to_text(value), rounded(value)});
+    return answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", std::move(rows), {0, 1, 2}});
+  }
+  std::ostringstream text;
+  for (const auto& [point, value] : points)
+    text << std::setw(width) << point << "  " << std::setw(20) << rounded(value) << "  " << to_text(value) << "\n";
+  options.answer(text.str());
 }
 
 void print_curve_values(const Scheme& scheme, int order, const LimitPageOptions& options, const Deadline& deadline) {
@@ -34,9 +44,10 @@ void print_curve_values(const Scheme& scheme, int order, const LimitPageOptions&
                         {"values", numbers_json(values.values)}});
     return;
   }
-  std::ostringstream text;
-  for (std::size_t i = 0; i < values.values.size(); ++i) add_line(text, to_text(values.point(i)), 12, values.values[i]);
-  options.answer(text.str());
+  std::vector<std::pair<std::string, Rational>> points;
+  for (std::size_t i = 0; i < values.values.size(); ++i)
+    points.emplace_back(to_text(values.point(i)), values.values[i]);
+  print_points(scheme, points, 12, options);
 }
 
 void print_surface_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {
@@ -55,13 +66,13 @@ void print_surface_values(const Scheme& scheme, const LatticePoint& orders, cons
                         {"values", std::move(numbers)}});
     return;
   }
-  std::ostringstream text;
+  std::vector<std::pair<std::string, Rational>> points;
   for (const auto& [index, value] : values) {
     std::vector<Rational> point(index.begin(), index.end());
     for (int n = 0; n < options.level; ++n) point = scheme.mask.dilation().inverse_times(point);
-    add_line(text, coordinates_text(point), 20, value);
+    points.emplace_back(coordinates_text(point), value);
   }
-  options.answer(text.str());
+  print_points(scheme, points, 20, options);
 }
 
 }  // namespace
@@ -82,9 +93,9 @@ ExitCode print_limit_range(const Scheme& scheme, const LimitPageOptions& options
     range = limit_range(scheme.mask, limit_options(options, deadline));
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::domain || !curve) throw;
-    return refuse_unproved(scheme.specification, "no bounds of the limit function", {Truth::unknown, error.what()});
+    fail(ErrorKind::undecided, "{}: no bounds of the limit function; {}", scheme.specification, error.what());
   }
-  return print_range(scheme, limit_facts(range), range.complete, curve ? 17 : 13, options);
+  return print_range(scheme, limit_facts(range), range.complete, curve ? 17 : 13, options, options.form);
 }
 
 }  // namespace subcert::cli

@@ -1,7 +1,7 @@
 #pragma once
 /// What `subcert limit` prints: values of the basic limit function and its derivatives, or its extremes and sign.
 
-#include <subcert/cli/command.hpp>
+#include <subcert/cli/paper_form.hpp>
 
 namespace subcert::cli {
 
@@ -9,6 +9,7 @@ struct LimitPageOptions : CommonOptions {
   int level = -1;  ///< not given
   std::string width = "1/1000000";
   double budget = 10;
+  PaperForm form;
 };
 
 /// Domain: level >= 0; an order for each variable, such that the derivative is continuous.

@@ -61,9 +61,10 @@ Json plates_json(const std::vector<reports::Plate>& plates) {
 }
 
 ExitCode exit_code(const std::vector<reports::Plate>& plates) {
-  return std::ranges::any_of(plates, [](const reports::Plate& p) { return p.convergence.truth == Truth::unknown; })
-             ? undecided
-             : done;
+  const auto some = [&](Truth truth) {
+    return std::ranges::any_of(plates, [=](const reports::Plate& p) { return p.convergence.truth == truth; });
+  };
+  return exit_code(some(Truth::no) ? Truth::no : some(Truth::unknown) ? Truth::unknown : Truth::yes);
 }
 
 }  // namespace subcert::cli

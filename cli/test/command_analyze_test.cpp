@@ -19,7 +19,7 @@ TEST_CASE("analyze: pictures of basic limit functions") {
   // Nothing is drawn where there is no limit.
   const Run divergent = run("analyze 'mask:[1,1]' --plot " + folder / "none.svg");
   CHECK(divergent.code == 1);
-  CHECK(divergent.err.starts_with("subcert: mask:[1,1]: no limit function to draw; convergence: no"));
+  CHECK(divergent.err.starts_with("subcert: mask:[1,1]@-1: no limit function; convergence: no"));
   CHECK(run("analyze loop: --plot /proc/nowhere/x.svg").code == 66);
   check_fails(run("analyze loop: --plot x.eps"), 64,
               "--plot x.eps: expected a name that ends in .svg, .png, .pdf, .tex (TikZ) or .html");

@@ -67,6 +67,8 @@ TEST_CASE("mask and regularity for papers") {
   CHECK(contains(run("mask box:'[1,0,0;0,1,0;0,0,1]' --latex").err, "one or two variables"));
   CHECK(contains(run("regularity dd:n=2 --latex").out, "\n\\alpha = 2\n"));
   CHECK(contains(run("regularity primal:n=3 --latex").out, "\n\\alpha = 1.9363087904562\\ldots\n"));
+  CHECK(contains(run("regularity dual:n=2 --latex").out,
+                 "\n\\alpha = 3 - \\log_{2} \\frac{8}{5} = 2.3219280948873\\ldots\n"));
   CHECK(contains(run("regularity four-point:w=1/2 --latex").out, "no exponent is known; convergence: no\n"));
   CHECK(run("regularity four-point:w=1/2 --latex").code == 1);
   CHECK(contains(run("regularity dd:n=2 --markdown").out, "\n| exponent | 2  (exactly, with proof) |\n"));

@@ -17,6 +17,8 @@ TEST_CASE("statements: the fields of the contract") {
   const Run unknown = run("statements check nobody-1900/eq-1");
   CHECK(unknown.code == 64);
   CHECK(unknown.err.find("no statement or paper 'nobody-1900/eq-1'") != std::string::npos);
+  check_fails(run("statements check conjecture-7"), 64,
+              "no statement or paper 'conjecture-7'; did you mean dyn-2015/conjecture-7?");
   CHECK(run("statements").out == run("statements list").out);
 
   const Folder folder;

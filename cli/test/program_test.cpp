@@ -7,13 +7,13 @@ using namespace subcert::testing;
 namespace {
 
 /// Compares with an approved file; SUBCERT_APPROVE=1 in the environment writes it instead.
-void check_baseline(const std::string& name, const std::string& arguments) {
+void check_baseline(const std::string& name, const std::string& arguments, int code = 0) {
   const Run result = run(arguments);
   CAPTURE(arguments, result.err);
-  CHECK(result.code == 0);
+  CHECK(result.code == code);
   const std::string file = std::string(SUBCERT_BASELINES) + "/" + name;
   // Which program made an answer changes from commit to commit.
-  const std::string out = std::regex_replace(result.out, std::regex(R"(,\n  "subcert": \{[^}]*\})"), "");
+  const std::string out = std::regex_replace(result.out, std::regex(R"(,\n  "subcert": \{[^]*?\n  \})"), "");
   if (std::getenv("SUBCERT_APPROVE")) std::ofstream(file, std::ios::binary) << out;
   CHECK(out == content(file));
 }
@@ -26,7 +26,7 @@ TEST_CASE("approved output") {
   check_baseline("mask-primal.json", "mask 'primal:n=3' --json");
   check_baseline("analyze-chaikin.txt", "analyze 'mask:[1,3,3,1]/4'");
   check_baseline("analyze-dd.txt", "analyze dd:n=2");
-  check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'");
+  check_baseline("analyze-divergent.txt", "analyze 'mask:[1,1]'", 1);
   check_baseline("analyze-grid.txt", "analyze grid:points=3x3,d=2 --budget 100");
   check_baseline("analyze-tensor.json", "analyze 'tensor:(primal:n=2)x(dual:n=1)' --json");
   check_baseline("mask-grid.txt", "mask grid:points=4x4");
@@ -97,7 +97,6 @@ TEST_CASE("verdicts have exit codes of their own") {
   CHECK(run("limit 'mask:[1,1]'").code == 1);
   CHECK(run("regularity 'mask:[1,1]'").code == 1);
   CHECK(run("variance 'mask:[1,0,0,1]'").code == 1);
-  CHECK(run("limit dd:n=2 --derivative 2").code == 2);
   CHECK(run("regularity primal:n=300 --budget 0.01").code == 2);
 }
 

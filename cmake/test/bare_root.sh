@@ -1,15 +1,22 @@
 # Sourced: a Debian that has little, as the system that runs the test; as root, with a mirror, or the test is skipped.
 skip() { echo "skipped: $1"; exit 77; }
 
-# make_bare_root [PACKAGE,...]: sets $root, which is removed at the end.
-make_bare_root() {
+# mirror_of_this_system: prints where apt has its packages from.
+mirror_of_this_system() {
   [ "$(id -u)" -eq 0 ] || skip "the bare root needs root"
   command -v mmdebstrap >/dev/null || skip "the bare root needs mmdebstrap"
   . /etc/os-release
   [ -n "${VERSION_CODENAME:-}" ] || skip "the system has no code name"
-  mirror=$(apt-get indextargets --format '$(SITE) $(RELEASE) $(IDENTIFIER)' | awk -v release="$VERSION_CODENAME" \
+  found=$(apt-get indextargets --format '$(SITE) $(RELEASE) $(IDENTIFIER)' | awk -v release="$VERSION_CODENAME" \
     '$2 == release && $3 == "Packages" { print $1; exit }')
-  [ -n "$mirror" ] || skip "no mirror with $VERSION_CODENAME is configured"
+  [ -n "$found" ] || skip "no mirror with $VERSION_CODENAME is configured"
+  echo "$found"
+}
+
+# make_bare_root [PACKAGE,...]: sets $root, which is removed at the end.
+make_bare_root() {
+  mirror=$(mirror_of_this_system) || { echo "$mirror"; exit 77; }
+  . /etc/os-release
   root=$(mktemp -d)
   trap 'rm -rf "$root"' EXIT
   mmdebstrap --quiet --mode=root --variant=apt --dpkgopt='path-include=/usr/share/man/*' ${1:+"--include=$1"} \

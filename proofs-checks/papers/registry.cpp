@@ -114,6 +114,11 @@ std::vector<const Statement*> find_statements(const std::string& id_or_paper) {
   std::vector<const Statement*> result;
   for (const Statement& statement : statements())
     if (statement.id == id_or_paper || statement.paper() == id_or_paper) result.push_back(&statement);
+  std::vector<std::string> meant;  // without its paper
+  for (const Statement& statement : statements())
+    if (statement.id.ends_with("/" + id_or_paper)) meant.push_back(statement.id);
+  if (result.empty() && !meant.empty())
+    fail(ErrorKind::usage, "no statement or paper '{}'; did you mean {}?", id_or_paper, fmt::join(meant, " or "));
   if (result.empty())
     fail(ErrorKind::usage,
          "no statement or paper '{}'; the papers are {}, the ids are listed by 'subcert statements list'", id_or_paper,

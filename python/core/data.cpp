@@ -2,6 +2,7 @@
 #include "work.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
@@ -65,10 +66,7 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
     if (!mask)
       fail(ErrorKind::domain, "limit: {}: limits are of schemes of one variable and their tensor products",
            specification);
-    const Decision decision = converges(*mask);
-    if (!decision.is_yes())
-      fail(ErrorKind::undecided, "limit: {}: no limit to evaluate; convergence: {} ({})", specification,
-           to_text(decision.truth), decision.reason);
+    require_derivative(specification, *mask, LatticePoint(mask->factors().size(), 0));
     return data::limit_of_data(grid, *mask, options);
   });
   std::vector<std::size_t> shape;

@@ -1,9 +1,9 @@
 #include "arrays.hpp"
 #include "work.hpp"
 
-#include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -12,26 +12,14 @@
 namespace subcert::python {
 namespace {
 
-/// Refuses what has no proof: values of a limit that may not exist.
-void require_convergence(const std::string& scheme, const Decision& convergence) {
-  if (!convergence.is_yes())
-    fail(convergence.is_no() ? ErrorKind::domain : ErrorKind::undecided, "{}: no limit function; convergence: {} ({})",
-         scheme, to_text(convergence.truth), convergence.reason);
-}
-
-void require_derivatives(const Scheme& scheme, int order) {
-  require_convergence(scheme.specification, converges(scheme.mask));
-  if (order == 0) return;
-  const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
-  if (smoothness.order < order)
-    fail(ErrorKind::undecided, "{}: derivative {} is not proved to be continuous; {}", scheme.specification, order,
-         smoothness.obstacle);
+void require_limits(const Scheme& scheme) {
+  require_derivative(scheme.specification, scheme.mask, LatticePoint(scheme.mask.dilation().variables(), 0));
 }
 
 LimitValues values_of(const Scheme& scheme, int level, int order, const py::object& progress) {
   require(level >= 0 && order >= 0, "limit: need level >= 0 and derivative >= 0, got {} and {}", level, order);
   return interruptible(progress, [&] {
-    require_derivatives(scheme, order);
+    require_derivative(scheme.specification, scheme.mask, {order});
     return limit_values(scheme.mask.curve(), level, order);
   });
 }
@@ -40,9 +28,7 @@ LimitValues values_of(const Scheme& scheme, int level, int order, const py::obje
 std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_values_of(const Scheme& scheme, int level,
                                                                                        double budget) {
   require(level >= 0, "limit: need level >= 0, got {}", level);
-  const Budget limits{Deadline::in(budget)};
-  const Decision convergence = multivariate_regularity(scheme.mask, limits).converges;
-  require_convergence(scheme.specification, convergence);
+  require_convergence(scheme.specification, multivariate_regularity(scheme.mask, {Deadline::in(budget)}).converges);
   std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> result;
   for (const auto& [index, value] : limit_values(scheme.mask, level)) {
     std::vector<Rational>& point = result.first.emplace_back(index.begin(), index.end());
@@ -73,7 +59,7 @@ void add_limits(py::module_& module) {
   });
   module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
     const LimitRange range = interruptible(progress, [&] {
-      require_derivatives(scheme, 0);
+      require_limits(scheme);
       return limit_range(scheme.mask.curve(), {width, {Deadline::in(budget)}});
     });
     return py::dict("maximum"_a = range.maximum, "minimum"_a = range.minimum, "sup_norm"_a = range.sup_norm,
@@ -83,7 +69,7 @@ void add_limits(py::module_& module) {
   module.def("variance_grid", [](const Scheme& scheme, int level, const py::object& progress) {
     require(level >= 0, "variance: need level >= 0, got {}", level);
     const VarianceGrid grid = interruptible(progress, [&] {
-      require_derivatives(scheme, 0);
+      require_limits(scheme);
       return variance_grid(scheme.mask.curve(), level, false);
     });
     return grid.values;
@@ -91,7 +77,7 @@ void add_limits(py::module_& module) {
   module.def(
       "variance_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
         const VarianceRange range = interruptible(progress, [&] {
-          require_derivatives(scheme, 0);
+          require_limits(scheme);
           return variance_range(scheme.mask.curve(), {width, {Deadline::in(budget)}});
         });
         return py::dict("maximum"_a = range.maximum, "minimum"_a = range.minimum, "slope"_a = range.slope,

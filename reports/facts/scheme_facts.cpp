@@ -4,6 +4,7 @@
 #include "regularity_facts.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
@@ -32,14 +33,24 @@ void add_values(Analysis& known, const Mask& mask, const AnalysisOptions& option
   }
 }
 
+/// Why there are no limits that are so smooth, where that is proved.
+std::optional<std::string> refutation_of(const Regularity& regularity, int order) {
+  if (regularity.curve && has_derivatives(*regularity.curve, order) == Truth::no)
+    return refutation(*regularity.curve, order);
+  const Enclosure exponent = regularity.exponent();
+  if (exponent.upper && *exponent.upper < order) return fmt::format("the exponent is below {}", order);
+  return std::nullopt;
+}
+
 /// C^k from positive coefficients or norms, or from the exponent where that tells more, and whether C^(k+1) is refuted.
-Fact smoothness_fact(const SmoothnessProof& proof, const Enclosure& exponent, bool by_factors) {
+Fact smoothness_fact(const SmoothnessProof& proof, const Regularity& regularity, bool by_factors) {
+  const Enclosure exponent = regularity.exponent();
   const auto below = static_cast<int>(exponent.lower ? ceil_index(*exponent.lower) - 1 : 0);
   const bool by_exponent = below > proof.order;
   const int order = std::max(proof.order, below);
-  const bool refuted = exponent.upper && *exponent.upper < order + 1;
+  const auto refuted = refutation_of(regularity, order + 1);
   const std::string evidence = by_exponent ? fmt::format("the exponent is above {}", order) : proof.evidence;
-  const std::string obstacle = refuted       ? fmt::format("the exponent is below {}", order + 1)
+  const std::string obstacle = refuted       ? *refuted
                                : by_exponent ? fmt::format("the exponent is not proved to be above {}", order + 1)
                                              : proof.obstacle;
   const std::string next = fmt::format("C^{} {}: {}", order + 1, refuted ? "refuted" : "not proved", obstacle);
@@ -112,7 +123,9 @@ Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
     known.convergence = known.regularity->converges();
     return known;
   }
-  known.convergence = converges(mask, options.limits);
+  known.convergence = mask.has_factors()
+                          ? has_derivative(mask, LatticePoint(mask.dilation().variables(), 0), options.limits).decision
+                          : converges(mask, options.limits);
   if (!known.convergence.is_yes() || !mask.has_factors()) return known;
   known.smoothness = proved_smoothness(mask, options.limits);
   add_regularity(deadline.after(regularity_share).at_most(regularity_seconds));
@@ -129,14 +142,14 @@ Facts scheme_facts(const Scheme& scheme, const Analysis& known) {
   Facts list = mask_facts(scheme);
   list.push_back(decided("convergence", "convergence", known.convergence));
   if (const auto& regularity = known.regularity) {
-    if (known.smoothness) list.push_back(smoothness_fact(*known.smoothness, regularity->exponent(), !curve));
+    if (known.smoothness) list.push_back(smoothness_fact(*known.smoothness, *regularity, !curve));
     if (regularity->curve) list.push_back(bound_fact("Hoelder", regularity->curve->bounds.last()));
     Fact exponent = exponent_fact(scheme, *regularity, exponent_digits),
          sobolev = curve ? sobolev_fact(known.sobolev, regularity->stable())
                          : sobolev_fact(regularity->surface->sobolev, regularity->stable());
     if (!converges) exponent.label = "";
     if (!curve && !converges) sobolev.label = "";
-    append(list, {exponent, sobolev});
+    append(list, {exponent, formula_fact(exponent_formula(scheme, *regularity)), sobolev});
     list.push_back(decided("stable", converges ? "stable" : "", regularity->stable()));
   }
   if (!known.skipped.empty()) list.push_back({"skipped", "values", "skipped: " + known.skipped, "", known.skipped});

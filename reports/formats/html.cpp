@@ -3,6 +3,8 @@
 #include "provenance.hpp"
 #include "typeset.hpp"
 
+#include <subcert/proofs-checks/certificates/identity.hpp>
+
 #include <fmt/ranges.h>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
@@ -80,15 +82,29 @@ std::string slug(const std::string& text) {
   return result;
 }
 
-std::string html_page(const std::string& title, const std::string& body) {
-  const std::string from = commit(),
-                    made = std::string("subcert ") + version() + (from.empty() ? "" : ", commit " + from);
+namespace {
+
+/// `, from chaikin (SHA-256 of that line e2d2...)`
+std::string origin_html(const std::vector<std::string>& inputs) {
+  if (inputs.empty()) return "";
+  const std::string lines = fmt::format("{}\n", fmt::join(inputs, "\n"));
+  const bool one = inputs.size() == 1;
+  return fmt::format(", from {} (SHA-256 of {} <code>{}</code>)",
+                     one ? "<code>" + html(inputs.front()) + "</code>" : fmt::format("{} schemes", inputs.size()),
+                     one ? "that line" : "these, one a line,", content_id(lines));
+}
+
+}  // namespace
+
+std::string html_page(const std::string& title, const std::string& body, const std::vector<std::string>& inputs) {
+  const std::string from = commit(), made = std::string("subcert ") + version() +
+                                            (from.empty() ? "" : ", commit " + from + " of " + date());
   return fmt::format(
       "<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n<meta name=viewport "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=generator content=\"{}\">\n<title>{}</title>\n"
-      "<style>\n{}</style>\n</head>\n<body>\n<main>\n{}<footer class=place>Made by {}.</footer>\n</main>\n{}"
+      "<style>\n{}</style>\n</head>\n<body>\n<main>\n{}<footer class=place>Made by {}{}.</footer>\n</main>\n{}"
       "</body>\n</html>\n",
-      made, title, page_files.at("style"), typeset(body), made, scripts_for(body));
+      made, title, page_files.at("style"), typeset(body), made, origin_html(inputs), scripts_for(body));
 }
 
 std::string data_script(const std::string& id, const std::string& json) {

@@ -13,8 +13,8 @@ std::string html(const std::string& text);
 std::string slug(const std::string& text);
 
 /// A page: its title, the style sheet of all pages, the body as typeset() has it, which program made it, and those
-/// scripts that something in the body needs.
-std::string html_page(const std::string& title, const std::string& body);
+/// scripts that something in the body needs. The footer has the SHA-256 of the inputs, as lines of a file.
+std::string html_page(const std::string& title, const std::string& body, const std::vector<std::string>& inputs = {});
 
 /// Data for the scripts of a page, as the JSON text of an element with this id.
 std::string data_script(const std::string& id, const std::string& json);

@@ -98,8 +98,10 @@ std::string latex_text(std::string_view text) {
   return with_all_replaced(with_all_replaced(result, "<", "\\textless{}"), ">", "\\textgreater{}");
 }
 
-std::string latex_tabular(const TableRows& rows, char column) {
-  std::string text = "\\begin{tabular}{l" + std::string(rows.front().size() - 1, column) + "}\n  \\toprule\n";
+std::string latex_tabular(const TableRows& rows, std::string_view column) {
+  std::string text = "\\begin{tabular}{l";
+  for (std::size_t i = 1; i < rows.front().size(); ++i) text += column;
+  text += "}\n  \\toprule\n";
   for (std::size_t r = 0; r < rows.size(); ++r)
     text += "  " + joined_cells(rows[r], " & ") + (r == 0 ? " \\\\\n  \\midrule\n" : " \\\\\n");
   return text + "  \\bottomrule\n\\end{tabular}\n";

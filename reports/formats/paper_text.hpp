@@ -17,8 +17,8 @@ using TableRows = std::vector<std::vector<std::string>>;
 std::string latex_text(std::string_view text);
 
 /// A tabular with the rules of booktabs; the first row is the head, and the first column is set to the left, the others
-/// as `column` says. Cells are LaTeX. Domain: rows of one length, at least one.
-std::string latex_tabular(const TableRows& rows, char column);
+/// as `column` says: `r`, `p{5cm}`. Cells are LaTeX. Domain: rows of one length, at least one.
+std::string latex_tabular(const TableRows& rows, std::string_view column);
 
 /// The same in Markdown. Cells are texts.
 std::string markdown_table(const TableRows& rows);

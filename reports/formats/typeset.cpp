@@ -18,12 +18,18 @@ constexpr std::pair<std::string_view, std::string_view> signs[] = {
     {"&gt;= ", "≥ "}, {"&lt;= ", "≤ "}, {" ... ", " … "}};
 constexpr std::string_view untouched[] = {"script", "style", "math", "svg", "pre", "option", "title", "textarea"};
 
-/// Of what stands behind `^`, as `-2`, `0.5`, `k` or `(2)`: how long it is; 0 where it is no exponent.
+/// Of what stands behind `^`, as `-2`, `0.5`, `k`, `(2)` or `(1 - log2(N)/2)`: how long it is; 0 where it is no
+/// exponent.
 std::size_t exponent_length(std::string_view text) {
+  constexpr std::size_t longest = 24;  // in parentheses
   if (text.empty()) return 0;
   if (text[0] == '(') {
-    const std::size_t end = text.find(')');
-    return end > 8 || text.find('(', 1) < end ? 0 : end + 1;
+    int depth = 0;
+    for (std::size_t i = 0; i < std::min(text.size(), longest); ++i) {
+      depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+      if (depth == 0) return i + 1;
+    }
+    return 0;
   }
   const auto digit_at = [&](std::size_t i) { return i < text.size() && is_digit(text[i]); };
   std::size_t length = text[0] == '-' ? 1 : 0;
@@ -32,6 +38,24 @@ std::size_t exponent_length(std::string_view text) {
   if (length > 0 && is_digit(text[length - 1])) return length;
   const bool letter = length < text.size() && std::isalpha(static_cast<unsigned char>(text[length]));
   return letter && (length + 1 == text.size() || !is_word(text[length + 1])) ? length + 1 : 0;
+}
+
+/// Of what stands behind `_`, as `n` or `12`: how long it is; 0 where it is no index but part of a name.
+std::size_t index_length(std::string_view text) {
+  std::size_t length = 0;
+  while (length < text.size() && is_digit(text[length])) ++length;
+  if (length == 0 && !text.empty() && is_letter(text[0])) length = 1;
+  return length < text.size() && is_word(text[length]) ? 0 : length;
+}
+
+/// `S_n`, `psi_n` and `log_2`: letter or word, and how long it is without the index; 0 where nothing has an index.
+std::pair<std::size_t, std::string> with_index(std::string_view rest) {
+  for (const auto& [from, to] : words)
+    if (rest.starts_with(from) && rest.size() > from.size() && rest[from.size()] == '_')
+      return {from.size(), std::string(to)};
+  if (rest.starts_with("log_")) return {3, "log"};
+  if (rest.size() > 1 && is_letter(rest[0]) && rest[1] == '_') return {1, std::string(1, rest[0])};
+  return {0, ""};
 }
 
 /// What stands in `text` from `at` on, as it is printed, and how long it was; length 0 where nothing is to be changed.
@@ -43,6 +67,10 @@ std::pair<std::size_t, std::string> printed(std::string_view text, std::size_t a
   for (const auto& [from, to] : words)
     if (!is_word(before) && rest.starts_with(from) && (rest.size() == from.size() || !is_word(rest[from.size()])))
       return {from.size(), std::string(to)};
+  if (const auto [length, base] = with_index(rest); length > 0 && !is_word(before))
+    if (const std::size_t index = index_length(rest.substr(length + 1)); index > 0)
+      return {length + 1 + index, base + "<sub>" + std::string(rest.substr(length + 1, index)) + "</sub>"};
+  if (!is_word(before) && rest.starts_with("log2(")) return {4, "log<sub>2</sub>"};
   if (rest[0] == '^' && (is_word(before) || before == ')' || before == '|'))
     if (const std::size_t length = exponent_length(rest.substr(1)); length > 0)
       return {length + 1, "<sup>" + std::string(rest.substr(1, length)) + "</sup>"};

@@ -60,7 +60,8 @@ TEST_CASE("the first screen is short and in plain text") {
   CHECK(mentions(screen, "All verdicts are as recorded, in 1 min 15 s."));
   CHECK_FALSE(mentions(screen, "printed 0.5"));
   CHECK(mentions(first_screen(findings, {true, "out", 1}), "\033[1m"));
-  CHECK_FALSE(mentions(first_screen(findings, {false, "", 1}), "The page"));
+  CHECK_FALSE(mentions(first_screen(findings, {false, "", 1}), "The page "));
+  CHECK(mentions(first_screen(findings, {false, "", 1}), "The pages, with each value: --out FOLDER\n"));
 }
 
 TEST_CASE("the first screen shows what is open and what cannot be checked") {

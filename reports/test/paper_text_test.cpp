@@ -14,7 +14,7 @@ TEST_CASE("texts and tables for LaTeX and Markdown") {
   const TableRows rows{{"a", "b"}, {"1", "2|3"}};
   CHECK(markdown_table(rows) == "| a | b |\n|---|---|\n| 1 | 2\\|3 |\n");
   CHECK(
-      latex_tabular(rows, 'c') ==
+      latex_tabular(rows, "c") ==
       "\\begin{tabular}{lc}\n  \\toprule\n  a & b \\\\\n  \\midrule\n  1 & 2|3 \\\\\n  \\bottomrule\n\\end{tabular}\n");
 }
 

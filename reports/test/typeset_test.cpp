@@ -9,14 +9,38 @@ TEST_CASE("pages: words, signs and powers as they are printed") {
   CHECK(typeset("Hoelder exponent &gt;= 2 ... 3, n^2 max |psi'|") ==
         "Hölder exponent ≥ 2 … 3, n<sup>2</sup> max |<i>ψ</i>'|");
   CHECK(typeset("||S_b^16||, h^0.99 of f^(2), 2^-8, C^k, phi(x)^2") ==
-        "||S_b<sup>16</sup>||, h<sup>0.99</sup> of f<sup>(2)</sup>, 2<sup>-8</sup>, C<sup>k</sup>, "
+        "||S<sub>b</sub><sup>16</sup>||, h<sup>0.99</sup> of f<sup>(2)</sup>, 2<sup>-8</sup>, C<sup>k</sup>, "
         "<i>φ</i>(x)<sup>2</sup>");
+  CHECK(typeset("S_n and dual S_12, f_j, psi_n(x), log_2(3), log2(3), N^(1 - log2(N)/2)") ==
+        "S<sub>n</sub> and dual S<sub>12</sub>, f<sub>j</sub>, <i>ψ</i><sub>n</sub>(x), log<sub>2</sub>(3), "
+        "log<sub>2</sub>(3), N<sup>(1 - log2(N)/2)</sup>");
   CHECK(typeset("<p>psi</p>") == "<p><i>ψ</i></p>");
 }
 
 TEST_CASE("pages: what is no word or power stays") {
-  for (const char* text : {"psi_n", "epsilon", "graphic", "phi2", "^2", "a ^ b", "2^", "x^^2", "x^word", "a^((k-1)", "",
-                           "...", "&lt;=", "a <b title=\"psi^2 ... phi\">b</b>"})
+  for (const char* text : {"psi_max",
+                           "x_sd",
+                           "f_",
+                           "_n",
+                           "a_b_c",
+                           "n_max",
+                           "S_n2",
+                           "xS_n",
+                           "log2",
+                           "epsilon",
+                           "graphic",
+                           "phi2",
+                           "^2",
+                           "a ^ b",
+                           "2^",
+                           "x^^2",
+                           "x^word",
+                           "a^((k-1)",
+                           "a^(a sum that is too long for a power)",
+                           "",
+                           "...",
+                           "&lt;=",
+                           "a <b title=\"psi^2 ... phi\">b</b>"})
     CHECK(typeset(text) == text);
 }
 

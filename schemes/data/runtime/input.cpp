@@ -19,6 +19,11 @@ constexpr std::size_t longest_line = 1U << 20U;
 constexpr std::size_t block_of_lines = 1U << 16U;
 constexpr std::size_t most_bytes = std::size_t{1} << 28;  // of an input: some, as /dev/zero, have no end
 
+InputListener& listener() {
+  static InputListener one;
+  return one;
+}
+
 std::string read_to_the_end(std::istream& stream, const std::string& name) {
   std::string text;
   for (std::size_t block = std::size_t{1} << 16; stream; block = std::min(2 * block, std::size_t{1} << 24)) {
@@ -29,10 +34,13 @@ std::string read_to_the_end(std::istream& stream, const std::string& name) {
     text.resize(old + static_cast<std::size_t>(stream.gcount()));
   }
   if (!stream.eof()) fail(ErrorKind::data, "{}: cannot be read", name);
+  if (listener()) listener()(name, text);
   return text;
 }
 
 }  // namespace
+
+void set_input_listener(InputListener one) { listener() = std::move(one); }
 
 std::string read_file(const std::string& path) {
   if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);

@@ -1,7 +1,9 @@
 #pragma once
 /// Files and standard input, whole or by lines as they come.
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace subcert::runtime {
 
@@ -16,6 +18,12 @@ std::string read_input(const std::string& path);
 
 /// What errors call an input: the path, or `standard input`.
 std::string input_name(const std::string& path);
+
+/// Hears of the name and the content of each input that is read whole, on the thread that reads it.
+using InputListener = std::function<void(const std::string& name, std::string_view content)>;
+
+/// One for the process; set before anything is read.
+void set_input_listener(InputListener listener);
 
 class LineInput {
  public:

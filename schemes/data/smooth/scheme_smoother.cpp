@@ -1,6 +1,7 @@
 #include "scheme_smoother.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -15,13 +16,15 @@ namespace subcert::data {
 namespace {
 
 constexpr int max_shift_level = 12;
+constexpr std::size_t longest_number = 40;  // in messages
 
 /// The smallest level on whose grid x lies.
 int adic_level(const Rational& x, int arity) {
   for (int level = 0; level <= max_shift_level; ++level)
     if (denominator(Rational(x * power(Rational(arity), level))) == 1) return level;
+  const std::string exact = to_text(x);
   fail(ErrorKind::domain, "smoothing: the data of this scheme stand at {} from the integers, no {}-adic number",
-       to_text(x), arity);
+       exact.size() <= longest_number ? exact : to_decimal(x, 9, Rounding::nearest) + "...", arity);
 }
 
 PolynomialReproduction checked_reproduction(const Mask& mask) {

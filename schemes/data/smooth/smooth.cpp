@@ -3,6 +3,7 @@
 #include "uniform_grid.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
@@ -11,18 +12,6 @@
 #include <cmath>
 
 namespace subcert::data {
-void require_limits(const Scheme& scheme, int derivative) {
-  if (derivative == 0) {
-    const Decision convergence = converges(scheme.mask);
-    require(convergence.is_yes(), "{}: no proof that the scheme converges ({})", scheme.specification,
-            convergence.reason);
-    return;
-  }
-  const SmoothnessProof smoothness = proved_smoothness(scheme.mask);
-  require(smoothness.order >= derivative,
-          "derivative {}: {} is not proved to have continuous derivatives of that order; {}", derivative,
-          scheme.specification, smoothness.obstacle);
-}
 
 const std::vector<std::string>& band_kind_names() {
   static const std::vector<std::string> names{"pointwise", "prediction", "simultaneous"};
@@ -50,7 +39,7 @@ std::vector<double> SmoothedColumn::half_widths(double level, BandKind kind) con
 std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const SmoothingMethod& method,
                                               const SmoothingOptions& options) {
   if (const auto* scheme = std::get_if<Scheme>(&method)) {
-    require_limits(*scheme, options.derivative);
+    require_derivative(scheme->specification, scheme->mask, {options.derivative});
     require(!samples.repeated(), "smoothing: need one datum for each position for schemes");
     return std::make_unique<SchemeSmoother>(scheme->mask.curve(), samples.sites(), options, scheme->rules);
   }

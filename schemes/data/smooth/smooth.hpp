@@ -44,7 +44,7 @@ constexpr int finer_levels = 6;
 
 /// Smooths by a method; derivatives are with respect to the positions of the samples. Domain: for data-dependent
 /// schemes one for curves, derivative 0, uniform samples without weights, and boundary regression, reflect or periodic.
-/// Errors: throws a domain error where convergence, or the smoothness that a derivative needs, has no proof, or one
+/// Errors: throws NoLimit where convergence, or the smoothness that a derivative needs, has no proof; a domain error
 /// that says what needs a linear method; a data error for too few samples; else as the smoothers and refine(). Cost: as
 /// LinearSmoother::apply.
 SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
@@ -57,9 +57,6 @@ SmoothedSamples smooth(const Samples& samples, std::string_view specification, c
 /// A smoother of the samples by a linear method. Errors: as smooth().
 std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const SmoothingMethod& method,
                                               const SmoothingOptions& options);
-
-/// Throws a domain error where no proof says that the scheme converges or, for derivatives, is so smooth.
-void require_limits(const Scheme& scheme, int derivative);
 
 /// The columns for the spacings begin, ..., end - 1 of the smoother, whose first datum is number `before` of the grid.
 SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<NoiseEstimate>& noise,

@@ -2,6 +2,7 @@
 
 #include "smooth.hpp"
 
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
@@ -16,7 +17,7 @@ SmoothingStream::SmoothingStream(Samples head, SmoothingMethod method, const Smo
   options_.at_data = false;
   if (options.at_data) options_.level = 0;
   if (const auto* scheme = std::get_if<Scheme>(&method_)) {
-    require_limits(*scheme, options.derivative);
+    require_derivative(scheme->specification, scheme->mask, {options.derivative});
     kernel_ = std::make_shared<SmoothingKernel>(scheme->mask.curve(), scheme->rules, options_, weighted);
     end_window_ = kernel_->extension(options.boundary).window;
   } else if (auto* local = std::get_if<LocalPolynomial>(&method_)) {

@@ -1,6 +1,7 @@
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
+#include <subcert/schemes/data/l1/basin_entry.hpp>
 #include <subcert/schemes/data/l1/l1_basin.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/l1/l1_regression.hpp>
@@ -89,4 +90,38 @@ TEST_CASE("basin of least squares: random data at its edge contract, and are ref
       CHECK(apart <= basin.error.convert_to<double>() * largest * largest * largest / delta);
     }
   }
+}
+
+// Doubles see the level, too, where it is not within rounding of the bound.
+TEST_CASE("basin of least squares: data enter it at the level at which refinement in doubles does") {
+  Random random;
+  for (const auto round : rounds(12)) {
+    const int points = 4 + static_cast<int>(round % 5);
+    const double delta = std::pow(10.0, static_cast<double>(random.integer(-6, 2)));
+    const L1Scheme scheme{{points}, 1, {.delta = delta, .iterations = static_cast<int>(random.integer(1, 8))}};
+    std::vector<Rational> data;
+    for (int j = 0; j < 3; ++j) data.emplace_back(random.integer(-9, 9));
+    CAPTURE(points, delta, scheme.options.iterations, data[0], data[1], data[2]);
+    std::vector<double> f(300, 0);
+    for (std::size_t j = 0; j < 3; ++j) f[150 + j] = data[j].convert_to<double>();
+    const L1Fitter fitter(l1_window(scheme), scheme.options);
+    const double bound = l1_basin(points, 1)->radius.convert_to<double>() * std::sqrt(delta);
+    const std::optional<int> level = basin_entry(scheme, data, 6);
+    for (int k = 0; k <= level.value_or(6); ++k) {
+      if (k > 0) f = step(fitter, f);
+      const double largest = largest_difference(f, 2);
+      CHECK(((level && k == *level) ? largest <= bound * (1 + 1e-6) : largest >= bound * (1 - 1e-6)));
+    }
+  }
+  const L1Scheme six{{6}, 1, {.delta = 1e-8, .iterations = 6}};
+  CHECK(basin_entry(six, {1}, 7) == 7);
+  CHECK_FALSE(basin_entry(six, {1}, 6));
+  CHECK(basin_entry(six, {}, 0) == 0);
+  CHECK(basin_entry(six, {Rational(1, 100000)}, 0) == 0);
+  CHECK_FALSE(basin_entry({{6}, 0, {}}, {1}, 2));  // means do not contract
+  CHECK_THROWS_AS(basin_entry({{6, 6}, 1, {}}, {1}, 2), Error);
+  CHECK_THROWS_AS(basin_entry({{6}, 1, {.exact = true}}, {1}, 2), Error);
+  CHECK_THROWS_AS(basin_entry({{6}, 1, {.tolerance = 1}}, {1}, 2), Error);
+  CHECK_THROWS_AS(basin_entry({{6}, 1, {.iterations = 101}}, {1}, 2), Error);
+  CHECK_THROWS_AS(basin_entry(six, {1}, 17), Error);
 }

@@ -120,9 +120,9 @@ Facts two_outliers_facts(const data::LeastAbsoluteRobustness& known) {
 }
 
 /// What outliers do to the exact rule, and what fits leave of them. Nothing where the fit interpolates.
-Facts robustness_facts(int points, int degree) {
+Facts robustness_facts(int points, int degree, int arity) {
   if (points < degree + 2 || points > most_points) return {};
-  const data::LeastAbsoluteRobustness known = data::least_absolute_robustness(points, degree);
+  const data::LeastAbsoluteRobustness known = data::least_absolute_robustness(points, degree, arity);
   Facts list{one_outlier_fact(known.one)};
   append(list, two_outliers_facts(known));
   if (known.sharpness)
@@ -134,16 +134,16 @@ Facts robustness_facts(int points, int degree) {
                              : "not below 1: no number of fits leaves out every outlier",
                   to_text(factor)});
   if (factor >= 1) return list;
-  const std::optional<int> fits = iterations_for_remainder(points, degree, part);
+  const std::optional<int> fits = iterations_for_remainder(points, degree, part, arity);
   list.push_back({"iterations_1e-6", "fits", fits ? std::to_string(*fits) : "unknown",
                   "that leave at most 1e-6 of an outlier (iterations=auto)", fits ? Json(*fits) : Json()});
   return list;
 }
 
 /// With delta > 0 and any number of fits. Nothing where least squares does not contract differences in one step.
-Facts basin_facts(int points, int degree) {
+Facts basin_facts(int points, int degree, int arity) {
   if (points < degree + 2 || points > most_points) return {};
-  const auto basin = data::l1_basin(points, degree);
+  const auto basin = data::l1_basin(points, degree, arity);
   if (!basin) return {};
   const std::string difference = degree == 0 ? "D" : fmt::format("D^{}", degree + 1);
   return {{"basin",
@@ -187,8 +187,8 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   list.push_back(contraction_fact(limit));
   list.push_back(limits_fact(limit.converges));
   list.push_back(edge_fact(limit.edge));
-  append(list, robustness_facts(limit.points, limit.degree));
-  if (!scheme.rules.options.exact) append(list, basin_facts(limit.points, limit.degree));
+  append(list, robustness_facts(limit.points, limit.degree, limit.arity));
+  if (!scheme.rules.options.exact) append(list, basin_facts(limit.points, limit.degree, limit.arity));
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""

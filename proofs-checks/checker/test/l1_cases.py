@@ -79,21 +79,24 @@ class Start:
     """The tree for one difference."""
 
     def __init__(self, rule, steps, order, bound, j, thin=(), early=False, deep=None):
-        self.n, self.d = rule
+        self.n, self.d, self.arity = rule
         self.steps, self.order, self.bound, self.j, self.thin, self.early = steps, order, bound, j, thin, early
         self.deep = deep  # windows that all have this vertex are split to the end
         low, high, levels = j, j + order, []
         for _ in range(steps):
-            low, high = low // 2, high // 2
+            low, high = low // self.arity, high // self.arity
             levels.insert(0, (low, high))
             high += self.n - 1
         self.windows = [(level, i) for level, (a, b) in enumerate(levels) for i in range(a, b + 1)]
         self.data = range(levels[0][0], levels[0][1] + self.n)
-        self.vertices = vertices(*rule)
+        self.vertices = vertices(self.n, self.d)
         self.lines, self.leaves, self.assigned = [f"start {j}"], [], {}
 
     def position(self, r):
-        return 4 * r - 2 * (self.n - 1)
+        return self.arity * (2 * r - self.n + 1)
+
+    def outputs(self):
+        return [2 * e + 1 - self.arity for e in range(self.arity)]
 
     def equations(self, variables, scale):
         """Of the multipliers: (window, place) -> coefficient, and the right side: fits vanish; then of the data."""
@@ -109,11 +112,11 @@ class Start:
             for k in range(self.d + 1):
                 row = {(w, r): self.position(r) ** k for r in range(self.n)}
                 b = 0
-                for place, sign in ((2 * i, (-1) ** k), (2 * i + 1, 1)):
-                    form, constant = value(level + 1, place)
-                    b += sign * constant
+                for e, x in enumerate(self.outputs()):
+                    form, constant = value(level + 1, self.arity * i + e)
+                    b += x ** k * constant
                     for key, c in form.items():
-                        row[key] = row.get(key, 0) - sign * c
+                        row[key] = row.get(key, 0) - x ** k * c
                 rows.append(row)
                 right.append(b)
         data = [value(0, m)[0] for m in self.data]
@@ -172,7 +175,7 @@ class Start:
                             y *= Q(x - self.position(c), self.position(r) - self.position(c))
                     total += y
                 return total
-            values[level + 1, 2 * i], values[level + 1, 2 * i + 1] = fit(-1), fit(1)
+            values.update({(level + 1, self.arity * i + e): fit(x) for e, x in enumerate(self.outputs())})
             residuals.update({(w, r): (data[r] - fit(self.position(r)), vertex.count("0") == self.d + 1) for r in range(self.n)})
         return residuals
 
@@ -256,13 +259,14 @@ class Start:
         return True
 
 
-def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False, prefer=()):
+def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False, prefer=(), arity=2):
     """The lines of a certificate from the second one on."""
     bound = Q(bound)
-    lines = [f"l1 {n} {d}", "bounds - -", f"contraction {steps} {order} {bound}"]
-    for j in range(2**steps):
-        if j <= (2 * n - 3 - order - j) % 2**steps:
-            start = Start((n, d), steps, order, bound, j, thin, early, deep)
+    moved = -(arity * (n - 2) + 1) * sum(arity**k for k in range(steps))
+    lines = [f"l1 {n} {d}" + (f" {arity}" if arity > 2 else ""), "bounds - -", f"contraction {steps} {order} {bound}"]
+    for j in range(arity**steps):
+        if j <= (moved - order - j) % arity**steps:
+            start = Start((n, d, arity), steps, order, bound, j, thin, early, deep)
             start.prefer = prefer  # signs of sides
             numbers = list(range(len(start.windows)))
             grow = start.grow_by_sides if sides else start.grow

@@ -30,6 +30,7 @@ class BallFitter {
         at_outputs_(flat(window_.at_outputs())) {}
 
   std::size_t points() const { return window_.nodes(); }
+  std::size_t outputs() const { return window_.outputs(); }
 
   std::vector<Ball> fit(const std::vector<Ball>& data) const {
     std::vector<Ball> residuals = data, fits(window_.outputs(), Ball(0, precision)),
@@ -66,7 +67,8 @@ std::vector<Ball> refined(const BallFitter& fitter, const std::vector<Ball>& dat
   padded.insert(padded.end(), points - 1, Ball(0, precision));
   for (auto window = padded.begin(); window + static_cast<long>(points) <= padded.end(); ++window) {
     const std::vector<Ball> own(window, window + static_cast<long>(points));
-    const std::vector<Ball> values = is_zero(own) ? std::vector<Ball>(2, Ball(0, precision)) : fitter.fit(own);
+    const std::vector<Ball> values = is_zero(own) ? std::vector<Ball>(fitter.outputs(), Ball(0, precision))
+                                                  : fitter.fit(own);
     result.insert(result.end(), values.begin(), values.end());
   }
   return result;
@@ -94,7 +96,7 @@ std::optional<int> basin_entry(const L1Scheme& scheme, const std::vector<Rationa
   require(options.iterations >= 0 && options.iterations <= 100, "basin entry: need 0 <= iterations <= 100, got {}",
           options.iterations);
   require(most_levels >= 0 && most_levels <= 16, "basin entry: need 0 <= most_levels <= 16, got {}", most_levels);
-  const std::optional<L1Basin> basin = l1_basin(scheme.points[0], scheme.degree);
+  const std::optional<L1Basin> basin = l1_basin(scheme.points[0], scheme.degree, scheme.arity);
   if (!basin) return std::nullopt;
   const Rational delta = Rational(options.delta);
   const Ball bound = Ball(basin->radius, precision) * sqrt(Ball(delta, precision));

@@ -41,6 +41,25 @@ Facts range_facts(const data::LeastAbsoluteLimit& limit) {
   return {fact, largest};
 }
 
+/// Whether monotone and convex data stay so in one step, and hence in all.
+Facts shape_facts(const std::vector<piecewise::SignOfDifferences>& keeps) {
+  Facts list;
+  for (std::size_t k = 0; k < keeps.size(); ++k) {
+    const std::string what = k == 0 ? "monotone" : "convex";
+    const Decision& kept = keeps[k].kept;
+    std::vector<std::string> data;
+    for (const Rational& datum : keeps[k].data) data.push_back(to_text(datum));
+    Fact fact{"keeps_" + what, what,
+              kept.is_yes()  ? fmt::format("data that are {0} stay {0}", what)
+              : kept.is_no() ? fmt::format("some data do not stay {}: {}", what, fmt::join(data, ", "))
+                             : fmt::format("unknown whether {0} data stay {0}", what),
+              kept.is_no() ? "" : kept.reason};
+    if (kept.truth != Truth::unknown) fact.json = kept.is_yes();
+    list.push_back(fact);
+  }
+  return list;
+}
+
 Fact lipschitz_fact(const std::optional<Rational>& lipschitz) {
   if (!lipschitz) return member("lipschitz", Json());
   return {"lipschitz", "Lipschitz", to_text(*lipschitz), "of one step, in the maximum norm; no smaller one",
@@ -178,6 +197,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   list.push_back(unique_fact(limit.unique));
   list.push_back(pieces_fact(limit.pieces));
   append(list, range_facts(limit));
+  append(list, shape_facts(limit.keeps));
   list.push_back(lipschitz_fact(limit.lipschitz));
   if (limit.mask)
     list.push_back({"mask", "linear", limit.mask->symbol().to_mask_text(), "the rule has this mask",

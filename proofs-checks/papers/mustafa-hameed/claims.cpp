@@ -2,6 +2,7 @@
 
 #include "checks.hpp"
 
+#include <subcert/analysis/piecewise/contraction.hpp>
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/proofs-checks/statements/reweighting.hpp>
 #include <subcert/schemes/data/l1/least_absolute.hpp>
@@ -98,6 +99,26 @@ Outcome not_interpolatory(const Context& context) {
           std::to_string(most) + ", degrees 1, 2, 3");
 }
 
+/// Data that show that monotone (order 1) or convex (2) data need not stay so, of least absolute deviations.
+std::string not_kept(int points, int degree, int order) {
+  const auto found = piecewise::keeps_sign(*data::least_absolute_rule(points, degree), order);
+  if (!found.kept.is_no()) return "none found";
+  std::vector<std::string> data;
+  for (const Rational& datum : found.data) data.push_back(to_text(datum));
+  return fmt::format("{}", fmt::join(data, ", "));
+}
+
+Outcome shape(const Context& context) {
+  Outcome outcome = reproduction(context);
+  outcome.argument = fmt::format(
+      "read as: data without noise are those of a polynomial of the degree. They come back, and with them every shape "
+      "(reproduction). Of other data l1 fits keep shapes no better than least squares: 6 points and degree 1 do not "
+      "keep "
+      "the monotone data {} and the convex data {}, 6 points and degree 3 not the convex data {}",
+      not_kept(6, 1, 1), not_kept(6, 1, 2), not_kept(6, 3, 2));
+  return outcome;
+}
+
 /// Whether one outlier is left out, whatever its place and height.
 bool leaves_out(int points, int degree) { return outlier_factor(points, degree) < 1; }
 
@@ -164,6 +185,7 @@ Checks claims() {
           {"reproduction", reproduction},
           {"linear-schemes", lines_do_not_reproduce},
           {"special-cases", special_cases},
+          {"shape", shape},
           {"removes-outliers", outliers_removed},
           {"remark-2.1", five_or_six},
           {"optimum", optimum}};

@@ -87,6 +87,8 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
     result.pieces = rule->pieces.size();
     if (degree > 1) result.largest_output = largest_output(*rule, options.deadline);
     if (rule->is_function()) result.lipschitz = lipschitz_constant(*rule);
+    for (int order = 1; order <= std::min(degree + 1, 2) && degree > 0; ++order)
+      result.keeps.push_back(piecewise::keeps_sign(*rule, order, options.deadline));
     result.mask = linear_mask(*rule, points % 2 == 0 ? 1 - points / 2 : -(points / 2));
     find_contraction(*rule, options, result);
   }

@@ -35,8 +35,11 @@ struct LeastAbsoluteLimit {
   Decision unique;                         ///< whether each datum has one minimiser
   Decision range;                          ///< whether no value of one step leaves the range of the data
   std::optional<Rational> largest_output;  ///< of one step on data of modulus 1 at most, where range is not yes
-  std::optional<Rational> lipschitz;       ///< of one step in the maximum norm, where minimisers are unique
-  std::optional<Mask> mask;                ///< of a rule that is linear
+  /// Whether data whose differences of order 1, 2 are not negative keep this: monotone, convex data. Of degree 1 and
+  /// more.
+  std::vector<piecewise::SignOfDifferences> keeps;
+  std::optional<Rational> lipschitz;  ///< of one step in the maximum norm, where minimisers are unique
+  std::optional<Mask> mask;           ///< of a rule that is linear
   /// Of the steps and the order asked for, or the best of those tried; nothing where none was finished.
   std::optional<piecewise::Contraction> contraction;
   std::optional<UnfinishedContraction> unfinished;  ///< the last that was tried, if it was not finished

@@ -3,6 +3,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/l1/least_absolute_fit.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>
+#include <subcert/schemes/l1_scheme.hpp>
 #include <subcert/schemes/outlier_remainder.hpp>
 
 #include <random>

@@ -1,7 +1,9 @@
 #include "l1_facts.hpp"
 
 #include <subcert/analysis/symbol/error.hpp>
+#include <subcert/schemes/data/l1/basin_entry.hpp>
 #include <subcert/schemes/data/l1/l1_basin.hpp>
+#include <subcert/schemes/data/l1/reweighted_contraction.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>
 #include <subcert/schemes/outlier_remainder.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -173,6 +175,32 @@ Facts basin_facts(int points, int degree, int arity) {
            {{"radius", to_text(basin->radius)}, {"bound", to_text(basin->contraction)}}}};
 }
 
+constexpr int most_fits = 10;   // of rules that are covered by boxes
+constexpr int most_levels = 9;  // until an impulse is near to least squares
+
+/// Of the rule itself, with delta > 0 and its own number of fits: whether second differences shrink for all data, and
+/// whether the basic limit function exists.
+Facts rule_facts(const DataDependentScheme& scheme) {
+  const int points = scheme.rules.points[0], fits = scheme.rules.options.iterations;
+  if (scheme.rules.degree != 1 || scheme.rules.arity != 2 || points < 3 || points > most_points || fits > most_fits ||
+      scheme.rules.options.tolerance != 0)
+    return {};
+  Facts list;
+  const auto found = points <= 5 ? data::reweighted_contraction(points, fits, {.most_boxes = 100'000}) : std::nullopt;
+  if (found)
+    list.push_back({"rule",
+                    "this rule",
+                    fmt::format("|D^2 S f| <= {} |D^2 f|, so that it converges for all data", found->bound),
+                    fmt::format("any delta > 0 and up to {} fits; limits are as smooth as by least squares", fits),
+                    {{"bound", to_text(found->bound)}, {"fits", fits}}});
+  const auto level = data::basin_entry(scheme.rules, {1}, most_levels);
+  if (level)
+    list.push_back({"impulse_level", "impulse",
+                    "the limit of 1 among zeros exists and is as smooth as by least squares",
+                    fmt::format("small data are reached at level {}", *level), *level});
+  return list;
+}
+
 /// Of what rule the facts are.
 std::string subject_text(const L1Options& options) {
   if (options.exact) return "holds for every choice of minimisers; where there are several the middle one is taken";
@@ -208,7 +236,10 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   list.push_back(limits_fact(limit.converges));
   list.push_back(edge_fact(limit.edge));
   append(list, robustness_facts(limit.points, limit.degree, limit.arity));
-  if (!scheme.rules.options.exact) append(list, basin_facts(limit.points, limit.degree, limit.arity));
+  if (!scheme.rules.options.exact) {
+    append(list, basin_facts(limit.points, limit.degree, limit.arity));
+    append(list, rule_facts(scheme));
+  }
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""

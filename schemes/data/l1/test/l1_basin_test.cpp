@@ -5,6 +5,7 @@
 #include <subcert/schemes/data/l1/l1_basin.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/l1/l1_regression.hpp>
+#include <subcert/schemes/data/l1/reweighted_contraction.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -126,4 +127,58 @@ TEST_CASE("basin of least squares: data enter it at the level at which refinemen
   CHECK_THROWS_AS(basin_entry({{6}, 1, {.tolerance = 1}}, {1}, 2), Error);
   CHECK_THROWS_AS(basin_entry({{6}, 1, {.iterations = 101}}, {1}, 2), Error);
   CHECK_THROWS_AS(basin_entry(six, {1}, 17), Error);
+}
+
+TEST_CASE("reweighted fits: second differences of all data shrink, as docs/l1.md says") {
+  for (const auto& [points, fits] : std::vector<std::pair<int, int>>{{3, 6}, {4, 0}, {4, 7}, {5, 2}}) {
+    CAPTURE(points, fits);
+    const auto found = reweighted_contraction(points, fits);
+    REQUIRE(found);
+    CHECK(found->fits == fits);
+    CHECK(found->bound == Rational(9, 10));
+  }
+  // Bounds that some data exceed, with the quotients 1.02 and 0.82: see below.
+  CHECK_FALSE(reweighted_contraction(7, 5, {.bound = Rational(99, 100), .most_boxes = 300}));
+  CHECK_FALSE(reweighted_contraction(8, 2, {.bound = Rational(4, 5), .most_boxes = 300}));
+  CHECK_FALSE(reweighted_contraction(4, 6, {.bound = Rational(3, 10)}));  // less than near to least squares
+  CHECK_FALSE(reweighted_contraction(4, 6, {.deadline = Deadline::in(0)}));
+  CHECK_FALSE(reweighted_contraction(7, 6, {.most_boxes = 1000}));
+  CHECK_THROWS_AS(reweighted_contraction(2, 6), Error);
+  CHECK_THROWS_AS(reweighted_contraction(9, 6), Error);
+  CHECK_THROWS_AS(reweighted_contraction(4, 41), Error);
+  CHECK_THROWS_AS(reweighted_contraction(4, 6, {.bound = 1}), Error);
+}
+
+TEST_CASE("reweighted fits: data whose second differences do not shrink, or not much") {
+  struct Known {
+    int points, fits;
+    std::vector<double> differences;
+    double quotient;
+  };
+  for (const Known& of : std::vector<Known>{{7, 5, {-0.0247, 1, 1, 0.8259, -1, -1}, 1.02},
+                                            {8, 2, {0.8897, 1, 1, 1, -0.9941, -0.8835, 0.7394}, 0.82}}) {
+    CAPTURE(of.points);
+    std::vector<double> f{0, 0};
+    for (const double d : of.differences) f.push_back(2 * f.back() - f[f.size() - 2] + d);
+    CHECK(largest_difference(step(L1Fitter(l1_window({{of.points}, 1, {}}), {1e-10, of.fits, 0, false}), f), 2) >
+          of.quotient);
+  }
+}
+
+TEST_CASE("reweighted fits: random data do not exceed the bound, nor windows with their own numbers of fits") {
+  Random random;
+  for (const auto round : rounds(200)) {
+    const int points = 3 + static_cast<int>(round % 3);
+    const RegressionWindow window = l1_window({{points}, 1, {}});
+    const double delta = std::pow(10.0, static_cast<double>(random.integer(-12, 3)));
+    std::vector<double> f(static_cast<std::size_t>(points) + 1), next;
+    for (double& value : f) value = static_cast<double>(round % 2 == 0 ? random.integer(-9, 9) : random.integer(-1, 1));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int fits = static_cast<int>(random.integer(0, points == 5 ? 2 : 7));
+      const L1Fitter fitter(window, {delta, fits, 0, false});
+      const auto begin = f.begin() + static_cast<long>(i);
+      for (const double value : fitter.fit(std::vector<double>(begin, begin + points))) next.push_back(value);
+    }
+    CHECK(largest_difference(next, 2) <= 0.9 * largest_difference(f, 2) + 1e-12);
+  }
 }

@@ -55,7 +55,7 @@ TEST_CASE("l1: rules of several minimisers, linear ones, and those that do not c
 }
 
 TEST_CASE("l1: other arities, with certificates") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const std::string file = folder / "ternary.cert";
   const auto ternary = run_json("l1 l1:points=6,a=3 --certificate " + file);
   CHECK(ternary.at("contraction").at("bound") == "2/3");

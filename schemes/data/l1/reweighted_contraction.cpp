@@ -144,7 +144,7 @@ class BoxSearch {
     for (const Interval& u : inverse_weights) largest = std::max(largest, u.upper);
     std::vector<Interval> ends;
     for (const Interval& u : inverse_weights)
-      ends.push_back({u.lower < 0x1p-100 * largest ? 0 : u.lower / largest, largest > 0 ? u.upper / largest : 0});
+      ends.push_back({u.lower <= 0x1p-100 * largest ? 0 : u.lower / largest, largest > 0 ? u.upper / largest : 0});
     for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
       const auto end = [&](std::size_t t) { return (corner >> t & 1) != 0 ? ends[t].upper : ends[t].lower; };
       Corner& one = corners_[corner];

@@ -25,9 +25,8 @@ namespace {
 
 using Form = std::vector<double>;  // in the second differences
 
-struct Interval {
-  double lower, upper;
-};
+using Interval = Ends;
+using Box = DifferenceBox;
 
 /// Contains both.
 Interval joined(const Interval& a, const Interval& b) {
@@ -95,11 +94,6 @@ struct Corner {
   std::vector<double> weights;
 };
 
-struct Box {
-  std::vector<Interval> differences;
-  Interval root;  // of delta
-};
-
 class BoxSearch {
  public:
   BoxSearch(int points, int fits, double bound, const ReweightedOptions& options)
@@ -122,6 +116,27 @@ class BoxSearch {
     if (++boxes_ > options_.most_boxes || options_.deadline.expired()) return false;
     if (largest_difference(box) <= bound_) return true;
     return halves(box, [&](Box& half) { return holds(half); });
+  }
+
+  /// Of all numbers of fits in each window.
+  std::array<Ends, 2> differences(const Box& box) {
+    std::array<Ends, 2> total{Ends{0, 0}, Ends{0, 0}};
+    for (const std::vector<Pair>& pairs : pairs_) {
+      std::vector<Interval> inverse_weights(points_, {1, 1});
+      std::array<Ends, 2> parts{};
+      for (int fit = 0; fit <= fits_; ++fit) {
+        set_weights(pairs, inverse_weights);
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Interval part = mean_of(pairs, box, &Pair::differences, k);
+          parts[k] = fit == 0 ? part : joined(parts[k], part);
+        }
+        for (std::size_t t = 0; t < points_ && fit < fits_; ++t)
+          inverse_weights[t] = inverse_weight(mean_of(pairs, box, &Pair::residuals, t), box.root);
+      }
+      for (std::size_t k = 0; k < 2; ++k) total[k] = {total[k].lower + parts[k].lower, total[k].upper + parts[k].upper};
+    }
+    for (Interval& one : total) one = {one.lower - slack_, one.upper + slack_};
+    return total;
   }
 
   std::uint64_t boxes() const { return boxes_; }
@@ -194,26 +209,9 @@ class BoxSearch {
   }
 
   double largest_difference(const Box& box) {
-    std::vector<Interval> total(2, {0, 0});
-    for (const std::vector<Pair>& pairs : pairs_) {
-      std::vector<Interval> inverse_weights(points_, {1, 1}), parts;
-      for (int fit = 0; fit <= fits_; ++fit) {
-        set_weights(pairs, inverse_weights);
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Interval part = mean_of(pairs, box, &Pair::differences, k);
-          if (fit == 0)
-            parts.push_back(part);
-          else
-            parts[k] = joined(parts[k], part);
-        }
-        for (std::size_t t = 0; t < points_ && fit < fits_; ++t)
-          inverse_weights[t] = inverse_weight(mean_of(pairs, box, &Pair::residuals, t), box.root);
-      }
-      for (std::size_t k = 0; k < 2; ++k) total[k] = {total[k].lower + parts[k].lower, total[k].upper + parts[k].upper};
-    }
     double largest = 0;
-    for (const Interval& one : total) largest = std::max({largest, -one.lower, one.upper});
-    return largest * (1 + 0x1p-40);
+    for (const Interval& one : differences(box)) largest = std::max({largest, -one.lower, one.upper});
+    return largest;
   }
 
   /// Cuts the widest side; e, where it is near to 0, far from the middle.
@@ -238,7 +236,7 @@ class BoxSearch {
   std::size_t points_;
   int fits_;
   double bound_, slack_ = 0;
-  const ReweightedOptions& options_;
+  ReweightedOptions options_;
   std::vector<Pair> pairs_[2];  // of each window
   std::vector<Corner> corners_;
   std::vector<Interval> values_;
@@ -246,6 +244,17 @@ class BoxSearch {
 };
 
 }  // namespace
+
+std::array<Ends, 2> second_differences(int points, int fits, const DifferenceBox& box) {
+  require(points >= 3 && points <= 8 && fits >= 0,
+          "second differences: need 3 <= points <= 8 and fits >= 0, got {}, {}", points, fits);
+  require(box.differences.size() + 1 == static_cast<std::size_t>(points), "second differences: need {} of them, got {}",
+          points - 1, box.differences.size());
+  for (const Ends& one : box.differences)
+    require(-1 <= one.lower && one.lower <= one.upper && one.upper <= 1, "second differences: need ends in [-1, 1]");
+  require(0 <= box.root.lower && box.root.lower <= box.root.upper, "second differences: need a root >= 0");
+  return BoxSearch(points, fits, 1, {}).differences(box);
+}
 
 std::optional<ReweightedContraction> reweighted_contraction(int points, int fits, const ReweightedOptions& options) {
   require(points >= 3 && points <= 8, "reweighted contraction: need 3 <= points <= 8, got {}", points);

@@ -4,8 +4,10 @@
 #include <subcert/analysis/symbol/budget.hpp>
 #include <subcert/analysis/symbol/numbers.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace subcert::data {
 
@@ -16,6 +18,22 @@ struct ReweightedContraction {
   Rational bound;  ///< below 1
   std::uint64_t boxes;
 };
+
+struct Ends {
+  double lower = 0, upper = 0;
+};
+
+/// The second differences of points + 1 data, and the root of delta.
+struct DifferenceBox {
+  std::vector<Ends> differences;
+  Ends root;
+};
+
+/// Contains both second differences of the four outputs of the two windows of such data, for all data and delta of the
+/// box and up to so many fits in each window. Domain: 3 <= points <= 8, points - 1 differences with ends in [-1, 1];
+/// 0 <= lower <= upper of the root; fits >= 0. Errors: throws a domain error. Cost: as reweighted_contraction, of a
+/// box.
+std::array<Ends, 2> second_differences(int points, int fits, const DifferenceBox& box);
 
 struct ReweightedOptions {
   Rational bound = Rational(9, 10);  ///< not less than that of l1_basin

@@ -1,6 +1,8 @@
 #pragma once
 /// The data-dependent schemes of local l1 regression, as values; schemes/data/l1 applies them.
 
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+
 #include <vector>
 
 namespace subcert {
@@ -16,13 +18,17 @@ struct L1Options {
 };
 
 /// points = {p}: windows of p consecutive data; {p, q}: p columns times q rows of a grid; {p, q, r}: the same in r
-/// layers. Along each axis an
-/// even number 2n takes the data -n+1, ..., n and gives the outputs at 1/4 and 3/4, an odd number 2n+1 takes -n, ..., n
-/// and gives -1/4 and 1/4. Ref: [MLZD15, eq. (4), (10), App. A.2, Lemma 1], [MH, sec. 2].
+/// layers. Along each axis an even number 2n takes the data -n+1, ..., n and gives, for arity 2, the outputs at 1/4 and
+/// 3/4, an odd number 2n+1 takes -n, ..., n and gives -1/4 and 1/4; for other arities they divide the middle cell as
+/// those of ary() do. Ref: [MLZD15, eq. (4), (10), App. A.2, Lemma 1], [MH, sec. 2].
 struct L1Scheme {
   std::vector<int> points;
   int degree = 1;
   L1Options options = {};
+  int arity = 2;
 };
+
+/// Where output `phase` = 0, ..., arity - 1 of a window stands, from the centre of the window.
+inline Rational output_place(int arity, int phase) { return Rational(2 * phase + 1 - arity, 2 * arity); }
 
 }  // namespace subcert

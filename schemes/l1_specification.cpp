@@ -16,6 +16,7 @@ using namespace specification_text;
 
 constexpr std::string_view family_name = "l1";
 constexpr long most_points[] = {64, 16, 8};  // along an axis of a curve, a grid, a volume
+constexpr long largest_arity = 16;
 const std::string l1_usage = "l1:points=6,d=1,iterations=6,delta=1e-8";
 
 Rational read_number(const Piece& piece, const std::string& name, bool zero_allowed) {
@@ -53,7 +54,7 @@ void require_no_fits(Fields& fields, const std::vector<Piece>& pieces) {
     if (fields.optional(key)) {
       const auto at = std::find_if(pieces.begin(), pieces.end(),
                                    [&](const Piece& piece) { return piece.text.substr(0, key.size()) == key; });
-      fail(*at, "points and d alone beside 'exact', which makes no reweighted fits");
+      fail(*at, "points, d and a alone beside 'exact', which makes no reweighted fits");
     }
 }
 
@@ -64,7 +65,7 @@ int automatic_iterations(const Piece& piece, const L1Scheme& scheme, const Ratio
   if (points <= scheme.degree + 1 || outlier_factor(points, scheme.degree) >= 1)
     fail(piece, "a number of iterations, or more points: no number of fits leaves out every outlier among " +
                     std::to_string(points));
-  const std::optional<int> count = iterations_for_remainder(points, scheme.degree, remainder);
+  const std::optional<int> count = iterations_for_remainder(points, scheme.degree, remainder, scheme.arity);
   if (!count) fail(piece, "a number of iterations, or a larger remainder: 1000 fits are not proved to suffice");
   return *count;
 }
@@ -108,15 +109,20 @@ DataDependentScheme make_l1_scheme(std::string_view specification) {
   const int least = *std::min_element(scheme.points.begin(), scheme.points.end());
   if (const auto piece = fields.optional("d"))
     scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, std::min(3, least - 1)));
+  if (const auto piece = fields.optional("a"))
+    scheme.arity = static_cast<int>(read_integer(*piece, "a", 2, largest_arity));
+  const bool binary = scheme.arity == 2;
+  const std::string window = "points=" + points_text(scheme.points) + ",d=" + std::to_string(scheme.degree) +
+                             (binary ? "" : ",a=" + std::to_string(scheme.arity));
+  const std::string words = points_text(scheme.points) + " points, degree " + std::to_string(scheme.degree) +
+                            (binary ? "" : ", arity " + std::to_string(scheme.arity));
   if (exact) {
     if (scheme.points.size() != 1) fail(fields.required("points"), "points of a curve, as 6, beside 'exact'");
     require_no_fits(fields, pieces);
     fields.finish();
     scheme.options.exact = true;
-    const std::string name = "points=" + points_text(scheme.points) + ",d=" + std::to_string(scheme.degree);
-    result.specification = "l1:" + name + ",exact";
-    result.title = "least absolute deviations, " + points_text(scheme.points) + " points, degree " +
-                   std::to_string(scheme.degree);
+    result.specification = "l1:" + window + ",exact";
+    result.title = "least absolute deviations, " + words;
     return result;
   }
   read_iterations(fields, result);
@@ -130,12 +136,11 @@ DataDependentScheme make_l1_scheme(std::string_view specification) {
   fields.finish();
   scheme.options.delta = static_cast<double>(delta);
   scheme.options.tolerance = static_cast<double>(tolerance);
-  result.specification = "l1:points=" + points_text(scheme.points) + ",d=" + std::to_string(scheme.degree) +
-                         ",iterations=" + std::to_string(scheme.options.iterations) + ",delta=" + to_short_text(delta) +
+  result.specification = "l1:" + window + ",iterations=" + std::to_string(scheme.options.iterations) +
+                         ",delta=" + to_short_text(delta) +
                          (tolerance == 0 ? "" : ",tolerance=" + to_short_text(tolerance)) +
                          (scheme.options.joint_residuals ? ",residuals=joint" : "");
-  result.title = "local l1 regression, " + points_text(scheme.points) + " points, degree " +
-                 std::to_string(scheme.degree) + ", " + std::to_string(scheme.options.iterations) + " iterations";
+  result.title = "local l1 regression, " + words + ", " + std::to_string(scheme.options.iterations) + " iterations";
   return result;
 }
 

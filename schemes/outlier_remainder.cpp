@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/balls.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/l1_scheme.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -41,7 +42,8 @@ std::vector<int> first_subset(int size) {
 /// -> 0.
 class OutlierFits {
  public:
-  OutlierFits(int points, int degree, int place, slong bits) : points_(points), place_(place), bits_(bits) {
+  OutlierFits(int points, int degree, int arity, int place, slong bits)
+      : points_(points), arity_(arity), place_(place), bits_(bits) {
     std::vector<int> nodes = first_subset(degree + 1);
     do {
       Rational square = 1;
@@ -50,7 +52,7 @@ class OutlierFits {
           if (a != b) square *= std::abs(a - b);
       Set& set = sets_.emplace_back(Set{nodes, Ball(square, bits), {}});
       if (std::find(nodes.begin(), nodes.end(), place) == nodes.end()) continue;
-      for (int r = 0; r < points + 2; ++r) {
+      for (int r = 0; r < points + arity; ++r) {
         Rational value = square;
         for (const int b : nodes)
           if (b != place) value *= (position(r) - b) / Rational(place - b);
@@ -67,7 +69,11 @@ class OutlierFits {
     fit(residuals);
   }
 
-  Ball largest_output() const { return max(abs(values_[values_.size() - 2]), abs(values_.back())); }
+  Ball largest_output() const {
+    Ball largest(0, bits_);
+    for (auto value = values_.begin() + points_; value != values_.end(); ++value) largest = max(largest, abs(*value));
+    return largest;
+  }
 
  private:
   struct Set {
@@ -77,11 +83,13 @@ class OutlierFits {
   };
 
   /// Of the nodes, then of the outputs.
-  Rational position(int r) const { return r < points_ ? Rational(r) : Rational(2 * r - 3, 4); }
+  Rational position(int r) const {
+    return r < points_ ? Rational(r) : Rational(points_ - 1, 2) + output_place(arity_, r - points_);
+  }
 
   void fit(const std::vector<Ball>& residuals) {
     Ball with(0, bits_), without(0, bits_);
-    std::vector<Ball> sums(static_cast<std::size_t>(points_) + 2, Ball(0, bits_));
+    std::vector<Ball> sums(static_cast<std::size_t>(points_ + arity_), Ball(0, bits_));
     for (const Set& set : sets_) {
       Ball weight(1, bits_);
       for (int r = 0; r < points_; ++r)
@@ -96,7 +104,7 @@ class OutlierFits {
     for (const Ball& sum : sums) values_.push_back(sum / total);
   }
 
-  int points_, place_;
+  int points_, arity_, place_;
   slong bits_;
   std::vector<Set> sets_;
   Ball rest_;                 // 1 less the value at the place of the datum
@@ -112,10 +120,10 @@ bool is_small(int points, int degree) {
 
 /// Calls seen(m, remainder) for m = 0, 1, ... until it returns true. False where the precision does not do.
 template <class Seen>
-bool follow(int points, int degree, slong bits, Seen seen) {
+bool follow(int points, int degree, int arity, slong bits, Seen seen) {
   if (!is_small(points, degree)) return false;
   std::vector<OutlierFits> fits;
-  for (int place = 0; place < (points + 1) / 2; ++place) fits.emplace_back(points, degree, place, bits);
+  for (int place = 0; place < (points + 1) / 2; ++place) fits.emplace_back(points, degree, arity, place, bits);
   for (int m = 0; m <= most_iterations; ++m) {
     Ball largest(0, bits);
     for (OutlierFits& one : fits) {
@@ -132,13 +140,14 @@ constexpr slong precisions[] = {256, 2048};
 
 }  // namespace
 
-std::optional<Enclosure> outlier_remainder(int points, int degree, int iterations) {
+std::optional<Enclosure> outlier_remainder(int points, int degree, int iterations, int arity) {
   require_window(points, degree);
   require(iterations >= 0 && iterations <= most_iterations, "outlier remainder: need 0 <= iterations <= {}, got {}",
           most_iterations, iterations);
+  require(arity >= 2, "outlier remainder: need arity >= 2, got {}", arity);
   for (const slong bits : precisions) {
     std::optional<Enclosure> result;
-    follow(points, degree, bits, [&](int m, const Ball& remainder) {
+    follow(points, degree, arity, bits, [&](int m, const Ball& remainder) {
       if (m == iterations) result = remainder.enclosure();
       return m == iterations;
     });
@@ -147,12 +156,13 @@ std::optional<Enclosure> outlier_remainder(int points, int degree, int iteration
   return std::nullopt;
 }
 
-std::optional<int> iterations_for_remainder(int points, int degree, const Rational& remainder) {
+std::optional<int> iterations_for_remainder(int points, int degree, const Rational& remainder, int arity) {
   require_window(points, degree);
+  require(arity >= 2, "outlier remainder: need arity >= 2, got {}", arity);
   if (outlier_factor(points, degree) >= 1) return std::nullopt;
   for (const slong bits : precisions) {
     int result = 0;
-    if (follow(points, degree, bits, [&](int m, const Ball& left) {
+    if (follow(points, degree, arity, bits, [&](int m, const Ball& left) {
           result = m;
           return left.is_at_most(Ball(remainder, bits));
         }))

@@ -49,7 +49,7 @@ Dependence dependence(const Rule& rule, int steps, int order, long start) {
   long low = start, high = start + order;
   result.levels.back() = {low, static_cast<std::size_t>(order) + 1};
   for (int level = steps - 1; level >= 0; --level) {
-    const long first = floor_divide(low, 2), last = floor_divide(high, 2);
+    const long first = floor_divide(low, rule.arity()), last = floor_divide(high, rule.arity());
     std::vector<WindowPlace> windows;
     for (long window = first; window <= last; ++window) windows.push_back({level, window});
     result.windows.insert(result.windows.begin(), windows.begin(), windows.end());
@@ -81,7 +81,7 @@ struct Forms {
   std::size_t dimension = 0, boxed = 0;
 };
 
-/// p(x), twice x being an integer: coefficient k belongs to (2 x / (points - 1))^k.
+/// p(x): coefficient k belongs to (2 x / (points - 1))^k.
 Row fit_value(const Rule& rule, std::size_t begin, const Rational& twice_x) {
   Row row(begin, 0);
   const Rational x = twice_x / static_cast<long>(rule.points - 1);
@@ -107,10 +107,11 @@ Forms forms_of(const Rule& rule, const Dependence& plan, int order) {
       add_multiple(residual, -1, fit_value(rule, begin, 2 * static_cast<long>(r) - static_cast<long>(rule.points - 1)));
       result.residuals.push_back(std::move(residual));
     }
-    for (long phase = 0; phase < 2; ++phase) {
-      const long index = 2 * window + phase - plan.levels[level + 1].first;
+    for (long phase = 0; phase < rule.arity(); ++phase) {
+      const long index = rule.arity() * window + phase - plan.levels[level + 1].first;
       if (index >= 0 && index < static_cast<long>(plan.levels[level + 1].count))
-        values[level + 1][static_cast<std::size_t>(index)] = fit_value(rule, begin, Rational(2 * phase - 1, 2));
+        values[level + 1][static_cast<std::size_t>(index)] = fit_value(
+            rule, begin, 2 * rule.places[static_cast<std::size_t>(phase)]);
     }
   }
   const Row difference = difference_form(order);
@@ -151,17 +152,32 @@ struct Split {
   double rank = 0;
 };
 
+/// What is bounded: a difference, on all data; or the negative of one, on data whose differences are not negative.
+enum class Aim { modulus, sign };
+
+/// The forms of a difference; for its sign with the differences of the data as further rows.
+Forms forms_for(Aim aim, const Rule& rule, const Dependence& plan, int order) {
+  Forms forms = forms_of(rule, plan, order);
+  if (aim == Aim::modulus) return forms;
+  for (Rational& entry : forms.objective) entry = -entry;
+  for (std::size_t j = 0; j < forms.boxed; ++j) {
+    forms.residuals.emplace_back(j + 1, 0);
+    forms.residuals.back().back() = 1;
+  }
+  return forms;
+}
+
 /// The tree of one start.
 class TreeSearch {
  public:
-  TreeSearch(const Rule& rule, const ContractionOptions& options, long start, Rational known)
+  TreeSearch(const Rule& rule, const ContractionOptions& options, long start, Rational known, Aim aim = Aim::modulus)
       : rule_(rule),
         options_(options),
         plan_(dependence(rule, options.steps, options.order, start)),
-        forms_(forms_of(rule, plan_, options.order)),
+        forms_(forms_for(aim, rule, plan_, options.order)),
         program_(forms_.dimension, forms_.boxed, forms_.residuals, forms_.objective),
         best_(std::move(known)),
-        sides_(forms_.residuals.size(), Side::any),
+        sides_(forms_.residuals.size(), Side::nonnegative),
         any_(plan_.windows.size()) {
     tree_.start = start;
     tree_.windows = plan_.windows;
@@ -279,6 +295,7 @@ bool TreeSearch::close(const Corner& corner, bool attained) {
   if (!found || (!attained && found->bound > best_)) return false;
   KnownFactors known{{std::move(found->multipliers), found->bound}, std::vector<SignMasks>(any_.size()), 0};
   for (const auto& [place, factor] : known.factors.factors) {
+    if (place / rule_.points >= any_.size()) break;  // of a difference of the data
     SignMasks& masks = known.masks[place / rule_.points];
     (factor > 0 ? masks.positive : masks.negative) |= std::uint64_t{1} << place % rule_.points;
   }
@@ -448,18 +465,46 @@ void TreeSearch::branch(const Corner& corner, Split split) {
 
 }  // namespace
 
+SignOfDifferences keeps_sign(const Rule& rule, int order, const Deadline& deadline) {
+  require(order >= 1 && order <= rule.degree + 1, "sign of differences: need 1 <= order <= {}, got {}", rule.degree + 1,
+          order);
+  require(rule.points >= 2 && rule.points <= 64, "sign of differences: need 2 to 64 points, got {}", rule.points);
+  const ContractionOptions options{1, order, 0, deadline, false};
+  for (long start = 0; start < rule.arity(); ++start) {
+    TreeSearch search(rule, options, start, 0, Aim::sign);
+    if (!search.run()) return {{Truth::unknown, "the programs were not finished"}, {}};
+    if (search.best() == 0) continue;
+    if (search.data().empty()) return {{Truth::unknown, "no data were found that show it"}, {}};
+    return {{Truth::no, "some data show it"}, search.data()};
+  }
+  return {{Truth::yes, "by the pieces"}, {}};
+}
+
+int most_steps(long arity) {
+  int steps = 0;
+  for (long period = arity; period <= 256; period *= arity) ++steps;
+  return steps;
+}
+
 ContractionSearch contraction(const Rule& rule, const ContractionOptions& options) {
   require(options.order >= 1 && options.order <= rule.degree + 1, "contraction: need 1 <= order <= {}, got {}",
           rule.degree + 1, options.order);
-  require(options.steps >= 1 && options.steps <= 8, "contraction: need 1 <= steps <= 8, got {}", options.steps);
+  require(options.steps >= 1 && options.steps <= most_steps(rule.arity()), "contraction: need 1 <= steps <= {}, got {}",
+          most_steps(rule.arity()), options.steps);
   require(rule.points >= 2 && rule.points <= 64, "contraction: need 2 to 64 points, got {}", rule.points);
   require(options.enough >= 0, "contraction: need enough >= 0, got {}", options.enough);
   Contraction result{options.steps, options.order, options.enough, {}, {}};
   ContractionSearch answer;
-  const long period = 1L << options.steps;
+  long period = 1, levels = 0;  // a^steps, and 1 + a + ... + a^(steps - 1)
+  for (int step = 0; step < options.steps; ++step) {
+    levels += period;
+    period *= rule.arity();
+  }
+  // Data in the order turned have the values in the order turned, moved by so much.
+  const long moved = (rule.arity() - 1 - rule.arity() * (static_cast<long>(rule.points) - 1)) * levels;
   bool going_on = true;
   for (long start = 0; start < period; ++start) {
-    if (modulo(2 * static_cast<long>(rule.points) - 3 - options.order - start, period) < start) continue;
+    if (modulo(moved - options.order - start, period) < start) continue;
     ++answer.starts;
     if (!going_on) continue;
     TreeSearch search(rule, options, start, result.bound);

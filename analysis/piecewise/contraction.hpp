@@ -63,6 +63,9 @@ struct ContractionOptions {
   bool keep_trees = false;
 };
 
+/// The largest number of steps that is treated: arity^steps <= 256.
+int most_steps(long arity);
+
 /// What was found of the bound before time was up or a program failed, if it was.
 struct ContractionSearch {
   std::optional<Contraction> proved;
@@ -73,10 +76,21 @@ struct ContractionSearch {
 
 /// The least such bound, or `enough`, by branch and bound: a tree of linear programs, each begun where the one above it
 /// ended, in which the fit of a window is held by those residuals alone whose signs all its possible pieces share.
-/// Domain: 1 <= order <= degree + 1, 1 <= steps <= 8; 2 to 64 points; the fits are polynomials of the degree of the
-/// rule, data at distance 1, outputs at -1/4 and 1/4 about the centre of a window; with each piece the rule has those
-/// with all signs turned and with the order of data turned. Errors: throws a domain error. Cost: some programs, of
-/// points * windows rows, for each node that no factors known close.
+/// Domain: 1 <= order <= degree + 1, 1 <= steps <= most_steps(arity); 2 to 64 points; the fits are polynomials of the
+/// degree of the rule, data at distance 1, with each place of an output its opposite is one; with each piece the rule
+/// has those with all signs turned and with the order of data turned. Errors: throws a domain error. Cost: some
+/// programs, of points * windows rows, for each node that no factors known close.
 ContractionSearch contraction(const Rule& rule, const ContractionOptions& options);
+
+/// Whether data with D^order f >= 0 have D^order S f >= 0, for every choice of fits: of order 1 monotone data stay
+/// monotone, of order 2 convex ones convex.
+struct SignOfDifferences {
+  Decision kept;
+  std::vector<Rational> data;  ///< where it is not kept: data that show it, with some choice of fits
+};
+
+/// By the same tree of programs, for one step. Domain: as contraction(). Unknown past the deadline, where a program
+/// fails, and where no data show exactly what the programs found. Errors: throws a domain error.
+SignOfDifferences keeps_sign(const Rule& rule, int order, const Deadline& deadline = {});
 
 }  // namespace subcert::piecewise

@@ -139,7 +139,8 @@ std::optional<EdgeOrbit> orbit_from(const Rule& rule, std::vector<Rational> patc
 }  // namespace
 
 std::optional<EdgeOrbit> edge_orbit(const Rule& rule) {
-  require(rule.is_function() && !rule.pieces.empty(), "edge orbit: need a rule with one fit to each datum");
+  require(rule.is_function() && !rule.pieces.empty() && rule.arity() == 2,
+          "edge orbit: need a binary rule with one fit to each datum");
   std::optional<EdgeOrbit> best;
   for (std::size_t count = 2; count <= rule.points; ++count)
     for (const bool kink : {false, true}) {

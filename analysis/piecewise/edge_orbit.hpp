@@ -22,8 +22,8 @@ struct EdgeOrbit {
 };
 
 /// Looks for one from a step and a kink, and checks it by substitution. What descends from 2 * points - 1 positive
-/// values in a row is at least the least of these. Domain: a function whose values never leave the range of the data.
-/// Nothing where none was found, as where the factor is not rational. Cost: some hundred steps on few windows.
+/// values in a row is at least the least of these. Domain: a binary function whose values never leave the range of the
+/// data. Nothing where none was found, as where the factor is not rational. Cost: some hundred steps on few windows.
 std::optional<EdgeOrbit> edge_orbit(const Rule& rule);
 
 }  // namespace subcert::piecewise

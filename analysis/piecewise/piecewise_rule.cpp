@@ -56,11 +56,13 @@ std::optional<Mask> linear_mask(const Rule& rule, long first) {
   const std::vector<Row>& outputs = rule.pieces.front().outputs;
   for (const Piece& piece : rule.pieces)
     if (piece.outputs != outputs) return std::nullopt;
-  // Datum r of window 0 has the index first + r; output `phase` of it has the coefficient of phase - 2 (first + r).
-  std::vector<Rational> coefficients(2 * rule.points, 0);
+  // Datum r of window 0 has the index first + r; output `phase` of it has the coefficient of phase - a (first + r).
+  const std::size_t a = rule.places.size();
+  std::vector<Rational> coefficients(a * rule.points, 0);
   for (std::size_t r = 0; r < rule.points; ++r)
-    for (std::size_t phase = 0; phase < 2; ++phase) coefficients[2 * (rule.points - 1 - r) + phase] = outputs[phase][r];
-  return Mask(LaurentPolynomial(coefficients, -2 * (first + static_cast<long>(rule.points) - 1)), 2);
+    for (std::size_t phase = 0; phase < a; ++phase) coefficients[a * (rule.points - 1 - r) + phase] = outputs[phase][r];
+  const int arity = rule.arity();
+  return Mask(LaurentPolynomial(coefficients, -arity * (first + static_cast<long>(rule.points) - 1)), arity);
 }
 
 }  // namespace subcert::piecewise

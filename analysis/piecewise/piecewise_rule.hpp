@@ -1,5 +1,5 @@
 #pragma once
-/// Binary rules that fit polynomials and are linear on polyhedral cells of their data, also with several fits to one
+/// Rules that fit polynomials and are linear on polyhedral cells of their data, also with several fits to one
 /// datum.
 
 #include <subcert/analysis/symbol/masks/mask.hpp>
@@ -25,17 +25,20 @@ struct Piece {
   std::vector<int> signs;
   std::size_t own = 0;
   std::vector<Row> cell;     ///< signs[r] times residual r, >= 0; one for each sign that is not 0, in their order
-  std::vector<Row> outputs;  ///< the two of the window: values of the fit
+  std::vector<Row> outputs;  ///< of the window: values of the fit, in the order of their places
 };
 
-/// Window i reads the data i, ..., i + points - 1, fits a polynomial of degree `degree` at most and gives two of its
-/// values, 2i and 2i + 1 of the next level. Whatever fit is taken for whatever data lies in a piece, and all pieces
-/// whose signs are those of its residuals, but for places where a residual or a sign is zero, have it too.
+/// Window i reads the data i, ..., i + points - 1, fits a polynomial of degree `degree` at most and gives its values at
+/// `places` from the centre of the window, a of them, as a*i, ..., a*i + a - 1 of the next level. Whatever fit is taken
+/// for whatever data lies in a piece, and all pieces whose signs are those of its residuals, but for places where a
+/// residual or a sign is zero, have it too.
 struct Rule {
   std::size_t points = 0;
   int degree = 0;
   std::vector<Piece> pieces;
+  std::vector<Rational> places{Rational(-1, 4), Rational(1, 4)};
 
+  int arity() const { return static_cast<int>(places.size()); }
   /// Whether each datum has one answer: no piece has variables of its own. Such a rule is continuous.
   bool is_function() const;
 };
@@ -49,7 +52,7 @@ Rational lipschitz_constant(const Rule& rule);
 std::optional<Rational> largest_output(const Rule& rule, const Deadline& deadline = {});
 
 /// The mask of a rule whose pieces all have the same outputs. Indices as of `first`, the index of the first datum of
-/// window 0: datum j stands at j / 2 for the next level.
+/// window 0: f'_i = sum of a_(i - arity j) f_j.
 std::optional<Mask> linear_mask(const Rule& rule, long first);
 
 }  // namespace subcert::piecewise

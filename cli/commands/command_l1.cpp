@@ -24,22 +24,24 @@ ExitCode run(const L1Options& options) {
   if (!is_l1_specification(options.scheme))
     fail(ErrorKind::usage, "{}: need a scheme of the family l1, as l1:points=6,d=1", options.scheme);
   const DataDependentScheme scheme = make_l1_scheme(options.scheme);
-  const int points = points_of_curve(scheme), degree = scheme.rules.degree;
+  const int points = points_of_curve(scheme), degree = scheme.rules.degree, arity = scheme.rules.arity;
   if (options.order > degree + 1)
     fail(ErrorKind::usage, "--order: need at most d + 1 = {}, got {}", degree + 1, options.order);
+  if (const int most = piecewise::most_steps(arity); options.steps > most)
+    fail(ErrorKind::usage, "--steps: need at most {} for arity {}, got {}", most, arity, options.steps);
   const auto enough = parse_number(options.bound);
   if (!enough || *enough < 0)
     fail(ErrorKind::usage, "--bound: expected a number that is not negative, got '{}'", options.bound);
   options.progress("linear programs");
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
       points, degree,
-      {options.steps, options.order, *enough, Deadline::in(options.budget), !options.certificate.empty()});
+      {options.steps, options.order, *enough, Deadline::in(options.budget), !options.certificate.empty()}, arity);
   const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
     if (points == degree + 1)
       fail(ErrorKind::undecided,
            "certificate: the fit interpolates its data; ask for one of the mask, by 'regularity'");
     if (!limit.contraction) fail(ErrorKind::undecided, "certificate: no contraction was found within the budget");
-    return contraction_certificate(*data::least_absolute_rule(points, degree), *limit.contraction, limit.edge);
+    return contraction_certificate(*data::least_absolute_rule(points, degree, arity), *limit.contraction, limit.edge);
   });
   options.end_progress();
   const Facts list = l1_facts(scheme, limit);

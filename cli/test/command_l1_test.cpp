@@ -54,6 +54,36 @@ TEST_CASE("l1: rules of several minimisers, linear ones, and those that do not c
   CHECK(run("analyze l1:points=6 --budget 5").out.starts_with("scheme"));
 }
 
+TEST_CASE("l1: other arities, with certificates") {
+  const Folder folder;
+  const std::string file = folder / "ternary.cert";
+  const auto ternary = run_json("l1 l1:points=6,a=3 --certificate " + file);
+  CHECK(ternary.at("contraction").at("bound") == "2/3");
+  CHECK(ternary.at("converges") == "yes");
+  CHECK(ternary.at("edge").is_null());
+  CHECK(run("verify " + file).code == 0);
+  CHECK(run("verify " + file + " --claim 'contraction 1,1 of l1:points=6,a=3 <= 2/3'").code == 0);
+  CHECK(run("verify " + file + " --claim '1/3 <= l1:points=6,a=3'").code == 0);
+  CHECK(run("verify " + file + " --claim '1/2 <= l1:points=6,a=3'").code == 1);
+  CHECK(run("verify " + file + " --claim '1/3 <= l1:points=6'").code == 1);
+  CHECK(run_json("l1 l1:points=5,d=3,a=3 --steps 1").at("mask") ==
+        "[-20,-27,-28,70,108,140,0,0,0,140,108,70,-28,-27,-20]/162@-6");
+  check_fails(run("l1 l1:points=6,a=3 --steps 6"), 64, "--steps: need at most 5 for arity 3, got 6");
+  CHECK(run("l1 l1:points=6,a=1").code == 64);
+}
+
+TEST_CASE("l1: the rule itself, with delta and a number of fits") {
+  const auto four = run_json("l1 l1:points=4,iterations=7,delta=1e-6");
+  CHECK(four.at("rule").at("bound") == "9/10");
+  CHECK(four.at("rule").at("fits") == 7);
+  const auto six = run_json("l1 l1:points=6");
+  CHECK_FALSE(six.contains("rule"));
+  CHECK(six.at("impulse_level") == 7);
+  CHECK(six.at("keeps_monotone") == false);
+  CHECK_FALSE(run_json("l1 l1:points=4,exact").contains("rule"));
+  CHECK(contains(run("l1 l1:points=5,iterations=2").out, "so that it converges for all data"));
+}
+
 TEST_CASE("l1: bad input") {
   check_fails(run("l1 dd:n=2"), 64, "dd:n=2: need a scheme of the family l1, as l1:points=6,d=1");
   CHECK(run("l1 l1:points=6x6").code == 64);

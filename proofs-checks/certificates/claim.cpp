@@ -36,8 +36,7 @@ std::vector<std::string> parts_of(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
        "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
-       "or "
-       "contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
+       "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
 
@@ -45,7 +44,8 @@ std::vector<std::string> parts_of(const std::string& claim) {
 L1Subject l1_subject(const std::string& scheme) {
   const L1Scheme rule = make_l1_scheme(scheme).rules;
   if (rule.points.size() > 1) fail(ErrorKind::usage, "--claim: {} is no rule of one variable", scheme);
-  return {std::to_string(rule.points[0]), std::to_string(rule.degree)};
+  return {std::to_string(rule.points[0]), std::to_string(rule.degree),
+          rule.arity == 2 ? "" : std::to_string(rule.arity)};
 }
 
 /// `w=0..1` with the letter of the family, which certificates have, in the place of its name.
@@ -103,7 +103,9 @@ struct SubjectLine {
   std::string operator()(const FamilySubject& of) const {
     return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
   }
-  std::string operator()(const L1Subject& of) const { return fmt::format("l1 {} {}", of.points, of.degree); }
+  std::string operator()(const L1Subject& of) const {
+    return fmt::format("l1 {} {}{}{}", of.points, of.degree, of.arity.empty() ? "" : " ", of.arity);
+  }
 };
 
 ClaimSubject read_subject(const std::string& line, const std::string& file) {
@@ -116,7 +118,7 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "exponent") return MaskSubject{first, second, more};
   if (kind == "surface") return SurfaceSubject{first, second};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
-  if (kind == "l1") return L1Subject{first, second};
+  if (kind == "l1") return L1Subject{first, second, more};
   fail(ErrorKind::data, "{}, line 2: expected exponent, surface, radius, subradius or l1", file);
 }
 
@@ -145,7 +147,7 @@ struct SubjectArguments {
     return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};
   }
   std::vector<std::string> operator()(const L1Subject& of) const {
-    std::vector<std::string> arguments{"--l1", of.points + "," + of.degree};
+    std::vector<std::string> arguments{"--l1", of.points + "," + of.degree + (of.arity.empty() ? "" : ",") + of.arity};
     if (!of.contraction.empty()) arguments.insert(arguments.end(), {"--contraction", of.contraction});
     return arguments;
   }

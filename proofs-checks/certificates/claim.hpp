@@ -25,6 +25,7 @@ struct FamilySubject {
 /// Fits of least absolute deviations.
 struct L1Subject {
   std::string points, degree;
+  std::string arity = {};        ///< empty for 2
   std::string contraction = {};  ///< STEPS,ORDER,BOUND, or empty; not empty in a certificate
 };
 using ClaimSubject = std::variant<MaskSubject, SurfaceSubject, FamilySubject, L1Subject>;

@@ -50,10 +50,10 @@ std::string tree_lines(const ContractionTree& tree, std::size_t points) {
   return lines;
 }
 
-/// -log2(number) / steps with 15 places, if it is positive and more than rounding leaves.
-std::optional<std::string> exponent_text(const Rational& number, int steps, Rounding rounding) {
+/// -log(number) / log(arity) / steps with 15 places, if it is positive and more than rounding leaves.
+std::optional<std::string> exponent_text(const Rational& number, int arity, int steps, Rounding rounding) {
   if (number >= 1 || number <= 0) return std::nullopt;
-  const Enclosure logarithm = log_ratio(1 / number, 2);
+  const Enclosure logarithm = log_ratio(1 / number, arity);
   const Rational end = (rounding == Rounding::down ? *logarithm.lower : *logarithm.upper) / steps;
   const Rational unit = power(Rational(10), 15);
   const Rational rounded = Rational(to_integer(end * unit, rounding)) / unit;
@@ -85,13 +85,13 @@ Certificate contraction_certificate(const piecewise::Rule& rule, const piecewise
                                     const std::optional<piecewise::EdgeOrbit>& edge) {
   require(!contraction.trees.empty(), "certificate: need the trees of the contraction");
   Certificate certificate;
-  certificate.claim.lower = exponent_text(contraction.bound, contraction.steps, Rounding::down);
+  certificate.claim.lower = exponent_text(contraction.bound, rule.arity(), contraction.steps, Rounding::down);
   certificate.claim.subject = L1Subject{
-      std::to_string(rule.points), std::to_string(rule.degree),
+      std::to_string(rule.points), std::to_string(rule.degree), rule.arity() == 2 ? "" : std::to_string(rule.arity()),
       fmt::format("{},{},{}", contraction.steps, contraction.order, to_text(contraction.bound))};
   for (const ContractionTree& tree : contraction.trees) certificate.sections.push_back({tree_lines(tree, rule.points)});
   if (edge && certificate.claim.lower) {
-    certificate.claim.upper = exponent_text(edge->factor, 1, Rounding::up);
+    certificate.claim.upper = exponent_text(edge->factor, rule.arity(), 1, Rounding::up);
     certificate.sections.push_back({orbit_lines(rule, *edge)});
   }
   certificate.bounds = certificate.claim;

@@ -2172,15 +2172,16 @@ var check_certificate = (() => {
   const choose = (n, k) => range_of(k).reduce((result, i) => result * (n - i) / (i + 1), 1);
   function read_l1(text) {
     const parts = text.split(',');
-    demand(parts.length === 2, 'a rule of least absolute deviations is N,DEGREE');
+    demand(parts.length === 2 || parts.length === 3, 'a rule of least absolute deviations is N,DEGREE or N,DEGREE,ARITY');
     const points = small(parts[0], 2, 16), degree = small(parts[1], 0, points - 2);
     demand(choose(points, degree + 1) * 2 ** (points - degree - 1) <= 2 ** 18,
            'a rule with more signs than the checker allows');
-    return {points, degree};
+    return {points, degree, arity: parts.length === 3 ? small(parts[2], 3, 16) : 2};
   }
-  function read_contraction(fields, {degree}) {
+  function read_contraction(fields, {degree, arity}) {
     demand(fields.length === 3, 'a contraction is STEPS, ORDER and BOUND');
     const steps = small(fields[0], 1, 8), order = small(fields[1], 1, degree + 1), bound = rational(fields[2]);
+    demand(arity ** steps <= 256, 'more steps than the checker allows');
     demand(bound.n >= 0n, 'the bound of a contraction is negative');
     return {steps, order, bound};
   }
@@ -2212,10 +2213,12 @@ var check_certificate = (() => {
     return [...found].sort();
   }
   const is_full = (vertex, {degree}) => vertex.split('0').length === degree + 2;
-  const l1_position = (points, r) => BigInt(4 * r - 2 * (points - 1));  // in quarters of the spacing
+  // Place r of a window and its outputs, from its centre in units of the spacing over twice the arity
+  const l1_position = ({points, arity}, r) => BigInt(arity * (2 * r - points + 1));
+  const l1_outputs = ({arity}) => range_of(arity).map(e => BigInt(2 * e + 1 - arity));
   // The polynomial through the data where the vertex has 0, and through the data plus 1 at the first other places
-  function l1_fit(vertex, data, degree) {
-    const places = range_of(vertex.length), at = r => l1_position(vertex.length, r);
+  function l1_fit(vertex, data, rule) {
+    const {degree} = rule, places = range_of(vertex.length), at = r => l1_position(rule, r);
     const nodes = [...places.filter(r => vertex[r] === '0').map(r => [r, data[r]]),
                    ...places.filter(r => vertex[r] !== '0').map(r => [r, plus(data[r], 1n)])].slice(0, degree + 1);
     return x => nodes.reduce((total, [r, y]) => {
@@ -2227,11 +2230,11 @@ var check_certificate = (() => {
   // The tree of a difference: D^order f at the place `start` of level `steps`
   class CellTree {
     constructor(reader, rule, vertices, contraction, start) {
-      const {points, degree} = rule;
-      Object.assign(this, {reader, points, degree, vertices, ...contraction, start, leaves: [], kept: 0});
+      const {points, degree, arity} = rule;
+      Object.assign(this, {reader, rule, points, degree, arity, vertices, ...contraction, start, leaves: [], kept: 0});
       this.levels = [];  // the windows of each: first, last, and the number of the first one in the order of all
       for (let low = start, high = start + this.order, level = this.steps; level-- > 0; high += points - 1) {
-        [low, high] = [Math.floor(low / 2), Math.floor(high / 2)];
+        [low, high] = [Math.floor(low / arity), Math.floor(high / arity)];
         this.levels[level] = {low, high};
       }
       this.level_of = [];
@@ -2241,7 +2244,8 @@ var check_certificate = (() => {
       });
       this.cells = this.level_of.map(() => this.cell_of(vertices));
       this.full = vertex => is_full(vertex, rule);
-      this.powers = range_of(points).map(r => range_of(degree + 1).map(k => l1_position(points, r) ** BigInt(k)));
+      this.powers = range_of(points).map(r => range_of(degree + 1).map(k => l1_position(rule, r) ** BigInt(k)));
+      this.at_outputs = l1_outputs(rule).map(x => range_of(degree + 1).map(k => x ** BigInt(k)));
     }
     node() {
       const word = this.reader.peek();
@@ -2342,8 +2346,8 @@ var check_certificate = (() => {
         }
         spend(moments.length * (this.degree + 1) / 2);
         moments.forEach((all, i) => {
-          const left = value.get(2 * (low + i)) || 0n, right = value.get(2 * (low + i) + 1) || 0n;
-          demand(all.every((x, j) => x === (j % 2 ? right - left : right + left)),
+          const outputs = this.at_outputs.map((_, e) => value.get(this.arity * (low + i) + e) || 0n);
+          demand(all.every((x, j) => x === outputs.reduce((sum, v, e) => sum + v * this.at_outputs[e][j], 0n)),
                  'the multipliers of a window do not take its fit away');
         });
         value = next;
@@ -2359,24 +2363,24 @@ var check_certificate = (() => {
       return this.levels.some((one, level) => range_of(one.high - one.low + 1).some(k => {
         const vertex = this.only_vertex(one.number + k), i = one.low + k, data = data_of(level, i);
         if (!vertex || data.includes(undefined)) return false;
-        const fit = l1_fit(vertex, data, this.degree);
-        [fit(-1n), fit(1n)].forEach((y, e) => known.set(`${level + 1} ${2 * i + e}`, y));
-        return this.full(vertex) && strict.some(({w, r}) => w === one.number + k && minus(data[r], fit(l1_position(this.points, r))).n);
+        const fit = l1_fit(vertex, data, this.rule);
+        l1_outputs(this.rule).forEach((x, e) => known.set(`${level + 1} ${this.arity * i + e}`, fit(x)));
+        return this.full(vertex) && strict.some(({w, r}) => w === one.number + k && minus(data[r], fit(l1_position(this.rule, r))).n);
       }));
     }
   }
   function refined(reader, l1, vertices, values) {  // the next level of an orbit
-    const {points, degree} = l1, count = values.length - points + 1;
+    const {points} = l1, count = values.length - points + 1;
     demand(2 * count <= 4096, too_much_work);
     return reader.read('fits', count).flatMap((vertex, i) => {
       demand(vertices.has(vertex) && is_full(vertex, l1), 'a fit is not that of a full vertex');
-      const data = values.slice(i, i + points), fit = l1_fit(vertex, data, degree);
+      const data = values.slice(i, i + points), fit = l1_fit(vertex, data, l1);
       data.forEach((y, r) => {
-        const residual = sign(minus(y, fit(l1_position(points, r))));
+        const residual = sign(minus(y, fit(l1_position(l1, r))));
         demand(vertex[r] === '0' || residual === 0 || (vertex[r] === '+') === (residual > 0),
                'a residual has not the sign of the vertex');
       });
-      return [fit(-1n), fit(1n)];
+      return l1_outputs(l1).map(fit);
     });
   }
   function has_run(values, length) {  // of one sign
@@ -2390,6 +2394,7 @@ var check_certificate = (() => {
   // Values that are met again, times the factor, after some steps, with a limit that is not 0
   function read_orbit(reader, l1) {
     demand(l1.degree < 2, 'an orbit of fits of a degree above 1 proves nothing');
+    demand(l1.arity === 2, 'an orbit of a rule that is not binary proves nothing');
     const length = 2 * l1.points - 1, fields = reader.read('orbit', 3 + length, 3 + 4096);
     const steps = small(fields[0], 1, 8), factor = rational(fields[2]), power_of_2 = /^10*$/;
     let place = small(fields[1], 0, 4096);
@@ -2410,9 +2415,10 @@ var check_certificate = (() => {
   }
   function check_l1(reader, {l1, lower, upper, contraction}) {
     const proved = read_contraction(reader.read('contraction', 3), l1), vertices = l1_vertices(l1);
-    const {steps, order, bound} = proved, starts = 2 ** steps;
+    const {steps, order, bound} = proved, {points, arity} = l1, starts = arity ** steps;
+    const levels = (starts - 1) / (arity - 1);  // 1 + A + ... + A^(K-1)
     for (let start = 0; start < starts; ++start) {
-      const mirror = 2 * l1.points - 3 - order - start, rest = (mirror % starts + starts) % starts;
+      const mirror = (arity * (2 - points) - 1) * levels - order - start, rest = (mirror % starts + starts) % starts;
       if (start > rest) continue;
       reader.read(`start ${start}`);
       new CellTree(reader, l1, vertices, proved, start).node();
@@ -2423,7 +2429,7 @@ var check_certificate = (() => {
     if (lower) {
       const exponent = times(lower, BigInt(steps));
       check_ends(exponent, null, 1);
-      demand(!less(power_below(2n, minus(0n, exponent)), bound), 'the contraction does not prove the lower end');
+      demand(!less(power_below(BigInt(l1.arity), minus(0n, exponent)), bound), 'the contraction does not prove the lower end');
     }
     if (!upper && reader.peek() !== 'orbit') return;
     demand(less(bound, 1n), 'an orbit proves nothing where no limits are proved');
@@ -2443,7 +2449,7 @@ var check_certificate = (() => {
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
-       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
+       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
                      to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents of
                      limits)
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
@@ -2511,7 +2517,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const contraction =
       options.contraction === undefined ? null : read_contraction(options.contraction.split(','), l1);
     const upper = options.upper === undefined ? null : rational(options.upper);
-    return {options, kind: check_l1, l1, contraction, lower, upper, head: `l1 ${l1.points} ${l1.degree}`};
+    return {options, kind: check_l1, l1, contraction, lower, upper, head: `l1 ${l1.points} ${l1.degree}${l1.arity === 2 ? '' : ` ${l1.arity}`}`};
   }
   function read_range(text, claim) {
     const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/s.exec(text) || [];

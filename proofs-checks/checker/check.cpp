@@ -104,7 +104,8 @@ class Checker {
     const Contraction proved = read_contraction(*claim_.l1, reader_, arithmetic_);
     require(!claim_.contraction || *claim_.contraction == proved, "the claim is about another contraction");
     if (claim_.lower)
-      require(proved.bound <= power_of_exponent(2, *claim_.lower * mpz_class(proved.steps)),
+      require(proved.bound <=
+                  power_of_exponent(static_cast<unsigned>(claim_.l1->arity), *claim_.lower * mpz_class(proved.steps)),
               "the contraction does not prove the lower end");
     if (!claim_.upper && !reader_.at("orbit")) return;
     require(proved.bound < 1, "an orbit proves nothing where no limits are proved");
@@ -572,7 +573,8 @@ constexpr const char* usage =
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
-    "       subcert-check --l1 N,D [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree "
+    "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of "
+    "degree "
     "D\n"
     "                     to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents "
     "of\n"
@@ -634,7 +636,8 @@ Claim read_l1_claim(Options& given) {
   Claim claim;
   claim.file = *file;
   claim.l1 = parse_l1_rule(*l1);
-  claim.head = "l1 " + std::to_string(claim.l1->points) + " " + std::to_string(claim.l1->degree);
+  claim.head = "l1 " + std::to_string(claim.l1->points) + " " + std::to_string(claim.l1->degree) +
+               (claim.l1->arity == 2 ? "" : " " + std::to_string(claim.l1->arity));
   if (lower) {
     claim.lower = parse_rational(*lower);
     claim.text = claim.lower->get_str() + " <= Hoelder exponent";

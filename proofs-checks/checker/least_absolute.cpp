@@ -9,7 +9,8 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t most_points = 16, most_steps = 8;
+constexpr std::size_t most_points = 16, most_arity = 16, most_steps = 8;
+constexpr std::size_t most_starts = 256;            // arity^steps
 constexpr std::uint64_t most_patterns = 1UL << 18;  // subsets of degree + 1 places, with signs of the others
 constexpr std::size_t most_values = 4096;           // of a level of an orbit
 constexpr std::size_t most_kept = 1UL << 22;        // multipliers of the leaves of a start
@@ -83,8 +84,11 @@ bool is_full(const L1Rule& rule, const std::string& vertex) {
   return static_cast<std::size_t>(std::count(vertex.begin(), vertex.end(), '0')) == rule.degree + 1;
 }
 
-/// Place r of a window, in quarters of the spacing from its centre.
-mpz_class position(const L1Rule& rule, std::size_t r) { return mpz_class(4 * r) - mpz_class(2 * (rule.points - 1)); }
+/// Place r of a window, and output number e of it, from its centre in units of the spacing over twice the arity.
+mpz_class position(const L1Rule& rule, std::size_t r) {
+  return mpz_class(2 * rule.arity * r) - mpz_class(rule.arity * (rule.points - 1));
+}
+mpz_class output(const L1Rule& rule, std::size_t e) { return mpz_class(2 * e + 1) - mpz_class(rule.arity); }
 
 /// At a position: the polynomial through the data where the vertex is 0, and through data plus 1 at the first other
 /// places that it needs.
@@ -142,8 +146,8 @@ class Start {
         firsts_(contraction.steps),
         lasts_(contraction.steps) {
     for (std::size_t low = j, high = j + contraction.order, level = contraction.steps; level-- > 0;) {
-      firsts_[level] = low /= 2;
-      lasts_[level] = high /= 2;
+      firsts_[level] = low /= rule.arity;
+      lasts_[level] = high /= rule.arity;
       high += rule.points - 1;
     }
     for (std::size_t level = 0; level < contraction.steps; ++level)
@@ -269,10 +273,12 @@ class Start {
   /// What is left of the data's coefficients once the fits are gone: of the form that is bounded, times the scale.
   Vector carried_to_data(const Multipliers& multipliers, const mpz_class& scale) {
     std::size_t level = contraction_.steps;
-    Vector values(2 * (lasts_[level - 1] - firsts_[level - 1] + 1));
+    const std::size_t arity = rule_.arity;
+    Vector values(arity * (lasts_[level - 1] - firsts_[level - 1] + 1));
     for (std::size_t i = 0; i <= contraction_.order; ++i)
-      values[target_ + i - 2 * firsts_[level - 1]] = ((contraction_.order - i) % 2 == 0 ? scale : mpz_class(-scale)) *
-                                                     binomial(contraction_.order, i);
+      values[target_ + i - arity * firsts_[level - 1]] = ((contraction_.order - i) % 2 == 0 ? scale
+                                                                                            : mpz_class(-scale)) *
+                                                         binomial(contraction_.order, i);
     std::size_t end = multipliers.size(), window = windows_.size();
     while (true) {
       --level;
@@ -290,16 +296,21 @@ class Start {
           power *= position(rule_, r);
         }
       }
-      for (std::size_t i = 0; i < moments.size(); ++i)
-        for (std::size_t k = 0; k < moments[i].size(); ++k) {
-          const mpz_class &low = values[2 * i], &high = values[2 * i + 1];
-          arithmetic_.spend(20);
-          require(moments[i][k] == (k % 2 == 0 ? mpz_class(high + low) : mpz_class(high - low)),
-                  "the multipliers of a window do not take its fit away");
+      for (std::size_t i = 0; i < moments.size(); ++i) {
+        for (std::size_t e = 0; e < arity; ++e) {
+          mpz_class power = 1;
+          for (mpz_class& moment : moments[i]) {
+            arithmetic_.spend(20);
+            moment -= values[arity * i + e] * power;
+            power *= output(rule_, e);
+          }
         }
+        for (const mpz_class& moment : moments[i])
+          require(moment == 0, "the multipliers of a window do not take its fit away");
+      }
       if (level == 0) return data;
-      values = Vector(2 * (lasts_[level - 1] - firsts_[level - 1] + 1));
-      for (std::size_t m = 0; m < data.size(); ++m) values[first + m - 2 * firsts_[level - 1]] = data[m];
+      values = Vector(arity * (lasts_[level - 1] - firsts_[level - 1] + 1));
+      for (std::size_t m = 0; m < data.size(); ++m) values[first + m - arity * firsts_[level - 1]] = data[m];
     }
   }
 
@@ -320,7 +331,7 @@ class Start {
       for (std::size_t begin = firsts_[level]; begin <= lasts_[level]; ++begin, ++window) {
         const auto from = values.begin() + static_cast<std::ptrdiff_t>(begin - first);
         const auto to = from + static_cast<std::ptrdiff_t>(rule_.points);
-        next.resize(next.size() + 2);
+        next.resize(next.size() + rule_.arity);
         const std::string* vertex = windows_[window].only_vertex();
         if (!vertex || std::find(from, to, std::nullopt) != to) continue;
         Rationals data;
@@ -330,11 +341,11 @@ class Start {
               place / rule_.points == window && is_strict(place) && is_full(rule_, *vertex) &&
               fitted(rule_, *vertex, data, position(rule_, r), arithmetic_) != data[r])
             return true;
-        next[next.size() - 2] = fitted(rule_, *vertex, data, -1, arithmetic_);
-        next.back() = fitted(rule_, *vertex, data, 1, arithmetic_);
+        for (std::size_t e = 0; e < rule_.arity; ++e)
+          next[next.size() - rule_.arity + e] = fitted(rule_, *vertex, data, output(rule_, e), arithmetic_);
       }
       values = std::move(next);
-      first = 2 * firsts_[level];
+      first = rule_.arity * firsts_[level];
     }
     return false;
   }
@@ -385,16 +396,25 @@ bool has_run(const Rationals& values, std::size_t length) {
   return false;
 }
 
+/// Differences to be bounded: the others are shifts of these.
+std::size_t starts_of(const L1Rule& rule, std::size_t steps) {
+  std::size_t starts = 1;
+  for (std::size_t i = 0; i < steps && starts <= most_starts; ++i) starts *= rule.arity;
+  return starts;
+}
+
 }  // namespace
 
 L1Rule parse_l1_rule(std::string_view text) {
   const Fields fields = split(text, ",");
-  require(fields.size() == 2, "a rule of least absolute deviations is N,DEGREE");
+  require(fields.size() == 2 || fields.size() == 3,
+          "a rule of least absolute deviations is N,DEGREE or N,DEGREE,ARITY");
   L1Rule rule;
   rule.points = parse_size(fields[0], 2, most_points);
   rule.degree = parse_size(fields[1], 0, rule.points - 2);
   require(binomial(rule.points, rule.degree + 1) << (rule.points - rule.degree - 1) <= most_patterns,
           "a rule with more signs than the checker allows");
+  if (fields.size() == 3) rule.arity = parse_size(fields[2], 3, most_arity);
   return rule;
 }
 
@@ -403,6 +423,7 @@ Contraction parse_contraction(const Fields& fields, const L1Rule& rule) {
   Contraction result;
   result.steps = parse_size(fields[0], 1, most_steps);
   result.order = parse_size(fields[1], 1, rule.degree + 1);
+  require(starts_of(rule, result.steps) <= most_starts, "more steps than the checker allows");
   result.bound = parse_rational(fields[2]);
   require(result.bound >= 0, "the bound of a contraction is negative");
   return result;
@@ -411,10 +432,12 @@ Contraction parse_contraction(const Fields& fields, const L1Rule& rule) {
 Contraction read_contraction(const L1Rule& rule, Reader& reader, Arithmetic& arithmetic) {
   Contraction contraction = parse_contraction(reader.take("contraction", 3, 3), rule);
   const std::vector<std::string> vertices = Vertices(rule, arithmetic).list();
-  const std::size_t starts = std::size_t{1} << contraction.steps;
+  const std::size_t starts = starts_of(rule, contraction.steps);
+  const std::size_t levels = (starts - 1) / (rule.arity - 1);  // 1 + A + ... + A^(K-1)
   for (std::size_t j = 0; j < starts; ++j) {
     // the difference that reversed data have here; all sums are modulo the number of starts
-    const std::size_t mirror = (2 * rule.points - 3 - contraction.order - j + starts * most_points) % starts;
+    const std::size_t back = (rule.arity * (rule.points - 2) + 1) * levels + contraction.order + j;
+    const std::size_t mirror = (starts - back % starts) % starts;
     if (j > mirror) continue;
     reader.take("start " + std::to_string(j), 0, 0);
     Start(rule, vertices, contraction, j, reader, arithmetic).read_node();
@@ -424,6 +447,7 @@ Contraction read_contraction(const L1Rule& rule, Reader& reader, Arithmetic& ari
 
 L1Orbit read_orbit(const L1Rule& rule, Reader& reader, Arithmetic& arithmetic) {
   require(rule.degree <= 1, "an orbit of fits of a degree above 1 proves nothing");
+  require(rule.arity == 2, "an orbit of a rule that is not binary proves nothing");
   const std::size_t shortest = 2 * rule.points - 1;
   const Fields fields = reader.take("orbit", 3 + shortest, 3 + most_values);
   L1Orbit orbit{parse_size(fields[0], 1, most_steps), parse_rational(fields[2])};

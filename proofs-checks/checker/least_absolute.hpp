@@ -5,15 +5,17 @@
 
 namespace subcert_check {
 
-/// The rule that fits polynomials of a degree to so many equispaced data. Domain: 2 <= points <= 16, degree <= points
-/// - 2, few enough vertices.
+/// The rule that fits polynomials of a degree to so many equispaced data and takes `arity` values of each. Domain: 2 <=
+/// points <= 16, degree <= points - 2, few enough vertices, 2 <= arity <= 16.
 struct L1Rule {
-  std::size_t points = 0, degree = 0;
+  std::size_t points = 0, degree = 0, arity = 2;
 };
 
 L1Rule parse_l1_rule(std::string_view text);
 
-/// |D^order S^steps f| <= bound |D^order f| for all data and all minimisers. Domain: 1 <= order <= degree + 1.
+/// |D^order S^steps f| <= bound |D^order f| for all data and all minimisers. Domain: 1 <= order <= degree + 1,
+/// arity^steps
+/// <= 256.
 struct Contraction {
   std::size_t steps = 0, order = 0;
   mpq_class bound;
@@ -33,7 +35,7 @@ struct L1Orbit {
   mpq_class factor;
 };
 
-/// Reads an orbit, and shows that it is one whose limit is not 0. Domain: the limits exist.
+/// Reads an orbit, and shows that it is one whose limit is not 0. Domain: the limits exist, arity 2.
 L1Orbit read_orbit(const L1Rule& rule, Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

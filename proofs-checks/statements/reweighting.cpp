@@ -3,6 +3,9 @@
 #include "normal_equations.hpp"
 
 #include <subcert/schemes/data/l1/l1_regression.hpp>
+#include <subcert/schemes/outlier_remainder.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <random>
@@ -248,6 +251,38 @@ Trial weights_of_modulus(const Formula& bracket, const Rational& exponent, const
   trial.follow(identity(bracket - residual * residual, f("delta"), names));
   trial.equal(exponent, Rational(1, 2), "exponent");
   return trial.for_all("all residuals and delta > 0", "h'(t) = t w with h(t) = (t^2 + delta)^(1/2), w = 1/h(t)");
+}
+
+Trial smoothed_above_modulus(const Formula& bracket, const Formula& residual, const std::vector<Variable>& names) {
+  // t^2 <= t^2 + e^2 = (|t| + e)^2 - 2 |t| e.
+  const Formula h_squared = bracket.replaced("delta", f("e^2"));
+  Trial trial = identity((residual + f("e")) * (residual + f("e")) - h_squared, f("2*e") * residual, names);
+  return trial.for_all("all residuals and delta > 0", "|t| <= (t^2 + delta)^(1/2) <= |t| + delta^(1/2)");
+}
+
+Trial fits_go_down(const Formula& bracket, const Formula& residual, const std::vector<Variable>& names) {
+  // h h'' = 1 - h'^2 = 1 - t^2/h^2 = delta/h^2.
+  Trial trial = identity(bracket - residual * residual, f("delta"), names);
+  trial.follow(identity(f("(k^2 + h^2)/(2*k) - h"), f("(h - k)^2/(2*k)"), {{"h", 1}, {"k", 2}}));
+  return trial.for_all("all data, delta > 0 and epsilon > 0",
+                       "F_delta is strictly convex, as h'' = delta/h^3 > 0, and has one minimiser. A step minimises a "
+                       "sum that is nowhere below F_delta and equals it where the step begins, so that F_delta falls "
+                       "until the minimiser is met; the coefficients converge to it from every start");
+}
+
+Trial advised_fits(const std::vector<Formula>& advised, const std::vector<std::pair<int, int>>& windows) {
+  Trial trial;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational part(1, k == 0 ? 50 : 100), m = advised.at(k)({});
+    trial.equal(m, iterations_for_remainder(6, 1, part).value() - 1,
+                fmt::format("the fewest m that leave at most {} of an outlier, 6 points, degree 1", part));
+    for (const auto& [points, degree] : windows) {
+      const auto left = outlier_remainder(points, degree, static_cast<int>(numerator(m)) + 1);
+      trial.require(left && *left->upper <= part,
+                    fmt::format("{} points, degree {}, m = {}: more than {} is left", points, degree, m, part));
+    }
+  }
+  return trial;
 }
 
 Trial entries_of_normal_equations(const std::vector<Formula>& terms, const std::vector<std::string>& expected) {

@@ -88,6 +88,17 @@ std::string weighted_case(long n, unsigned seed);
 Trial weights_of_modulus(const Formula& bracket, const Rational& exponent, const Formula& residual,
                          const std::vector<Variable>& names);
 
+/// |t| <= h <= |t| + e for the residual t and h^2 the bracket with delta = e^2, as an identity in the names, e among
+/// them.
+Trial smoothed_above_modulus(const Formula& bracket, const Formula& residual, const std::vector<Variable>& names);
+/// F_delta is strictly convex, and a reweighted fit makes it smaller: with h^2 the bracket, t^2 + delta at each
+/// residual t, and k its value at the last fit, h <= (k^2 + h^2)/(2k), whose sum the fit minimises.
+Trial fits_go_down(const Formula& bracket, const Formula& residual, const std::vector<Variable>& names);
+/// The outputs with the weights w^(m), m = 0, 1, ..., are those of m + 1 reweighted fits. Of one outlier, at any place
+/// of each of these windows (points, degree), and for delta to 0, the two advised m leave at most 1/50 and 1/100 at the
+/// new points, and none smaller does so for 6 points and degree 1. Domain: as outlier_remainder.
+Trial advised_fits(const std::vector<Formula>& advised, const std::vector<std::pair<int, int>>& windows);
+
 /// term = w r^i s^j for the k-th pair (i, j), and the sums run over 2n (even) or 2n+1 consecutive indices about 1/2 or
 /// 0.
 Trial entries_of_normal_equations(const std::vector<Formula>& terms, const std::vector<std::string>& expected);

@@ -25,7 +25,7 @@ std::string l1_analysis_of(const DataDependentScheme& scheme, int steps, int ord
   return interruptible(progress, [&] {
     const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
         facts::points_of_curve(scheme), scheme.rules.degree,
-        {.steps = steps, .order = order, .deadline = Deadline::in(budget)});
+        {.steps = steps, .order = order, .deadline = Deadline::in(budget)}, scheme.rules.arity);
     return page_json(facts::l1_facts(scheme, limit)).dump();
   });
 }

@@ -1,7 +1,9 @@
 #include "l1_facts.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/data/l1/basin_entry.hpp>
 #include <subcert/schemes/data/l1/l1_basin.hpp>
+#include <subcert/schemes/data/l1/reweighted_contraction.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>
 #include <subcert/schemes/outlier_remainder.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -39,6 +41,25 @@ Facts range_facts(const data::LeastAbsoluteLimit& limit) {
   if (limit.range.is_yes()) largest.json = "1";
   if (limit.largest_output) largest.json = to_text(*limit.largest_output);
   return {fact, largest};
+}
+
+/// Whether monotone and convex data stay so in one step, and hence in all.
+Facts shape_facts(const std::vector<piecewise::SignOfDifferences>& keeps) {
+  Facts list;
+  for (std::size_t k = 0; k < keeps.size(); ++k) {
+    const std::string what = k == 0 ? "monotone" : "convex";
+    const Decision& kept = keeps[k].kept;
+    std::vector<std::string> data;
+    for (const Rational& datum : keeps[k].data) data.push_back(to_text(datum));
+    Fact fact{"keeps_" + what, what,
+              kept.is_yes()  ? fmt::format("data that are {0} stay {0}", what)
+              : kept.is_no() ? fmt::format("some data do not stay {}: {}", what, fmt::join(data, ", "))
+                             : fmt::format("unknown whether {0} data stay {0}", what),
+              kept.is_no() ? "" : kept.reason};
+    if (kept.truth != Truth::unknown) fact.json = kept.is_yes();
+    list.push_back(fact);
+  }
+  return list;
 }
 
 Fact lipschitz_fact(const std::optional<Rational>& lipschitz) {
@@ -120,9 +141,9 @@ Facts two_outliers_facts(const data::LeastAbsoluteRobustness& known) {
 }
 
 /// What outliers do to the exact rule, and what fits leave of them. Nothing where the fit interpolates.
-Facts robustness_facts(int points, int degree) {
+Facts robustness_facts(int points, int degree, int arity) {
   if (points < degree + 2 || points > most_points) return {};
-  const data::LeastAbsoluteRobustness known = data::least_absolute_robustness(points, degree);
+  const data::LeastAbsoluteRobustness known = data::least_absolute_robustness(points, degree, arity);
   Facts list{one_outlier_fact(known.one)};
   append(list, two_outliers_facts(known));
   if (known.sharpness)
@@ -134,16 +155,16 @@ Facts robustness_facts(int points, int degree) {
                              : "not below 1: no number of fits leaves out every outlier",
                   to_text(factor)});
   if (factor >= 1) return list;
-  const std::optional<int> fits = iterations_for_remainder(points, degree, part);
+  const std::optional<int> fits = iterations_for_remainder(points, degree, part, arity);
   list.push_back({"iterations_1e-6", "fits", fits ? std::to_string(*fits) : "unknown",
                   "that leave at most 1e-6 of an outlier (iterations=auto)", fits ? Json(*fits) : Json()});
   return list;
 }
 
 /// With delta > 0 and any number of fits. Nothing where least squares does not contract differences in one step.
-Facts basin_facts(int points, int degree) {
+Facts basin_facts(int points, int degree, int arity) {
   if (points < degree + 2 || points > most_points) return {};
-  const auto basin = data::l1_basin(points, degree);
+  const auto basin = data::l1_basin(points, degree, arity);
   if (!basin) return {};
   const std::string difference = degree == 0 ? "D" : fmt::format("D^{}", degree + 1);
   return {{"basin",
@@ -152,6 +173,32 @@ Facts basin_facts(int points, int degree) {
                        basin->radius),
            "with delta > 0 and any number of fits: S is nearly least squares there",
            {{"radius", to_text(basin->radius)}, {"bound", to_text(basin->contraction)}}}};
+}
+
+constexpr int most_fits = 10;   // of rules that are covered by boxes
+constexpr int most_levels = 9;  // until an impulse is near to least squares
+
+/// Of the rule itself, with delta > 0 and its own number of fits: whether second differences shrink for all data, and
+/// whether the basic limit function exists.
+Facts rule_facts(const DataDependentScheme& scheme) {
+  const int points = scheme.rules.points[0], fits = scheme.rules.options.iterations;
+  if (scheme.rules.degree != 1 || scheme.rules.arity != 2 || points < 3 || points > most_points || fits > most_fits ||
+      scheme.rules.options.tolerance != 0)
+    return {};
+  Facts list;
+  const auto found = points <= 5 ? data::reweighted_contraction(points, fits, {.most_boxes = 100'000}) : std::nullopt;
+  if (found)
+    list.push_back({"rule",
+                    "this rule",
+                    fmt::format("|D^2 S f| <= {} |D^2 f|, so that it converges for all data", found->bound),
+                    fmt::format("any delta > 0 and up to {} fits; limits are as smooth as by least squares", fits),
+                    {{"bound", to_text(found->bound)}, {"fits", fits}}});
+  const auto level = data::basin_entry(scheme.rules, {1}, most_levels);
+  if (level)
+    list.push_back({"impulse_level", "impulse",
+                    "the limit of 1 among zeros exists and is as smooth as by least squares",
+                    fmt::format("small data are reached at level {}", *level), *level});
+  return list;
 }
 
 /// Of what rule the facts are.
@@ -178,6 +225,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   list.push_back(unique_fact(limit.unique));
   list.push_back(pieces_fact(limit.pieces));
   append(list, range_facts(limit));
+  append(list, shape_facts(limit.keeps));
   list.push_back(lipschitz_fact(limit.lipschitz));
   if (limit.mask)
     list.push_back({"mask", "linear", limit.mask->symbol().to_mask_text(), "the rule has this mask",
@@ -187,8 +235,11 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   list.push_back(contraction_fact(limit));
   list.push_back(limits_fact(limit.converges));
   list.push_back(edge_fact(limit.edge));
-  append(list, robustness_facts(limit.points, limit.degree));
-  if (!scheme.rules.options.exact) append(list, basin_facts(limit.points, limit.degree));
+  append(list, robustness_facts(limit.points, limit.degree, limit.arity));
+  if (!scheme.rules.options.exact) {
+    append(list, basin_facts(limit.points, limit.degree, limit.arity));
+    append(list, rule_facts(scheme));
+  }
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",
                   !known                 ? ""

@@ -17,6 +17,12 @@ TEST_CASE("l1 specifications are read and printed back in canonical form") {
         "l1:points=8,d=1,iterations=0,delta=2,tolerance=1e-3");
   CHECK(canonical("l1:exact,points=6") == "l1:points=6,d=1,exact");
   CHECK(canonical("l1:points=7,exact,d=3") == "l1:points=7,d=3,exact");
+  CHECK(canonical("l1:a=3,points=6") == "l1:points=6,d=1,a=3,iterations=6,delta=1e-8");
+  CHECK(canonical("l1:points=6,a=2") == "l1:points=6,d=1,iterations=6,delta=1e-8");
+  CHECK(canonical("l1:exact,points=6,a=4") == "l1:points=6,d=1,a=4,exact");
+  CHECK(canonical("l1:points=6x7,a=16") == "l1:points=6x7,d=1,a=16,iterations=6,delta=1e-8");
+  CHECK(make_l1_scheme("l1:points=6,a=3").rules.arity == 3);
+  CHECK(make_l1_scheme("l1:points=6").rules.arity == 2);
   CHECK(make_l1_scheme("l1:points=6,exact").rules.options.exact);
   CHECK(canonical("l1:points=6,iterations=auto") == "l1:points=6,d=1,iterations=24,delta=1e-8");
   CHECK(canonical("l1:points=8,remainder=1/50000,iterations=auto") == "l1:points=8,d=1,iterations=10,delta=1e-8");
@@ -48,6 +54,9 @@ TEST_CASE("bad l1 specifications name the token, its position and what would be 
   CHECK_THAT(message("l1:points=6x6x6x6"), contains("of a grid, as 6x6, or of a volume, as 4x4x4"));
   CHECK_THAT(message("l1:points=4x9x4"), contains("position 13: '9'; expected points as an integer from 2 to 8"));
   CHECK_THAT(message("l1:points=6,d=4"), contains("position 15: '4'; expected d as an integer from 0 to 3"));
+  CHECK_THAT(message("l1:points=6,a=1"), contains("position 15: '1'; expected a as an integer from 2 to 16"));
+  CHECK_THAT(message("l1:points=6,a=17"), contains("expected a as an integer from 2 to 16"));
+  CHECK_THAT(message("l1:points=6,a=3/2"), contains("expected a as an integer from 2 to 16"));
   CHECK_THAT(message("l1:points=2,d=2"), contains("expected d as an integer from 0 to 1"));
   CHECK_THAT(message("l1:points=6,delta=0"), contains("position 19: '0'; expected delta from 1e-300 to 1e300"));
   CHECK_THAT(message("l1:points=6,delta=-1e-8"), contains("expected delta from 1e-300"));
@@ -56,7 +65,7 @@ TEST_CASE("bad l1 specifications name the token, its position and what would be 
   CHECK_THAT(message("l1:points=6,iterations=-1"), contains("iterations as an integer from 0 to 1000000"));
   CHECK_THAT(message("l1:points=6,residuals=vector"), contains("residuals=separate or residuals=joint"));
   CHECK_THAT(message("l1:points=6,exact,iterations=6"),
-             contains("position 19: 'iterations=6'; expected points and d alone beside 'exact'"));
+             contains("position 19: 'iterations=6'; expected points, d and a alone beside 'exact'"));
   CHECK_THAT(message("l1:delta=1e-8,exact,points=6"), contains("position 4: 'delta=1e-8'"));
   CHECK_THAT(message("l1:points=6,exact,exact"), contains("position 19: 'exact'; expected each key once"));
   CHECK_THAT(message("l1:points=6x6,exact"), contains("points of a curve, as 6, beside 'exact'"));

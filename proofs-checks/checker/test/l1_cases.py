@@ -79,21 +79,24 @@ class Start:
     """The tree for one difference."""
 
     def __init__(self, rule, steps, order, bound, j, thin=(), early=False, deep=None):
-        self.n, self.d = rule
+        self.n, self.d, self.arity = rule
         self.steps, self.order, self.bound, self.j, self.thin, self.early = steps, order, bound, j, thin, early
         self.deep = deep  # windows that all have this vertex are split to the end
         low, high, levels = j, j + order, []
         for _ in range(steps):
-            low, high = low // 2, high // 2
+            low, high = low // self.arity, high // self.arity
             levels.insert(0, (low, high))
             high += self.n - 1
         self.windows = [(level, i) for level, (a, b) in enumerate(levels) for i in range(a, b + 1)]
         self.data = range(levels[0][0], levels[0][1] + self.n)
-        self.vertices = vertices(*rule)
+        self.vertices = vertices(self.n, self.d)
         self.lines, self.leaves, self.assigned = [f"start {j}"], [], {}
 
     def position(self, r):
-        return 4 * r - 2 * (self.n - 1)
+        return self.arity * (2 * r - self.n + 1)
+
+    def outputs(self):
+        return [2 * e + 1 - self.arity for e in range(self.arity)]
 
     def equations(self, variables, scale):
         """Of the multipliers: (window, place) -> coefficient, and the right side: fits vanish; then of the data."""
@@ -109,11 +112,11 @@ class Start:
             for k in range(self.d + 1):
                 row = {(w, r): self.position(r) ** k for r in range(self.n)}
                 b = 0
-                for place, sign in ((2 * i, (-1) ** k), (2 * i + 1, 1)):
-                    form, constant = value(level + 1, place)
-                    b += sign * constant
+                for e, x in enumerate(self.outputs()):
+                    form, constant = value(level + 1, self.arity * i + e)
+                    b += x ** k * constant
                     for key, c in form.items():
-                        row[key] = row.get(key, 0) - sign * c
+                        row[key] = row.get(key, 0) - x ** k * c
                 rows.append(row)
                 right.append(b)
         data = [value(0, m)[0] for m in self.data]
@@ -172,7 +175,7 @@ class Start:
                             y *= Q(x - self.position(c), self.position(r) - self.position(c))
                     total += y
                 return total
-            values[level + 1, 2 * i], values[level + 1, 2 * i + 1] = fit(-1), fit(1)
+            values.update({(level + 1, self.arity * i + e): fit(x) for e, x in enumerate(self.outputs())})
             residuals.update({(w, r): (data[r] - fit(self.position(r)), vertex.count("0") == self.d + 1) for r in range(self.n)})
         return residuals
 
@@ -256,13 +259,14 @@ class Start:
         return True
 
 
-def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False, prefer=()):
+def contraction(n, d, steps, order, bound, thin=(), early=False, from_above=False, deep=None, sides=False, prefer=(), arity=2):
     """The lines of a certificate from the second one on."""
     bound = Q(bound)
-    lines = [f"l1 {n} {d}", "bounds - -", f"contraction {steps} {order} {bound}"]
-    for j in range(2**steps):
-        if j <= (2 * n - 3 - order - j) % 2**steps:
-            start = Start((n, d), steps, order, bound, j, thin, early, deep)
+    moved = -(arity * (n - 2) + 1) * sum(arity**k for k in range(steps))
+    lines = [f"l1 {n} {d}" + (f" {arity}" if arity > 2 else ""), "bounds - -", f"contraction {steps} {order} {bound}"]
+    for j in range(arity**steps):
+        if j <= (moved - order - j) % arity**steps:
+            start = Start((n, d, arity), steps, order, bound, j, thin, early, deep)
             start.prefer = prefer  # signs of sides
             numbers = list(range(len(start.windows)))
             grow = start.grow_by_sides if sides else start.grow
@@ -354,6 +358,12 @@ ACCEPTED = [
     ("l1-6-cubic", "--l1 6,3 --contraction 1,1,433/480", written(6, 3, 1, 1, "433/480")),
     ("l1-median", MEDIAN, written(3, 0, 2, 1, 1, thin=(0, 1))),
     ("l1-median-deep", "--l1 3,0 --contraction 3,1,1", written(3, 0, 3, 1, 1, thin=(2,), early=True, from_above=True, deep="+-0")),
+    ("l1-3-ternary", "--l1 3,1,3 --contraction 1,2,1/2 --lower 63/100", written(3, 1, 1, 2, "1/2", arity=3)),
+    ("l1-3-ternary-twice", "--l1 3,1,3 --contraction 2,1,5/9 --lower 26/100", written(3, 1, 2, 1, "5/9", arity=3)),
+    ("l1-4-ternary-thin", "--l1 4,1,3 --contraction 1,1,2", written(4, 1, 1, 1, 2, thin=(0,), arity=3)),
+    ("l1-6-ternary", "--l1 6,1,3 --contraction 1,1,2/3 --lower 369/1000", written(6, 1, 1, 1, "2/3", early=True, sides=True, arity=3)),
+    ("l1-3-four", "--l1 3,1,4 --lower 1/2", written(3, 1, 1, 2, "1/2", arity=4)),
+    ("l1-median-ternary", "--l1 3,0,3 --contraction 2,1,1", written(3, 0, 2, 1, 1, thin=(0, 1), early=True, arity=3)),
     ("l1-median-from-above", MEDIAN, written(3, 0, 2, 1, 1, early=True, from_above=True)),
 ]
 # name, accepted case that is changed, other options or None, changes of its text
@@ -396,6 +406,11 @@ REJECTED = [
         ("zero", "l1-6", "--l1 6,1 --lower 0", "must be positive"), ("negative", "l1-6", "--l1 6,1 --lower -1", "must be positive"),
         ("large", "l1-6", "--l1 6,1 --lower 10001", "too large"), ("points", "l1-6", "--l1 7,1 --lower 7/10", "expected 'l1 7 1', line 2"),
         ("degree", "l1-6", "--l1 6,2 --lower 7/10", "expected 'l1 6 2', line 2"),
+        ("arity", "l1-6", "--l1 6,1,3 --lower 1/10", "expected 'l1 6 1 3', line 2"),
+        ("binary", "l1-6-ternary", "--l1 6,1 --lower 1/10", "wrong number of fields, line 2"),
+        ("arity-four", "l1-6-ternary", "--l1 6,1,4 --lower 1/10", "expected 'l1 6 1 4', line 2"),
+        ("lower-of-three", "l1-6-ternary", "--l1 6,1,3 --lower 3691/10000", "does not prove the lower end"),
+        ("lower-of-four", "l1-3-four", "--l1 3,1,4 --lower 50001/100000", "does not prove the lower end"),
         ("mask", "l1-by-hand", "--mask [3,5,0,0,5,3]/8 --arity 2 --lower 1/2", "expected 'exponent"))),
     ("l1-of-mask", "bspline-1", "--l1 6,1 --lower 7/10", "expected 'l1 6 1', line 2", []),
     # the lines before the trees
@@ -405,6 +420,11 @@ REJECTED = [
     *changes("l1-contraction", "l1-by-hand", "line 4", "contraction 1 1 1", "contraction 0 1 1", "contraction 9 1 1", "contraction 1 0 1",
              "contraction 1 3 1", "contraction 1 1 -1", "contraction 1 1", "contraction 1 1 1 1", "contraction 1 1 1/0",
              "contraction 1 1 1.0", "contraction -1 1 1"),
+    *changes("l1-ternary-steps", "l1-3-ternary", "more steps than the checker allows, line 4", "contraction 1 2", "contraction 6 2"),
+    *changes("l1-four-steps", "l1-3-four", "more steps than the checker allows, line 4", "contraction 1 2", "contraction 5 2"),
+    *changes("l1-ternary-start", "l1-3-ternary-twice", "expected 'start", "start 2", "start 3"),
+    *changes("l1-ternary-last-start", "l1-3-ternary-twice", "expected 'end'", "\nend", "\nstart 8\nend"),
+    *changes("l1-ternary-orbit", "l1-6-ternary", "an orbit of a rule that is not binary proves nothing", "\nend", f"\n{KINK.split('; ')[0]}\nend"),
     *changes("l1-start", "l1-by-hand", "expected 'start 0', line 5", "start 0", "start 1", "start", "split 0"),
     *changes("l1-start-field", "l1-by-hand", "line 5", "start 0", "start 0 0", "start 00"),
     *changes("l1-later-start", "l1-by-hand", "expected 'start 1', line 9", "start 1", "start 2", "split 0"),

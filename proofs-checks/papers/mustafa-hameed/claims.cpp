@@ -2,8 +2,15 @@
 
 #include "checks.hpp"
 
+#include <subcert/analysis/piecewise/contraction.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/statements/reweighting.hpp>
+#include <subcert/schemes/data/l1/least_absolute.hpp>
 #include <subcert/schemes/local_regression.hpp>
+#include <subcert/schemes/outlier_remainder.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace subcert::statements::mustafa_hameed {
 namespace {
@@ -92,13 +99,96 @@ Outcome not_interpolatory(const Context& context) {
           std::to_string(most) + ", degrees 1, 2, 3");
 }
 
+/// Data that show that monotone (order 1) or convex (2) data need not stay so, of least absolute deviations.
+std::string not_kept(int points, int degree, int order) {
+  const auto found = piecewise::keeps_sign(*data::least_absolute_rule(points, degree), order);
+  if (!found.kept.is_no()) return "none found";
+  std::vector<std::string> data;
+  for (const Rational& datum : found.data) data.push_back(to_text(datum));
+  return fmt::format("{}", fmt::join(data, ", "));
+}
+
+Outcome shape(const Context& context) {
+  Outcome outcome = reproduction(context);
+  outcome.argument = fmt::format(
+      "read as: data without noise are those of a polynomial of the degree. They come back, and with them every shape "
+      "(reproduction). Of other data l1 fits keep shapes no better than least squares: 6 points and degree 1 do not "
+      "keep "
+      "the monotone data {} and the convex data {}, 6 points and degree 3 not the convex data {}",
+      not_kept(6, 1, 1), not_kept(6, 1, 2), not_kept(6, 3, 2));
+  return outcome;
+}
+
+/// Whether one outlier is left out, whatever its place and height.
+bool leaves_out(int points, int degree) { return outlier_factor(points, degree) < 1; }
+
+Outcome outliers_removed(const Context& context) {
+  Trial trial;
+  std::vector<std::string> found;
+  const int most = context.reach(16, 24);
+  for (int degree = 1; degree <= 3; ++degree) {
+    int points = degree + 2;
+    while (points < most && !leaves_out(points, degree)) ++points;
+    for (int more = points; more <= most; ++more)
+      trial.require(leaves_out(more, degree), fmt::format("{} points, degree {}", more, degree));
+    found.push_back(fmt::format("{} points for degree {}", points, degree));
+  }
+  Outcome outcome = trial.over(fmt::format("up to {} points, one outlier in a window", most));
+  outcome.argument = fmt::format(
+      "for data of a polynomial of the degree but for one the l1 fit is that polynomial alone, from {} on. With fewer "
+      "there is a place at which an outlier may stay, however many fits are made (docs/l1.md, section 3)",
+      fmt::join(found, ", "));
+  return outcome;
+}
+
+Outcome five_or_six(const Context& context) {
+  Trial trial = advised_fits(context.list("iterations"), {{6, 1}, {7, 1}, {8, 1}, {9, 2}, {10, 2}, {14, 3}, {15, 3}});
+  std::vector<std::string> found;
+  for (const auto& [points, degree] : std::vector<std::pair<int, int>>{{8, 2}, {6, 3}, {8, 3}, {10, 3}, {12, 3}})
+    found.push_back(fmt::format("{} for {} points and degree {}",
+                                enclosure_text(outlier_remainder(points, degree, 6).value(), 2), points, degree));
+  Outcome outcome = trial.over(
+      "one outlier at any place, delta to 0; degree 1 and 6 points, degree 2 and 9, degree 3 "
+      "and 14, and one or two more");
+  outcome.argument = fmt::format(
+      "read as: what is left of the outlier at the new points is small. It is at most 1/50 of its height with m = 5 "
+      "and 1/100 with m = 6. Of smaller windows of higher degree more is left with m = 5: {}",
+      fmt::join(found, ", "));
+  return outcome;
+}
+
+/// Of a convex function that grows without bound.
+Outcome optimum(const Context& context) {
+  Trial trial;
+  const int most = context.reach(9, 11);
+  for (int degree = 0; degree <= 3; ++degree)
+    for (int points = degree + 1; points <= most; ++points) {
+      const bool one = degree == 0   ? points % 2 == 1
+                       : degree == 1 ? points <= 3 || points % 4 == 2
+                       : degree == 2 ? points == 3 || points == 5
+                                     : points <= 6;
+      trial.require(data::least_absolute_rule(points, degree)->is_function() == one,
+                    fmt::format("{} points, degree {}: whether every datum has one minimiser", points, degree));
+    }
+  Outcome outcome = trial.over(fmt::format("up to {} points", most));
+  outcome.argument =
+      "the objective is convex and grows without bound, so that there are minimisers. There is one for all data for "
+      "degree 0 and odd numbers of points, degree 1 and 2, 3 or 2 mod 4 points, degree 2 and 3 or 5 points, degree 3 "
+      "and 4, 5 or 6 points; else there are several for some data (docs/l1.md, Theorem 1)";
+  return outcome;
+}
+
 }  // namespace
 
 Checks claims() {
   return {{"not-interpolatory", not_interpolatory},
           {"reproduction", reproduction},
           {"linear-schemes", lines_do_not_reproduce},
-          {"special-cases", special_cases}};
+          {"special-cases", special_cases},
+          {"shape", shape},
+          {"removes-outliers", outliers_removed},
+          {"remark-2.1", five_or_six},
+          {"optimum", optimum}};
 }
 
 }  // namespace subcert::statements::mustafa_hameed

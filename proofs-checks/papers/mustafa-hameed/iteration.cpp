@@ -68,11 +68,28 @@ Outcome derived(Outcome outcome) {
   return outcome;
 }
 
+const Formula residual = f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3");
+
+/// What the residual is a function of, and another one.
+std::vector<Variable> names_with(const std::string& last) {
+  return {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {last, 7}};
+}
+
 /// h(t)^2 = t^2 + delta for the residual t, and w = h'(t)/t.
 Trial smoothed_modulus(const Context& context) {
-  return weights_of_modulus(context.formula("eq-2.6"), context.formula("eq-2.6-exponent")({}),
-                            f("f - beta0 - beta1*r - beta2*r^2 - beta3*r^3"),
-                            {{"f", 1}, {"beta0", 2}, {"beta1", 3}, {"beta2", 4}, {"beta3", 5}, {"r", 2}, {"delta", 7}});
+  return weights_of_modulus(context.formula("eq-2.6"), context.formula("eq-2.6-exponent")({}), residual,
+                            names_with("delta"));
+}
+
+Outcome small_delta(const Context& context) {
+  Trial trial = smoothed_above_modulus(context.formula("eq-2.6"), residual, names_with("e"));
+  return derived(trial.for_all("all N, degrees up to 3, data and delta > 0",
+                               "a minimiser of F_delta has a sum of moduli within N delta^(1/2) of the smallest. delta "
+                               "has the unit of squared data: what is small is a matter of their scale"));
+}
+
+Outcome stopping(const Context& context) {
+  return derived(fits_go_down(context.formula("eq-2.6"), residual, names_with("delta")));
 }
 
 Outcome weights(const Context& context) { return derived(smoothed_modulus(context)); }
@@ -232,9 +249,15 @@ Outcome ordinary(const Context& context) {
 }  // namespace
 
 Checks iteration() {
-  return {
-      {"eq-2.1-2.6", weights},   {"eq-2.4", smoothed},   {"all-weights-1", ordinary}, {"proposition-2.2", coefficients},
-      {"eq-2.17-2.18", adjoint}, {"eq-2.19-2.20", sums}, {"eq-2.25-2.29", rules}};
+  return {{"remark-2.1-delta", small_delta},
+          {"stopping", stopping},
+          {"eq-2.1-2.6", weights},
+          {"eq-2.4", smoothed},
+          {"all-weights-1", ordinary},
+          {"proposition-2.2", coefficients},
+          {"eq-2.17-2.18", adjoint},
+          {"eq-2.19-2.20", sums},
+          {"eq-2.25-2.29", rules}};
 }
 
 }  // namespace subcert::statements::mustafa_hameed

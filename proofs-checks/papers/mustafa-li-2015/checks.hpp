@@ -12,17 +12,24 @@ inline const std::vector<std::string> rule_names{"00", "10", "01", "11"};
 /// The polynomials of degree 1 that they fit.
 inline const std::vector<Formula> plane{f("1"), f("r"), f("s")};
 
+/// What the problem of the line is a function of, with delta and with e = delta^(1/2).
+inline const std::vector<Variable> line_names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}};
+inline const std::vector<Variable> root_names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"e", 7}};
+
 /// tau, lambda, kappa and chi of (11) to (14) and (19) for a window.
 Values sums_of_surface(const Context& context, const WeightedWindow& window, long first, long last);
 
 /// Of one part of the paper each.
 Checks problem();
+Checks robustness();
 Checks support();
 Checks curves();
 Checks surfaces();
 Checks surface_variants();
 
 /// All of them.
-inline Checks checks() { return joined({problem(), support(), curves(), surfaces(), surface_variants()}); }
+inline Checks checks() {
+  return joined({problem(), robustness(), support(), curves(), surfaces(), surface_variants()});
+}
 
 }  // namespace subcert::statements::mustafa_li_2015

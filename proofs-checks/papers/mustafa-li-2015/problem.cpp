@@ -3,14 +3,13 @@
 #include "checks.hpp"
 
 #include <subcert/proofs-checks/statements/reweighting.hpp>
+#include <subcert/schemes/data/l1/least_absolute.hpp>
 
 #include <algorithm>
 #include <cstdlib>
 
 namespace subcert::statements::mustafa_li_2015 {
 namespace {
-
-const std::vector<Variable> line_names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"delta", 7}};
 
 /// The sum of moduli of the residuals for data on -1, ..., 2.
 Rational moduli(const Formula& residual, const std::vector<Rational>& data, const Rational& b1, const Rational& b2) {
@@ -34,12 +33,15 @@ Outcome l1_problem(const Context& context) {
   const std::vector<Rational> data{0, 1, 1, 0};
   trial.equal(moduli(equation, data, 0, 0), 2, "n = 2, data 0, 1, 1, 0, line 0");
   trial.equal(moduli(equation, data, 1, 0), 2, "n = 2, data 0, 1, 1, 0, line 1");
+  for (int n = 1; n <= context.reach(5, 7); ++n)
+    trial.require(data::least_absolute_rule(2 * n, 1)->is_function() == (n % 2 == 1),
+                  at("n", n) + ": whether every datum has one minimiser");
   Outcome outcome = trial.for_all("all n >= 1", "");
   outcome.argument =
       "both displays are one problem; its objective is convex, as a sum of moduli of affine functions, and grows "
-      "without "
-      "bound, so that minimisers exist. They need not be unique, as 'arg min' suggests: the data 0, 1, 1, 0 (n = 2) "
-      "have the minimisers 0 and 1";
+      "without bound, so that minimisers exist. For odd n, as in D_6, there is one for all data. For even n, as in "
+      "D_8, and for D_7, there are several for some, though 'arg min' suggests one: the data 0, 1, 1, 0 (n = 2) have "
+      "the minimisers 0 and 1 (docs/l1.md, Theorem 1)";
   return outcome;
 }
 
@@ -47,10 +49,7 @@ Outcome smoothed(const Context& context) {
   const Formula bracket = context.formula("eq-2");
   const Formula residual = f("f - beta1 - beta2*r");
   Trial trial = weights_of_modulus(bracket, context.formula("eq-2-exponent")({}), residual, line_names);
-  // delta = e^2: t^2 <= t^2 + e^2 = (|t| + e)^2 - 2 |t| e.
-  const Formula h_squared = bracket.replaced("delta", f("e^2"));
-  const std::vector<Variable> names{{"f", 1}, {"beta1", 2}, {"beta2", 3}, {"r", 5}, {"e", 7}};
-  trial.follow(identity((residual + f("e")) * (residual + f("e")) - h_squared, f("2*e") * residual, names));
+  trial.follow(smoothed_above_modulus(bracket, residual, root_names));
   return trial.for_all(
       "all n, data and delta > 0",
       "t^2 <= t^2 + delta = (|t| + delta^(1/2))^2 - 2 |t| delta^(1/2), so F <= F_delta <= F + 2n delta^(1/2): "
@@ -82,23 +81,11 @@ Outcome global_optimum(const Context& context) {
                        "the sum of w (h_1 + r h_2)^2, which is positive for h other than 0");
 }
 
-/// With h = h(t), k = h(u): h(t) <= (k^2 + h^2)/(2k), which is what a step minimises and equals k at t = u.
 Outcome starting_value(const Context& context) {
-  const Formula bracket = context.formula("eq-2"), residual = f("f - beta1 - beta2*r");
-  const auto before = [](const Formula& formula) {
-    return formula.replaced("beta1", f("alpha1")).replaced("beta2", f("alpha2"));
-  };
-  std::vector<Variable> names = line_names;
-  names.insert(names.end(), {{"alpha1", 3}, {"alpha2", 2}});
-  Trial trial = identity(bracket - before(bracket), residual * residual - before(residual) * before(residual), names);
+  const Formula bracket = context.formula("eq-2");
+  Trial trial = fits_go_down(bracket, f("f - beta1 - beta2*r"), line_names);
   trial.follow(identity(context.formula("eq-3-weight"), bracket, line_names));
-  trial.follow(identity(f("(k^2 + h^2)/(2*k) - h"), f("(h - k)^2/(2*k)"), {{"h", 1}, {"k", 2}}));
-  // h h'' = 1 - h'^2 = 1 - t^2/h^2 = delta/h^2.
-  trial.follow(identity(bracket - residual * residual, f("delta"), line_names));
-  return trial.for_all("all n >= 1, data, delta > 0 and epsilon > 0",
-                       "F_delta is strictly convex, as h'' = delta/h^3 > 0, and has one minimiser. A step minimises a "
-                       "sum that is nowhere below F_delta and equals it where the step begins, so that F_delta falls "
-                       "until the minimiser is met; the coefficients converge to it from every start");
+  return trial;
 }
 
 /// The residual at i of the starting line (9) for the data 1 at k and 0 elsewhere.

@@ -89,6 +89,11 @@ TEST_CASE("a wrong form changes the verdict of a proof for all parameters") {
       {"mustafa-li-2015", "global-optimum", "eq-3-objective", "w^2*(f - beta1 - r*beta2)^2"},
       {"mustafa-li-2015", "starting-value", "eq-2", "(f - beta1 + beta2*r)^2 + delta"},
       {"mustafa-li-2015", "starting-value", "eq-3-weight", "(f - beta1 + r*beta2)^2 + delta"},
+      {"mustafa-li-2015", "more-robust", "s-2n-odd", "1/(2*n)*(1 + (6*j - 3)/(2*n - 1))"},
+      {"mustafa-li-2015", "advice-delta", "eq-2", "(f - beta1 - beta2*r)^2 + 2*delta"},
+      {"mustafa-li-2015", "advice-many-fits", "eq-2", "(f - beta1 + beta2*r)^2 + delta"},
+      {"mustafa-hameed", "remark-2.1-delta", "eq-2.6", "(f - beta0 - beta1*r)^2 + delta"},
+      {"mustafa-hameed", "stopping", "eq-2.6", "(f - beta0 - beta1*r)^2 + delta"},
       {"mustafa-li-2015", "outlier-weight", "eq-9-factor", "0"},
       {"mustafa-li-2015", "outlier-weight", "eq-9-beta-2", "-1/(4*n^3 - n)*(6*r - 3)"},
       {"mustafa-hameed", "not-interpolatory", "positions", "[1/4, 1]"}};

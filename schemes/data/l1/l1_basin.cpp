@@ -44,8 +44,8 @@ struct LeastSquares {
   Rational leverage_of_outputs, leverage_of_data;
 };
 
-LeastSquares least_squares(int points, int degree) {
-  const RegressionWindow window = l1_window({{points}, degree, {}});
+LeastSquares least_squares(int points, int degree, int arity) {
+  const RegressionWindow window = l1_window({{points}, degree, {}, arity});
   std::vector<Position> places = window.output_points();
   places.insert(places.end(), window.node_points().begin(), window.node_points().end());
   const RegressionWindow all(window.node_points(), degree, places);
@@ -75,15 +75,16 @@ LeastSquares least_squares(int points, int degree) {
   return result;
 }
 
-/// Of the differences of this order in one step, window i giving the values 2i and 2i + 1.
+/// Of the differences of this order in one step, window i giving the values a*i, ..., a*i + a - 1.
 Rational norm_of_differences(const std::vector<Form>& outputs, int order) {
   Rational largest = 0;
-  for (std::size_t start = 0; start < 2; ++start) {
-    Form form(outputs[0].size() + (start + static_cast<std::size_t>(order)) / 2, 0);
+  const std::size_t arity = outputs.size();
+  for (std::size_t start = 0; start < arity; ++start) {
+    Form form(outputs[0].size() + (start + static_cast<std::size_t>(order)) / arity, 0);
     Rational factor = order % 2 == 0 ? 1 : -1;
     for (int s = 0; s <= order; ++s) {
       const std::size_t index = start + static_cast<std::size_t>(s);
-      for (std::size_t r = 0; r < outputs[0].size(); ++r) form[index / 2 + r] += factor * outputs[index % 2][r];
+      for (std::size_t r = 0; r < outputs[0].size(); ++r) form[index / arity + r] += factor * outputs[index % arity][r];
       factor *= Rational(s - order, s + 1);
     }
     largest = std::max(largest, sum_of_moduli(in_differences(std::move(form), order)));
@@ -108,10 +109,10 @@ Rational largest_square(const std::vector<Form>& forms) {
 
 }  // namespace
 
-std::optional<L1Basin> l1_basin(int points, int degree) {
+std::optional<L1Basin> l1_basin(int points, int degree, int arity) {
   require(degree >= 0 && degree <= 3 && points >= degree + 2 && points <= degree + 17,
           "l1 basin: need 0 <= degree <= 3 and degree + 2 <= points <= degree + 17, got {} and {}", degree, points);
-  const LeastSquares fit = least_squares(points, degree);
+  const LeastSquares fit = least_squares(points, degree, arity);
   L1Basin result;
   result.linear = norm_of_differences(fit.outputs, degree + 1);
   if (result.linear >= 1) return std::nullopt;

@@ -19,8 +19,8 @@ struct L1Basin {
 };
 
 /// Nothing where least squares does not contract q-th differences in one step. Domain: 0 <= degree <= 3, degree + 2 <=
-/// points <= degree + 17. Errors: throws a domain error. Cost: 2^(points - degree - 1) products of a vector. Ref:
-/// docs/l1.md, section 10.
-std::optional<L1Basin> l1_basin(int points, int degree);
+/// points <= degree + 17, arity >= 2. Errors: throws a domain error. Cost: 2^(points - degree - 1) products of a
+/// vector. Ref: docs/l1.md, section 10.
+std::optional<L1Basin> l1_basin(int points, int degree, int arity = 2);
 
 }  // namespace subcert::data

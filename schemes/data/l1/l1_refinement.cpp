@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t most_axes = 3;
 
 void require_sizes(const L1Scheme& scheme) {
+  require(scheme.arity >= 2, "l1 scheme: need arity >= 2, got {}", scheme.arity);
   require(!scheme.points.empty() && scheme.points.size() <= most_axes,
           "l1 scheme: need one to three numbers of points, got {}", scheme.points.size());
   for (const int points : scheme.points)
@@ -25,8 +26,8 @@ void require_sizes(const L1Scheme& scheme) {
 long first_node(int points) { return points % 2 == 0 ? 1 - points / 2 : -(points / 2); }
 
 /// Where output `phase` of a window about 0 stands.
-Rational output_at(int points, long phase) {
-  return (points % 2 == 0 ? Rational(1, 4) : Rational(-1, 4)) + Rational(phase, 2);
+Rational output_at(int points, int arity, int phase) {
+  return (points % 2 == 0 ? Rational(1, 2) : Rational(0)) + output_place(arity, phase);
 }
 
 /// All points with these coordinates, the first running fastest.
@@ -45,7 +46,7 @@ std::vector<Position> product(const std::vector<std::vector<Rational>>& coordina
 }
 
 /// Consecutive windows whose outputs stand alike: window k begins at datum start + k and makes the outputs
-/// out + k * outputs, ..., the first of them at (first_output + o) / 2 + output_at(0) from the datum at which it
+/// out + k * outputs, ..., the first of them at (first_output + o) / arity + output_at(0) from the datum at which it
 /// begins.
 struct WindowClass {
   long start;
@@ -62,21 +63,23 @@ struct AxisPlan {
   std::vector<WindowClass> classes;  ///< with starts in the padded data
 };
 
-/// Both rules read the whole window; output 2w + phase stands at w + output_at(phase) of the data.
-AxisStencils stencils_of(int points, int degree) {
-  const long highest = -2 * first_node(points), lowest = highest - 2 * (points - 1);
-  return {{{lowest, highest}, {lowest + 1, highest + 1}}, -2 * output_at(points, 0), degree};
+/// All rules read the whole window; output a*w + phase stands at w + output_at(phase) of the data.
+AxisStencils stencils_of(int points, int degree, int arity) {
+  const long highest = -arity * first_node(points), lowest = highest - arity * (points - 1);
+  std::vector<AxisStencils::Class> classes;
+  for (long phase = 0; phase < arity; ++phase) classes.push_back({lowest + phase, highest + phase});
+  return {classes, -arity * output_at(points, arity, 0), degree};
 }
 
-AxisPlan plan_axis(const Axis& data, int points, int degree, Boundary boundary) {
-  const OutputRange range = stencils_of(points, degree).outputs(data, boundary);
+AxisPlan plan_axis(const Axis& data, int points, int degree, long arity, Boundary boundary) {
+  const OutputRange range = stencils_of(points, degree, static_cast<int>(arity)).outputs(data, boundary);
   const Axis& axis = range.input;
   const long begin = range.begin, end = range.end;
   const long last_start = static_cast<long>(axis.count) - points;
   const bool clamp = !axis.closed && boundary == Boundary::regression;
   AxisPlan plan{range.output, {}, {}};
   const auto start_of = [&](long output) {
-    const long natural = floor_divide(output, 2) + first_node(points);
+    const long natural = floor_divide(output, arity) + first_node(points);
     return clamp ? std::clamp(natural, 0L, last_start) : natural;
   };
   for (long o = begin; o < end;) {
@@ -84,13 +87,13 @@ AxisPlan plan_axis(const Axis& data, int points, int degree, Boundary boundary) 
     long next = o + 1;
     while (next < end && start_of(next) == start) ++next;
     plan.classes.push_back(
-        {start, 1, static_cast<std::size_t>(o - begin), static_cast<std::size_t>(next - o), o - 2 * start});
+        {start, 1, static_cast<std::size_t>(o - begin), static_cast<std::size_t>(next - o), o - arity * start});
     // Whole windows like this one follow each other, up to the last that is not clamped.
-    if (next - o == 2 && o - 2 * start == -2 * first_node(points)) {
-      const long more = std::min((end - next) / 2, clamp ? last_start - 1 - start : end);
+    if (next - o == arity && o - arity * start == -arity * first_node(points)) {
+      const long more = std::min((end - next) / arity, clamp ? last_start - 1 - start : end);
       if (more > 0) {
         plan.classes.back().windows += static_cast<std::size_t>(more);
-        next += 2 * more;
+        next += arity * more;
       }
     }
     o = next;
@@ -139,10 +142,10 @@ std::vector<Rational> integers(std::size_t count) {
 }
 
 /// The outputs of a class, from the datum at which a window begins.
-std::vector<Rational> positions(const WindowClass& windows, int points) {
+std::vector<Rational> positions(const WindowClass& windows, int points, int arity) {
   std::vector<Rational> result;
   for (std::size_t o = 0; o < windows.outputs; ++o)
-    result.push_back(Rational(windows.first_output + static_cast<long>(o)) / 2 + output_at(points, 0));
+    result.push_back(Rational(windows.first_output + static_cast<long>(o)) / arity + output_at(points, arity, 0));
   return result;
 }
 
@@ -155,7 +158,7 @@ Job make_job(const L1Scheme& scheme, const PerAxis<const WindowClass*>& classes,
     output_counts[k] = classes[k]->outputs;
     windows *= classes[k]->windows;
     nodes.push_back(integers(node_counts[k]));
-    outputs.push_back(positions(*classes[k], scheme.points[k]));
+    outputs.push_back(positions(*classes[k], scheme.points[k], scheme.arity));
   }
   const RegressionWindow window(product(nodes), scheme.degree, product(outputs));
   return {L1Fitter(window, scheme.options), classes, offsets(node_counts, strides.source),
@@ -232,7 +235,7 @@ GridData<double> refine_once(const GridData<double>& data, const L1Scheme& schem
   Strides strides{{data.dimension}, {data.dimension}, data.dimension};
   for (std::size_t k = 0; k < most_axes; ++k) {
     if (k < scheme.points.size()) {
-      plans[k] = plan_axis(data.axes[k], scheme.points[k], scheme.degree, options.boundary);
+      plans[k] = plan_axis(data.axes[k], scheme.points[k], scheme.degree, scheme.arity, options.boundary);
       result.axes.push_back(plans[k].output);
     }
     if (k + 1 == most_axes) break;
@@ -256,7 +259,8 @@ RegressionWindow l1_window(const L1Scheme& scheme) {
   for (const int points : scheme.points) {
     std::vector<Rational>& along = nodes.emplace_back();
     for (int i = 0; i < points; ++i) along.emplace_back(first_node(points) + i);
-    outputs.push_back({output_at(points, 0), output_at(points, 1)});
+    std::vector<Rational>& over = outputs.emplace_back();
+    for (int phase = 0; phase < scheme.arity; ++phase) over.push_back(output_at(points, scheme.arity, phase));
   }
   return {product(nodes), scheme.degree, product(outputs)};
 }
@@ -264,8 +268,7 @@ RegressionWindow l1_window(const L1Scheme& scheme) {
 LocalRegression l1_linear_part(const L1Scheme& scheme) {
   require_sizes(scheme);
   require(scheme.points.size() == 1, "l1_linear_part: need a scheme for curves");
-  const int n = scheme.points[0] / 2;
-  return scheme.points[0] % 2 == 0 ? dual(n, scheme.degree) : dual_odd(n, scheme.degree);
+  return ary(scheme.arity, scheme.points[0], scheme.degree);
 }
 
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options) {
@@ -274,7 +277,9 @@ GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, co
           scheme.points.size(), data.axes.size());
   require(data.is_canonical(), "refine: need points * dimension values");
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  require_refinable(data.values.size(), 1L << scheme.points.size(), options.levels);
+  long growth = 1;
+  for (std::size_t k = 0; k < scheme.points.size(); ++k) growth *= scheme.arity;
+  require_refinable(data.values.size(), growth, options.levels);
   GridData<double> result = data;
   for (int level = 0; level < options.levels; ++level) result = refine_once(result, scheme, options);
   return result;
@@ -284,7 +289,7 @@ GridData<double> l1_impulse_response(const L1Scheme& scheme, int level) {
   require_sizes(scheme);
   require(scheme.points.size() == 1, "l1_impulse_response: need a scheme for curves");
   if (level < 0 || level > 16) fail(ErrorKind::domain, "l1_impulse_response: need 0 <= level <= 16, got {}", level);
-  // The support has width 2 points - 1; complete windows take less than `points` away from either end in all.
+  // The support has width 2 points - 1 at most; complete windows take less than `points` away from either end in all.
   const int reach = 2 * scheme.points[0];
   std::vector<double> impulse(static_cast<std::size_t>(2 * reach + 1), 0);
   impulse[static_cast<std::size_t>(reach)] = 1;

@@ -12,13 +12,13 @@ namespace subcert::data {
 /// Domain: one to three numbers of points, each >= 2 and > degree. Errors: throws a domain error.
 RegressionWindow l1_window(const L1Scheme& scheme);
 
-/// The linear scheme that has all weights 1, for curves: dual(n, degree) or dual_odd(n, degree).
+/// The linear scheme that has all weights 1, for curves: ary(arity, points, degree).
 LocalRegression l1_linear_part(const L1Scheme& scheme);
 
 /// Refines curves, grids and volumes `options.levels` times; the output has the points that refine() makes for linear
 /// schemes. At the ends, `regression` evaluates the l1 fit of the nearest complete window. Domain: one axis for each
 /// number of points, at least as many points along it, finite values, levels >= 0. Errors: as refine(). Cost: one
-/// L1Fitter::fit for every two outputs of a curve, four of a grid, eight of a volume.
+/// L1Fitter::fit for each window, of which a step has as many as data.
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options);
 
 /// The values at this level from the data 1 at 0 and 0 elsewhere, over the whole support of the scheme.

@@ -12,7 +12,7 @@ std::vector<std::string> remarks(const DataDependentScheme& scheme) {
   if (!scheme.rules.options.exact) return lines;
   const int points = scheme.rules.points[0], degree = scheme.rules.degree;
   constexpr std::size_t few = 500;  // pieces
-  const Decision unique = unique_minimiser(points, degree, least_absolute_rule(points, degree, few));
+  const Decision unique = unique_minimiser(points, degree, least_absolute_rule(points, degree, 2, few));
   if (!unique.is_yes())
     lines.push_back(fmt::format("{}: the fit {} unique, and the middle one is taken{}", scheme.specification,
                                 unique.is_no() ? "of some data is not" : "may not be",

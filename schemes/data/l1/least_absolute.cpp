@@ -1,6 +1,7 @@
 #include "least_absolute.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/l1_scheme.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -15,7 +16,7 @@ using piecewise::Row;
 using piecewise::Rule;
 using Signs = std::vector<int>;
 
-// Twice the positions about the centre of the window; outputs stand at -1/4 and 1/4.
+// Twice the positions about the centre of the window.
 long twice_position(int points, std::size_t r) { return 2 * static_cast<long>(r) - (points - 1); }
 
 /// The polynomial of the basis that is 1 at nodes[k] and 0 at the others, at x / 2.
@@ -97,7 +98,7 @@ class SignSearch {
   std::vector<std::vector<long>> rest_;     // sums of moduli of the weights from here on
 };
 
-Piece make_piece(int points, int degree, const Signs& signs) {
+Piece make_piece(int points, int degree, const std::vector<Rational>& places, const Signs& signs) {
   Piece piece{signs, 0, {}, {}};
   std::vector<std::size_t> nodes;
   const auto needed = static_cast<std::size_t>(degree) + 1;
@@ -125,7 +126,7 @@ Piece make_piece(int points, int degree, const Signs& signs) {
     residual[r] += signs[r];
     piece.cell.push_back(std::move(residual));
   }
-  for (const int side : {-1, 1}) piece.outputs.push_back(value_at(Rational(side, 2)));
+  for (const Rational& place : places) piece.outputs.push_back(value_at(2 * place));
   return piece;
 }
 
@@ -141,10 +142,12 @@ bool next_subset(std::vector<std::size_t>& subset, std::size_t count) {
 
 }  // namespace
 
-std::optional<Rule> least_absolute_rule(int points, int degree, std::size_t most_pieces) {
+std::optional<Rule> least_absolute_rule(int points, int degree, int arity, std::size_t most_pieces) {
   require(degree >= 0 && degree <= 3 && points > degree && points <= 64,
           "least absolute rule: need 0 <= degree <= 3 and degree < points <= 64, got {} and {}", degree, points);
-  Rule rule{static_cast<std::size_t>(points), degree, {}};
+  require(arity >= 2, "least absolute rule: need arity >= 2, got {}", arity);
+  Rule rule{static_cast<std::size_t>(points), degree, {}, {}};
+  for (int phase = 0; phase < arity; ++phase) rule.places.push_back(output_place(arity, phase));
   std::set<Signs, decltype(&in_order)> known(&in_order);
   std::size_t steps = 1000 * most_pieces;
   std::vector<std::size_t> basic(static_cast<std::size_t>(degree) + 1);
@@ -153,7 +156,7 @@ std::optional<Rule> least_absolute_rule(int points, int degree, std::size_t most
     if (!SignSearch(points, basic, steps).run([&](const Signs& signs) { known.insert(signs); })) return std::nullopt;
     if (known.size() > most_pieces) return std::nullopt;
   } while (next_subset(basic, rule.points));
-  for (const Signs& signs : known) rule.pieces.push_back(make_piece(points, degree, signs));
+  for (const Signs& signs : known) rule.pieces.push_back(make_piece(points, degree, rule.places, signs));
   return rule;
 }
 

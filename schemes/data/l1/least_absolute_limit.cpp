@@ -13,7 +13,6 @@ namespace {
 using piecewise::Contraction;
 using piecewise::Rule;
 
-constexpr int most_steps = 8;
 constexpr int norm_levels = 16;  // of the bounds by norms of a linear rule
 
 Decision stays_in_range(int degree, const std::optional<Rational>& largest) {
@@ -38,7 +37,7 @@ void try_orders(const Rule& rule, int steps, const LimitOptions& options, LeastA
 
 void find_contraction(const Rule& rule, const LimitOptions& options, LeastAbsoluteLimit& result) {
   if (options.steps > 0 || rule.degree == 0) return try_orders(rule, std::max(options.steps, 1), options, result);
-  for (int steps = 1; steps <= most_steps && !result.unfinished; ++steps) {
+  for (int steps = 1; steps <= piecewise::most_steps(rule.arity()) && !result.unfinished; ++steps) {
     try_orders(rule, steps, options, result);
     if (result.contraction && result.contraction->bound < 1) return;
   }
@@ -64,13 +63,15 @@ Decision by_contraction(const std::optional<Contraction>& found) {
 
 }  // namespace
 
-std::optional<Enclosure> proved_exponent(const Contraction& contraction) {
+std::optional<Enclosure> proved_exponent(const Contraction& contraction, int arity) {
   if (contraction.bound >= 1 || contraction.bound <= 0) return std::nullopt;
-  Enclosure logarithm = log_ratio(1 / contraction.bound, 2);
+  Enclosure logarithm = log_ratio(1 / contraction.bound, arity);
   return Enclosure{*logarithm.lower / contraction.steps, *logarithm.upper / contraction.steps};
 }
 
-LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptions& options) {
+LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptions& options, int arity) {
+  require(arity >= 2, "l1 limit: need arity >= 2, got {}", arity);
+  const int most_steps = piecewise::most_steps(arity);
   require(options.steps >= 0 && options.steps <= most_steps, "l1 limit: need 0 <= steps <= {}, got {}", most_steps,
           options.steps);
   require(options.order >= 0 && options.order <= degree + 1, "l1 limit: need 0 <= order <= {}, got {}", degree + 1,
@@ -79,12 +80,15 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
   LeastAbsoluteLimit result;
   result.points = points;
   result.degree = degree;
-  const std::optional<Rule> rule = least_absolute_rule(points, degree);
+  result.arity = arity;
+  const std::optional<Rule> rule = least_absolute_rule(points, degree, arity);
   result.unique = unique_minimiser(points, degree, rule);
   if (rule) {
     result.pieces = rule->pieces.size();
     if (degree > 1) result.largest_output = largest_output(*rule, options.deadline);
     if (rule->is_function()) result.lipschitz = lipschitz_constant(*rule);
+    for (int order = 1; order <= std::min(degree + 1, 2) && degree > 0; ++order)
+      result.keeps.push_back(piecewise::keeps_sign(*rule, order, options.deadline));
     result.mask = linear_mask(*rule, points % 2 == 0 ? 1 - points / 2 : -(points / 2));
     find_contraction(*rule, options, result);
   }
@@ -99,8 +103,8 @@ LeastAbsoluteLimit least_absolute_limit(int points, int degree, const LimitOptio
     result.converges = by_contraction(result.contraction);
     if (!rule) result.converges.reason = "there are too many pieces";
     if (result.converges.is_yes())
-      if (const auto exponent = proved_exponent(*result.contraction)) result.exponent.lower = exponent->lower;
-    if (degree == 1 && result.converges.is_yes() && rule->is_function()) result.edge = edge_orbit(*rule);
+      if (const auto exponent = proved_exponent(*result.contraction, arity)) result.exponent.lower = exponent->lower;
+    if (degree == 1 && arity == 2 && result.converges.is_yes() && rule->is_function()) result.edge = edge_orbit(*rule);
     if (result.edge) result.exponent.upper = log_ratio(1 / result.edge->factor, 2).upper;
   }
   return result;

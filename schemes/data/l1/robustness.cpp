@@ -6,6 +6,7 @@
 #include "robustness.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/l1_scheme.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -42,26 +43,34 @@ Rational lagrange(const Places& nodes, int b, const Rational& x) {
 /// The polynomial that is 1 or -1 at the nodes, as l_b(c) is positive or not.
 struct Extreme {
   Places nodes;
-  Rational value;           // at c
+  Rational value;           // at an output c
   std::vector<int> beyond;  // 1 where it exceeds 1, -1 where it is below -1
 };
 
+/// Those up to the centre, from the first datum on; the others are their mirror images.
+std::vector<Rational> outputs_before_centre(int points, int arity) {
+  std::vector<Rational> places;
+  for (int phase = 0; 2 * phase < arity; ++phase)
+    places.push_back(Rational(points - 1, 2) + output_place(arity, phase));
+  return places;
+}
+
 class Outliers {
  public:
-  Outliers(int points, int degree) : points_(points), degree_(degree), zeros_(subsets(points, degree)) {
+  Outliers(int points, int degree, int arity) : points_(points), degree_(degree), zeros_(subsets(points, degree)) {
     for (const Places& zeros : zeros_) {
       std::vector<long>& values = vanishing_.emplace_back();
       for (int r = 0; r < points; ++r)
         values.push_back(
             std::accumulate(zeros.begin(), zeros.end(), 1L, [&](long value, int zero) { return value * (r - zero); }));
     }
-    const Rational c(2 * points - 3, 4);
-    for (const Places& nodes : subsets(points, degree + 1)) extremes_.push_back(extreme(nodes, c));
+    for (const Rational& c : outputs_before_centre(points, arity))
+      for (const Places& nodes : subsets(points, degree + 1)) extremes_.push_back(extreme(nodes, c));
     std::stable_sort(extremes_.begin(), extremes_.end(),
                      [](const Extreme& a, const Extreme& b) { return a.value > b.value; });
   }
 
-  /// The largest modulus of both outputs; nothing where there is none.
+  /// The largest modulus of all outputs; nothing where there is none.
   std::optional<Rational> largest(const Places& outliers) const {
     if (breaks_down(outliers)) return std::nullopt;
     Places mirrored;
@@ -132,7 +141,7 @@ class Outliers {
 
 /// Polynomials differ from the minimiser of a cell by q, and F grows at least by the sum over its zeros b of
 /// |q(b)| + u_b q(b), u_b the dual value: least, for a given q(c), where q vanishes at all of them but one.
-std::optional<Rational> sharpness_of(const piecewise::Rule& rule, const Rational& c) {
+std::optional<Rational> sharpness_of(const piecewise::Rule& rule, const std::vector<Rational>& places) {
   if (!rule.is_function()) return std::nullopt;
   std::optional<Rational> least;
   for (const piecewise::Piece& piece : rule.pieces) {
@@ -143,8 +152,10 @@ std::optional<Rational> sharpness_of(const piecewise::Rule& rule, const Rational
       Rational dual = 0;
       for (std::size_t r = 0; r < piece.signs.size(); ++r)
         dual -= piece.signs[r] * lagrange(nodes, b, static_cast<long>(r));
-      const Rational growth = (1 - abs(dual)) / abs(lagrange(nodes, b, c));
-      if (!least || growth < *least) least = growth;
+      for (const Rational& c : places) {
+        const Rational value = abs(lagrange(nodes, b, c));
+        if (value != 0 && (!least || 1 - abs(dual) < *least * value)) least = (1 - abs(dual)) / value;
+      }
     }
   }
   return least;
@@ -152,11 +163,12 @@ std::optional<Rational> sharpness_of(const piecewise::Rule& rule, const Rational
 
 }  // namespace
 
-LeastAbsoluteRobustness least_absolute_robustness(int points, int degree) {
+LeastAbsoluteRobustness least_absolute_robustness(int points, int degree, int arity) {
   require(degree >= 0 && degree <= 3 && points >= degree + 2 && points <= 12,
           "least_absolute_robustness: need 0 <= degree <= 3 and degree + 2 <= points <= 12, got {} and {}", degree,
           points);
-  const Outliers window(points, degree);
+  require(arity >= 2, "least_absolute_robustness: need arity >= 2, got {}", arity);
+  const Outliers window(points, degree, arity);
   LeastAbsoluteRobustness result;
   for (int i = 0; i < points; ++i) {
     result.one.push_back(window.largest({i}));
@@ -168,8 +180,8 @@ LeastAbsoluteRobustness least_absolute_robustness(int points, int degree) {
         result.two = both;
     }
   }
-  if (const auto rule = least_absolute_rule(points, degree, 5000))
-    result.sharpness = sharpness_of(*rule, Rational(2 * points - 3, 4));
+  if (const auto rule = least_absolute_rule(points, degree, arity, 5000))
+    result.sharpness = sharpness_of(*rule, outputs_before_centre(points, arity));
   return result;
 }
 

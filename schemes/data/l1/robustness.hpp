@@ -9,7 +9,7 @@
 
 namespace subcert::data {
 
-/// Of windows of N data, degree D, outputs at -1/4 and 1/4 about the centre, for every choice of minimisers.
+/// Of windows of N data, degree D, all outputs, for every choice of minimisers.
 struct LeastAbsoluteRobustness {
   /// The largest modulus of an output where one datum, at each place in turn, is arbitrary and the others are in
   /// [-1, 1]; nothing where there is none: the fit breaks down.
@@ -21,8 +21,8 @@ struct LeastAbsoluteRobustness {
   std::optional<Rational> sharpness;
 };
 
-/// Domain: 0 <= D <= 3, D + 2 <= N <= 12, else throws a domain error. Cost: less than N^2 binom(N, D + 1) binom(N, D) N
-/// operations. Ref: docs/l1.md, section 9.
-LeastAbsoluteRobustness least_absolute_robustness(int points, int degree);
+/// Domain: 0 <= D <= 3, D + 2 <= N <= 12, arity >= 2, else throws a domain error. Cost: for each output less than N^2
+/// binom(N, D + 1) binom(N, D) N operations. Ref: docs/l1.md, section 9.
+LeastAbsoluteRobustness least_absolute_robustness(int points, int degree, int arity = 2);
 
 }  // namespace subcert::data

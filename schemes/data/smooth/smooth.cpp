@@ -83,10 +83,13 @@ SmoothedSamples smooth_by(const DataDependentScheme& scheme, const Samples& samp
   const std::size_t outputs = count_outputs(static_cast<double>(samples.count() - 1), scale);
   std::vector<Rational> places;
   for (std::size_t o = 0; o < outputs; ++o) places.push_back(Rational(o) / Rational(scale));
+  int levels = 0;  // as many that the points are as near to each other as binary ones
+  for (std::size_t finest = scale << finer_levels, reached = 1; reached < finest; ++levels)
+    reached *= static_cast<std::size_t>(scheme.rules.arity);
   SmoothedSamples result{scheme.specification, {}, output_positions(samples, scale, 0, outputs), {}};
   for (const auto& column : samples.columns)
-    result.columns.push_back({interpolate(
-        refine(curve_data(column), scheme.rules, {level + finer_levels, options.boundary, threads}), places)});
+    result.columns.push_back(
+        {interpolate(refine(curve_data(column), scheme.rules, {levels, options.boundary, threads}), places)});
   set_positions_of_data(result, samples, options);
   return result;
 }

@@ -3,6 +3,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/data/l1/least_absolute_fit.hpp>
 #include <subcert/schemes/data/l1/robustness.hpp>
+#include <subcert/schemes/l1_scheme.hpp>
 #include <subcert/schemes/outlier_remainder.hpp>
 
 #include <random>
@@ -42,6 +43,12 @@ TEST_CASE("what one and two outliers do to lines: known values") {
   CHECK(ten.sharpness == Rational(4, 19));
   CHECK_FALSE(seven.sharpness);
   CHECK_FALSE(least_absolute_robustness(4, 1).one[0]);
+  CHECK(least_absolute_robustness(6, 1, 3).one == Bounds{Rational(11, 6), 1, 1, 1, 1, Rational(11, 6)});
+  CHECK(least_absolute_robustness(6, 1, 3).sharpness == Rational(6, 17));
+  CHECK(*outlier_remainder(6, 1, 6, 3)->lower >
+        *outlier_remainder(6, 1, 6)->upper);  // its outputs are nearer to the ends
+  CHECK_THROWS_AS(least_absolute_robustness(6, 1, 1), Error);
+  CHECK_THROWS_AS(outlier_remainder(6, 1, 1, 1), Error);
   CHECK_THROWS_AS(least_absolute_robustness(13, 1), Error);
   CHECK_THROWS_AS(least_absolute_robustness(3, 2), Error);
 }
@@ -50,9 +57,12 @@ TEST_CASE("no data with an outlier exceed the bounds, and large outliers break d
   std::mt19937 engine(Catch::rngSeed());
   for (int degree = 0; degree <= 3; ++degree)
     for (int points = degree + 2; points <= 8; ++points) {
-      const LeastAbsoluteRobustness known = least_absolute_robustness(points, degree);
-      const data::LeastAbsoluteFitter fitter(points, degree,
-                                             {Rational(2 * points - 3, 4), Rational(2 * points - 1, 4)});
+      const int arity = 2 + (points + degree) % 3;
+      const LeastAbsoluteRobustness known = least_absolute_robustness(points, degree, arity);
+      std::vector<Rational> places;
+      for (int phase = 0; phase < arity; ++phase)
+        places.push_back(Rational(points - 1, 2) + output_place(arity, phase));
+      const data::LeastAbsoluteFitter fitter(points, degree, places);
       for (int trial = 0; trial < 200; ++trial) {
         std::vector<Rational> data;
         for (int i = 0; i < points; ++i) data.emplace_back(std::uniform_int_distribution<int>(-4, 4)(engine), 4);

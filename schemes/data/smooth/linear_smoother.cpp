@@ -206,7 +206,7 @@ SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t 
       if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + k];
     result.values[output - before] = sum;
     result.variances[output - before] = row.variance;
-    path.go_to(row, 0);
+    if (options_.path) path.go_to(row, 0);
     if (at_data && output % scale_ == 0) result.leverages[output / scale_ - begin] = leverage(row, output / scale_, 0);
   };
   // Positions that are computed phase by phase, so that sums and rows stay in the nearest cache.
@@ -225,7 +225,7 @@ SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t 
       }
       interleave(parts.data(), block, scale_, size, 1, result.values.data() + first * scale_ - before);
     }
-    path.go_through(rows, shift, to - from);
+    if (options_.path) path.go_through(rows, shift, to - from);
     double* variance = result.variances.data() + from * scale_ - before;
     for (std::size_t whole = from; whole < to; ++whole) {
       for (const RoundedRow& row : rows) *variance++ = row.variance;

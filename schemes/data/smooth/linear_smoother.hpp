@@ -3,6 +3,7 @@
 
 #include "extension.hpp"
 
+#include <cstdint>
 #include <memory>
 
 namespace subcert::data {
@@ -13,12 +14,19 @@ constexpr std::size_t most_smoothed_values = 4'000'000;
 /// The multiples of 1 / scale from 0 to `length`. Errors: throws a size error beyond most_smoothed_values.
 std::size_t count_outputs(double length, std::size_t scale);
 
+/// By what a method is chosen: the estimated error, or the squared errors of predicting each datum from the others.
+enum class Selection { risk, cross_validation };
+
 struct SmoothingOptions {
   Boundary boundary = Boundary::regression;
-  int level = 0;         ///< outputs at the multiples of arity^-level of the spacing
-  int derivative = 0;    ///< with respect to the index of the data
-  double constant = 0;   ///< beyond the ends, for Boundary::constant
-  bool at_data = false;  ///< outputs at the data, whatever the level
+  int level = 0;                          ///< outputs at the multiples of arity^-level of the spacing
+  int derivative = 0;                     ///< with respect to the index of the data
+  double constant = 0;                    ///< beyond the ends, for Boundary::constant
+  bool at_data = false;                   ///< outputs at the data, whatever the level
+  bool path = true;                       ///< whether SmoothedData::path is wanted
+  Selection selection = Selection::risk;  ///< where no method is named
+  int resamples = 0;                      ///< for bands of l1 schemes, 2 or more; 0: no bands
+  std::uint64_t seed = 2015;              ///< of what is drawn for these
 };
 
 /// The value, or a derivative, at one position: a combination of the data.

@@ -21,6 +21,7 @@ SmoothingStream::SmoothingStream(Samples head, SmoothingMethod method, const Smo
     end_window_ = kernel_->extension(options.boundary).window;
   } else if (auto* local = std::get_if<LocalPolynomial>(&method_)) {
     require(local->is_complete(), "a stream needs points or a width for {}", to_text(*local));
+    require(local->robust == 0, "a stream needs a linear method; {} has robust steps", to_text(*local));
     require(!weighted || local->points == 0,
             "a stream with weights or missing data needs a scheme, or a width in place of points: {}", to_text(*local));
     local->width /= nearest_double(kept_.spacing);

@@ -26,6 +26,8 @@ using specification_text::read_integer;
 
 constexpr std::string_view family_name = "local";
 constexpr long most_points = 10'000'000;
+constexpr double most_exact_window = 2048;
+constexpr std::size_t vertices_in_window = 128;
 constexpr std::size_t outputs_per_thread = 512;
 constexpr long most_robust_steps = 100;
 
@@ -103,9 +105,13 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
     fail(ErrorKind::data, "expected at least {} data for {}; found {}", method.points, to_text(method), present);
 }
 
-double LocalSmoother::rounded_position(std::size_t output) const {
-  if (options().at_data) return data().position(static_cast<long>(output));
-  return static_cast<double>(output) / static_cast<double>(scale());
+std::size_t LocalSmoother::stride() const {
+  if (options().path || !options().sparse || method_.weight == LocalWeight::box) return 1;
+  const double points = method_.points > 0 ? static_cast<double>(method_.points)
+                        : data().uniform() ? 2 * method_.width
+                                           : 0;
+  if (!(points > most_exact_window)) return 1;
+  return static_cast<std::size_t>(std::min(points, static_cast<double>(most_points))) / vertices_in_window;
 }
 
 void LocalSmoother::require_fit(const LocalWindows::Window& window) const {
@@ -229,12 +235,13 @@ std::vector<double> LocalSmoother::values(const std::vector<double>& data, const
     all.unchanged.push_back(prior_weight<double>(windows_.index(k)));
     all.weights.push_back(all.unchanged.back() * (outside ? 1 : factors[datum.terms.front().first]));
   }
-  std::vector<double> result(outputs());
-  parallel_ranges(outputs(), outputs() / outputs_per_thread, threads, [&](std::size_t begin, std::size_t end) {
+  const std::vector<std::size_t> made = vertices();
+  std::vector<double> result(made.size());
+  parallel_ranges(made.size(), made.size() / outputs_per_thread, threads, [&](std::size_t begin, std::size_t end) {
     LocalWindows::Window window;
     std::vector<double> nodes, weights;
     for (std::size_t o = begin; o < end; ++o) {
-      window = windows_.at(rounded_position(o), window);
+      window = windows_.at(rounded_position(made[o]), window);
       require_fit(window);
       const bool weighted = windows_.determines(
           window, [&](std::size_t k) { return all.weights[k] > 0 && windows_.factor(window, k) > 0; });
@@ -246,7 +253,7 @@ std::vector<double> LocalSmoother::values(const std::vector<double>& data, const
                   std::pow(window.radius > 0 ? window.radius : 1, options().derivative);
     }
   });
-  return result;
+  return between(made, result);
 }
 
 }  // namespace subcert::data

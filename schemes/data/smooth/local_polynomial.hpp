@@ -28,15 +28,15 @@ class LocalSmoother : public LinearSmoother {
   SmoothingRow row(std::size_t output) const override;
 
   /// The values at the outputs where prior weights are multiplied by `factors`, one for each datum, and in windows that
-  /// would leave no fit by themselves. Domain: as many data and factors as sites, factors >= 0. Cost: a few operations
-  /// for each datum of each window.
+  /// would leave no fit by themselves; interpolated as by apply(). Domain: as many data and factors as sites, factors
+  /// >= 0. Cost: a few operations for each datum of each window.
   std::vector<double> values(const std::vector<double>& data, const std::vector<double>& factors, int threads) const;
 
  private:
   template <class Number>
   class Rows;
   std::unique_ptr<RowMaker<double>> row_maker() const override;
-  double rounded_position(std::size_t output) const;
+  std::size_t stride() const override;
   /// Throws a data error where the window leaves no fit.
   void require_fit(const LocalWindows::Window& window) const;
 

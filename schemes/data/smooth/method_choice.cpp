@@ -32,14 +32,18 @@ bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandida
 }
 
 std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidates) {
-  if (candidates.empty()) fail(ErrorKind::data, "no candidate has data at enough positions in every window; there are too few, or gaps are too wide");
+  if (candidates.empty())
+    fail(ErrorKind::data,
+         "no candidate has data at enough positions in every window; there are too few, or gaps are too wide");
   std::ranges::stable_sort(candidates, {},
                            [](const SmoothingCandidate& one) { return std::pair(one.risk.total(), one.points); });
   return candidates;
 }
 
 SmoothingOptions at_data(const SmoothingOptions& options) {
-  return {options.boundary, 0, 0, options.constant, true, false, options.selection};
+  SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
+  there.selection = options.selection;
+  return there;
 }
 
 /// A candidate of one number more in a list that grows by about a fifth.

@@ -14,6 +14,7 @@ SmoothingStream::SmoothingStream(Samples head, SmoothingMethod method, const Smo
   require(options.boundary != Boundary::periodic, "a stream has no end that its beginning could follow");
   require(kept_.uniform() && kept_.count() == 0, "SmoothingStream: need uniform positions and no data yet");
   options_.at_data = false;
+  options_.sparse = false;
   if (options.at_data) options_.level = 0;
   if (const auto* scheme = std::get_if<Scheme>(&method_)) {
     require_limits(*scheme, options.derivative);

@@ -68,8 +68,8 @@ class LinearSmoother {
   std::vector<RoundedRow> rounded_rows() const;
 
   /// All rows on the data, composed and applied in double precision; of local polynomials with windows of more than
-  /// 2048 data, unless the weight is box, at 128 positions in a window, and interpolated. Errors: as row(). Cost:
-  /// outputs times the width of a row; then 128 times the data.
+  /// 2048 data, unless the weight is box, at 128 places of a window, and interpolated between these. Errors: as row().
+  /// Cost: outputs times the width of a row; then 128 times the data.
   SmoothedData apply(const std::vector<double>& data) const;
   /// The same for the outputs of the spacings begin, ..., end - 1 alone; of some of them none are interpolated. Domain:
   /// begin <= end <= spacings().

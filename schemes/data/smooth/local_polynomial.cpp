@@ -26,8 +26,8 @@ using specification_text::read_integer;
 
 constexpr std::string_view family_name = "local";
 constexpr long most_points = 10'000'000;
-constexpr double most_exact_window = 2048;
-constexpr std::size_t vertices_in_window = 128;
+constexpr double most_exact_window = 2048, most_exact_robust_window = 128;
+constexpr std::size_t vertices_in_window = 128, robust_vertices_in_window = 64;
 constexpr std::size_t outputs_per_thread = 512;
 constexpr long most_robust_steps = 100;
 
@@ -107,11 +107,11 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
 
 std::size_t LocalSmoother::stride() const {
   if (options().path || !options().sparse || method_.weight == LocalWeight::box) return 1;
-  const double points = method_.points > 0 ? static_cast<double>(method_.points)
-                        : data().uniform() ? 2 * method_.width
-                                           : 0;
-  if (!(points > most_exact_window)) return 1;
-  return static_cast<std::size_t>(std::min(points, static_cast<double>(most_points))) / vertices_in_window;
+  double points = static_cast<double>(method_.points);
+  if (points == 0 && data().uniform()) points = std::min(2 * method_.width, static_cast<double>(most_points));
+  const bool robust = method_.robust > 0;
+  if (!(points > (robust ? most_exact_robust_window : most_exact_window))) return 1;
+  return static_cast<std::size_t>(points) / (robust ? robust_vertices_in_window : vertices_in_window);
 }
 
 void LocalSmoother::require_fit(const LocalWindows::Window& window) const {

@@ -28,8 +28,9 @@ class LocalSmoother : public LinearSmoother {
   SmoothingRow row(std::size_t output) const override;
 
   /// The values at the outputs where prior weights are multiplied by `factors`, one for each datum, and in windows that
-  /// would leave no fit by themselves; interpolated as by apply(). Domain: as many data and factors as sites, factors
-  /// >= 0. Cost: a few operations for each datum of each window.
+  /// would leave no fit by themselves. Of methods with robust steps those with windows of more than 128 data are fitted
+  /// at 64 places of a window, and interpolated between these; else as apply(). Domain: as many data and factors as
+  /// sites, factors >= 0. Cost: a few operations for each datum of each window.
   std::vector<double> values(const std::vector<double>& data, const std::vector<double>& factors, int threads) const;
 
  private:

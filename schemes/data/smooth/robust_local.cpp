@@ -108,8 +108,10 @@ RobustFit robust_fit(const LocalPolynomial& method, const DataSites& sites, cons
       const double weight = sites.weights.empty() ? 1 : static_cast<double>(sites.weights[i]);
       freedom += weight * plain.variances[i] - 2 * plain.leverages[i];
     }
-  const LocalSmoother smoother(method, sites, options);
-  RobustFit result{smoother.values(data, factors, threads), {}, sandwich_noise(influence, freedom), 0, fits};
+  const bool same = options.at_data && options.derivative == 0 && !options.path;  // outputs
+  const LocalSmoother smoother(method, sites, same ? there : options);
+  RobustFit result{
+      same ? fits : smoother.values(data, factors, threads), {}, sandwich_noise(influence, freedom), 0, fits};
   const double slope = influence.mean_slope();
   for (std::size_t i = 0; i < data.size(); ++i) {
     if (std::isnan(residuals[i]) || !(slope > 0)) continue;
@@ -118,7 +120,7 @@ RobustFit robust_fit(const LocalPolynomial& method, const DataSites& sites, cons
     result.pseudodata[i] += (data[i] - fits[i]) * rest * rest / slope;
   }
   if (!result.noise.exists()) return result;
-  SmoothedData linear = smoother.apply(data);
+  SmoothedData linear = same ? plain : smoother.apply(data);
   result.path = linear.path;
   result.deviations = std::move(linear.variances);
   for (double& deviation : result.deviations) deviation = std::sqrt(result.noise.variance * deviation);

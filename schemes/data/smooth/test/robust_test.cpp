@@ -100,8 +100,7 @@ TEST_CASE("outliers do not move a robust fit: polynomials stay, at any positions
       truth.push_back(unit * (2 + (degree > 0 ? 3 * at : 0) - (degree > 1 ? at * at / 8 : 0)));
     }
     samples.columns[0] = truth;
-    for (const std::size_t i : {8, 19, 30})
-      samples.columns[0][i] += unit * static_cast<double>(random.integer(50, 99));
+    for (const std::size_t i : {8, 19, 30}) samples.columns[0][i] += unit * static_cast<double>(random.integer(50, 99));
     const auto fit = smooth(samples, fmt::format("local:points=17,d={},robust=12", degree), at_data()).columns[0];
     for (std::size_t i = 0; i < count; ++i)
       CHECK(std::abs(fit.values[i] - truth[i]) < 1e-3 * unit * (1 + std::abs(truth[i] / unit)));
@@ -174,6 +173,39 @@ TEST_CASE("the window of a robust fit is chosen as if there were no outliers") {
   CAPTURE(chosen.method, best);
   CHECK(error(chosen) < 1.25 * best);
   CHECK(error(smooth(samples, "local:d=1", at_data())) > 2 * best);
+}
+
+TEST_CASE("wide windows, fitted at some places and interpolated, leave the fit by little of its deviation") {
+  std::mt19937_64 engine(35);
+  const auto wave = [](double x) { return std::sin(x / 300); };
+  for (const bool uniform : {false, true})
+    for (const char* name :
+         {"local:points=150,d=1,robust=3", "local:points=601,d=1,robust=2", "local:points=900,d=2,robust=1",
+          "local:points=2500,d=1", "local:points=2500,d=3,weight=biweight", "local:points=2100,d=1,weight=triangle"})
+      for (const Boundary boundary : {Boundary::regression, Boundary::reflect}) {
+        Samples samples{{{}}};
+        samples.positions = uneven(4000, engine);
+        if (uniform)
+          for (std::size_t i = 0; i < 4000; ++i) samples.positions[i] = static_cast<double>(i);
+        samples.columns[0] = noisy(samples.positions, wave, 0.3, 5, engine);
+        if (uniform) samples.positions.clear();
+        SmoothingOptions options{.boundary = boundary, .level = uniform ? 1 : 0, .path = false};
+        const SmoothedColumn fast = smooth(samples, name, options).columns[0];
+        options.sparse = false;
+        const SmoothedColumn exact = smooth(samples, name, options).columns[0];
+        REQUIRE(fast.values.size() == exact.values.size());
+        double most = 0, squares = 0, spread = 0;
+        for (std::size_t o = 0; o < exact.values.size(); ++o) {
+          const double apart = std::abs(fast.values[o] - exact.values[o]) / exact.deviations[o];
+          most = std::max(most, apart);
+          squares += apart * apart / static_cast<double>(exact.values.size());
+          spread = std::max(spread, std::abs(fast.deviations[o] / exact.deviations[o] - 1));
+        }
+        CAPTURE(uniform, name, to_text(boundary));
+        CHECK(most < 0.1);
+        CHECK(std::sqrt(squares) < 0.02);
+        CHECK(spread < 0.01);
+      }
 }
 
 TEST_CASE("outliers are counted where they spoil the noise, and nothing else is") {

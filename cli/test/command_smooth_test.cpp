@@ -172,7 +172,7 @@ TEST_CASE("outliers are said, and left out by robust methods, with bands that sa
     }
     CHECK(run(command + "--bands 0.9 --scheme " + scheme).out.find(method) != std::string::npos);
   }
-  CHECK(run_json(command).at("noise")[0].at("outliers") == 9);
+  CHECK(run_json(command + "--quiet").at("noise")[0].at("outliers") == 9);
   check_fails(run("smooth - --stream --scheme local:points=9,robust=3 < " + data), 64,
               "a stream needs a linear method; local:points=9,d=1,weight=tricube,robust=3 has robust steps");
 }

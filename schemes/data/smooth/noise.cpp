@@ -93,13 +93,15 @@ std::vector<NoiseEstimate> estimate_noise(const Samples& samples) {
 namespace {
 
 constexpr double far = 6, raised = 1.5;
+constexpr double answer = -0.25;  // of a neighbour's difference to an outlier, -1/2 where data are uniform
 
 }  // namespace
 
 std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights,
                            const std::vector<double>& positions) {
   const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
-  std::vector<double> differences(data.size(), 0), moduli;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> differences(data.size(), none), moduli;
   for (std::size_t i = 1; i + 1 < data.size(); ++i)
     if (is_present(i - 1) && is_present(i) && is_present(i + 1)) {
       differences[i] = SecondDifference(i, prior_weights, positions).of(data);
@@ -112,11 +114,12 @@ std::size_t count_outliers(const std::vector<double>& data, const std::vector<do
   double all = 0, bulk = 0;
   std::size_t outliers = 0;
   for (std::size_t i = 1; i + 1 < data.size(); ++i) {
-    const double e = differences[i];
+    const double e = differences[i], before = differences[i - 1] / e, after = differences[i + 1] / e;
+    if (std::isnan(e)) continue;
     all += e * e;
     if (std::abs(e) <= far * deviation)
       bulk += e * e;
-    else if (e * differences[i - 1] <= 0 && e * differences[i + 1] <= 0)
+    else if (!(before > answer) && !(after > answer) && (before <= answer || after <= answer))
       ++outliers;
   }
   return deviation > 0 && all > raised * bulk ? outliers : 0;

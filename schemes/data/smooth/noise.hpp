@@ -34,9 +34,9 @@ NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<
 /// That of each column, with the weights and positions of the samples; the known one where they have it.
 std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
 
-/// How many data stand out from both neighbours by more than six standard deviations of the bulk of the data, where
-/// these raise the estimate of the variance by more than half; else 0. The deviation of the bulk is that of the median
-/// of second differences. Domain: as estimate_noise.
+/// How many data stand out from both neighbours, not as steps and bends do, by more than six standard deviations of the
+/// bulk of the data, where such differences raise the estimate of the variance by more than half; else 0. The deviation
+/// of the bulk is that of the median of second differences. Domain: as estimate_noise.
 std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
                            const std::vector<double>& positions = {});
 

@@ -129,10 +129,13 @@ SmoothedSamples smooth_by(const LocalPolynomial& method, const Samples& samples,
 
 SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
                        int threads) {
-  if (const auto* scheme = std::get_if<DataDependentScheme>(&method))
-    return smooth_by(*scheme, samples, options, threads);
-  if (const auto* local = std::get_if<LocalPolynomial>(&method); local && local->robust > 0)
-    return smooth_by(*local, samples, options, threads);
+  const auto* scheme = std::get_if<DataDependentScheme>(&method);
+  const auto* local = std::get_if<LocalPolynomial>(&method);
+  const bool linear = !scheme && !(local && local->robust > 0);
+  require(linear || !samples.noise, "smoothing: a known noise is for linear methods; {} finds its own",
+          to_text(method));
+  if (!linear)
+    return scheme ? smooth_by(*scheme, samples, options, threads) : smooth_by(*local, samples, options, threads);
   // Rules of schemes take data one after another: they get the means of those at one position.
   std::optional<Samples> means;
   if (std::holds_alternative<Scheme>(method) && samples.repeated()) means = merged(samples);

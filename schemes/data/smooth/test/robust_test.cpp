@@ -216,15 +216,17 @@ TEST_CASE("outliers are counted where they spoil the noise, and nothing else is"
     CHECK(count_outliers(noisy(at, wave, 0.1, 0, engine), {}, at) == 0);
     CHECK(count_outliers(noisy(at, wave, 0.1, 15, engine), {}, at) > 3);
   }
-  std::vector<double> growth, step(50, 0), lattice;
+  std::vector<double> growth, step(50, 0), lattice, saw;
   for (int i = 0; i < 50; ++i) {
     growth.push_back(std::exp(i / 3.0));
     step[static_cast<std::size_t>(i)] = i < 25 ? 0 : 1;
     lattice.push_back(i % 2);
+    saw.push_back((i * 7919) % 13);
   }
-  for (const auto& data : {growth, step, lattice, std::vector<double>{1, 2}, std::vector<double>(9, 4)})
+  for (const auto& data : {growth, step, lattice, saw, std::vector<double>{1, 2}, std::vector<double>(9, 4)})
     CHECK(count_outliers(data) == 0);
-  step[7] = 1e6;
+  // At an end, and beside a missing datum.
+  CHECK(count_outliers({1, 99, 1, 2, 1, 3, 2, 1, 2, 1, 3, 1}) == 1);
   CHECK(count_outliers({1, 2, 1, 2, 9e9, 2, 1, 2, 1, 3, 1}, {1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1}) == 0);
 }
 
@@ -298,6 +300,10 @@ TEST_CASE("what robust methods cannot do is said") {
   CHECK_FAILS(smooth(few, "l1:points=6", {}), data);
   CHECK_FAILS(smooth(few, "l1:points=4", {Boundary::nearest}), domain);
   CHECK_FAILS(smooth(few, "l1:points=4", {Boundary::regression, 0, 1}), domain);
+  Samples known = few;
+  known.noise = 0.1;
+  CHECK_FAILS(smooth(known, "l1:points=4", {}), domain);
+  CHECK_FAILS(smooth(known, "local:points=4,robust=1", {}), domain);
   Samples coarse = few;
   coarse.spacing = 3;
   CHECK_FAILS(smooth(coarse, "l1:points=4", {}), data);

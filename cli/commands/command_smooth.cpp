@@ -26,12 +26,11 @@ void remark_on_outliers(const SmoothOptions& options, const data::NamedSamples& 
                         const data::SmoothedSamples& result) {
   for (std::size_t c = 0; c < result.columns.size(); ++c)
     if (const std::size_t count = result.columns[c].outliers; count > 0)
-      options.remark(
-          fmt::format("{}{}: {} outlier{} (more than six deviations from both neighbours) move{} this fit, its bands "
-                      "and the choice "
-                      "of its window; --scheme local:d=1,robust=3 leaves them out",
-                      samples.names[c], samples.group.empty() ? "" : " of " + samples.group, count,
-                      count == 1 ? "" : "s", count == 1 ? "s" : ""));
+      options.remark(fmt::format(
+          "{}{}: {} this fit, its bands and the choice of its window (more than six deviations from both neighbours); "
+          "--scheme local:d=1,robust=3 leaves {} out",
+          samples.names[c], samples.group.empty() ? "" : " of " + samples.group,
+          count == 1 ? "1 outlier moves" : fmt::format("{} outliers move", count), count == 1 ? "it" : "them"));
 }
 
 /// What data-dependent schemes cannot do.

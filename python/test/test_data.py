@@ -148,6 +148,25 @@ def savitzky_golay(y, half, degree):
     return numpy.array([numpy.polyval(fit, i - c) for i, (fit, c) in enumerate(zip(fits, centres))])
 
 
+def test_robust_smoothing():
+    random = numpy.random.default_rng(8)
+    x = numpy.sort(random.uniform(0, 10, 300))
+    y = numpy.sin(x) + 0.1 * random.normal(size=300)
+    y[::10] += 5
+    with pytest.warns(UserWarning, match="outliers move this fit; scheme='local:d=1,robust=3' leaves them out"):
+        plain = subcert.smooth(y, x, irregular=True, at="data")
+    assert plain.outliers > 20 and plain.bands_method == "linear"
+    for scheme, resamples, method in (("local:d=1,robust=3", 0, "sandwich"), ("l1:points=12,iterations=20", 50, "bootstrap")):
+        robust = subcert.smooth(y, x, irregular=True, at="data", scheme=scheme, resamples=resamples)
+        assert abs(robust.values - numpy.sin(x)).mean() < 0.06 < abs(plain.values - numpy.sin(x)).mean()
+        assert robust.bands_method == method and (robust.lower < robust.upper).all()
+    crossed = subcert.smooth(numpy.sin(x), x, irregular=True, at="data", select="cv", derivative=1, bands=0)
+    assert abs(crossed.values - numpy.cos(x))[20:-20].max() < 0.2
+    for bad in ({"select": "best"}, {"resamples": 1}, {"scheme": "local:points=9,robust=1", "kind": "prediction"}):
+        with pytest.raises(subcert.Error):
+            subcert.smooth(y, **bad)
+
+
 def test_smoothing_refuses():
     y = numpy.zeros(50)
     with pytest.raises(subcert.DataError, match="uniform"):

@@ -145,14 +145,21 @@ class LocalSmoother::Rows : public RowMaker<Number> {
   }
 
  private:
-  RowOf<Number> inner_row(const std::vector<Number>& fit) const {
+  RowOf<Number> inner_row(std::vector<Number>& fit) const {
     RowOf<Number> row;
     row.first = static_cast<std::size_t>(indices_.front());
-    row.weights.assign(static_cast<std::size_t>(indices_.back() - indices_.front()) + 1, Number(0));
-    for (std::size_t k = 0; k < fit.size(); ++k) {
-      row.weights[static_cast<std::size_t>(indices_[k]) - row.first] = fit[k];
-      row.variance += fit[k] * fit[k] / smoother_.prior_weight<Number>(indices_[k]);
+    const auto length = static_cast<std::size_t>(indices_.back() - indices_.front()) + 1;
+    row.variance = regression_fit::sum_of<Number>(fit.size(), [&](std::size_t k) {
+      Number square = fit[k] * fit[k];
+      return smoother_.data().weighted() ? Number(square / smoother_.prior_weight<Number>(indices_[k])) : square;
+    });
+    if (length == fit.size()) {
+      row.weights = std::move(fit);
+      return row;
     }
+    row.weights.assign(length, Number(0));
+    for (std::size_t k = 0; k < fit.size(); ++k)
+      row.weights[static_cast<std::size_t>(indices_[k]) - row.first] = fit[k];
     return row;
   }
 

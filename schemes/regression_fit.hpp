@@ -6,10 +6,29 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace subcert::regression_fit {
+
+/// The sum of term(i) over i < count; of doubles in four parts side by side, which processors add at once.
+template <class Number, class Term>
+Number sum_of(std::size_t count, const Term& term) {
+  if constexpr (std::is_same_v<Number, double>) {
+    constexpr std::size_t lanes = 4;
+    double parts[lanes] = {};
+    const std::size_t whole = count - count % lanes;
+    for (std::size_t i = 0; i < whole; i += lanes)
+      for (std::size_t k = 0; k < lanes; ++k) parts[k] += term(i + k);
+    for (std::size_t i = whole; i < count; ++i) parts[i - whole] += term(i);
+    return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+  } else {
+    Number sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += term(i);
+    return sum;
+  }
+}
 
 /// Calls take(scale, values) for each polynomial P_k of regression_terms() in local_regression.hpp, whose term is scale
 /// times its values at the nodes. Domain: distinct nodes, norms that are not zero.
@@ -21,26 +40,21 @@ void for_terms(const std::vector<Node>& nodes, const std::vector<Number>& weight
   const int last = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(degree), m - 1));
   // Monic orthogonal polynomials by Stieltjes' recurrence P_{k+1} = (t - alpha) P_k - beta P_{k-1}, carried as their
   // values at the nodes, and at x with their derivatives up to `order`.
-  std::vector<Number> previous(m, Number(0)), current(m, Number(1));
+  std::vector<Number> previous(m, Number(0)), current(m, Number(1)), squares(m, Number(1));
   std::vector<Number> previous_x(order + 1, Number(0)), current_x = previous_x;
   current_x[0] = 1;
   Number previous_norm = 1;
   for (int k = 0;; ++k) {
-    Number norm = 0, moment = 0;
-    for (std::size_t i = 0; i < m; ++i) {
-      Number square = current[i] * current[i];
-      if (!weights.empty()) square *= weights[i];
-      norm += square;
-      moment += square * Number(nodes[i]);
-    }
+    for (std::size_t i = 0; i < m; ++i) squares[i] = current[i] * current[i];
+    if (!weights.empty())
+      for (std::size_t i = 0; i < m; ++i) squares[i] *= weights[i];
+    const auto norm = sum_of<Number>(m, [&](std::size_t i) -> const Number& { return squares[i]; });
     take(Number(current_x[order] / norm), current);
     if (k == last) return;
-    const Number alpha = moment / norm;
+    const Number alpha = sum_of<Number>(m, [&](std::size_t i) { return Number(squares[i] * Number(nodes[i])); }) / norm;
     const Number beta = k == 0 ? Number(0) : Number(norm / previous_norm);
-    for (std::size_t i = 0; i < m; ++i) {
-      previous[i] = (Number(nodes[i]) - alpha) * current[i] - beta * previous[i];
-      std::swap(previous[i], current[i]);
-    }
+    for (std::size_t i = 0; i < m; ++i) previous[i] = (Number(nodes[i]) - alpha) * current[i] - beta * previous[i];
+    std::swap(previous, current);
     for (std::size_t r = order + 1; r-- > 0;) {
       previous_x[r] = (x - alpha) * current_x[r] - beta * previous_x[r];
       if (r > 0) previous_x[r] += Number(static_cast<int>(r)) * current_x[r - 1];

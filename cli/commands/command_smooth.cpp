@@ -12,16 +12,30 @@ namespace subcert::cli {
 namespace {
 
 data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples) {
-  const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
-                                   options.constant, options.at == "data"};
+  data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
+                             options.constant, options.at == "data"};
+  how.path = options.kind() == data::BandKind::simultaneous;
+  if (options.select == "cv") how.selection = data::Selection::cross_validation;
+  if (options.requested_bands.value_or(0) != 0) how.resamples = bootstrap_drawings;
+  how.seed = options.seed;
   return smooth(samples, options.scheme, how, options.threads());
 }
 
+/// Where data are as no linear method takes them well, what does.
+void remark_on_outliers(const SmoothOptions& options, const data::NamedSamples& samples,
+                        const data::SmoothedSamples& result) {
+  for (std::size_t c = 0; c < result.columns.size(); ++c)
+    if (const std::size_t count = result.columns[c].outliers; count > 0)
+      options.remark(fmt::format(
+          "{}{}: {} this fit, its bands and the choice of its window (more than six deviations from both neighbours); "
+          "--scheme local:d=1,robust=3 leaves {} out",
+          samples.names[c], samples.group.empty() ? "" : " of " + samples.group,
+          count == 1 ? "1 outlier moves" : fmt::format("{} outliers move", count), count == 1 ? "it" : "them"));
+}
+
 /// What data-dependent schemes cannot do.
-void require_linear(const SmoothOptions& options) {
+void require_l1(const SmoothOptions& options) {
   const std::string scheme = make_l1_scheme(options.scheme).specification;
-  if (options.requested_bands.value_or(0) != 0)
-    fail(ErrorKind::usage, "--bands needs a linear scheme; {} is none", scheme);
   if (options.kind() != data::BandKind::pointwise)
     fail(ErrorKind::usage, "--bands-kind {} needs a linear scheme; {} is none", options.bands_kind, scheme);
   if (options.boundary == "nearest" || options.boundary == "constant")
@@ -67,12 +81,22 @@ void smooth_stream(const SmoothOptions& options, const std::optional<double>& no
   });
 }
 
+/// Whether all data have one weight and a uniform grid.
+bool are_even(const std::vector<data::NamedSamples>& groups) {
+  return std::ranges::all_of(
+      groups, [](const data::NamedSamples& samples) { return samples.uniform() && samples.weights.empty(); });
+}
+
 ExitCode run(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
   if (options.kind() == data::BandKind::prediction && options.derivative > 0)
     fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
-  if (is_l1_specification(options.scheme)) require_linear(options);
+  if (is_l1_specification(options.scheme)) require_l1(options);
+  if (options.kind() == data::BandKind::prediction && data::is_local_specification(options.scheme) &&
+      data::make_local_polynomial(options.scheme).robust > 0)
+    fail(ErrorKind::usage,
+         "--bands-kind prediction: a new datum may be an outlier, of which robust steps know nothing");
   std::optional<Rational> noise;
   if (!options.noise.empty() && (!(noise = parse_number(options.noise)) || *noise <= 0))
     fail(ErrorKind::usage, "--noise {}: expected a standard deviation > 0", options.noise);
@@ -85,13 +109,16 @@ ExitCode run(const SmoothOptions& options) {
   }
   std::vector<data::NamedSamples> groups = data::read_samples(options.samples);
   if (is_l1_specification(options.scheme))
-    for (const std::string& line : data::remarks(make_l1_scheme(options.scheme))) options.remark(line);
+    for (const std::string& line : data::remarks(make_l1_scheme(options.scheme), are_even(groups)))
+      options.remark(line);
   std::vector<std::unique_ptr<SmoothPage>> pages;
   for (data::NamedSamples& samples : groups) {
     for (const std::string& line : samples.remarks) options.remark(line);
     if (noise) samples.noise = data::nearest_double(*noise);
     try {
-      pages.push_back(std::make_unique<SmoothPage>(options, samples, smoothed(options, samples)));
+      data::SmoothedSamples result = smoothed(options, samples);
+      remark_on_outliers(options, samples, result);
+      pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::data) throw;
       fail(ErrorKind::data, "{}{}: {}{}", options.samples.name(),
@@ -120,7 +147,10 @@ void add_smooth(Command& app) {
       .required();
   command.option("--scheme", options->scheme, "Scheme specification, also local:... and l1:...")
       .suggest(suggested_schemes);
-  command.flag("--auto", options->automatic, "Choose the scheme from noise and bias (the default)");
+  command.flag("--auto", options->automatic, "Choose the method from noise and bias (the default)");
+  command.option("--select", options->select, "By what: the estimated error, or cross-validation")
+      .one_of({"risk", "cv"})
+      .with_default();
   command.option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
   command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
   command.option("--weights", options->samples.weights,

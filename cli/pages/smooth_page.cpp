@@ -30,21 +30,18 @@ Json choice_json(const std::optional<data::MethodChoice>& choice) {
   if (!choice) return nullptr;
   Json candidates = Json::array();
   for (const data::SmoothingCandidate& candidate : choice->candidates) candidates.push_back(risk_json(candidate));
-  return {{"chosen", risk_json(choice->candidates[choice->chosen])}, {"candidates", candidates}};
+  return {{"chosen", candidates.front()}, {"candidates", candidates}};
 }
 
-/// The scheme chosen, and the two best others.
-std::string choice_text(const data::MethodChoice& choice) {
+/// The method chosen, and the two best others.
+std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& options) {
   std::string text = fmt::format(
-      "# chosen for the smallest estimated mean squared error at the data, of {} schemes{}\n", choice.candidates.size(),
-      choice.chosen == 0 ? "" : ", among those with continuous derivatives of this order");
-  text += risk_line(choice.candidates[choice.chosen]);
+      "# chosen for the smallest estimated mean squared error{} at the data{}, of {} methods\n",
+      options.derivative > 0 ? " of the derivative" : "", options.select == "cv" ? ", by cross-validation" : "",
+      choice.candidates.size());
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, choice.candidates.size()); ++i)
+    text += risk_line(choice.candidates[i]);
   if (choice.widest_tried()) text += "#   more points were not tried for this degree\n";
-  for (std::size_t i = 0, shown = 0; i < choice.candidates.size() && shown < 2; ++i)
-    if (i != choice.chosen) {
-      text += risk_line(choice.candidates[i]);
-      ++shown;
-    }
   return text;
 }
 
@@ -56,10 +53,22 @@ std::string covered_text(data::BandKind kind) {
   }
 }
 
-std::string noise_line(const std::string& column, const data::NoiseEstimate& noise) {
+std::string band_method_text(data::BandMethod method) {
+  switch (method) {
+    case data::BandMethod::sandwich: return ", by the sandwich formula";
+    case data::BandMethod::bootstrap:
+      return fmt::format(", by {} drawings of the residuals (bootstrap)", bootstrap_drawings);
+    default: return "";
+  }
+}
+
+std::string noise_line(const std::string& column, const data::NoiseEstimate& noise, data::BandMethod method) {
   if (std::isinf(noise.degrees_of_freedom))
     return fmt::format("# noise of {}: standard deviation {:.6g}, as given\n", column, std::sqrt(noise.variance));
   if (!noise.exists()) return "# noise of " + column + ": not estimated, there are no three neighbouring data\n";
+  if (method != data::BandMethod::linear)
+    return fmt::format("# noise of {}: standard deviation {:.6g} from {} residuals, without outliers\n", column,
+                       std::sqrt(noise.variance), noise.terms);
   return fmt::format("# noise of {}: standard deviation {:.6g} from {} second differences, {:.6g} degrees of freedom\n",
                      column, std::sqrt(noise.variance), noise.terms, noise.degrees_of_freedom);
 }
@@ -139,7 +148,8 @@ Json SmoothPage::json() const {
                        {"sigma", std::sqrt(estimate->variance)},
                        {"degrees_of_freedom",
                         std::isinf(estimate->degrees_of_freedom) ? Json() : Json(estimate->degrees_of_freedom)},
-                       {"terms", estimate->terms}});
+                       {"terms", estimate->terms},
+                       {"outliers", result.columns[c].outliers}});
   for (std::size_t o = 0; o < result.positions.size(); ++o) {
     Json& row = rows.emplace_back(Json::array());
     for (const data::TableColumn& column : table)
@@ -157,6 +167,7 @@ Json SmoothPage::json() const {
                  {"noise", noise},
                  {"bands", bands ? Json(options.bands()) : Json()},
                  {"bands_kind", bands ? Json(options.bands_kind) : Json()},
+                 {"bands_method", bands ? Json(to_text(result.band_method)) : Json()},
                  {"columns", header},
                  {"rows", rows}};
   if (!options.samples.by.empty()) answer["group"] = samples.group;
@@ -172,17 +183,16 @@ void SmoothPage::write_comments(std::ostream& stream) const {
              << "\n";
     stream << "# scheme " << result.method << ", boundary " << options.boundary
            << (options.derivative > 0 ? ", derivative " + std::to_string(options.derivative) : "") << "\n";
-    if (result.choice) stream << choice_text(*result.choice);
+    if (result.choice) stream << choice_text(*result.choice, options);
     for (std::size_t c = 0; c < result.columns.size(); ++c)
       if (const auto& estimate = result.columns[c].noise; estimate && (estimate->exists() || !options.stream))
-        stream << noise_line(samples.names[c], *estimate);
+        stream << noise_line(samples.names[c], *estimate, result.band_method);
     if (bands)
-      stream << fmt::format("# bands: {:.6g} % {}; the bias is not in them\n", 100 * options.bands(),
-                            covered_text(options.kind()));
-    if (!result.columns.front().noise)
-      stream << fmt::format(
-          "# values {} levels below the output grid, interpolated; no bands, as the scheme is not linear\n",
-          data::finer_levels);
+      stream << fmt::format("# bands: {:.6g} % {}{}; the bias is not in them\n", 100 * options.bands(),
+                            covered_text(options.kind()), band_method_text(result.band_method));
+    if (result.band_method == data::BandMethod::bootstrap)
+      stream << fmt::format("# values {} levels below the output grid, interpolated{}\n", data::finer_levels,
+                            bands ? "" : "; no bands, which --bands draws");
   }
 }
 

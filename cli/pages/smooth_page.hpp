@@ -10,11 +10,15 @@
 
 namespace subcert::cli {
 
+/// For the bands of l1 schemes.
+constexpr int bootstrap_drawings = 200;
+
 struct SmoothOptions : CommonOptions {
   data::SampleOptions samples;
   std::string noise;  ///< its standard deviation, where it is known
   std::string scheme;
   bool automatic = false;
+  std::string select = "risk";
   std::string boundary = data::smoothing_boundary_names().front();
   double constant = 0;
   std::optional<double> requested_bands;

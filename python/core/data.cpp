@@ -148,7 +148,7 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
                 const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
                 const std::string& boundary, double constant, int level, int derivative, double bands,
                 const std::string& kind_name, bool irregular, const std::string& at, const std::optional<double>& noise,
-                int jobs, const py::object& progress) {
+                const std::string& select, int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
@@ -170,11 +170,25 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
     samples.drop_missing();
     std::erase_if(order.rows, missing);
   }
-  const data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant, at == "data"};
+  if (select != "risk" && select != "cv") fail(ErrorKind::usage, "select: expected risk or cv, got '{}'", select);
+  require(resamples == 0 || (resamples >= 2 && resamples <= 100'000),
+          "smooth: need 2 <= resamples <= 100000, or 0, got {}", resamples);
+  data::SmoothingOptions options{boundary_of(boundary), level, derivative, constant, at == "data"};
+  options.path = *kind == data::BandKind::simultaneous;
+  if (select == "cv") options.selection = data::Selection::cross_validation;
+  options.resamples = resamples;
+  options.seed = seed;
   data::SmoothedSamples smoothed = interruptible(
       progress, [&] { return data::smooth(samples, std::string_view(scheme), options, jobs); });
+  require(*kind == data::BandKind::pointwise || smoothed.band_method != data::BandMethod::bootstrap,
+          "smooth: bands of l1 schemes are pointwise");
+  require(*kind != data::BandKind::prediction || smoothed.band_method == data::BandMethod::linear,
+          "smooth: a new datum may be an outlier, of which robust steps know nothing");
   if (x) restore_order(smoothed, order, at == "data");
+  const std::size_t outliers = smoothed.columns.front().outliers;
   py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, *kind);
+  answer["outliers"] = outliers;
+  if (answer.contains("lower")) answer["bands_method"] = to_text(smoothed.band_method);
   answer["x"] = array_of(std::move(smoothed.positions));
   answer["scheme"] = smoothed.method;
   std::vector<std::pair<std::string, double>> candidates;

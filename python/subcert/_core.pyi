@@ -142,6 +142,9 @@ def smooth(
     irregular: bool,
     at: str,
     noise: Optional[float],
+    select: str,
+    resamples: int,
+    seed: int,
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...

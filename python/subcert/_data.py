@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import warnings
 from fractions import Fraction
 from typing import Any, Optional, Sequence, Union
 
@@ -68,6 +69,10 @@ class Smoothed:
     noise_variance: Optional[float] = None
     candidates: tuple[tuple[str, float], ...] = ()
     """Of the choice by estimated error: schemes with their expected squared error, the smallest first."""
+    outliers: int = 0
+    """Data that stand out so far that no linear method takes them well; robust ones do."""
+    bands_method: Optional[str] = None
+    """What the bands are computed from: linear, sandwich or bootstrap."""
 
     def plot(self, ax: Any = None) -> Any:
         """Draws values and band, and returns the axes of matplotlib."""
@@ -91,6 +96,9 @@ def smooth(
     irregular: bool = False,
     at: str = "grid",
     noise: Optional[float] = None,
+    select: str = "risk",
+    resamples: int = 0,
+    seed: int = 2015,
     jobs: Optional[int] = None,
     progress: Progress = None,
 ) -> Smoothed:
@@ -104,7 +112,9 @@ def smooth(
     missing. `bands`: level of the confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected
     value of the limit, or prediction, for a new datum. `level`: values at the multiples of arity^-level of the
     spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard deviation, where it is known.
-    `boundary`: interp, mirror, nearest, constant or wrap. Raises DataError for samples that cannot be smoothed,
+    `select`: by what the method is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of
+    l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest,
+    constant or wrap. Where outliers move a linear fit a UserWarning names the method that leaves them out. Raises DataError for samples that cannot be smoothed,
     DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
@@ -139,8 +149,15 @@ def smooth(
         irregular,
         at,
         noise,
+        select,
+        resamples,
+        seed,
         _jobs(jobs),
         progress,
     )
+    if facts["outliers"]:
+        warnings.warn(
+            f"{facts['outliers']} outliers move this fit; scheme='local:d=1,robust=3' leaves them out", stacklevel=2
+        )
     facts["candidates"] = tuple(facts["candidates"])
     return Smoothed(**facts)

@@ -6,9 +6,10 @@
 
 namespace subcert::data {
 
-std::vector<std::string> remarks(const DataDependentScheme& scheme) {
+std::vector<std::string> remarks(const DataDependentScheme& scheme, bool even) {
   std::vector<std::string> lines;
-  if (!scheme.choice.empty()) lines.push_back(scheme.choice);
+  if (!scheme.choice.empty())
+    lines.push_back(scheme.choice + (even ? "" : "; proved for uniform data of one weight, which these are not"));
   if (!scheme.rules.options.exact) return lines;
   const int points = scheme.rules.points[0], degree = scheme.rules.degree;
   constexpr std::size_t few = 500;  // pieces

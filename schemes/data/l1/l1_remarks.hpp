@@ -8,8 +8,8 @@
 
 namespace subcert::data {
 
-/// Lines: what the program chose, fits that are not unique, limits that are discontinuous, data that are left out.
-/// Cost: milliseconds.
-std::vector<std::string> remarks(const DataDependentScheme& scheme);
+/// Lines: what the program chose, fits that are not unique, limits that are discontinuous, data that are left out;
+/// `even`: for uniform data of one weight, of which what is said is proved. Cost: milliseconds.
+std::vector<std::string> remarks(const DataDependentScheme& scheme, bool even = true);
 
 }  // namespace subcert::data

@@ -188,9 +188,77 @@ class LinearSmoother::PathLength {
 
 SmoothedData LinearSmoother::apply(const std::vector<double>& data) const { return apply(data, 0, spacings()); }
 
+double LinearSmoother::rounded_position(std::size_t output) const {
+  if (options_.at_data) return data_.position(static_cast<long>(output));
+  return static_cast<double>(output) / static_cast<double>(scale_);
+}
+
+std::vector<std::size_t> LinearSmoother::vertices() const {
+  std::vector<std::size_t> result;
+  const auto add = [&](std::size_t output) {
+    if (stride() == 1 || result.empty() || rounded_position(output) > rounded_position(result.back()))
+      result.push_back(output);
+  };
+  for (std::size_t o = 0; o + 1 < outputs_; o += stride() == 1 ? 1 : stride() * scale_) add(o);
+  add(outputs_ - 1);
+  return result;
+}
+
+std::vector<double> LinearSmoother::between(const std::vector<std::size_t>& vertices,
+                                            const std::vector<double>& values) const {
+  if (stride() == 1) return values;
+  constexpr std::size_t points = 4;
+  const std::size_t used = std::min(points, vertices.size());
+  std::vector<double> result(outputs_);
+  std::size_t first = 0;
+  for (std::size_t o = 0; o < outputs_; ++o) {
+    const double x = rounded_position(o);
+    while (first + used < vertices.size() && rounded_position(vertices[first + 2]) < x) ++first;
+    for (std::size_t i = 0; i < used; ++i) {
+      double weight = values[first + i];
+      const double at = rounded_position(vertices[first + i]);
+      for (std::size_t j = 0; j < used; ++j)
+        if (const double other = rounded_position(vertices[first + j]); j != i) weight *= (x - other) / (at - other);
+      result[o] += weight;
+    }
+  }
+  return result;
+}
+
+SmoothedData LinearSmoother::apply_sparsely(const std::vector<double>& data) const {
+  const std::unique_ptr<RowMaker<double>> maker = row_maker();
+  const std::vector<std::size_t> made = vertices();
+  SmoothedData at_vertices;
+  RoundedRow interior;
+  std::size_t made_at = 0;
+  for (const std::size_t output : made) {
+    const std::size_t whole = output / scale_;
+    const bool inside = output % scale_ == 0 && same_weight_until_.empty() && interior_end(whole) > whole;
+    if (inside && interior.weights.empty()) {
+      interior = maker->row(output);
+      made_at = whole;
+    }
+    const RoundedRow row = inside ? RoundedRow{} : maker->row(output);
+    const RoundedRow& used = inside ? interior : row;
+    const std::size_t first = used.first + (inside ? whole - made_at : 0), own = whole - first;
+    double sum = used.outside * options_.constant;
+    for (std::size_t k = 0; k < used.weights.size(); ++k) sum += used.weights[k] * data[first + k];
+    at_vertices.values.push_back(sum);
+    at_vertices.variances.push_back(used.variance);
+    at_vertices.leverages.push_back(own < used.weights.size() ? used.weights[own] : 0);
+  }
+  SmoothedData result{between(made, at_vertices.values), between(made, at_vertices.variances), {}};
+  if (data_.uniform() || options_.at_data) {
+    const std::vector<double> leverages = between(made, at_vertices.leverages);
+    for (std::size_t o = 0; o < outputs_; o += scale_) result.leverages.push_back(leverages[o]);
+  }
+  return result;
+}
+
 SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t begin, std::size_t end) const {
   require(data.size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data.size());
   require(begin <= end && end <= spacings(), "smoothing: need spacings up to {}, got {} to {}", spacings(), begin, end);
+  if (stride() > 1 && begin == 0 && end == spacings()) return apply_sparsely(data);
   const std::size_t before = begin * scale_, made = std::min(end * scale_, outputs_) - before;
   SmoothedData result{std::vector<double>(made), std::vector<double>(made), {}};
   const bool at_data = data_.uniform() || options_.at_data;
@@ -206,7 +274,7 @@ SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t 
       if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + k];
     result.values[output - before] = sum;
     result.variances[output - before] = row.variance;
-    path.go_to(row, 0);
+    if (options_.path) path.go_to(row, 0);
     if (at_data && output % scale_ == 0) result.leverages[output / scale_ - begin] = leverage(row, output / scale_, 0);
   };
   // Positions that are computed phase by phase, so that sums and rows stay in the nearest cache.
@@ -225,7 +293,7 @@ SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t 
       }
       interleave(parts.data(), block, scale_, size, 1, result.values.data() + first * scale_ - before);
     }
-    path.go_through(rows, shift, to - from);
+    if (options_.path) path.go_through(rows, shift, to - from);
     double* variance = result.variances.data() + from * scale_ - before;
     for (std::size_t whole = from; whole < to; ++whole) {
       for (const RoundedRow& row : rows) *variance++ = row.variance;

@@ -3,6 +3,7 @@
 
 #include "extension.hpp"
 
+#include <cstdint>
 #include <memory>
 
 namespace subcert::data {
@@ -13,12 +14,20 @@ constexpr std::size_t most_smoothed_values = 4'000'000;
 /// The multiples of 1 / scale from 0 to `length`. Errors: throws a size error beyond most_smoothed_values.
 std::size_t count_outputs(double length, std::size_t scale);
 
+/// By what a method is chosen: the estimated error, or the squared errors of predicting each datum from the others.
+enum class Selection { risk, cross_validation };
+
 struct SmoothingOptions {
   Boundary boundary = Boundary::regression;
-  int level = 0;         ///< outputs at the multiples of arity^-level of the spacing
-  int derivative = 0;    ///< with respect to the index of the data
-  double constant = 0;   ///< beyond the ends, for Boundary::constant
-  bool at_data = false;  ///< outputs at the data, whatever the level
+  int level = 0;                          ///< outputs at the multiples of arity^-level of the spacing
+  int derivative = 0;                     ///< with respect to the index of the data
+  double constant = 0;                    ///< beyond the ends, for Boundary::constant
+  bool at_data = false;                   ///< outputs at the data, whatever the level
+  bool path = true;                       ///< whether SmoothedData::path is wanted
+  bool sparse = true;                     ///< whether wide windows may be fitted at some outputs alone, unless `path`
+  Selection selection = Selection::risk;  ///< where no method is named
+  int resamples = 0;                      ///< for bands of l1 schemes, 2 or more; 0: no bands
+  std::uint64_t seed = 2015;              ///< of what is drawn for these
 };
 
 /// The value, or a derivative, at one position: a combination of the data.
@@ -58,10 +67,12 @@ class LinearSmoother {
   /// All rows, composed in double precision; equal rows are made once. Errors: as row(). Cost: as apply().
   std::vector<RoundedRow> rounded_rows() const;
 
-  /// All rows on the data, composed and applied in double precision. Errors: as row(). Cost: outputs times the width of
-  /// a row.
+  /// All rows on the data, composed and applied in double precision; of local polynomials with windows of more than
+  /// 2048 data, unless the weight is box, at 128 places of a window, and interpolated between these. Errors: as row().
+  /// Cost: outputs times the width of a row; then 128 times the data.
   SmoothedData apply(const std::vector<double>& data) const;
-  /// The same for the outputs of the spacings begin, ..., end - 1 alone. Domain: begin <= end <= spacings().
+  /// The same for the outputs of the spacings begin, ..., end - 1 alone; of some of them none are interpolated. Domain:
+  /// begin <= end <= spacings().
   SmoothedData apply(const std::vector<double>& data, std::size_t begin, std::size_t end) const;
   /// One more than the number of whole spacings between the ends: the last has one output. Outputs at the data: as many
   /// as data.
@@ -87,6 +98,14 @@ class LinearSmoother {
   };
   virtual std::unique_ptr<RowMaker<double>> row_maker() const = 0;
 
+  /// How many data one output is made for, where what lies between is so smooth that it may be interpolated; else 1.
+  virtual std::size_t stride() const { return 1; }
+  /// Every stride-th output at different positions, and the last; all where the stride is 1.
+  std::vector<std::size_t> vertices() const;
+  /// The values at all outputs, from those at the vertices by cubic interpolation. Domain: as many as vertices.
+  std::vector<double> between(const std::vector<std::size_t>& vertices, const std::vector<double>& values) const;
+  double rounded_position(std::size_t output) const;
+
   const SmoothingOptions& options() const { return options_; }
   const ExtendedData& data() const { return data_; }
   /// The prior weight of an index inside or outside, 1 where none are given.
@@ -99,6 +118,7 @@ class LinearSmoother {
  private:
   class PathLength;
   std::size_t interior_end(std::size_t whole) const;
+  SmoothedData apply_sparsely(const std::vector<double>& data) const;
   /// Calls one(row, output), or many(rows, shift, begin, end) for the outputs of the spacings begin, ..., end - 1:
   /// rows[phase] acts on the data from its `first` + shift on at `begin`, and one further for each spacing; in order.
   template <class One, class Many>

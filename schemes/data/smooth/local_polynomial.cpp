@@ -2,16 +2,18 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/local_regression.hpp>
+#include <subcert/schemes/regression_fit.hpp>
 #include <subcert/schemes/specification_text.hpp>
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace subcert::data {
@@ -23,7 +25,11 @@ using specification_text::Piece;
 using specification_text::read_integer;
 
 constexpr std::string_view family_name = "local";
-constexpr long most_points = 10'000;
+constexpr long most_points = 10'000'000;
+constexpr double most_exact_window = 2048, most_exact_robust_window = 128;
+constexpr std::size_t vertices_in_window = 128, robust_vertices_in_window = 64;
+constexpr std::size_t outputs_per_thread = 512;
+constexpr long most_robust_steps = 100;
 
 const std::vector<std::string>& weight_names() {
   static const std::vector<std::string> names{"box", "triangle", "epanechnikov", "biweight", "tricube"};
@@ -31,25 +37,10 @@ const std::vector<std::string>& weight_names() {
 }
 
 std::string usage() {
-  return fmt::format("local:points=21,d=1,weight=tricube; or width=0.5 in place of points, or neither; weight is {}",
-                     fmt::join(weight_names(), ", "));
-}
-
-template <class Number>
-Number weight_at(LocalWeight weight, const Number& u) {
-  Number one = 1;
-  switch (weight) {
-    case LocalWeight::box: return one;
-    case LocalWeight::triangle: return one - u;
-    case LocalWeight::epanechnikov: return one - u * u;
-    case LocalWeight::biweight: {
-      const Number root = one - u * u;
-      return root * root;
-    }
-    case LocalWeight::tricube: break;
-  }
-  const Number root = one - u * u * u;
-  return root * root * root;
+  return fmt::format(
+      "local:points=21,d=1,weight=tricube; or width=0.5 in place of points, or neither; weight is {}; robust=3 for "
+      "bisquare steps",
+      fmt::join(weight_names(), ", "));
 }
 
 /// The data that windows about 0 <= position < 1 may reach on uniform data: no fewer than they do.
@@ -66,7 +57,8 @@ std::string to_text(const LocalPolynomial& method) {
   text += ":";
   if (method.points > 0) text += fmt::format("points={},", method.points);
   if (method.width > 0) text += "width=" + shortest_text(method.width) + ",";
-  return text + fmt::format("d={},weight={}", method.degree, weight_names()[static_cast<std::size_t>(method.weight)]);
+  text += fmt::format("d={},weight={}", method.degree, weight_names()[static_cast<std::size_t>(method.weight)]);
+  return method.robust > 0 ? text + fmt::format(",robust={}", method.robust) : text;
 }
 
 bool is_local_specification(std::string_view specification) {
@@ -94,6 +86,8 @@ LocalPolynomial make_local_polynomial(std::string_view specification) {
     if (found == weight_names().end()) fail(*piece, fmt::format("one of {}", fmt::join(weight_names(), ", ")));
     method.weight = static_cast<LocalWeight>(found - weight_names().begin());
   }
+  if (const auto piece = fields.optional("robust"))
+    method.robust = static_cast<int>(read_integer(*piece, "robust", 0, most_robust_steps));
   fields.finish();
   return method;
 }
@@ -101,85 +95,33 @@ LocalPolynomial make_local_polynomial(std::string_view specification) {
 LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, const SmoothingOptions& options)
     : LinearSmoother({options.boundary, 1, 0}, std::move(sites), options, std::size_t{1} << options.level,
                      reach_of(method)),
-      method_(method) {
-  require(method.is_complete(), "smoothing: need points or a width for local polynomials");
+      method_(method),
+      windows_(data(), options.boundary, method) {
   require(options.derivative <= method.degree, "derivative {}: polynomials of degree {} have none", options.derivative,
           method.degree);
-  repeated_ = std::ranges::adjacent_find(data().sites().positions) != data().sites().positions.end();
   std::size_t present = 0;
   for (std::size_t i = 0; i < data().count(); ++i) present += data().is_present(static_cast<long>(i)) ? 1 : 0;
   if (method.points > present)
     fail(ErrorKind::data, "expected at least {} data for {}; found {}", method.points, to_text(method), present);
 }
 
-LocalSmoother::Window LocalSmoother::window_at(double position) const {
-  const bool ends = options().boundary == Boundary::regression;
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const auto distance = [&](long index) {
-    return ends && !data().is_inside(index) ? none : std::abs(data().position(index) - position);
-  };
-  const auto start = static_cast<long>(std::floor(data().index_at(position)));
-  Window window{position, start + 1, start, method_.width};  // empty
-  double left = distance(window.first - 1), right = distance(window.last + 1);
-  const auto take_nearer = [&] {
-    const bool before = left <= right;
-    const long taken = before ? --window.first : ++window.last;
-    (before ? left : right) = distance(before ? taken - 1 : taken + 1);
-    return taken;
-  };
-  if (method_.points > 0) {
-    window.radius = 0;
-    for (std::size_t found = 0; found < method_.points;) {
-      const double nearer = std::min(left, right);
-      if (data().is_present(take_nearer())) {
-        ++found;
-        window.radius = nearer;
-      }
-    }
-  }
-  while (std::min(left, right) <= window.radius) take_nearer();
-  // Data at one position are one condition on the polynomial: then the window grows until it has enough others.
-  while (repeated_ && method_.points > 0 && !determines(window) && std::min(left, right) < none) {
-    window.radius = std::min(left, right);
-    while (std::min(left, right) <= window.radius) take_nearer();
-  }
-  return window;
+std::size_t LocalSmoother::stride() const {
+  if (options().path || !options().sparse || method_.weight == LocalWeight::box) return 1;
+  double points = static_cast<double>(method_.points);
+  if (points == 0 && data().uniform()) points = std::min(2 * method_.width, static_cast<double>(most_points));
+  const bool robust = method_.robust > 0;
+  if (!(points > (robust ? most_exact_robust_window : most_exact_window))) return 1;
+  return static_cast<std::size_t>(points) / (robust ? robust_vertices_in_window : vertices_in_window);
 }
 
-bool LocalSmoother::determines(const Window& window) const {
-  int different = 0;
-  double last = std::numeric_limits<double>::quiet_NaN();
-  for (long index = window.first; index <= window.last && different <= method_.degree; ++index)
-    if (const double at = data().position(index); at != last && weight_of<double>(window, index) > 0) {
-      last = at;
-      ++different;
-    }
-  return different > method_.degree;
-}
-
-template <class Number>
-Number LocalSmoother::weight_of(const Window& window, long index) const {
-  Number prior = prior_weight<Number>(index);
-  if (prior == 0 || window.radius == 0 || method_.weight == LocalWeight::box) return prior;
-  const Number apart = Number(data().position(index)) - Number(window.position);
-  Number u = (apart < 0 ? Number(-apart) : apart) / Number(window.radius);
-  return u < 1 ? Number(prior * weight_at(method_.weight, u)) : Number(0);
-}
-
-template <class Number>
-std::pair<std::vector<long>, std::vector<Number>> LocalSmoother::fitted_data(const Window& window) const {
-  std::pair<std::vector<long>, std::vector<Number>> result;
-  for (long index = window.first; index <= window.last; ++index)
-    if (Number weight = weight_of<Number>(window, index); weight > 0) {
-      result.first.push_back(index);
-      result.second.push_back(std::move(weight));
-    }
+void LocalSmoother::require_fit(const LocalWindows::Window& window) const {
+  if (windows_.determines(window)) return;
+  std::size_t counted = 0;
+  for (std::size_t k = window.first; k < window.end; ++k) counted += windows_.factor(window, k) > 0 ? 1 : 0;
   const auto needed = static_cast<std::size_t>(method_.degree) + 1;
-  if (result.first.size() < needed || (repeated_ && !determines(window)))
-    fail(ErrorKind::data, "smoothing: {} data{} count at {} spacings from the first, a fit of degree {} needs {}",
-         result.first.size(), repeated_ ? " at too few positions" : "",
-         window.position + static_cast<double>(data().sites().before), method_.degree, needed);
-  return result;
+  fail(ErrorKind::data, "smoothing: {} data{} count at {} spacings from the first, a fit of degree {} needs {}",
+       counted, counted >= needed ? " at too few positions" : "",
+       window.position + static_cast<double>(data().sites().before), method_.degree, needed);
 }
 
 template <class Number>
@@ -188,31 +130,137 @@ class LocalSmoother::Rows : public RowMaker<Number> {
   explicit Rows(const LocalSmoother& smoother) : smoother_(smoother) {}
 
   RowOf<Number> row(std::size_t output) override {
-    const ExtendedData& data = smoother_.data();
-    const Rational at = smoother_.position(output);
-    const Window window = smoother_.window_at(static_cast<double>(at));
-    const auto [indices, weights] = smoother_.fitted_data<Number>(window);
-    // In units of the radius, so that no power leaves the doubles.
-    const Number origin = static_cast<Number>(at), unit(window.radius > 0 ? window.radius : 1);
-    std::vector<Number> nodes;
-    for (const long index : indices) nodes.push_back((Number(data.position(index)) - origin) / unit);
+    window_ = smoother_.windows_.at(smoother_.rounded_position(output), window_);
+    smoother_.require_fit(window_);
+    set_nodes();
     const int derivative = smoother_.options().derivative;
-    const std::vector<Number> fit = regression_weights(nodes, weights, smoother_.method_.degree, 0, derivative);
-    Number scale = 1;
-    for (int k = 0; k < derivative; ++k) scale /= unit;
+    std::vector<Number> fit = regression_weights(nodes_, weights_, smoother_.method_.degree, Number(0), derivative);
+    for (int k = 0; k < derivative; ++k)
+      for (Number& weight : fit) weight /= unit_;
+    if (smoother_.data().is_inside(indices_.front()) && smoother_.data().is_inside(indices_.back()))
+      return inner_row(fit);
     Combination<Number> sum;
-    for (std::size_t k = 0; k < fit.size(); ++k) sum.add(data, indices[k], scale * fit[k]);
-    return smoother_.to_row<Number>({{&sum, 1}});
+    for (std::size_t k = 0; k < fit.size(); ++k) sum.add(smoother_.data(), indices_[k], fit[k]);
+    return smoother_.template to_row<Number>({{&sum, 1}});
   }
 
  private:
+  RowOf<Number> inner_row(std::vector<Number>& fit) const {
+    RowOf<Number> row;
+    row.first = static_cast<std::size_t>(indices_.front());
+    const auto length = static_cast<std::size_t>(indices_.back() - indices_.front()) + 1;
+    row.variance = regression_fit::sum_of<Number>(fit.size(), [&](std::size_t k) {
+      Number square = fit[k] * fit[k];
+      return smoother_.data().weighted() ? Number(square / smoother_.prior_weight<Number>(indices_[k])) : square;
+    });
+    if (length == fit.size()) {
+      row.weights = std::move(fit);
+      return row;
+    }
+    row.weights.assign(length, Number(0));
+    for (std::size_t k = 0; k < fit.size(); ++k)
+      row.weights[static_cast<std::size_t>(indices_[k]) - row.first] = fit[k];
+    return row;
+  }
+
+  /// In units of the radius, so that no power leaves the doubles.
+  void set_nodes() {
+    const LocalWindows& windows = smoother_.windows_;
+    unit_ = Number(window_.radius > 0 ? window_.radius : 1.0);
+    indices_.clear();
+    if constexpr (std::is_same_v<Number, double>) {
+      windows.nodes_and_factors(window_, nodes_, weights_);
+      for (std::size_t k = window_.first; k < window_.end; ++k) {
+        indices_.push_back(windows.index(k));
+        weights_[k - window_.first] *= smoother_.prior_weight<double>(indices_.back());
+      }
+      return;
+    }
+    nodes_.clear();
+    weights_.clear();
+    for (std::size_t k = window_.first; k < window_.end; ++k) {
+      const Number node = (Number(windows.positions()[k]) - Number(window_.position)) / unit_;
+      Number weight = smoother_.prior_weight<Number>(windows.index(k));
+      if (window_.radius > 0 && smoother_.method_.weight != LocalWeight::box) {
+        const Number u = node < 0 ? Number(-node) : node;
+        if (!(u < 1)) continue;
+        weight *= distance_factor(smoother_.method_.weight, u);
+      }
+      nodes_.push_back(node);
+      weights_.push_back(std::move(weight));
+      indices_.push_back(windows.index(k));
+    }
+  }
+
   const LocalSmoother& smoother_;
+  LocalWindows::Window window_;
+  Number unit_ = 1;
+  std::vector<Number> nodes_, weights_;
+  std::vector<long> indices_;
 };
 
 SmoothingRow LocalSmoother::row(std::size_t output) const { return Rows<Rational>(*this).row(output); }
 
 std::unique_ptr<LinearSmoother::RowMaker<double>> LocalSmoother::row_maker() const {
   return std::make_unique<Rows<double>>(*this);
+}
+
+namespace {
+
+/// Data and weights continued past the ends, as windows hold them.
+struct ContinuedData {
+  std::vector<double> values;
+  std::vector<double> weights;
+  std::vector<double> unchanged;  // weights without the factors
+};
+
+/// At 0, of the fit to these data.
+double regression_value(const std::vector<double>& nodes, const std::vector<double>& weights, const double* data,
+                        int degree, int derivative) {
+  double value = 0;
+  regression_fit::for_terms(nodes, weights, degree, 0.0, derivative,
+                            [&](double scale, const std::vector<double>& polynomial) {
+                              const auto moment = regression_fit::sum_of<double>(
+                                  nodes.size(), [&](std::size_t i) { return weights[i] * polynomial[i] * data[i]; });
+                              value += scale * moment;
+                            });
+  return value;
+}
+
+}  // namespace
+
+std::vector<double> LocalSmoother::values(const std::vector<double>& data, const std::vector<double>& factors,
+                                          int threads) const {
+  const ExtendedData& sites = this->data();
+  require(data.size() == sites.count() && factors.size() == sites.count(),
+          "smoothing: need {} data and factors, got {} and {}", sites.count(), data.size(), factors.size());
+  ContinuedData all;
+  for (std::size_t k = 0; k < windows_.count(); ++k) {
+    const Combination<double> datum = sites.at<double>(windows_.index(k));
+    const bool outside = datum.terms.empty();
+    all.values.push_back(outside ? options().constant : data[datum.terms.front().first]);
+    all.unchanged.push_back(prior_weight<double>(windows_.index(k)));
+    all.weights.push_back(all.unchanged.back() * (outside ? 1 : factors[datum.terms.front().first]));
+  }
+  const std::vector<std::size_t> made = vertices();
+  std::vector<double> result(made.size());
+  parallel_ranges(made.size(), made.size() / outputs_per_thread, threads, [&](std::size_t begin, std::size_t end) {
+    LocalWindows::Window window;
+    std::vector<double> nodes, weights;
+    for (std::size_t o = begin; o < end; ++o) {
+      window = windows_.at(rounded_position(made[o]), window);
+      require_fit(window);
+      const bool weighted = windows_.determines(
+          window, [&](std::size_t k) { return all.weights[k] > 0 && windows_.factor(window, k) > 0; });
+      windows_.nodes_and_factors(window, nodes, weights);
+      const double* const prior = (weighted ? all.weights : all.unchanged).data() + window.first;
+      for (std::size_t k = 0; k < weights.size(); ++k) weights[k] *= prior[k];
+      result[o] = regression_value(nodes, weights, all.values.data() + window.first, method_.degree,
+                                   options().derivative) /
+                  std::pow(window.radius > 0 ? window.radius : 1, options().derivative);
+    }
+  });
+  return between(made, result);
 }
 
 }  // namespace subcert::data

@@ -2,6 +2,7 @@
 /// Local polynomial regression: at each position a polynomial is fitted to the data around it.
 
 #include "linear_smoother.hpp"
+#include "local_windows.hpp"
 
 #include <optional>
 #include <string>
@@ -10,29 +11,14 @@
 
 namespace subcert::data {
 
-/// How much a datum counts at the distance u of the window's radius, 0 <= u <= 1: 1; 1 - u; 1 - u^2; (1 - u^2)^2;
-/// (1 - u^3)^3.
-enum class LocalWeight { box, triangle, epanechnikov, biweight, tricube };
-
-/// The fit uses the data within a radius: the distance of the `points`-th nearest datum that is not missing or, with
-/// `width`, that. Ref: [Cle79].
-struct LocalPolynomial {
-  int degree = 1;
-  LocalWeight weight = LocalWeight::tricube;
-  std::size_t points = 0;  ///< 0: by width, or to be chosen
-  double width = 0;        ///< of the window to each side, in units of the positions; 0: by points
-
-  bool is_complete() const { return points > 0 || width > 0; }
-};
-
-/// `local:points=21,d=1,weight=tricube`, `local:width=0.5,d=2,weight=box`, `local:d=1,weight=tricube`. Errors of
-/// reading: throws a usage error.
+/// `local:points=21,d=1,weight=tricube`, `local:width=0.5,d=2,weight=box`, `local:d=1,weight=tricube,robust=3`. Errors
+/// of reading: throws a usage error.
 std::string to_text(const LocalPolynomial& method);
 bool is_local_specification(std::string_view specification);
 LocalPolynomial make_local_polynomial(std::string_view specification);
 
-/// The fits of local polynomials at the outputs; a derivative is that of the polynomial fitted there. With
-/// Boundary::regression nothing stands past the ends, and fits near them are one-sided.
+/// The fits of local polynomials at the outputs, without robust steps; a derivative is that of the polynomial fitted
+/// there. With Boundary::regression nothing stands past the ends, and fits near them are one-sided.
 class LocalSmoother : public LinearSmoother {
  public:
   /// Domain: a complete method whose width is in spacings, derivative <= degree. Errors: throws a domain error; a data
@@ -41,29 +27,22 @@ class LocalSmoother : public LinearSmoother {
 
   SmoothingRow row(std::size_t output) const override;
 
+  /// The values at the outputs where prior weights are multiplied by `factors`, one for each datum, and in windows that
+  /// would leave no fit by themselves. Of methods with robust steps those with windows of more than 128 data are fitted
+  /// at 64 places of a window, and interpolated between these; else as apply(). Domain: as many data and factors as
+  /// sites, factors >= 0. Cost: a few operations for each datum of each window.
+  std::vector<double> values(const std::vector<double>& data, const std::vector<double>& factors, int threads) const;
+
  private:
-  /// Indices from first to last lie within the radius of the position.
-  struct Window {
-    double position;
-    long first;
-    long last;
-    double radius;
-  };
   template <class Number>
   class Rows;
   std::unique_ptr<RowMaker<double>> row_maker() const override;
-  Window window_at(double position) const;
-  template <class Number>
-  Number weight_of(const Window& window, long index) const;
-  /// The indices of the data that count, and their weights.
-  template <class Number>
-  std::pair<std::vector<long>, std::vector<Number>> fitted_data(const Window& window) const;
-
-  /// Whether data at more positions than the degree count.
-  bool determines(const Window& window) const;
+  std::size_t stride() const override;
+  /// Throws a data error where the window leaves no fit.
+  void require_fit(const LocalWindows::Window& window) const;
 
   LocalPolynomial method_;
-  bool repeated_ = false;  // whether data share positions
+  LocalWindows windows_;
 };
 
 }  // namespace subcert::data

@@ -23,10 +23,12 @@ struct RiskEstimate {
   double total() const { return bias_squared + variance; }
 };
 
-/// The risks of all columns, added. Domain: a smoother with an output at each datum and derivative 0, made with
-/// the sites of the samples; noise[c] belongs to columns[c]. Ref: [Mal73], [DHHS15, eq. (16)].
+/// The risks of all columns, added. With Selection::cross_validation the mean squared error of predicting a datum from
+/// the others, less the variance of the noise, is the total. Domain: a smoother with an output at each datum and
+/// derivative 0, made with the sites of the samples; noise[c] belongs to columns[c]. Ref: [Mal73], [DHHS15, eq. (16)],
+/// [CW79].
 RiskEstimate estimate_risk(const LinearSmoother& smoother, const Samples& samples,
-                           const std::vector<NoiseEstimate>& noise);
+                           const std::vector<NoiseEstimate>& noise, Selection selection = Selection::risk);
 
 /// What smooths data: the limit of a scheme of one variable, local polynomials, or data-dependent refinement.
 using SmoothingMethod = std::variant<Scheme, LocalPolynomial, DataDependentScheme>;
@@ -49,26 +51,39 @@ struct SmoothingCandidate {
 std::vector<SmoothingCandidate> rank_schemes(const Samples& samples, const std::vector<NoiseEstimate>& noise,
                                              const SmoothingOptions& options, int max_n = 20);
 
-/// Local polynomials of this degree and weight, with up to `max_points` data in a window, each number about a fifth
-/// larger than the one before. Domain and errors: as above, but for uniform.
-std::vector<SmoothingCandidate> rank_windows(const LocalPolynomial& pattern, const Samples& samples,
-                                             const std::vector<NoiseEstimate>& noise, const SmoothingOptions& options,
-                                             std::size_t max_points = 401);
+/// Local polynomials of these degrees and the weight of the pattern, from one datum more than the degree to all data in
+/// a window, each number about a fifth larger than the one before; without those whose variance alone is larger than
+/// the smallest risk. For windows of more than 64 data the risk is that of windows of 32 to 64 means of neighbours.
+/// Domain and errors: as above, but for uniform. Cost: some hundred operations for each datum, however wide the
+/// windows.
+std::vector<SmoothingCandidate> rank_windows(const LocalPolynomial& pattern, const std::vector<int>& degrees,
+                                             const Samples& samples, const std::vector<NoiseEstimate>& noise,
+                                             const SmoothingOptions& options);
 
-/// The first of the ranked candidates whose limits are proved to have the derivatives asked for.
+/// For the derivative of options.derivative: the same windows by the expected squared error of the derivative, and of
+/// the derivatives with respect to the index. The bias is that on a pilot: the local polynomial of degree `derivative +
+/// 4` whose window rank_windows() puts first; what the noise of the pilot adds is subtracted, by noise that is drawn
+/// with a seed. Domain: 1 <= derivative, degrees from `derivative` on. Ref: docs/smoothing.md, section 5.
+std::vector<SmoothingCandidate> rank_derivatives(const LocalPolynomial& pattern, const std::vector<int>& degrees,
+                                                 const Samples& samples, const std::vector<NoiseEstimate>& noise,
+                                                 const SmoothingOptions& options);
+
 struct MethodChoice {
   SmoothingMethod method;
-  std::vector<SmoothingCandidate> candidates;  ///< ranked
-  std::size_t chosen = 0;
+  std::vector<SmoothingCandidate> candidates;  ///< ranked; the first is the method. No bias is negative: where the
+                                               ///< smallest estimate was, it is subtracted from all of them
 
-  /// Whether no candidate of the chosen degree has more points.
+  /// Whether no candidate of the chosen degree has more points, though there are more data.
   bool widest_tried() const;
+  std::size_t data = 0;
 };
 
-/// Chooses among rank_schemes() or, with a pattern and where data are not uniform, rank_windows(). The noise is
-/// estimated where it is not known. Errors: throws a data error for fewer than 4 data or none that neighbour two
-/// others, a domain error where no candidate is smooth enough; else as those.
+/// The first of the ranked candidates: rank_schemes() and from there on windows of local polynomials of degree 1, 3 and
+/// 5; local polynomials of degree 1 and 3 where data are not uniform; with a pattern its windows; for a derivative
+/// rank_derivatives(), of degrees one and three above it. Windows of a pattern with robust steps are those for the
+/// pseudodata of a robust fit. The noise is estimated where it is not known. Errors: throws a data error for fewer than
+/// 4 data or none that neighbour two others, a domain error for a derivative above 16; else as those.
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
-                           const std::optional<LocalPolynomial>& pattern = std::nullopt);
+                           const std::optional<LocalPolynomial>& pattern = std::nullopt, int threads = 1);
 
 }  // namespace subcert::data

@@ -4,6 +4,7 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -87,6 +88,41 @@ std::vector<NoiseEstimate> estimate_noise(const Samples& samples) {
   const std::vector<double> weights = samples.rounded_weights();
   for (const auto& column : samples.columns) noise.push_back(estimate_noise(column, weights, samples.positions));
   return noise;
+}
+
+namespace {
+
+constexpr double far = 6, raised = 1.5;
+constexpr double answer = -0.25;  // of a neighbour's difference to an outlier, -1/2 where data are uniform
+
+}  // namespace
+
+std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights,
+                           const std::vector<double>& positions) {
+  const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> differences(data.size(), none), moduli;
+  for (std::size_t i = 1; i + 1 < data.size(); ++i)
+    if (is_present(i - 1) && is_present(i) && is_present(i + 1)) {
+      differences[i] = SecondDifference(i, prior_weights, positions).of(data);
+      moduli.push_back(std::abs(differences[i]));
+    }
+  if (moduli.empty()) return 0;
+  const auto middle = moduli.begin() + static_cast<std::ptrdiff_t>(moduli.size() / 2);
+  std::nth_element(moduli.begin(), middle, moduli.end());
+  const double deviation = *middle / normal_quartile;
+  double all = 0, bulk = 0;
+  std::size_t outliers = 0;
+  for (std::size_t i = 1; i + 1 < data.size(); ++i) {
+    const double e = differences[i], before = differences[i - 1] / e, after = differences[i + 1] / e;
+    if (std::isnan(e)) continue;
+    all += e * e;
+    if (std::abs(e) <= far * deviation)
+      bulk += e * e;
+    else if (!(before > answer) && !(after > answer) && (before <= answer || after <= answer))
+      ++outliers;
+  }
+  return deviation > 0 && all > raised * bulk ? outliers : 0;
 }
 
 namespace {

@@ -8,6 +8,9 @@
 
 namespace subcert::data {
 
+/// The median of the modulus of a standard normal variable.
+constexpr double normal_quartile = 0.6744897501960817;
+
 /// Variance of the noise of data with prior weight 1. Computed from sums of squares in `terms` second differences,
 /// which linear trends do not enter; distributed nearly as chi squared with `degrees_of_freedom` where the noise is
 /// normal. Infinitely many degrees where it is known, none where data have no estimate.
@@ -30,6 +33,12 @@ NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<
 
 /// That of each column, with the weights and positions of the samples; the known one where they have it.
 std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
+
+/// How many data stand out from both neighbours, not as steps and bends do, by more than six standard deviations of the
+/// bulk of the data, where such differences raise the estimate of the variance by more than half; else 0. The deviation
+/// of the bulk is that of the median of second differences. Domain: as estimate_noise.
+std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
+                           const std::vector<double>& positions = {});
 
 /// The factor between the standard deviation of a value and half the width of its confidence band of this level:
 /// a quantile of Student's distribution with the degrees of freedom of the noise. Domain: 0 < level < 1, an estimate

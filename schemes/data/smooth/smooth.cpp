@@ -1,5 +1,6 @@
 #include "smooth.hpp"
 
+#include "robust_local.hpp"
 #include "uniform_grid.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
@@ -7,7 +8,6 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/refine.hpp>
 
 #include <cmath>
 
@@ -26,6 +26,11 @@ std::optional<BandKind> parse_band_kind(std::string_view name) {
   return std::nullopt;
 }
 
+std::string to_text(BandMethod method) {
+  static const std::string names[]{"linear", "sandwich", "bootstrap"};
+  return names[static_cast<std::size_t>(method)];
+}
+
 std::vector<double> SmoothedColumn::half_widths(double level, BandKind kind) const {
   std::vector<double> widths = deviations;
   if (widths.empty()) return widths;
@@ -36,6 +41,15 @@ std::vector<double> SmoothedColumn::half_widths(double level, BandKind kind) con
   return widths;
 }
 
+namespace {
+
+LocalPolynomial in_spacings(LocalPolynomial method, const Samples& samples) {
+  method.width /= nearest_double(samples.spacing);
+  return method;
+}
+
+}  // namespace
+
 std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const SmoothingMethod& method,
                                               const SmoothingOptions& options) {
   if (const auto* scheme = std::get_if<Scheme>(&method)) {
@@ -45,9 +59,7 @@ std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const Smoo
   }
   const auto* local = std::get_if<LocalPolynomial>(&method);
   require(local != nullptr, "smoothing: {} is not linear", to_text(method));
-  LocalPolynomial in_spacings = *local;
-  in_spacings.width /= nearest_double(samples.spacing);
-  return std::make_unique<LocalSmoother>(in_spacings, samples.sites(), options);
+  return std::make_unique<LocalSmoother>(in_spacings(*local, samples), samples.sites(), options);
 }
 
 namespace {
@@ -66,31 +78,40 @@ void set_positions_of_data(SmoothedSamples& result, const Samples& samples, cons
   if (options.at_data && !own.empty()) result.positions = own;
 }
 
+/// Of the outputs of a grid or, at the data, of these.
+void set_positions(SmoothedSamples& result, const Samples& samples, const SmoothingOptions& options) {
+  const std::size_t scale = options.at_data ? 1 : std::size_t{1} << options.level;
+  result.positions = output_positions(samples, scale, 0, result.columns.front().values.size());
+  set_positions_of_data(result, samples, options);
+}
+
 SmoothedSamples smooth_by(const DataDependentScheme& scheme, const Samples& samples, const SmoothingOptions& options,
                           int threads) {
-  const auto require_linear = [&](bool satisfied, const char* what) {
-    require(satisfied, "{} needs a linear scheme; {} is none", what, scheme.specification);
-  };
-  require(scheme.rules.points.size() == 1, "{}: expected a scheme for curves", scheme.specification);
-  require_linear(options.derivative == 0, "a derivative");
-  require_linear(samples.weights.empty(), "a fit with prior weights or missing data");
-  require_linear(samples.uniform(), "a fit at given positions");
-  if (samples.count() < static_cast<std::size_t>(scheme.rules.points[0]))
-    fail(ErrorKind::data, "expected at least {} rows for {}; found {}", scheme.rules.points[0], scheme.specification,
-         samples.count());
-  const int level = options.at_data ? 0 : options.level;
-  const auto scale = static_cast<std::size_t>(1) << level;
-  const std::size_t outputs = count_outputs(static_cast<double>(samples.count() - 1), scale);
-  std::vector<Rational> places;
-  for (std::size_t o = 0; o < outputs; ++o) places.push_back(Rational(o) / Rational(scale));
-  int levels = 0;  // as many that the points are as near to each other as binary ones
-  for (std::size_t finest = scale << finer_levels, reached = 1; reached < finest; ++levels)
-    reached *= static_cast<std::size_t>(scheme.rules.arity);
-  SmoothedSamples result{scheme.specification, {}, output_positions(samples, scale, 0, outputs), {}};
-  for (const auto& column : samples.columns)
-    result.columns.push_back(
-        {interpolate(refine(curve_data(column), scheme.rules, {levels, options.boundary, threads}), places)});
-  set_positions_of_data(result, samples, options);
+  const L1Smoother smoother(scheme, samples.sites(), options);
+  SmoothedSamples result{scheme.specification, {}, {}, {}, BandMethod::bootstrap};
+  for (const auto& column : samples.columns) {
+    SmoothedColumn& made = result.columns.emplace_back(SmoothedColumn{smoother.values(column, threads)});
+    if (options.resamples == 0) continue;
+    auto [deviations, noise] = smoother.bootstrap(column, threads);
+    made.deviations = std::move(deviations);
+    made.noise = noise;
+  }
+  set_positions(result, samples, options);
+  return result;
+}
+
+SmoothedSamples smooth_by(const LocalPolynomial& method, const Samples& samples, const SmoothingOptions& options,
+                          int threads) {
+  const DataSites sites = samples.sites();
+  const double unit = std::pow(nearest_double(samples.spacing), -options.derivative);
+  SmoothedSamples result{to_text(method), {}, {}, {}, BandMethod::sandwich};
+  for (const auto& column : samples.columns) {
+    RobustFit fit = robust_fit(in_spacings(method, samples), sites, options, column, threads);
+    for (double& value : fit.values) value *= unit;
+    for (double& deviation : fit.deviations) deviation *= unit;
+    result.columns.push_back({std::move(fit.values), fit.noise, std::move(fit.deviations), fit.path});
+  }
+  set_positions(result, samples, options);
   return result;
 }
 
@@ -98,8 +119,13 @@ SmoothedSamples smooth_by(const DataDependentScheme& scheme, const Samples& samp
 
 SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
                        int threads) {
-  if (const auto* scheme = std::get_if<DataDependentScheme>(&method))
-    return smooth_by(*scheme, samples, options, threads);
+  const auto* scheme = std::get_if<DataDependentScheme>(&method);
+  const auto* local = std::get_if<LocalPolynomial>(&method);
+  const bool linear = !scheme && !(local && local->robust > 0);
+  require(linear || !samples.noise, "smoothing: a known noise is for linear methods; {} finds its own",
+          to_text(method));
+  if (!linear)
+    return scheme ? smooth_by(*scheme, samples, options, threads) : smooth_by(*local, samples, options, threads);
   // Rules of schemes take data one after another: they get the means of those at one position.
   std::optional<Samples> means;
   if (std::holds_alternative<Scheme>(method) && samples.repeated()) means = merged(samples);
@@ -107,6 +133,8 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
   const std::unique_ptr<LinearSmoother> smoother = make_smoother(used, method, options);
   SmoothedSamples result = smoothed_columns(used, estimate_noise(samples), *smoother, options.derivative, 0,
                                             smoother->spacings(), 0);
+  for (std::size_t c = 0; c < samples.columns.size(); ++c)
+    result.columns[c].outliers = count_outliers(samples.columns[c], samples.rounded_weights(), samples.positions);
   result.method = to_text(method);
   set_positions_of_data(result, samples, options);
   return result;
@@ -141,7 +169,7 @@ SmoothedSamples smooth(const Samples& samples, std::string_view specification, c
     if (!local || local->is_complete()) return smooth(samples, method, options, threads);
     pattern = *local;
   }
-  MethodChoice choice = choose_method(samples, options, pattern);
+  MethodChoice choice = choose_method(samples, options, pattern, threads);
   SmoothedSamples result = smooth(samples, choice.method, options, threads);
   result.choice = std::move(choice);
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 /// Smoothing of samples from end to end: noise, limit, standard deviations, bands.
 
+#include "l1_smoother.hpp"
 #include "method_choice.hpp"
 
 #include <memory>
@@ -26,27 +27,30 @@ struct SmoothedColumn {
   std::optional<NoiseEstimate> noise = {};  ///< nothing for a scheme that is not linear
   std::vector<double> deviations = {};      ///< standard deviations; none where the noise has no estimate
   double path = 0;                          ///< SmoothedData::path
+  std::size_t outliers = 0;                 ///< that a linear method was given: OutlierCount
 
   /// Half the widths of the bands; none without deviations. Domain: 0 < level < 1; prediction with derivative 0.
   /// Errors: throws a domain error.
   std::vector<double> half_widths(double level, BandKind kind = BandKind::pointwise) const;
 };
 
+/// What deviations are computed from: the exact variances of a linear method, the influence of each datum on a robust
+/// fit, or smoothing of data drawn again from the residuals.
+enum class BandMethod { linear, sandwich, bootstrap };
+std::string to_text(BandMethod method);
+
 struct SmoothedSamples {
   std::string method;                  ///< what smoothed
   std::optional<MethodChoice> choice;  ///< where it was chosen
   std::vector<double> positions;       ///< of the values, rounded to nearest
   std::vector<SmoothedColumn> columns;
+  BandMethod band_method = BandMethod::linear;
 };
 
-/// Levels below the output grid at which data-dependent schemes, whose limits are not known, are interpolated.
-constexpr int finer_levels = 6;
-
 /// Smooths by a method; derivatives are with respect to the positions of the samples. Domain: for data-dependent
-/// schemes one for curves, derivative 0, uniform samples without weights, and boundary regression, reflect or periodic.
-/// Errors: throws NoLimit where convergence, or the smoothness that a derivative needs, has no proof; a domain error
-/// that says what needs a linear method; a data error for too few samples; else as the smoothers and refine(). Cost: as
-/// LinearSmoother::apply.
+/// schemes as L1Smoother. Errors: throws NoLimit where convergence, or the smoothness that a derivative needs, has no
+/// proof; a domain error that says what needs a linear method; a data error for too few samples; else as the smoothers
+/// and refine(). Cost: as LinearSmoother::apply.
 SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
                        int threads = 1);
 
@@ -54,7 +58,7 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
 SmoothedSamples smooth(const Samples& samples, std::string_view specification, const SmoothingOptions& options,
                        int threads = 1);
 
-/// A smoother of the samples by a linear method. Errors: as smooth().
+/// A smoother of the samples by a linear method, robust steps left out. Errors: as smooth().
 std::unique_ptr<LinearSmoother> make_smoother(const Samples& samples, const SmoothingMethod& method,
                                               const SmoothingOptions& options);
 

@@ -15,6 +15,7 @@ SmoothingStream::SmoothingStream(Samples head, SmoothingMethod method, const Smo
   require(options.boundary != Boundary::periodic, "a stream has no end that its beginning could follow");
   require(kept_.uniform() && kept_.count() == 0, "SmoothingStream: need uniform positions and no data yet");
   options_.at_data = false;
+  options_.sparse = false;
   if (options.at_data) options_.level = 0;
   if (const auto* scheme = std::get_if<Scheme>(&method_)) {
     require_derivative(scheme->specification, scheme->mask, {options.derivative});
@@ -22,6 +23,7 @@ SmoothingStream::SmoothingStream(Samples head, SmoothingMethod method, const Smo
     end_window_ = kernel_->extension(options.boundary).window;
   } else if (auto* local = std::get_if<LocalPolynomial>(&method_)) {
     require(local->is_complete(), "a stream needs points or a width for {}", to_text(*local));
+    require(local->robust == 0, "a stream needs a linear method; {} has robust steps", to_text(*local));
     require(!weighted || local->points == 0,
             "a stream with weights or missing data needs a scheme, or a width in place of points: {}", to_text(*local));
     local->width /= nearest_double(kept_.spacing);

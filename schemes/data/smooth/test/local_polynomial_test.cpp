@@ -270,5 +270,4 @@ TEST_CASE("local polynomials that do not exist say why") {
   Samples scattered_samples{{{1, 2, 3, 4, 5}}, {}, 0, 1, {0, 1, 3, 4, 5}};
   CHECK_FAILS(smooth(scattered_samples, "primal:n=2", at_data), domain);
   CHECK_FAILS(smooth(scattered_samples, "bspline:degree=3", {}), domain);
-  CHECK_FAILS(smooth(scattered_samples, "l1:points=4", {}), domain);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -101,18 +102,123 @@ TEST_CASE("more noise asks for more points, none for interpolation") {
   CHECK_THROWS_WITH(rank_schemes({{{1, 2, 3}}}, {{}}, {}), Catch::Matchers::Contains("at least 4 data, got 3"));
 }
 
-TEST_CASE("the scheme chosen is the best one that is smooth enough") {
+TEST_CASE("the method chosen is the best one of schemes and wider windows; no bias is negative") {
   const Samples noisy{{sampled(120, 0.2, 0.1, 7)}};
-  const MethodChoice best = choose_method(noisy, {});
-  CHECK(best.chosen == 0);
-  CHECK(to_text(best.method) == best.candidates[0].specification);
-  CHECK(best.candidates.size() == 20 + 19 + 18);
-  CHECK_FALSE(best.widest_tried());
+  for (const Selection selection : {Selection::risk, Selection::cross_validation}) {
+    SmoothingOptions options;
+    options.selection = selection;
+    const MethodChoice best = choose_method(noisy, options);
+    CHECK(to_text(best.method) == best.candidates[0].specification);
+    CHECK(best.candidates.size() > 40);
+    CHECK_FALSE(best.widest_tried());
+    for (const SmoothingCandidate& one : best.candidates) {
+      CHECK(one.risk.bias_squared >= 0);
+      CHECK(one.risk.total() >= best.candidates[0].risk.total());
+    }
+  }
   const MethodChoice smooth = choose_method(noisy, {Boundary::regression, 0, 2});
-  CHECK(smooth.candidates[smooth.chosen].degree > 1);
-  CHECK_FAILS(choose_method(noisy, {Boundary::regression, 0, 9}), domain);
+  CHECK(smooth.candidates[0].degree > 2);
+  CHECK_FAILS(choose_method(noisy, {Boundary::regression, 0, 17}), domain);
   CHECK_FAILS(choose_method({{{1, 2, 3}}}, {}), data);
   CHECK_FAILS(choose_method({{{1, 2, 3, 4, 5, 6}}, {1, 1, 0, 1, 1, 0}}, {}), data);
+  // A line wants all data; equal values and few have a choice, too.
+  std::vector<double> line = sampled(200, 0, 1, 3);
+  for (std::size_t i = 0; i < 200; ++i) line[i] += static_cast<double>(i);
+  const MethodChoice widest = choose_method({{line}}, {}, LocalPolynomial{});
+  CHECK(widest.candidates[0].points > 100);
+  CHECK_FALSE(widest.widest_tried());
+  for (const std::size_t count : {4, 5, 7, 90})
+    for (const int derivative : {0, 1}) {
+      const MethodChoice any = choose_method({{std::vector<double>(count, 3)}}, {Boundary::regression, 0, derivative});
+      CHECK(any.candidates[0].risk.total() < 1e-20);
+    }
+  CHECK_FAILS(choose_method({{{1e200, -1e200, 1e200, -1e200, 1e200}}}, {}), domain);
+}
+
+namespace {
+
+double mean_square_apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum / static_cast<double>(a.size());
+}
+
+}  // namespace
+
+TEST_CASE("dense data get wide windows: near the best of all, by the error and by cross-validation") {
+  constexpr std::size_t count = 30'000;
+  const std::vector<double> truth = sampled(count, 0.002, 0, 1), data = sampled(count, 0.002, 0.3, 11);
+  std::vector<double> places, uneven_truth, uneven_data;
+  std::mt19937_64 engine(12);
+  std::exponential_distribution<double> gap(1);
+  std::normal_distribution<double> gauss(0, 0.3);
+  for (double x = 0; places.size() < count; x += gap(engine)) {
+    places.push_back(x);
+    uneven_truth.push_back(std::sin(0.002 * x));
+    uneven_data.push_back(uneven_truth.back() + gauss(engine));
+  }
+  for (const bool uniform : {true, false}) {
+    Samples samples{{uniform ? data : uneven_data}};
+    if (!uniform) samples.positions = places;
+    const std::vector<double>& wanted = uniform ? truth : uneven_truth;
+    const auto error_of = [&](const LocalPolynomial& method) {
+      const LocalSmoother smoother(method, samples.sites(), {.at_data = true, .path = false});
+      return std::sqrt(mean_square_apart(smoother.apply(samples.columns[0]).values, wanted));
+    };
+    double best = 1;
+    for (const std::size_t points : {200, 280, 400, 560, 800, 1100, 1600})
+      best = std::min(best, error_of({1, LocalWeight::tricube, points}));
+    for (const Selection selection : {Selection::risk, Selection::cross_validation}) {
+      const MethodChoice choice = choose_method(samples, {.selection = selection}, LocalPolynomial{});
+      CAPTURE(uniform, best, choice.candidates[0].specification);
+      CHECK(error_of(std::get<LocalPolynomial>(choice.method)) < 1.1 * best);
+      // The risks are those of the windows themselves.
+      const LocalSmoother whole(std::get<LocalPolynomial>(choice.method), samples.sites(),
+                                {.at_data = true, .path = false});
+      const RiskEstimate risk = estimate_risk(whole, samples, {known_noise(0.3)});
+      CHECK(choice.candidates[0].risk.variance == Approx(risk.variance).epsilon(0.03));
+    }
+  }
+}
+
+TEST_CASE("windows for derivatives are chosen for these, near the best of all") {
+  for (const auto& [derivative, degree, count] : {std::tuple{1, 2, 4000}, {2, 3, 4000}, {1, 2, 300}}) {
+    const double frequency = 60.0 / count;
+    const auto size = static_cast<std::size_t>(count);
+    std::vector<double> wanted;
+    for (std::size_t i = 0; i < size; ++i) {
+      const double phase = frequency * static_cast<double>(i);
+      wanted.push_back(derivative == 1 ? frequency * std::cos(phase) : -frequency * frequency * std::sin(phase));
+    }
+    LocalPolynomial pattern;
+    pattern.degree = degree;
+    double chosen = 0, best = 0;
+    for (unsigned long seed = 0; seed < 3; ++seed) {
+      const Samples samples{{sampled(size, frequency, 0.2, 100 + seed)}};
+      const SmoothingOptions options{.derivative = derivative, .at_data = true, .path = false};
+      const auto error_of = [&](const LocalPolynomial& method) {
+        return std::sqrt(
+            mean_square_apart(LocalSmoother(method, size, options).apply(samples.columns[0]).values, wanted));
+      };
+      double least = 1e9;
+      for (std::size_t points = 8; points < size / 4; points += 1 + points / 6)
+        least = std::min(least, error_of({degree, LocalWeight::tricube, points}));
+      best += least;
+      chosen += error_of(std::get<LocalPolynomial>(choose_method(samples, options, pattern).method));
+    }
+    CAPTURE(derivative, count, chosen / best);
+    CHECK(chosen < 1.25 * best);
+  }
+  // Where there is no bias, none is taken from the noise of the pilot.
+  LocalPolynomial quadratic;
+  quadratic.degree = 2;
+  double share = 0;
+  for (unsigned long seed = 0; seed < 10; ++seed) {
+    const auto ranked = choose_method({{sampled(400, 0, 1, seed)}}, {Boundary::regression, 0, 1}, quadratic).candidates;
+    share += static_cast<double>(ranked.front().points) / 4000;
+  }
+  CAPTURE(share);
+  CHECK(share > 0.6);
 }
 
 TEST_CASE("bands have the width of Student's quantiles") {

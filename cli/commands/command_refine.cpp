@@ -52,10 +52,10 @@ Json axis_json(const data::Axis& axis) {
 Json result_json(const RefineCommand& options, const std::string& scheme, const DataFile& file, data::Boundary boundary,
                  const data::GridData<double>& refined) {
   const data::Axis& axis = refined.axes[0];
+  const std::vector<std::string> names = file.names();
   Json json{{"scheme", scheme}, {"levels", options.levels}, {"limit", options.limit}, {"boundary", to_text(boundary)}};
   if (refined.axes.size() == 1) {
     json["closed"] = axis.closed;
-    json["columns"] = file.table.header;
     json["count"] = axis.count;
     json["first"] = to_text(axis.first);
     json["step"] = to_text(axis.step);
@@ -63,6 +63,7 @@ Json result_json(const RefineCommand& options, const std::string& scheme, const 
     json["axes"] = Json::array();
     for (const data::Axis& one : refined.axes) json["axes"].push_back(axis_json(one));
   }
+  if (refined.axes.size() == 1 || !names.empty()) json["columns"] = names;
   json["points"] = points_json(refined);
   return json;
 }
@@ -93,6 +94,7 @@ ExitCode run(const RefineCommand& options) {
     for (data::Axis& axis : file.data.axes) axis.close();
   check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
   require_drawable(options.plot, file.data);
+  for (const std::string& line : file.remarks()) options.remark(input_name(options.data) + ": " + line);
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
@@ -104,7 +106,10 @@ ExitCode run(const RefineCommand& options) {
                                fewest.size() == 1 && file.data.axes[0].closed ? data::Boundary::periodic : boundary,
                                refined));
   else
-    options.answer([&](std::ostream& stream) { write_data(stream, file, refined, options.threads()); });
+    options.answer([&](std::ostream& stream) {
+      const PointSource all = [&](const auto& take) { take(refined.values.data(), refined.points()); };
+      write_data(stream, file, refined.axes, all, options.threads());
+    });
   return done;
 }
 

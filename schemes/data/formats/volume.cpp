@@ -197,7 +197,8 @@ class VtkReader {
       }
       if (v < 2 || counts_[v] > 1) volume_.data.axes.push_back(Axis::of(counts_[v]));
     }
-    std::ranges::stable_partition(arrays_, [](const ReadArray& one) { return one.what.keyword != "FIELD"; });
+    std::stable_partition(arrays_.begin(), arrays_.end(),
+                          [](const ReadArray& one) { return one.what.keyword != "FIELD"; });
     join_numbers();
     if (left_out_.empty()) return;
     std::string text = "left out: ";

@@ -6,7 +6,7 @@
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
-#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>
@@ -80,6 +80,13 @@ std::array<bool, 3> closed_directions(const RefineCommand& options, std::size_t 
   return closed;
 }
 
+/// The mask of a scheme whose result need not be held in memory.
+const LatticeMask* mask_for_slabs(const RefineCommand& options, const AnyScheme& scheme) {
+  const auto* linear = std::get_if<Scheme>(&scheme);
+  const bool whole = options.json || options.limit || !options.plot.empty() || !linear || !linear->mask.has_factors();
+  return whole ? nullptr : &linear->mask;
+}
+
 ExitCode run(const RefineCommand& options) {
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const AnyScheme scheme = make_any_scheme(options.scheme);
@@ -98,6 +105,14 @@ ExitCode run(const RefineCommand& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
+  if (const LatticeMask* mask = mask_for_slabs(options, scheme)) {
+    const data::SlabRefinement slabs(file.data, *mask, how);
+    options.answer([&](std::ostream& stream) {
+      write_data(
+          stream, file, slabs.axes(), [&](const auto& take) { slabs.run(take); }, options.threads());
+    });
+    return done;
+  }
   const data::GridData<double> refined = options.limit ? limit_of_data(file.data, *mask_with_factors(scheme), how)
                                                        : refine(file.data, scheme, how);
   if (!options.plot.empty()) draw_refined(options.plot, name, file.table, file.data, refined);

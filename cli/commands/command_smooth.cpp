@@ -3,7 +3,7 @@
 #include <subcert/analysis/symbol/decimal.hpp>
 #include <subcert/analysis/symbol/error.hpp>
 #include <subcert/cli/pages/plot.hpp>
-#include <subcert/cli/pages/smooth_page.hpp>
+#include <subcert/cli/pages/smooth_figure.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
@@ -167,7 +167,7 @@ void add_smooth(Command& app) {
   command.option("--derivative", options->derivative, "Order of the derivative").within(0, 20).with_default();
   command.flag("--stream", options->stream,
                "Write values as soon as their data have come, in memory that does not grow");
-  command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
+  command.option("--plot", options->plot, "Draw data, result and residuals, as .svg, .png, .pdf, .tex or .html");
 }
 
 }  // namespace subcert::cli

@@ -50,7 +50,7 @@ TEST_CASE("data are refined") {
   fails("1,5\n2,6\n3,5\n1,5\n", "primal:n=1 --closed " + data, 65,
         data + ", line 4: expected each point of a closed curve once; found the first row again");
   fails("1\n2\n", "primal:n=1 --levels 100000000 " + data, 64,
-        "100000000 levels would make about 10^30103000 numbers of 2; need at most 100000000");
+        "100000000 levels would make about 10^30103000 numbers of 2; need at most 1000000000");
   fails(line, "primal:n=1 --plot x.eps " + data, 64,
         "--plot x.eps: expected a name that ends in .svg, .png, .pdf, .tex (TikZ) or .html");
   fails(line, "primal:n=1 --closed --boundary shrink " + data, 64,

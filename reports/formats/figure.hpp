@@ -45,6 +45,8 @@ struct Panel {
   bool log_x = false;
   std::vector<Cells> cells = {};  ///< under the curves
   std::vector<Band> bands = {};   ///< between them
+  bool plain_texts = false;       ///< signs as _ and ^ in titles and names are no markup
+  double height = 1;              ///< against other panels
 };
 
 /// Panels side by side, at most `columns` in a row.
@@ -66,6 +68,7 @@ struct PictureKind {
   std::string terminal;  ///< of gnuplot
   std::string end;       ///< which a whole file has
   bool is_on_paper;      ///< measured in inches, not in pixels
+  int scale = 1;         ///< pixels for each
 
   /// For gnuplot: `460,320`, or of these hundredths of an inch.
   std::string size(int width, int height) const;

@@ -8,6 +8,8 @@
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 
+#include <set>
+
 namespace subcert::cli {
 namespace {
 
@@ -87,8 +89,10 @@ ExitCode run(const SmoothOptions& options) {
   if (is_l1_specification(options.scheme))
     for (const std::string& line : data::remarks(make_l1_scheme(options.scheme))) options.remark(line);
   std::vector<std::unique_ptr<SmoothPage>> pages;
+  std::set<std::string> remarks;  // of several groups alike
   for (data::NamedSamples& samples : groups) {
-    for (const std::string& line : samples.remarks) options.remark(line);
+    for (const std::string& line : samples.remarks)
+      if (remarks.insert(line).second) options.remark(line);
     if (noise) samples.noise = data::nearest_double(*noise);
     try {
       pages.push_back(std::make_unique<SmoothPage>(options, samples, smoothed(options, samples)));

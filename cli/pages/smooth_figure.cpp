@@ -38,8 +38,9 @@ std::vector<data::SmoothedColumn> at_the_data(const SmoothPage& page) {
 
 formats::Panel panel_of(const SmoothPage& page, std::size_t column) {
   const std::string& group = page.samples.group;
+  const auto& dates = page.samples.dates;
   formats::Panel panel{(group.empty() ? "" : group + ": ") + page.result.method,
-                       page.samples.x_name,
+                       page.samples.x_name + (dates ? ", in " + dates->unit() + " from 1970-01-01 on" : ""),
                        drawn_name(page, column),
                        {},
                        false,

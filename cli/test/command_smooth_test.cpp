@@ -18,7 +18,21 @@ TEST_CASE("data are smoothed") {
         "column 1,column 2,column 2_sd\n0,1,0\n0.5,2,0\n1,3,0\n1.5,4,0\n2,5,0\n2.5,6,0\n3,7,0\n3.5,8,0\n4,9,0\n");
   CHECK(with(wave, "--out " + out + " --plot " + out + ".svg").out.empty());
   CHECK(content(out).find("# chosen for the smallest estimated mean squared error") != std::string::npos);
-  CHECK(content(out + ".svg").find("<svg") != std::string::npos);
+  const std::string picture = content(out + ".svg");
+  CHECK(picture.find("<svg") != std::string::npos);
+  for (const char* text : {">residual of v<", ">t<", ">95 % band<", "fill-opacity = \"0.30\""})
+    CHECK(picture.find(text) != std::string::npos);
+  std::ofstream(data, std::ios::binary) << "t_s,flow_rate" + wave.substr(3);
+  for (const char* ending : {".png", ".pdf", ".tex", ".html"})
+    CHECK(run("smooth " + data + " --quiet --out " + out + " --plot " + out + ending).code == 0);
+  CHECK(
+      run("smooth " + data + " --scheme primal:n=6,d=3 --derivative 2 --out " + out + " --plot " + out + ".svg").code ==
+      0);
+  const std::string derivative = content(out + ".svg");
+  CHECK(derivative.find(">2nd derivative of flow_rate by t_s<") != std::string::npos);
+  CHECK(derivative.find("residual") == std::string::npos);
+  const std::string png = content(out + ".png");  // 920 x 1024 pixels, in the first chunk
+  CHECK(png.substr(16, 8) == std::string("\0\0\x03\x98\0\0\x04\0", 8));
   std::ofstream(data, std::ios::binary) << wave;
   const auto json = run_json("smooth " + data + " --level 0 --boundary mirror");
   CHECK(json.at("auto") == true);
@@ -219,6 +233,9 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   // Groups, each by itself and in the order of their first rows.
   CHECK(with("g,t,v\nb,0,1\na,10,5\nb,1,2\na,11,6\nb,2,3\na,12,7\n", "--by g").out ==
         "g,t,v,v_sd\nb,0,1,0\nb,1,2,0\nb,2,3,0\na,10,5,0\na,11,6,0\na,12,7,0\n");
+  std::ofstream(data, std::ios::binary) << "g,t,v\nb,1,1\nb,0,2\nb,2,0\na,1,1\na,0,2\na,2,0\n";
+  CHECK(run("smooth " + data + " --by g --scheme primal:n=1").err ==
+        "subcert: note: the rows were sorted by their positions\n");
   const auto groups = nlohmann::json::parse(with("g,t,v\nb,0,1\nb,1,2\na,1,2\n", "--by g --json").out);
   CHECK(groups.at("groups")[1].at("group") == "a");
   CHECK(groups.at("groups")[0].at("columns") == groups.at("groups")[1].at("columns"));
@@ -233,6 +250,12 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
         "t,v,v_sd\n2024-01-01 23:59:59.5Z,1,0\n2024-01-02 00:00:00.5Z,2,0\n2024-01-02 00:00:01.5Z,3,0\n");
   check_fails(with("day,v\n2024-02-28,1\n2024-02-30,2\n", ""), 65,
               data + ", line 3, column 1: expected a date written as those before; found '2024-02-30'");
+
+  std::string late = "note,day,v\n";  // dates that begin below what is looked at first
+  for (int i = 0; i < 3000; ++i) late += "long text,,1\n";
+  late += "x,2024-02-28,1\nx,2024-02-29,2\nx,2024-03-01,3\n";
+  CHECK(with(late, "--x day --missing drop --by note").out ==
+        "note,day,v,v_sd\nx,2024-02-28,1,0\nx,2024-02-29,2,0\nx,2024-03-01,3,0\n");
 
   // Other marks; names of rows as R writes them; years for names; another encoding.
   CHECK(with("a;b\n0,5;1,25\n1,5;2,5\n2,5;3,75\n", "--decimal ,").out ==

@@ -10,7 +10,8 @@
 namespace subcert::cli {
 namespace {
 
-constexpr const char *data_colour = "#555555", *limit_colour = "#0b559f";
+constexpr const char *data_colour = "#777777", *limit_colour = "#0b559f";
+constexpr std::size_t most_large_marks = 200;
 
 /// The y of a picture: the column, or its derivative by x.
 std::string drawn_name(const SmoothPage& page, std::size_t column) {
@@ -52,6 +53,7 @@ formats::Panel panel_of(const SmoothPage& page, std::size_t column) {
 /// The points of the samples that count.
 formats::Curve dots(const SmoothPage& page, const std::vector<double>& values, const std::string& label) {
   formats::Curve curve{label, {}, true, false, data_colour};
+  if (values.size() > most_large_marks) curve.mark_size = 0.2;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (page.samples.weights.empty() || page.samples.weights[i] > 0)
       curve.points.emplace_back(position(page.samples, i), values[i]);

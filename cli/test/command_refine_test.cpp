@@ -98,7 +98,7 @@ TEST_CASE("surfaces and volumes are refined") {
                            coloured + ": left out: normals and texture coordinates\n");
   CHECK(run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + coloured + " --levels 1 --plot " + folder / "c.svg").code ==
         0);
-  CHECK(run_json("refine grid:points=2x2 " + coloured + " --levels 1").at("columns") ==
+  CHECK(run_json("refine grid:points=2x2 " + coloured + " --levels 1 --quiet").at("columns") ==
         nlohmann::json({"x", "y", "z", "red", "green", "blue"}));
   const std::string arrays = file("a.vtk",
                                   "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\n"

@@ -76,7 +76,8 @@ std::vector<std::string> drawn_parts(const Panel& panel, const PictureKind& kind
                     (!curve.joined  ? "points"
                      : curve.marked ? "linespoints"
                                     : "lines") +
-                    (curve.colour.empty() ? "" : " lc rgb " + quoted(curve.colour)) + titled(curve.label));
+                    (curve.colour.empty() ? "" : " lc rgb " + quoted(curve.colour)) +
+                    (curve.marked ? fmt::format(" ps {:.2g}", curve.mark_size) : "") + titled(curve.label));
   return parts;
 }
 
@@ -112,6 +113,8 @@ void plot(const Figure& figure, const PictureKind& kind, const std::filesystem::
           << "set grid lc rgb '#dddddd' lt 1\n";
   for (std::size_t i = 0; i < std::size(panel_colours); ++i)
     gnuplot << "set linetype " << i + 1 << " lc rgb '" << panel_colours[i] << "' lw 2 pt 7 ps 0.6\n";
+  // Panels that stand under each other have the same margins.
+  if (columns == 1 && figure.panels.size() > 1) gnuplot << "set lmargin at screen 0.19\nset rmargin at screen 0.94\n";
   gnuplot << "set multiplot\n";
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     gnuplot << "set origin " << places[i].left << "," << places[i].bottom << "\nset size "

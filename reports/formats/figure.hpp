@@ -18,6 +18,7 @@ struct Curve {
   std::string colour = {};  ///< as "#0b559f"; empty: by place in the panel
   std::vector<std::string> values =
       {};  ///< what a page tells of each point, as an exact number; empty: its coordinates
+  double mark_size = 0.6;
 };
 
 /// What is enclosed: x, lower end, upper end.

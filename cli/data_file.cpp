@@ -79,6 +79,14 @@ DataFile read_data_file(const std::string& path, std::size_t variables, const st
   return file;
 }
 
+DataFile read_grid_file(const std::string& path) {
+  DataFile file = read_any(path, 2);
+  if (file.kind == DataKind::mesh)
+    fail(ErrorKind::usage, "{}: expected a matrix of heights or a .vtk file; found a mesh, whose places are data, too",
+         path);
+  return file;
+}
+
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,
                 const std::vector<std::size_t>& fewest, const std::vector<std::size_t>& fewest_closed) {
   const std::size_t axes = file.data.axes.size();

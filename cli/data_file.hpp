@@ -33,6 +33,9 @@ struct DataFile {
 /// the variables.
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed);
 
+/// The same for heights or volumes, whatever the number of their axes; a mesh is refused.
+DataFile read_grid_file(const std::string& path);
+
 /// Throws a data error where a direction has fewer points, of those that are closed and those that are not, or is
 /// closed and repeats its first points at the end.
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,

@@ -46,6 +46,8 @@ std::string choice_text(const data::MethodChoice& choice) {
   return text;
 }
 
+}  // namespace
+
 std::string covered_text(data::BandKind kind) {
   switch (kind) {
     case data::BandKind::prediction: return "pointwise, for a new datum of weight 1 with normal noise";
@@ -61,8 +63,6 @@ std::string noise_line(const std::string& column, const data::NoiseEstimate& noi
   return fmt::format("# noise of {}: standard deviation {:.6g} from {} second differences, {:.6g} degrees of freedom\n",
                      column, std::sqrt(noise.variance), noise.terms, noise.degrees_of_freedom);
 }
-
-}  // namespace
 
 SmoothPage::SmoothPage(const SmoothOptions& how, const data::NamedSamples& what, data::SmoothedSamples smoothed)
     : options(how),

@@ -24,6 +24,7 @@ struct SmoothOptions : CommonOptions {
   int level = 2;
   int derivative = 0;
   bool stream = false;
+  bool grid = false;
   std::string plot;
 };
 
@@ -60,6 +61,10 @@ struct SmoothPage {
   void add_unknown(const std::string& name);
   void turn_to_order_of_rows();
 };
+
+/// What a comment says of bands of this kind, and of the noise of a column.
+std::string covered_text(data::BandKind kind);
+std::string noise_line(const std::string& column, const data::NoiseEstimate& noise);
 
 /// The pages of all groups: one table.
 Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages);

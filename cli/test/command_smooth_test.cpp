@@ -310,3 +310,46 @@ TEST_CASE("a stream is smoothed as the whole is") {
   check_fails(run("smooth - --stream --scheme primal:n=2 < /dev/null"), 65,
               "standard input: expected rows of numbers; found none");
 }
+
+TEST_CASE("heights and volumes are smoothed") {
+  const Folder folder;
+  const std::string plane = folder.write("plane.csv", "0;1;2;3\n2;3;4;5\n4;5;6;7\n6;7;8;9\n");
+  const Run smoothed = run("smooth " + plane + " --grid --scheme local:points=3,d=1 --level 0 --noise 1");
+  CHECK(smoothed.code == 0);
+  CHECK(
+      smoothed.out.starts_with("# scheme local:points=3,d=1,weight=tricube along each axis, boundary interp\n"
+                               "# noise of value: standard deviation 1, as given\n# bands: 95 % pointwise"));
+  CHECK(smoothed.out.find("\nx;y;value;value_sd;value_lower;value_upper\n0;0;0;") != std::string::npos);
+  const auto json = run_json("smooth " + plane +
+                             " --grid --scheme 'tensor:(primal:n=1)x(primal:n=1)' --level 1 --json");
+  CHECK(json.at("columns") == nlohmann::json({"x", "y", "value", "value_sd", "value_lower", "value_upper"}));
+  REQUIRE(json.at("rows").size() == 49);
+  for (const auto& row : json.at("rows"))
+    CHECK(std::abs(row[2].get<double>() - row[0].get<double>() - 2 * row[1].get<double>()) < 1e-12);
+  const std::string volume = folder.write("v.vtk",
+                                          "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n"
+                                          "DIMENSIONS 3 2 2\nORIGIN 1 0 0\nSPACING 0.5 1 1\nPOINT_DATA 12\n"
+                                          "SCALARS d float\nLOOKUP_TABLE default\n0 1 2 1 2 3 1 2 3 2 3 4\n");
+  const Run of_volume = run("smooth " + volume + " --grid --scheme primal:n=1 --level 1");
+  CHECK(of_volume.out.find("DIMENSIONS 5 3 3\nORIGIN 1 0 0\nSPACING 0.25 0.5 0.5\nPOINT_DATA 45\n"
+                           "SCALARS d double 1\nLOOKUP_TABLE default\n0\n0.5\n1\n1.5\n2\n") != std::string::npos);
+  CHECK(of_volume.out.find("FIELD FieldData 3\nd_sd 1 45 double\n") != std::string::npos);
+  CHECK(run("smooth " + plane + " --grid --scheme primal:n=1 --plot " + folder / "p.svg").code == 0);
+  const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(run("smooth " + plane + " --grid " + arguments), code, message);
+  };
+  fails("", 64, "--grid needs --scheme, as tensor:(primal:n=3)x(primal:n=3)");
+  fails("--scheme primal:n=1 --by x", 64,
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+        "--stream");
+  fails("--scheme primal:n=1 --bands-kind simultaneous", 64,
+        "--grid: expected pointwise or prediction bands; simultaneous ones are for curves");
+  fails("--scheme l1:points=4 --bands 0", 64, "smoothing: l1:points=4,d=1,iterations=6,delta=1e-8 is not linear");
+  check_fails(run("smooth " + folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n") +
+                  " --grid --scheme primal:n=1"),
+              64,
+              folder / "m.obj" +
+                  ": expected a matrix of heights or a .vtk file; found a mesh, whose places are "
+                  "data, too");
+}

@@ -102,6 +102,10 @@ TEST_CASE("what is no grid is refused with its place") {
   CHECK(error_of(parse_ply, replaced(ply, "end_header", "end")) ==
         "f, line 9, word 1: expected format, element, property, comment or end_header; found 'end'");
   CHECK(error_of(parse_ply, ply + "4 0 1 2 3\n").find("expected the end of the file") != std::string::npos);
+  CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4.5 3")) ==
+        "f, line 19, word 4: expected the number of a vertex from 0 to 8; found '4.5'");
+  CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4 3 3")) ==
+        "f, line 19, word 6: expected 4 and four vertices; found '3'");
   CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "3 0 1 4"))
             .find("word 1: expected faces of 4 vertices; found '3'") != std::string::npos);
 }
@@ -172,6 +176,10 @@ TEST_CASE("what vertices have beside their place is read in every form") {
         std::vector<std::string>{"refined as x, y, z are: red, quality",
                                  "left out: nx of the vertices, neighbours of the vertices, what faces have beside "
                                  "their vertices, elements edge"});
+  CHECK(to_text(ascii).find("property uchar red\nproperty double quality\n") != std::string::npos);
+  QuadMesh bright = ascii;
+  bright.data.values[3] = 260.4;
+  CHECK(to_text(bright).find("\n0 0 0 255 0.5\n") != std::string::npos);
   for (const Encoding encoding : {Encoding::little_endian, Encoding::big_endian}) {
     std::string bytes;
     const auto add = [&](double value, const NumberType& type) { append_number(value, type, encoding, bytes); };
@@ -274,5 +282,11 @@ TEST_CASE("volumes have many arrays, fields, cells, bytes") {
   CHECK(cells.remarks.front() == "CELL_DATA are taken as data at the middles of the cells");
   CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\nFIELD f 1\ns 1 4 string\na\nb\nc\nd\n") ==
         "f, line 16, word 4: expected a type of numbers, as unsigned_char, int, float or double; found 'string'");
+  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\nFIELD f 1\na 1 3 int\n1 2 3\n") ==
+        "f, line 16, word 3: expected 4, one for each point; found '3'");
+  const std::string shorts = replaced(begin, "ascii", "binary").substr(0, begin.find("FIELD") + 1);
+  for (const auto& [type, value] : {std::pair("unsigned_short", 65535.0), {"short", -1.0}})
+    CHECK(parse_vtk(shorts + "dimensions 1 1 1\nPOINT_DATA 1\nSCALARS a " + type + "\nLOOKUP_TABLE d\n\xff\xff\n", "f")
+              .data.values.front() == value);
   CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\n") == "f: expected an array of POINT_DATA or CELL_DATA; found none");
 }

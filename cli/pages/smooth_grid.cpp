@@ -132,6 +132,17 @@ Json grid_json(const SmoothOptions& options, const data::SmoothedGrid& grid, con
           {"rows", rows}};
 }
 
+/// Errors: a data error names the file.
+data::SmoothedGrid smoothed(const SmoothOptions& options, const DataFile& file, const data::SmoothingOptions& how,
+                            const std::optional<double>& noise) {
+  try {
+    return smooth_grid(file.data, options.scheme, how, noise, options.threads());
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::data) throw;
+    fail(ErrorKind::data, "{}: {}", options.samples.name(), error.what());
+  }
+}
+
 /// The first number of the points, as heights.
 void draw(const SmoothOptions& options, const DataFile& file, const data::SmoothedGrid& grid) {
   if (file.data.axes.size() != 2 || file.data.dimension != 1)
@@ -148,7 +159,7 @@ void smooth_grid_file(const SmoothOptions& options, const std::optional<double>&
   for (const std::string& line : file.remarks()) options.remark(options.samples.name() + ": " + line);
   const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, 0, options.constant,
                                    options.at == "data"};
-  const data::SmoothedGrid grid = smooth_grid(file.data, options.scheme, how, noise, options.threads());
+  const data::SmoothedGrid grid = smoothed(options, file, how, noise);
   if (!options.plot.empty()) draw(options, file, grid);
   const std::vector<std::string> names = names_of(file);
   std::vector<std::vector<GridColumn>> columns;

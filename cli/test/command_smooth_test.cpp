@@ -314,10 +314,10 @@ TEST_CASE("a stream is smoothed as the whole is") {
 TEST_CASE("heights and volumes are smoothed") {
   const Folder folder;
   const std::string plane = folder.write("plane.csv", "0;1;2;3\n2;3;4;5\n4;5;6;7\n6;7;8;9\n");
-  const Run smoothed = run("smooth " + plane + " --grid --scheme local:points=3,d=1 --level 0 --noise 1");
+  const Run smoothed = run("smooth " + plane + " --grid --scheme local:points=3,d=1,weight=box --level 0 --noise 1");
   CHECK(smoothed.code == 0);
   CHECK(
-      smoothed.out.starts_with("# scheme local:points=3,d=1,weight=tricube along each axis, boundary interp\n"
+      smoothed.out.starts_with("# scheme local:points=3,d=1,weight=box along each axis, boundary interp\n"
                                "# noise of value: standard deviation 1, as given\n# bands: 95 % pointwise"));
   CHECK(smoothed.out.find("\nx;y;value;value_sd;value_lower;value_upper\n0;0;0;") != std::string::npos);
   const auto json = run_json("smooth " + plane +

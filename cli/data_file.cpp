@@ -28,19 +28,24 @@ DataFile read_csv(const std::string& path, std::size_t variables) {
     data = {std::move(table.values), 1, {data::Axis::of(columns), data::Axis::of(rows)}};
   }
   table.values.clear();
-  return {variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table), {}};
+  return {variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table)};
 }
 
 DataFile read_any(const std::string& path, std::size_t variables) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".obj") return {DataKind::obj, data::parse_obj(read_input(path), input_name(path))};
-  if (ending == ".ply") return {DataKind::ply, data::parse_ply(read_input(path), input_name(path))};
+  if (ending == ".obj" || ending == ".ply") {
+    const auto parse = ending == ".obj" ? data::parse_obj : data::parse_ply;
+    data::QuadMesh mesh = parse(read_input(path), input_name(path));
+    data::GridData<double> data = std::exchange(mesh.data, {});
+    return {DataKind::mesh, std::move(data), {}, std::move(mesh)};
+  }
   if (ending != ".vtk") return read_csv(path, variables);
   data::Volume volume = data::parse_vtk(read_input(path), input_name(path));
   data::GridData<double> data = std::move(volume.data);
-  return {DataKind::vtk, std::move(data), {}, std::move(volume)};
+  volume.data.values.clear();
+  return {DataKind::volume, std::move(data), {}, {}, std::move(volume)};
 }
 
 /// Whether the last points in direction `axis` are the first ones again. One number alone proves nothing.
@@ -67,11 +72,19 @@ DataFile read_data_file(const std::string& path, std::size_t variables, const st
          variables_text[variables]);
   for (std::size_t v = 0; v < 3; ++v) {
     if (!closed[v]) continue;
-    if (file.kind == DataKind::obj || file.kind == DataKind::ply)
+    if (file.kind == DataKind::mesh)
       fail(ErrorKind::usage, "{}: the faces of a mesh say which directions are closed; leave out --closed", path);
     if (v >= axes) fail(ErrorKind::usage, "--closed-{}: the data have {}", direction_names[v], variables_text[axes]);
     file.data.axes[v] = data::Axis::of(file.data.axes[v].count, true);
   }
+  return file;
+}
+
+DataFile read_grid_file(const std::string& path) {
+  DataFile file = read_any(path, 2);
+  if (file.kind == DataKind::mesh)
+    fail(ErrorKind::usage, "{}: expected a matrix of heights or a .vtk file; found a mesh, whose places are data, too",
+         path);
   return file;
 }
 
@@ -97,25 +110,52 @@ void check_data(const DataFile& file, const std::string& path, const std::string
   }
 }
 
-void write_data(std::ostream& stream, const DataFile& file, const data::GridData<double>& data, int threads) {
-  switch (file.kind) {
-    case DataKind::obj: stream << to_obj(data); return;
-    case DataKind::ply: stream << to_ply(data); return;
-    case DataKind::vtk: {
-      data::Volume volume = file.volume;
-      volume.data = data;
-      stream << to_vtk(volume);
-      return;
-    }
-    case DataKind::curve:
-    case DataKind::matrix: break;
+std::vector<std::string> DataFile::names() const {
+  if (kind == DataKind::curve) return table.header;
+  std::vector<std::string> names;
+  if (kind == DataKind::mesh)
+    for (const data::VertexProperty& property : mesh.properties) names.push_back(property.name);
+  if (kind == DataKind::volume)
+    for (const data::VolumeArray& array : volume.arrays)
+      for (std::size_t c = 0; c < array.components; ++c)
+        names.push_back(array.name + (array.components == 1 ? "" : "_" + std::to_string(c)));
+  return names;
+}
+
+namespace {
+
+void write_mesh(std::ostream& stream, const data::QuadMesh& mesh, const std::vector<data::Axis>& axes,
+                const PointSource& source) {
+  write_mesh_begin(stream, mesh, axes);
+  source([&](const double* values, std::size_t points) { write_vertices(stream, mesh, values, points); });
+  write_mesh_end(stream, mesh, axes);
+}
+
+void write_volume(std::ostream& stream, const data::Volume& volume, const std::vector<data::Axis>& axes,
+                  const PointSource& source) {
+  std::size_t points = 1;
+  for (const data::Axis& axis : axes) points *= axis.count;
+  write_volume_begin(stream, volume, axes);
+  for (std::size_t k = 0; k < volume.arrays.size(); ++k) {
+    write_array_begin(stream, volume, k, points);
+    source([&](const double* values, std::size_t count) { write_array(stream, volume, k, values, count); });
+    write_array_end(stream, volume);
   }
-  const bool matrix = file.kind == DataKind::matrix;
-  const std::size_t width = matrix ? data.axes[0].count : data.dimension;
-  std::vector<data::TableColumn> columns;
-  for (std::size_t c = 0; c < width; ++c) columns.push_back({data.values.data() + c, width});
+}
+
+}  // namespace
+
+void write_data(std::ostream& stream, const DataFile& file, const std::vector<data::Axis>& axes,
+                const PointSource& source, int threads) {
+  if (file.kind == DataKind::mesh) return write_mesh(stream, file.mesh, axes, source);
+  if (file.kind == DataKind::volume) return write_volume(stream, file.volume, axes, source);
+  const std::size_t dimension = file.data.dimension, width = file.kind == DataKind::matrix ? axes[0].count : dimension;
   stream << data::header_text(file.table.header, file.table.separator);
-  data::write_rows(stream, columns, matrix ? data.axes[1].count : data.points(), file.table.separator, threads);
+  source([&](const double* values, std::size_t points) {
+    std::vector<data::TableColumn> columns;
+    for (std::size_t c = 0; c < width; ++c) columns.push_back({values + c, width});
+    data::write_rows(stream, columns, points * dimension / width, file.table.separator, threads);
+  });
 }
 
 }  // namespace subcert::cli

@@ -1,22 +1,30 @@
 #pragma once
 /// Data files of `subcert refine`: curves, grids, meshes and volumes, read and written in the same form.
 
+#include <subcert/schemes/data/formats/quad_mesh.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/formats/volume.hpp>
 
 #include <array>
+#include <functional>
 #include <string>
 
 namespace subcert::cli {
 
-enum class DataKind { curve, matrix, obj, ply, vtk };
+enum class DataKind { curve, matrix, mesh, volume };
 
 /// What a file holds, and what is needed to write one of its kind.
 struct DataFile {
   DataKind kind;
   data::GridData<double> data;
   data::Table table = {};    ///< header and separator of a CSV file
-  data::Volume volume = {};  ///< title, name, origin and spacing of a VTK file
+  data::QuadMesh mesh = {};  ///< properties, format and encoding of a mesh, without its numbers
+  data::Volume volume = {};  ///< arrays, title, origin, spacing and encoding of a VTK file, without its numbers
+
+  /// What the numbers of a point are called; empty where they have no names.
+  std::vector<std::string> names() const;
+  /// What was done to the file that nobody asked for, a line each.
+  const std::vector<std::string>& remarks() const { return kind == DataKind::mesh ? mesh.remarks : volume.remarks; }
 };
 
 /// Reads a file for a scheme of this many variables: `.obj`, `.ply` and `.vtk` by their endings, else CSV, one point in
@@ -25,12 +33,20 @@ struct DataFile {
 /// the variables.
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed);
 
+/// The same for heights or volumes, whatever the number of their axes; a mesh is refused.
+DataFile read_grid_file(const std::string& path);
+
 /// Throws a data error where a direction has fewer points, of those that are closed and those that are not, or is
 /// closed and repeats its first points at the end.
 void check_data(const DataFile& file, const std::string& path, const std::string& scheme,
                 const std::vector<std::size_t>& fewest, const std::vector<std::size_t>& fewest_closed);
 
-/// Writes a file of the same kind with these data.
-void write_data(std::ostream& stream, const DataFile& file, const data::GridData<double>& data, int threads);
+/// Gives points in their order, a piece at a time, to the function; of matrices whole rows. It may be asked again.
+using PointSource = std::function<void(const std::function<void(const double* values, std::size_t points)>&)>;
+
+/// Writes a file of the same kind with points on these axes, piece by piece. Cost: of a volume, the source is asked
+/// once for each array.
+void write_data(std::ostream& stream, const DataFile& file, const std::vector<data::Axis>& axes,
+                const PointSource& source, int threads);
 
 }  // namespace subcert::cli

@@ -7,7 +7,7 @@
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
-#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>
@@ -53,10 +53,10 @@ Json axis_json(const data::Axis& axis) {
 Json result_json(const RefineCommand& options, const std::string& scheme, const DataFile& file, data::Boundary boundary,
                  const data::GridData<double>& refined) {
   const data::Axis& axis = refined.axes[0];
+  const std::vector<std::string> names = file.names();
   Json json{{"scheme", scheme}, {"levels", options.levels}, {"limit", options.limit}, {"boundary", to_text(boundary)}};
   if (refined.axes.size() == 1) {
     json["closed"] = axis.closed;
-    json["columns"] = file.table.header;
     json["count"] = axis.count;
     json["first"] = to_text(axis.first);
     json["step"] = to_text(axis.step);
@@ -64,6 +64,7 @@ Json result_json(const RefineCommand& options, const std::string& scheme, const 
     json["axes"] = Json::array();
     for (const data::Axis& one : refined.axes) json["axes"].push_back(axis_json(one));
   }
+  if (refined.axes.size() == 1 || !names.empty()) json["columns"] = names;
   json["points"] = points_json(refined);
   return json;
 }
@@ -80,6 +81,13 @@ std::array<bool, 3> closed_directions(const RefineCommand& options, std::size_t 
   return closed;
 }
 
+/// The mask of a scheme whose result need not be held in memory.
+const LatticeMask* mask_for_slabs(const RefineCommand& options, const AnyScheme& scheme) {
+  const auto* linear = std::get_if<Scheme>(&scheme);
+  const bool whole = options.json || options.limit || !options.plot.empty() || !linear || !linear->mask.has_factors();
+  return whole ? nullptr : &linear->mask;
+}
+
 ExitCode run(const RefineCommand& options) {
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const AnyScheme scheme = make_any_scheme(options.scheme);
@@ -93,9 +101,18 @@ ExitCode run(const RefineCommand& options) {
     for (data::Axis& axis : file.data.axes) axis.close();
   check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
   require_drawable(options.plot, file.data);
+  for (const std::string& line : file.remarks()) options.remark(input_name(options.data) + ": " + line);
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
+  if (const LatticeMask* factors = mask_for_slabs(options, scheme)) {
+    const data::SlabRefinement slabs(file.data, *factors, how);
+    options.answer([&](std::ostream& stream) {
+      write_data(
+          stream, file, slabs.axes(), [&](const auto& take) { slabs.run(take); }, options.threads());
+    });
+    return done;
+  }
   const data::GridData<double> refined = mask ? limit_of_data(file.data, *mask, how) : refine(file.data, scheme, how);
   if (!options.plot.empty()) draw_refined(options.plot, name, file.table, file.data, refined);
   if (options.json)
@@ -103,7 +120,10 @@ ExitCode run(const RefineCommand& options) {
                                fewest.size() == 1 && file.data.axes[0].closed ? data::Boundary::periodic : boundary,
                                refined));
   else
-    options.answer([&](std::ostream& stream) { write_data(stream, file, refined, options.threads()); });
+    options.answer([&](std::ostream& stream) {
+      const PointSource all = [&](const auto& take) { take(refined.values.data(), refined.points()); };
+      write_data(stream, file, refined.axes, all, options.threads());
+    });
   return done;
 }
 

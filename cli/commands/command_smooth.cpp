@@ -3,10 +3,13 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/plot.hpp>
-#include <subcert/cli/pages/smooth_page.hpp>
+#include <subcert/cli/pages/smooth_figure.hpp>
+#include <subcert/cli/pages/smooth_grid.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
+
+#include <set>
 
 namespace subcert::cli {
 namespace {
@@ -101,6 +104,10 @@ ExitCode run(const SmoothOptions& options) {
   if (!options.noise.empty() && (!(noise = parse_number(options.noise)) || *noise <= 0))
     fail(ErrorKind::usage, "--noise {}: expected a standard deviation > 0", options.noise);
   require_picture_name(options.plot);
+  if (options.grid) {
+    smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
+    return done;
+  }
   if (!options.samples.keep.empty() && options.at != "data")
     fail(ErrorKind::usage, "--keep needs --at data: other rows have no fields of the table");
   if (options.stream) {
@@ -112,8 +119,10 @@ ExitCode run(const SmoothOptions& options) {
     for (const std::string& line : data::remarks(make_l1_scheme(options.scheme), are_even(groups)))
       options.remark(line);
   std::vector<std::unique_ptr<SmoothPage>> pages;
+  std::set<std::string> remarks;  // of several groups alike
   for (data::NamedSamples& samples : groups) {
-    for (const std::string& line : samples.remarks) options.remark(line);
+    for (const std::string& line : samples.remarks)
+      if (remarks.insert(line).second) options.remark(line);
     if (noise) samples.noise = data::nearest_double(*noise);
     try {
       data::SmoothedSamples result = smoothed(options, samples);
@@ -195,9 +204,11 @@ void add_smooth(Command& app) {
       .within(0, 12)
       .with_default();
   command.option("--derivative", options->derivative, "Order of the derivative").within(0, 20).with_default();
+  command.flag("--grid", options->grid,
+               "DATA is a matrix of heights, or a volume in a .vtk file; --scheme works along each axis");
   command.flag("--stream", options->stream,
                "Write values as soon as their data have come, in memory that does not grow");
-  command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
+  command.option("--plot", options->plot, "Draw data, result and residuals, as .svg, .png, .pdf, .tex or .html");
 }
 
 }  // namespace subcert::cli

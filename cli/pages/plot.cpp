@@ -14,7 +14,8 @@ formats::DrawnSurface drawn_surface(const data::GridData<double>& data, const st
       result.points.push_back({data::nearest_double(data.axes[0].parameter(i % result.columns)),
                                data::nearest_double(data.axes[1].parameter(i / result.columns)), data.values[i]});
     else
-      result.points.push_back({data.values[3 * i], data.values[3 * i + 1], data.values[3 * i + 2]});
+      result.points.push_back(
+          {data.values[data.dimension * i], data.values[data.dimension * i + 1], data.values[data.dimension * i + 2]});
   }
   result.closed_x = !result.heights && data.axes[0].closed;
   result.closed_y = !result.heights && data.axes[1].closed;
@@ -30,9 +31,10 @@ void require_picture_name(const std::string& plot) {
 
 void require_drawable(const std::string& plot, const data::GridData<double>& data) {
   const std::size_t axes = data.axes.size(), k = data.dimension;
-  if (!plot.empty() && ((axes == 1 && k > 2) || (axes == 2 && k != 1 && k != 3) || axes > 2))
+  if (!plot.empty() && ((axes == 1 && k > 2) || (axes == 2 && k == 2) || axes > 2))
     fail(ErrorKind::usage,
-         "--plot {}: pictures are of curves with one or two coordinates and of surfaces with one or three; the data "
+         "--plot {}: pictures are of curves with one or two coordinates and of surfaces with one, three or more; the "
+         "data "
          "have {}{}{}{}",
          plot, axes, (axes == 1 ? " direction and " : " directions and "), k,
          (k == 1 ? " coordinate" : " coordinates"));

@@ -1,8 +1,6 @@
 #include "smooth_page.hpp"
 
 #include <subcert/schemes/data/formats/table.hpp>
-#include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
 #include <fmt/format.h>
 
@@ -45,6 +43,8 @@ std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& o
   return text;
 }
 
+}  // namespace
+
 std::string covered_text(data::BandKind kind) {
   switch (kind) {
     case data::BandKind::prediction: return "pointwise, for a new datum of weight 1 with normal noise";
@@ -72,8 +72,6 @@ std::string noise_line(const std::string& column, const data::NoiseEstimate& noi
   return fmt::format("# noise of {}: standard deviation {:.6g} from {} second differences, {:.6g} degrees of freedom\n",
                      column, std::sqrt(noise.variance), noise.terms, noise.degrees_of_freedom);
 }
-
-}  // namespace
 
 SmoothPage::SmoothPage(const SmoothOptions& how, const data::NamedSamples& what, data::SmoothedSamples smoothed)
     : options(how),
@@ -202,38 +200,6 @@ void SmoothPage::write_rows(std::ostream& stream) const {
   data::write_rows(stream, table, rows(), samples.separator, options.threads(), samples.decimal);
 }
 
-std::vector<formats::Panel> SmoothPage::panels() const {
-  std::vector<formats::Panel> result_panels;
-  const auto drawn = [&](const std::string& label, const std::vector<double>& values) {
-    formats::Curve curve{label, {}};
-    for (std::size_t o = 0; o < rows(); ++o) curve.points.emplace_back(result.positions[o], values[o]);
-    return curve;
-  };
-  for (std::size_t c = 0; c < result.columns.size(); ++c) {
-    const std::string title = samples.group.empty() ? result.method : samples.group + ": " + result.method;
-    formats::Panel panel{title, samples.x_name, samples.names[c], {}, false, "below"};
-    if (options.derivative == 0) {
-      formats::Curve dots{"data", {}, true, false};
-      for (std::size_t i = 0; i < samples.count(); ++i)
-        if (samples.weights.empty() || samples.weights[i] > 0)
-          dots.points.emplace_back(samples.uniform()
-                                       ? data::nearest_double(samples.origin + samples.spacing * Rational(i))
-                                       : samples.positions[i],
-                                   samples.columns[c][i]);
-      panel.curves.push_back(dots);
-    }
-    panel.curves.push_back(drawn("limit", result.columns[c].values));
-    if (bands) {
-      formats::Band band{"band", {}, "#c0392b"};
-      for (std::size_t o = 0; o < rows(); ++o)
-        band.ends.push_back({result.positions[o], columns[2 * c][o], columns[2 * c + 1][o]});
-      panel.bands.push_back(std::move(band));
-    }
-    result_panels.push_back(panel);
-  }
-  return result_panels;
-}
-
 Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages) {
   if (pages.front()->options.samples.by.empty()) return pages.front()->json();
   Json groups = Json::array();
@@ -245,12 +211,6 @@ void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& 
   for (const auto& page : pages) page->write_comments(stream);
   pages.front()->write_header(stream);
   for (const auto& page : pages) page->write_rows(stream);
-}
-
-formats::Figure figure_of(const std::vector<std::unique_ptr<SmoothPage>>& pages) {
-  formats::Figure figure{"smooth", pages.front()->result.method, "", 1, {}};
-  for (const auto& page : pages) std::ranges::move(page->panels(), std::back_inserter(figure.panels));
-  return figure;
 }
 
 }  // namespace subcert::cli

@@ -2,7 +2,6 @@
 /// What `subcert smooth` prints and draws.
 
 #include <subcert/cli/command.hpp>
-#include <subcert/reports/formats/figure.hpp>
 #include <subcert/schemes/data/smooth/read_samples.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 
@@ -29,6 +28,7 @@ struct SmoothOptions : CommonOptions {
   int level = 2;
   int derivative = 0;
   bool stream = false;
+  bool grid = false;
   std::string plot;
 };
 
@@ -57,8 +57,6 @@ struct SmoothPage {
   /// The names of the columns.
   void write_header(std::ostream& stream) const;
   void write_rows(std::ostream& stream) const;
-  /// Data and result of each column.
-  std::vector<formats::Panel> panels() const;
   std::size_t rows() const { return result.positions.size(); }
 
  private:
@@ -68,9 +66,11 @@ struct SmoothPage {
   void turn_to_order_of_rows();
 };
 
-/// The pages of all groups: one table, one figure.
+/// What a comment says of bands of this kind, and of the noise of a column.
+std::string covered_text(data::BandKind kind);
+std::string noise_line(const std::string& column, const data::NoiseEstimate& noise);
+
+/// The pages of all groups: one table.
 Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages);
 void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream);
-formats::Figure figure_of(const std::vector<std::unique_ptr<SmoothPage>>& pages);
-
 }  // namespace subcert::cli

@@ -50,7 +50,7 @@ TEST_CASE("data are refined") {
   fails("1,5\n2,6\n3,5\n1,5\n", "primal:n=1 --closed " + data, 65,
         data + ", line 4: expected each point of a closed curve once; found the first row again");
   fails("1\n2\n", "primal:n=1 --levels 100000000 " + data, 64,
-        "100000000 levels would make about 10^30103000 numbers of 2; need at most 100000000");
+        "100000000 levels would make about 10^30103000 numbers of 2; need at most 1000000000");
   fails(line, "primal:n=1 --plot x.eps " + data, 64,
         "--plot x.eps: expected a name that ends in .svg, .png, .pdf, .tex (TikZ) or .html");
   fails(line, "primal:n=1 --closed --boundary shrink " + data, 64,
@@ -87,6 +87,28 @@ TEST_CASE("surfaces and volumes are refined") {
   const std::string finer = run("refine grid:points=2x2x2 " + volume + " --levels 1").out;
   CHECK(finer.find("DIMENSIONS 2 2 2\nORIGIN 0.25 0.25 0.25\nSPACING 0.5 0.5 0.5\nPOINT_DATA 8\n") !=
         std::string::npos);
+
+  // What is refined beside the coordinates, and what is not.
+  const std::string coloured = file("c.obj",
+                                    "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 0 0 1\nv 1 1 4 0 0 1\nvn 0 0 1\n"
+                                    "f 1//1 2//1 4//1 3//1\n");
+  const Run colours = run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + coloured + " --levels 1");
+  CHECK(colours.out.find("v 0.5 0.5 1 0.5 0 0.5\n") != std::string::npos);
+  CHECK(colours.err == "subcert: note: " + coloured + ": refined as x, y, z are: red, green, blue\nsubcert: note: " +
+                           coloured + ": left out: normals and texture coordinates\n");
+  CHECK(run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + coloured + " --levels 1 --plot " + folder / "c.svg").code ==
+        0);
+  CHECK(run_json("refine grid:points=2x2 " + coloured + " --levels 1 --quiet").at("columns") ==
+        nlohmann::json({"x", "y", "z", "red", "green", "blue"}));
+  const std::string arrays = file("a.vtk",
+                                  "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\n"
+                                  "CELL_DATA 1\nSCALARS c int\nLOOKUP_TABLE default\n7\nPOINT_DATA 4\n"
+                                  "VECTORS v float\n0 0 0 1 0 0 0 1 0 1 1 4\nFIELD f 1\nd 1 4 int\n0 1 2 3\n");
+  const Run finer_arrays = run("refine 'tensor:(primal:n=1)x(primal:n=1)' " + arrays + " --levels 1");
+  CHECK(finer_arrays.out.ends_with(
+      "POINT_DATA 9\nVECTORS v double\n0 0 0\n0.5 0 0\n1 0 0\n0 0.5 0\n0.5 0.5 1\n1 0.5 2\n0 1 0\n0.5 1 2\n1 1 4\n"
+      "FIELD FieldData 1\nd 1 9 double\n0\n0.5\n1\n1\n1.5\n2\n2\n2.5\n3\n"));
+  CHECK(finer_arrays.err == "subcert: note: " + arrays + ": left out: CELL_DATA\n");
 
   const auto code = [&](const std::string& arguments) { return run("refine " + arguments).code; };
   CHECK(code("primal:n=1 " + mesh) == 64);

@@ -18,7 +18,21 @@ TEST_CASE("data are smoothed") {
         "column 1,column 2,column 2_sd\n0,1,0\n0.5,2,0\n1,3,0\n1.5,4,0\n2,5,0\n2.5,6,0\n3,7,0\n3.5,8,0\n4,9,0\n");
   CHECK(with(wave, "--out " + out + " --plot " + out + ".svg").out.empty());
   CHECK(content(out).find("# chosen for the smallest estimated mean squared error") != std::string::npos);
-  CHECK(content(out + ".svg").find("<svg") != std::string::npos);
+  const std::string picture = content(out + ".svg");
+  CHECK(picture.find("<svg") != std::string::npos);
+  for (const char* text : {">residual of v<", ">t<", ">95 % band<", "fill-opacity = '0.300000'"})
+    CHECK(picture.find(text) != std::string::npos);
+  std::ofstream(data, std::ios::binary) << "t_s,flow_rate" + wave.substr(3);
+  for (const char* ending : {".png", ".pdf", ".tex", ".html"})
+    CHECK(run("smooth " + data + " --quiet --out " + out + " --plot " + out + ending).code == 0);
+  CHECK(
+      run("smooth " + data + " --scheme primal:n=6,d=3 --derivative 2 --out " + out + " --plot " + out + ".svg").code ==
+      0);
+  const std::string derivative = content(out + ".svg");
+  CHECK(derivative.find(">2nd derivative of flow_rate by t_s<") != std::string::npos);
+  CHECK(derivative.find("residual") == std::string::npos);
+  const std::string png = content(out + ".png");  // 920 x 1024 pixels, in the first chunk
+  CHECK(png.substr(16, 8) == std::string("\0\0\x03\x98\0\0\x04\0", 8));
   std::ofstream(data, std::ios::binary) << wave;
   const auto json = run_json("smooth " + data + " --level 0 --boundary mirror");
   CHECK(json.at("auto") == true);
@@ -255,6 +269,9 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   // Groups, each by itself and in the order of their first rows.
   CHECK(with("g,t,v\nb,0,1\na,10,5\nb,1,2\na,11,6\nb,2,3\na,12,7\n", "--by g").out ==
         "g,t,v,v_sd\nb,0,1,0\nb,1,2,0\nb,2,3,0\na,10,5,0\na,11,6,0\na,12,7,0\n");
+  std::ofstream(data, std::ios::binary) << "g,t,v\nb,1,1\nb,0,2\nb,2,0\na,1,1\na,0,2\na,2,0\n";
+  CHECK(run("smooth " + data + " --by g --scheme primal:n=1").err ==
+        "subcert: note: the rows were sorted by their positions\n");
   const auto groups = nlohmann::json::parse(with("g,t,v\nb,0,1\nb,1,2\na,1,2\n", "--by g --json").out);
   CHECK(groups.at("groups")[1].at("group") == "a");
   CHECK(groups.at("groups")[0].at("columns") == groups.at("groups")[1].at("columns"));
@@ -269,6 +286,11 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
         "t,v,v_sd\n2024-01-01 23:59:59.5Z,1,0\n2024-01-02 00:00:00.5Z,2,0\n2024-01-02 00:00:01.5Z,3,0\n");
   check_fails(with("day,v\n2024-02-28,1\n2024-02-30,2\n", ""), 65,
               data + ", line 3, column 1: expected a date written as those before; found '2024-02-30'");
+
+  std::string late = "note,day,v\n";  // dates that begin below what is looked at first
+  for (int i = 0; i < 3000; ++i) late += "long text,,1\n";
+  late += "x,2024-02-28,1\nx,2024-02-29,2\nx,2024-03-01,3\n";
+  CHECK(with(late, "--x day --missing drop").out == "day,v,v_sd\n2024-02-28,1,0\n2024-02-29,2,0\n2024-03-01,3,0\n");
 
   // Other marks; names of rows as R writes them; years for names; another encoding.
   CHECK(with("a;b\n0,5;1,25\n1,5;2,5\n2,5;3,75\n", "--decimal ,").out ==
@@ -323,4 +345,47 @@ TEST_CASE("a stream is smoothed as the whole is") {
               data + ", line 3, column 1: expected increasing positions in a stream; found 2 after 2");
   check_fails(run("smooth - --stream --scheme primal:n=2 < /dev/null"), 65,
               "standard input: expected rows of numbers; found none");
+}
+
+TEST_CASE("heights and volumes are smoothed") {
+  const Folder folder;
+  const std::string plane = folder.write("plane.csv", "0;1;2;3\n2;3;4;5\n4;5;6;7\n6;7;8;9\n");
+  const Run smoothed = run("smooth " + plane + " --grid --scheme local:points=3,d=1,weight=box --level 0 --noise 1");
+  CHECK(smoothed.code == 0);
+  CHECK(
+      smoothed.out.starts_with("# scheme local:points=3,d=1,weight=box along each axis, boundary interp\n"
+                               "# noise of value: standard deviation 1, as given\n# bands: 95 % pointwise"));
+  CHECK(smoothed.out.find("\nx;y;value;value_sd;value_lower;value_upper\n0;0;0;") != std::string::npos);
+  const auto json = run_json("smooth " + plane +
+                             " --grid --scheme 'tensor:(primal:n=1)x(primal:n=1)' --level 1 --json");
+  CHECK(json.at("columns") == nlohmann::json({"x", "y", "value", "value_sd", "value_lower", "value_upper"}));
+  REQUIRE(json.at("rows").size() == 49);
+  for (const auto& row : json.at("rows"))
+    CHECK(std::abs(row[2].get<double>() - row[0].get<double>() - 2 * row[1].get<double>()) < 1e-12);
+  const std::string volume = folder.write("v.vtk",
+                                          "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n"
+                                          "DIMENSIONS 3 2 2\nORIGIN 1 0 0\nSPACING 0.5 1 1\nPOINT_DATA 12\n"
+                                          "SCALARS d float\nLOOKUP_TABLE default\n0 1 2 1 2 3 1 2 3 2 3 4\n");
+  const Run of_volume = run("smooth " + volume + " --grid --scheme primal:n=1 --level 1");
+  CHECK(of_volume.out.find("DIMENSIONS 5 3 3\nORIGIN 1 0 0\nSPACING 0.25 0.5 0.5\nPOINT_DATA 45\n"
+                           "SCALARS d double 1\nLOOKUP_TABLE default\n0\n0.5\n1\n1.5\n2\n") != std::string::npos);
+  CHECK(of_volume.out.find("FIELD FieldData 3\nd_sd 1 45 double\n") != std::string::npos);
+  CHECK(run("smooth " + plane + " --grid --scheme primal:n=1 --plot " + folder / "p.svg").code == 0);
+  const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(run("smooth " + plane + " --grid " + arguments), code, message);
+  };
+  fails("", 64, "--grid needs --scheme, as tensor:(primal:n=3)x(primal:n=3)");
+  fails("--scheme primal:n=1 --by x", 64,
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+        "--stream");
+  fails("--scheme primal:n=1 --bands-kind simultaneous", 64,
+        "--grid: expected pointwise or prediction bands; simultaneous ones are for curves");
+  fails("--scheme l1:points=4 --bands 0", 64, "smoothing: l1:points=4,d=1,iterations=6,delta=1e-8 is not linear");
+  check_fails(run("smooth " + folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n") +
+                  " --grid --scheme primal:n=1"),
+              64,
+              folder / "m.obj" +
+                  ": expected a matrix of heights or a .vtk file; found a mesh, whose places are "
+                  "data, too");
 }

@@ -7,9 +7,9 @@ import warnings
 from fractions import Fraction
 from typing import Any, Optional, Sequence, Union
 
-from . import _plots
+from . import _frames, _plots
 from ._calls import core as _core
-from ._errors import DomainError
+from ._errors import DomainError, UsageError
 from ._exact import Exact, fraction
 from ._regularity import Progress
 
@@ -79,12 +79,32 @@ class Smoothed:
         return _plots.bands(ax, self.x, self.values, self.lower, self.upper, self.scheme)
 
 
+def _without_missing(array: Any, x: Any, weights: Any) -> tuple[Any, Any, Any]:
+    """Without the rows that have no position; weight 0 for those that have no sample."""
+    import numpy
+
+    prior = None if weights is None else numpy.asarray(weights, dtype=object)
+    if x is not None:
+        x = numpy.asarray(x, dtype=numpy.float64)
+        there = ~numpy.isnan(x)
+        array, x, prior = array[there], x[there], None if prior is None else prior[there]
+    gaps = numpy.isnan(array)
+    if gaps.any():
+        prior = numpy.where(gaps, 0, 1 if prior is None else prior)
+        array = numpy.where(gaps, 0, array)
+    return array, x, None if prior is None else prior.tolist()
+
+
 def smooth(
-    y: Any,
-    x: Optional[Sequence[float]] = None,
+    data: Any = None,
+    x: Any = None,
+    y: Any = None,
     *,
+    by: Optional[_frames.Name] = None,
+    keep: Any = None,
+    missing: str = "raise",
     scheme: Any = "",
-    weights: Optional[Sequence[Exact]] = None,
+    weights: Any = None,
     bands: float = 0.95,
     kind: str = "pointwise",
     level: int = 0,
@@ -101,10 +121,20 @@ def smooth(
     seed: int = 2015,
     jobs: Optional[int] = None,
     progress: Progress = None,
-) -> Smoothed:
+) -> Any:
     """Smooths samples of a function by the limit of a scheme or by local polynomials.
 
-    `y`: shape (n,). `x`: the positions, in any order, uniform up to their last decimal place; or `origin` and
+    `data`: an array of shape (n,) for an answer of the kind Smoothed; or a table: a frame of pandas, polars, pyarrow
+    or others with the dataframe interchange protocol, a dict of arrays, a structured array, or the name of a file
+    (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of the same kind. Of a table `x`, `y`,
+    `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and `keep` also lists. Without `x` the
+    first of several columns of numbers or dates holds the positions ("none": 0, 1, 2, ...); without `y` all other
+    columns of numbers are smoothed. `by`: each group of rows by itself. `keep`: columns that the answer has, too, with
+    at="data". The columns of the answer are those of the command: for v also v_sd, v_lower, v_upper. Dates count in
+    days, or in seconds where one has a time. `missing`: "raise", or "drop" for samples that are NaN or missing and
+    rows without a position.
+
+    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and
     `spacing`, 1 by default. With `irregular` other positions are taken as they are, also several data at one, and
     `spacing`, by default the mean, is that of the answer. At the data the answer has the order of `y`; on a grid it
     falls where `x` falls. `scheme`: a scheme or a specification, also "local:points=21,d=1" and its like; by default
@@ -121,16 +151,32 @@ def smooth(
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
     >>> bool(abs(s.values - numpy.arange(12.0)).max() < 1e-12)
     True
+    >>> table = {"day": [0, 1, 2, 3], "mass": [1.0, 2.0, 3.0, 4.0]}
+    >>> subcert.smooth(table, x="day", y="mass", scheme="primal:n=1", bands=0)["mass"]
+    array([1., 2., 3., 4.])
     """
+    options = dict(locals())
     import numpy
 
-    array = numpy.ascontiguousarray(y, dtype=numpy.float64)
+    if missing not in ("raise", "drop"):
+        raise UsageError(f"missing: expected raise or drop, got {missing!r}")
+    if data is None:
+        data, y = y, None
+    if _frames.is_table(data):
+        for name in ("data", "x", "y", "by", "keep"):
+            del options[name]
+        return _frames.smoothed(smooth, data, x, y, by, keep, options)
+    if y is not None or by is not None or keep is not None:
+        raise UsageError("smooth: y, by and keep are columns of a table; got an array")
+    array = numpy.ascontiguousarray(data, dtype=numpy.float64)
+    if missing == "drop" and array.ndim == 1:
+        array, x, weights = _without_missing(array, x, weights)
     positions = None
     if x is not None:
         positions = numpy.ascontiguousarray(x, dtype=numpy.float64)
         if positions.shape != array.shape or positions.ndim != 1 or positions.size < 2:
             raise DomainError(f"x: need two positions or more, as many as samples, got shape {positions.shape}")
-    prior = [] if weights is None else [fraction(w) if not isinstance(w, float) else Fraction(w) for w in weights]
+    prior = [] if weights is None else [Fraction(w) if isinstance(w, float) else fraction(w) for w in weights]
     if prior and len(prior) != array.size:
         raise DomainError(f"weights: need as many as samples, {array.size}, got {len(prior)}")
     facts = _core.smooth(

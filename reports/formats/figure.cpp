@@ -11,7 +11,9 @@
 #include <gnuplot-iostream.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <numeric>
 #include <sstream>
 
 namespace subcert::formats {
@@ -28,52 +30,97 @@ std::string range_of(const std::vector<Cells>& cells) {
   return text.str();
 }
 
+constexpr const char* panel_colours[] = {"#0b559f", "#c0392b", "#1e8449", "#7d3c98", "#b9770e", "#117a8b"};
+
+/// Where a panel stands, in parts of the whole.
+struct Place {
+  double left;
+  double bottom;
+  double height;
+};
+
+/// Rows from the top, each as high as its highest panel; `height`: of all together.
+std::vector<Place> places_of(const Figure& figure, std::size_t columns, double& height) {
+  std::vector<double> heights((figure.panels.size() + columns - 1) / columns, 0);
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    heights[i / columns] = std::max(heights[i / columns], figure.panels[i].height);
+  height = std::accumulate(heights.begin(), heights.end(), 0.0);
+  std::vector<Place> places;
+  double above = 0;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const double own = heights[i / columns];
+    places.push_back(
+        {static_cast<double>(i % columns) / static_cast<double>(columns), 1 - (above + own) / height, own / height});
+    if (i % columns + 1 == columns) above += own;
+  }
+  return places;
+}
+
+/// The parts of the command plot, in the order in which their points are sent.
+std::vector<std::string> drawn_parts(const Panel& panel, const PictureKind& kind) {
+  std::vector<std::string> parts;
+  const std::string plain = panel.plain_texts ? " noenhanced" : "";
+  const auto titled = [&](const std::string& label) {
+    return label.empty() ? std::string(" notitle") : " title " + kind.quoted_text(label) + plain;
+  };
+  for (const Cells& cells : panel.cells)
+    parts.push_back("'-' using (($1+$2)/2):(($3+$4)/2):1:2:3:4 with boxxyerror fs solid noborder lc rgb " +
+                    quoted(cells.colour) + titled(cells.label));
+  for (std::size_t i = 0; i < panel.bands.size(); ++i)
+    parts.push_back(
+        "'-' using 1:2:3 with filledcurves fs transparent solid 0.3 noborder lc rgb " +
+        quoted(panel.bands[i].colour.empty() ? panel_colours[i % std::size(panel_colours)] : panel.bands[i].colour) +
+        titled(panel.bands[i].label));
+  for (const Curve& curve : panel.curves)
+    parts.push_back(std::string("'-' with ") +
+                    (!curve.joined  ? "points"
+                     : curve.marked ? "linespoints"
+                                    : "lines") +
+                    (curve.colour.empty() ? "" : " lc rgb " + quoted(curve.colour)) +
+                    (curve.marked ? fmt::format(" ps {:.2g}", curve.mark_size) : "") + titled(curve.label));
+  return parts;
+}
+
+void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
+  const std::string plain = panel.plain_texts ? " noenhanced" : "";
+  gnuplot << "set title " << kind.quoted_text(panel.title) << plain << "\nset xlabel "
+          << kind.quoted_text(panel.x_label) << plain << "\nset ylabel " << kind.quoted_text(panel.y_label) << plain
+          << "\nset key " << panel.key << "\n"
+          << (panel.log_y
+                  ? fmt::format("set logscale y\nset format y '{0}10^{{%T}}{0}'\n", kind.ending == ".tex" ? "$" : "")
+                  : std::string("unset logscale y\nset format y '%g'\n"))
+          << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
+          << (panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
+                                  : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
+          << "plot ";
+  const std::vector<std::string> parts = drawn_parts(panel, kind);
+  for (std::size_t i = 0; i < parts.size(); ++i) gnuplot << (i ? ", " : "") << parts[i];
+  gnuplot << "\n";
+  for (const Cells& cells : panel.cells) gnuplot.send1d(cells.rectangles);
+  for (const Band& band : panel.bands) gnuplot.send1d(band.ends);
+  for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
+}
+
 void plot(const Figure& figure, const PictureKind& kind, const std::filesystem::path& target) {
   Gnuplot gnuplot(gnuplot_command);
-  const auto count = static_cast<int>(figure.panels.size());
-  const int columns = std::min(figure.columns, count), rows = (count + columns - 1) / columns;
-  gnuplot << "set encoding utf8\nset terminal " << kind.terminal << " size " << kind.size(460 * columns, 320 * rows)
-          << "\n"
+  const std::size_t columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
+  double height = 0;
+  const std::vector<Place> places = places_of(figure, columns, height);
+  gnuplot << "set encoding utf8\nset terminal " << kind.terminal << " size "
+          << kind.size(460 * static_cast<int>(columns), static_cast<int>(std::lround(320 * height))) << "\n"
           << "set output " << quoted(target.string()) << "\n"
           << "set border 3 lc rgb '#555555'\nset tics nomirror textcolor rgb '#333333'\n"
           << "set grid lc rgb '#dddddd' lt 1\n";
-  const char* colours[] = {"#0b559f", "#c0392b", "#1e8449", "#7d3c98", "#b9770e", "#117a8b"};
-  for (std::size_t i = 0; i < std::size(colours); ++i)
-    gnuplot << "set linetype " << i + 1 << " lc rgb '" << colours[i] << "' lw 2 pt 7 ps 0.6\n";
-  gnuplot << "set multiplot layout " << rows << "," << columns << "\n";
-  for (const Panel& panel : figure.panels) {
-    gnuplot << "set title " << kind.quoted_text(panel.title) << "\nset xlabel " << kind.quoted_text(panel.x_label)
-            << "\nset ylabel " << kind.quoted_text(panel.y_label) << "\nset key " << panel.key << "\n"
-            << (panel.log_y
-                    ? fmt::format("set logscale y\nset format y '{0}10^{{%T}}{0}'\n", kind.ending == ".tex" ? "$" : "")
-                    : std::string("unset logscale y\nset format y '%g'\n"))
-            << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
-            << (panel.equal_units ? "set size ratio -1\n" : "set size noratio\n")
-            << (panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
-                                    : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
-            << "plot ";
-    std::vector<std::string> parts;
-    const auto titled = [&](const std::string& label) {
-      return label.empty() ? std::string(" notitle") : " title " + kind.quoted_text(label);
-    };
-    for (const Cells& cells : panel.cells)
-      parts.push_back("'-' using (($1+$2)/2):(($3+$4)/2):1:2:3:4 with boxxyerror fs solid noborder lc rgb " +
-                      quoted(cells.colour) + titled(cells.label));
-    for (std::size_t i = 0; i < panel.bands.size(); ++i)
-      parts.push_back("'-' using 1:2:3 with filledcurves fs transparent solid 0.2 noborder lc rgb " +
-                      quoted(panel.bands[i].colour.empty() ? colours[i % std::size(colours)] : panel.bands[i].colour) +
-                      titled(panel.bands[i].label));
-    for (const Curve& curve : panel.curves)
-      parts.push_back(std::string("'-' with ") +
-                      (!curve.joined  ? "points"
-                       : curve.marked ? "linespoints"
-                                      : "lines") +
-                      (curve.colour.empty() ? "" : " lc rgb " + quoted(curve.colour)) + titled(curve.label));
-    for (std::size_t i = 0; i < parts.size(); ++i) gnuplot << (i ? ", " : "") << parts[i];
-    gnuplot << "\n";
-    for (const Cells& cells : panel.cells) gnuplot.send1d(cells.rectangles);
-    for (const Band& band : panel.bands) gnuplot.send1d(band.ends);
-    for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
+  for (std::size_t i = 0; i < std::size(panel_colours); ++i)
+    gnuplot << "set linetype " << i + 1 << " lc rgb '" << panel_colours[i] << "' lw 2 pt 7 ps 0.6\n";
+  // Panels that stand under each other have the same margins.
+  if (columns == 1 && figure.panels.size() > 1) gnuplot << "set lmargin at screen 0.19\nset rmargin at screen 0.94\n";
+  gnuplot << "set multiplot\n";
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    gnuplot << "set origin " << places[i].left << "," << places[i].bottom << "\nset size "
+            << (figure.panels[i].equal_units ? "ratio -1 " : "noratio ") << 1.0 / static_cast<double>(columns) << ","
+            << places[i].height << "\n";
+    plot_panel(gnuplot, figure.panels[i], kind);
   }
   gnuplot << "unset multiplot\nunset output\n";
   gnuplot.flush();
@@ -109,7 +156,7 @@ void draw(const Figure& figure, const std::filesystem::path& folder) {
 const std::vector<PictureKind>& picture_kinds() {
   static const std::vector<PictureKind> kinds{
       {".svg", "svg font 'DejaVu Sans,12' background rgb 'white'", "</svg>", false},
-      {".png", "pngcairo font 'DejaVu Sans,11'", "IEND", false},
+      {".png", "pngcairo font 'DejaVu Sans,11' fontscale 2 linewidth 2 pointscale 2", "IEND", false, 2},
       {".pdf", "pdfcairo font 'DejaVu Sans,11'", "%%EOF", true},
       {".tex", "tikz", "\\end{tikzpicture}", true},
   };
@@ -117,7 +164,7 @@ const std::vector<PictureKind>& picture_kinds() {
 }
 
 std::string PictureKind::size(int width, int height) const {
-  if (!is_on_paper) return fmt::format("{},{}", width, height);
+  if (!is_on_paper) return fmt::format("{},{}", scale * width, scale * height);
   return fmt::format("{:.2f}in,{:.2f}in", width / 100.0, height / 100.0);
 }
 

@@ -18,6 +18,7 @@ struct Curve {
   std::string colour = {};  ///< as "#0b559f"; empty: by place in the panel
   std::vector<std::string> values =
       {};  ///< what a page tells of each point, as an exact number; empty: its coordinates
+  double mark_size = 0.6;
 };
 
 /// What is enclosed: x, lower end, upper end.
@@ -45,6 +46,8 @@ struct Panel {
   bool log_x = false;
   std::vector<Cells> cells = {};  ///< under the curves
   std::vector<Band> bands = {};   ///< between them
+  bool plain_texts = false;       ///< signs as _ and ^ in titles and names are no markup
+  double height = 1;              ///< against other panels
 };
 
 /// Panels side by side, at most `columns` in a row.
@@ -66,6 +69,7 @@ struct PictureKind {
   std::string terminal;  ///< of gnuplot
   std::string end;       ///< which a whole file has
   bool is_on_paper;      ///< measured in inches, not in pixels
+  int scale = 1;         ///< pixels for each
 
   /// For gnuplot: `460,320`, or of these hundredths of an inch.
   std::string size(int width, int height) const;

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
+#include <ostream>
+#include <sstream>
 
 namespace subcert::data {
 namespace {
@@ -16,15 +19,19 @@ using Quad = std::array<std::size_t, 4>;
 
 constexpr std::size_t most_vertices = 100'000'000;
 
-/// The quadrilaterals of a grid, vertices counted from 0, all with the same orientation.
-std::vector<Quad> grid_quads(std::size_t columns, std::size_t rows, bool closed_x, bool closed_y) {
-  std::vector<Quad> quads;
-  for (std::size_t j = 0; j < rows - (closed_y ? 0 : 1); ++j)
-    for (std::size_t i = 0; i < columns - (closed_x ? 0 : 1); ++i) {
+/// Calls work(quad) for the quadrilaterals of a grid, vertices counted from 0, all with the same orientation.
+template <class Work>
+void for_quads(const std::vector<Axis>& axes, const Work& work) {
+  const std::size_t columns = axes[0].count, rows = axes[1].count;
+  for (std::size_t j = 0; j < rows - (axes[1].closed ? 0 : 1); ++j)
+    for (std::size_t i = 0; i < columns - (axes[0].closed ? 0 : 1); ++i) {
       const std::size_t right = (i + 1) % columns, up = (j + 1) % rows;
-      quads.push_back({j * columns + i, j * columns + right, up * columns + right, up * columns + i});
+      work(Quad{j * columns + i, j * columns + right, up * columns + right, up * columns + i});
     }
-  return quads;
+}
+
+std::size_t count_quads(const std::vector<Axis>& axes) {
+  return (axes[0].count - (axes[0].closed ? 0 : 1)) * (axes[1].count - (axes[1].closed ? 0 : 1));
 }
 
 std::vector<Quad> sorted(std::vector<Quad> quads) {
@@ -39,25 +46,67 @@ std::optional<std::vector<Axis>> find_axes(std::size_t vertices, const std::vect
   for (const auto& [closed_x, closed_y] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
     for (std::size_t columns = 2; columns <= vertices / 2; ++columns) {
       const std::size_t rows = vertices / columns;
-      if (rows * columns != vertices || (columns - (closed_x ? 0 : 1)) * (rows - (closed_y ? 0 : 1)) != faces.size() ||
-          (closed_x && columns < 3) || (closed_y && rows < 3))
-        continue;
-      if (sorted(grid_quads(columns, rows, closed_x, closed_y)) == given)
-        return std::vector<Axis>{Axis::of(columns, closed_x), Axis::of(rows, closed_y)};
+      if (rows * columns != vertices || (closed_x && columns < 3) || (closed_y && rows < 3)) continue;
+      std::vector<Axis> axes{Axis::of(columns, closed_x), Axis::of(rows, closed_y)};
+      if (count_quads(axes) != faces.size()) continue;
+      std::vector<Quad> quads;
+      for_quads(axes, [&](const Quad& quad) { quads.push_back(quad); });
+      if (sorted(std::move(quads)) == given) return axes;
     }
   return std::nullopt;
 }
 
-GridData<double> surface(std::vector<double> coordinates, const std::vector<Quad>& faces, const TextLines& lines) {
-  const std::size_t vertices = coordinates.size() / 3;
-  if (vertices < 4 || faces.empty())
-    lines.fail_file("vertices and four-sided faces that make a grid; found " + std::to_string(vertices) +
-                    " vertices and " + std::to_string(faces.size()) + " faces");
-  const auto axes = find_axes(vertices, faces);
+/// What a file was read to. Canonical: values.size() is a multiple of the number of properties.
+struct Parts {
+  std::vector<VertexProperty> properties;
+  std::vector<double> values;
+  std::vector<Quad> faces;
+  std::vector<std::string> left_out = {};  ///< what was not kept
+};
+
+/// Takes away the vertices that no face has.
+void drop_unused(Parts& parts) {
+  const std::size_t size = parts.properties.size(), vertices = parts.values.size() / size;
+  std::vector<std::size_t> number(vertices, 0);
+  for (const Quad& face : parts.faces)
+    for (const std::size_t vertex : face) number[vertex] = 1;
+  std::size_t used = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (number[v] == 0) continue;
+    std::copy_n(parts.values.begin() + static_cast<std::ptrdiff_t>(v * size), size,
+                parts.values.begin() + static_cast<std::ptrdiff_t>(used * size));
+    number[v] = used++;
+  }
+  if (used == vertices) return;
+  parts.values.resize(used * size);
+  for (Quad& face : parts.faces)
+    for (std::size_t& vertex : face) vertex = number[vertex];
+  parts.left_out.push_back(std::to_string(vertices - used) + " vertices without faces");
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& one : texts) text += (text.empty() ? "" : ", ") + one;
+  return text;
+}
+
+QuadMesh mesh_of(Parts parts, const TextLines& lines, MeshFormat format, Encoding encoding) {
+  const std::size_t given = parts.values.size() / parts.properties.size();
+  if (given < 4 || parts.faces.empty())
+    lines.fail_file("vertices and four-sided faces that make a grid; found " + std::to_string(given) +
+                    " vertices and " + std::to_string(parts.faces.size()) + " faces");
+  drop_unused(parts);
+  const std::size_t vertices = parts.values.size() / parts.properties.size();
+  const auto axes = find_axes(vertices, parts.faces);
   if (!axes)
     lines.fail_file("faces that make a grid of columns and rows with vertices numbered row by row; the " +
-                    std::to_string(faces.size()) + " faces on " + std::to_string(vertices) + " vertices do not");
-  return {std::move(coordinates), 3, *axes};
+                    std::to_string(parts.faces.size()) + " faces on " + std::to_string(vertices) + " vertices do not");
+  QuadMesh mesh{{std::move(parts.values), parts.properties.size(), *axes}, parts.properties, format, encoding};
+  std::vector<std::string> beside;
+  for (std::size_t k = 3; k < mesh.properties.size(); ++k) beside.push_back(mesh.properties[k].name);
+  if (!beside.empty()) mesh.remarks.push_back("refined as x, y, z are: " + joined(beside));
+  if (!parts.left_out.empty()) mesh.remarks.push_back("left out: " + joined(parts.left_out));
+  return mesh;
 }
 
 /// The vertex of `7`, `7/1`, `7//3` or, counted from the end, `-1`.
@@ -72,135 +121,343 @@ std::size_t obj_vertex(const TextLines& lines, std::size_t word, std::size_t ver
   return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
 }
 
-void require_surface(const GridData<double>& data) {
-  if (data.axes.size() != 2 || data.dimension != 3 || !data.is_canonical())
-    fail(ErrorKind::domain, "quad mesh: need two axes and three coordinates");
+/// Of vertices with so many numbers; empty for a number that OBJ does not have.
+std::vector<VertexProperty> obj_properties(std::size_t numbers) {
+  std::vector<VertexProperty> properties{{"x"}, {"y"}, {"z"}};
+  if (numbers == 4 || numbers == 7) properties.push_back({"w"});
+  if (numbers >= 6)
+    for (const char* name : {"red", "green", "blue"}) properties.push_back({name, {}, 0, 1});
+  return properties.size() == numbers ? properties : std::vector<VertexProperty>{};
 }
 
-std::string point_lines(const GridData<double>& data, const std::string& begin) {
-  std::string text;
-  for (std::size_t i = 0; i < data.points(); ++i) {
-    text += begin;
-    for (std::size_t c = 0; c < 3; ++c) text += (c ? " " : "") + shortest_text(data.values[3 * i + c]);
-    text += '\n';
+void read_obj_vertex(const TextLines& lines, Parts& parts) {
+  const std::size_t numbers = lines.words().size() - 1;
+  if (parts.properties.empty()) {
+    parts.properties = obj_properties(numbers);
+    lines.need(!parts.properties.empty(), std::min<std::size_t>(lines.words().size(), 4),
+               "v and x y z, with w, red green blue or both behind them");
   }
-  return text;
+  const std::size_t expected = parts.properties.size();
+  lines.need(numbers == expected, std::min(lines.words().size(), expected + 1),
+             "v and " + std::to_string(expected) + " numbers as in the first vertex");
+  for (std::size_t c = 1; c <= numbers; ++c) parts.values.push_back(lines.number(c));
 }
 
-std::string face_lines(const GridData<double>& data, const std::string& begin, std::size_t first) {
-  std::string text;
-  for (const Quad& quad :
-       grid_quads(data.axes[0].count, data.axes[1].count, data.axes[0].closed, data.axes[1].closed)) {
-    text += begin;
-    for (const std::size_t vertex : quad) text += " " + std::to_string(vertex + first);
-    text += '\n';
-  }
-  return text;
+/// A property of PLY elements; a list where it has a type of its length.
+struct PlyProperty {
+  std::string name;
+  NumberType type;
+  std::optional<NumberType> length = {};
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count;
+  std::vector<PlyProperty> properties = {};
+};
+
+struct PlyType {
+  const char* name;
+  const char* other;
+  NumberType type;
+};
+
+constexpr PlyType ply_types[] = {{"char", "int8", {1, true, true}},      {"uchar", "uint8", {1, true, false}},
+                                 {"short", "int16", {2, true, true}},    {"ushort", "uint16", {2, true, false}},
+                                 {"int", "int32", {4, true, true}},      {"uint", "uint32", {4, true, false}},
+                                 {"float", "float32", {4, false, true}}, {"double", "float64", {8, false, true}}};
+
+NumberType ply_type(const TextLines& lines, std::size_t word) {
+  for (const PlyType& one : ply_types)
+    if (lines.is(word, one.name) || lines.is(word, one.other)) return one.type;
+  lines.fail(word, "char, uchar, short, ushort, int, uint, float or double");
+}
+
+std::string ply_name(const NumberType& type) {
+  for (const PlyType& one : ply_types)
+    if (one.type.size == type.size && one.type.whole == type.whole && one.type.with_sign == type.with_sign)
+      return one.name;
+  return "double";
+}
+
+Encoding ply_encoding(const TextLines& lines) {
+  if (lines.is(1, "ascii")) return Encoding::text;
+  if (lines.is(1, "binary_little_endian")) return Encoding::little_endian;
+  lines.need(lines.is(1, "binary_big_endian"), 1, "ascii, binary_little_endian or binary_big_endian");
+  return Encoding::big_endian;
+}
+
+PlyProperty ply_property(const TextLines& lines) {
+  if (!lines.is(1, "list")) return {std::string(lines.word(2)), ply_type(lines, 1)};
+  PlyProperty list{std::string(lines.word(4)), ply_type(lines, 3), ply_type(lines, 2)};
+  lines.need(list.length->whole, 2, "a whole type for the length of a list");
+  return list;
 }
 
 /// What the header of a PLY file says.
 struct PlyHeader {
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
+  Encoding encoding = Encoding::text;
+  std::vector<PlyElement> elements = {};
 };
 
 PlyHeader read_ply_header(TextLines& lines) {
   PlyHeader header;
   if (!lines.next() || !lines.is(0, "ply")) lines.fail_file("a PLY file, which begins with the line 'ply'");
-  std::string element;
-  std::size_t properties = 0;
   while (lines.next()) {
     if (lines.is(0, "comment") || lines.is(0, "obj_info")) continue;
-    if (lines.is(0, "end_header")) {
-      if (header.vertices == 0 || header.faces == 0 || element != "face")
-        lines.fail(0, "the elements vertex and face, in this order, before the end of the header");
-      return header;
-    }
+    if (lines.is(0, "end_header")) return header;
     if (lines.is(0, "format")) {
-      lines.need(lines.is(1, "ascii"), 1, "ascii (binary files are not read)");
+      header.encoding = ply_encoding(lines);
     } else if (lines.is(0, "element")) {
-      lines.need(element == "vertex" ? properties == 3 : true, 0, "the properties x, y, z of the vertices first");
-      element = lines.word(1);
-      properties = 0;
-      lines.need(element == "vertex" || (element == "face" && header.vertices > 0), 1, "vertex, then face");
-      (element == "vertex" ? header.vertices : header.faces) = lines.count(2, 1, most_vertices, "a number of elements");
-    } else if (lines.is(0, "property")) {
-      constexpr const char* names[] = {"x", "y", "z"};
-      if (element == "vertex")
-        lines.need(properties < 3 && lines.is(2, names[std::min<std::size_t>(properties, 2)]), 2,
-                   "the properties x, y, z of the vertices and no others");
-      else
-        lines.need(element == "face" && properties == 0 && lines.is(1, "list") &&
-                       (lines.is(4, "vertex_indices") || lines.is(4, "vertex_index")),
-                   1, "the property list vertex_indices of the faces and no others");
-      ++properties;
+      header.elements.push_back({std::string(lines.word(1)), lines.count(2, 0, most_vertices, "a number of elements")});
     } else {
-      lines.fail(0, "format, element, property, comment or end_header");
+      lines.need(lines.is(0, "property"), 0, "format, element, property, comment or end_header");
+      lines.need(!header.elements.empty(), 0, "an element before its properties");
+      header.elements.back().properties.push_back(ply_property(lines));
+      lines.need(!header.elements.back().properties.back().name.empty(), lines.words().size(),
+                 "the name of the property");
     }
   }
   lines.fail_file("the line end_header");
 }
 
+/// The numbers of PLY elements, one after another.
+class PlyNumbers {
+ public:
+  PlyNumbers(TextLines& lines, Encoding encoding) : lines_(lines), encoding_(encoding) {}
+
+  /// Elements of text stand in a line each.
+  void begin(const PlyElement& element, std::size_t number) {
+    where_ = element.name + " " + std::to_string(number);
+    if (encoding_ != Encoding::text) return;
+    if (!lines_.next())
+      lines_.fail_file(std::to_string(element.count) + " elements " + element.name + "; found " +
+                       std::to_string(number));
+    word_ = 0;
+  }
+  double take(const NumberType& type) {
+    if (encoding_ == Encoding::text) return lines_.number(word_++);
+    const double value = read_number(lines_.take_bytes(type.size, where_), type, encoding_);
+    if (!std::isfinite(value)) fail("finite numbers", value);
+    return value;
+  }
+  /// A whole number from `low` to `high`.
+  std::size_t take(const NumberType& type, double low, double high, const std::string& expected) {
+    const double value = take(type);
+    if (!(value >= low && value <= high) || value != std::floor(value)) fail(expected, value);
+    return static_cast<std::size_t>(value);
+  }
+  void end(const std::string& expected) {
+    if (encoding_ == Encoding::text) lines_.need(word_ == lines_.words().size(), word_, expected);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected, double value) const {
+    if (encoding_ == Encoding::text) lines_.fail(word_ - 1, expected);
+    lines_.fail_file(expected + " in " + where_ + "; found " + shortest_text(value));
+  }
+
+  TextLines& lines_;
+  Encoding encoding_;
+  std::string where_;
+  std::size_t word_ = 0;
+};
+
+/// Passes over a list.
+void pass(PlyNumbers& numbers, const PlyProperty& list) {
+  const std::size_t length = numbers.take(*list.length, 0, 4e9, "the length of a list");
+  for (std::size_t i = 0; i < length; ++i) numbers.take(list.type);
+}
+
+bool is_normal(const std::string& name) { return name == "nx" || name == "ny" || name == "nz"; }
+
+/// Where the property of each place goes; nothing for what is left out. x, y, z go first.
+std::vector<std::optional<std::size_t>> ply_places(const PlyElement& vertex, const TextLines& lines, Parts& parts) {
+  std::vector<std::optional<std::size_t>> places(vertex.properties.size());
+  const auto keep = [&](std::size_t at, const NumberType& type) {
+    places[at] = parts.properties.size();
+    parts.properties.push_back({vertex.properties[at].name, type});
+  };
+  for (const char* name : {"x", "y", "z"}) {
+    const auto found = std::ranges::find(vertex.properties, name, &PlyProperty::name);
+    if (found == vertex.properties.end() || found->length)
+      lines.fail_file(std::string("the properties x, y and z of the vertices; found no ") + name);
+    keep(static_cast<std::size_t>(found - vertex.properties.begin()), {});
+  }
+  for (std::size_t k = 0; k < vertex.properties.size(); ++k) {
+    const PlyProperty& property = vertex.properties[k];
+    if (places[k]) continue;
+    if (property.length || is_normal(property.name))
+      parts.left_out.push_back(property.name + " of the vertices");
+    else
+      keep(k, property.type.whole ? property.type : NumberType{});
+  }
+  return places;
+}
+
+void read_ply_vertices(PlyNumbers& numbers, const PlyElement& vertex,
+                       const std::vector<std::optional<std::size_t>>& places, Parts& parts) {
+  const std::size_t size = parts.properties.size();
+  for (std::size_t v = 0; v < vertex.count; ++v) {
+    numbers.begin(vertex, v);
+    parts.values.resize(parts.values.size() + size);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (vertex.properties[k].length)
+        pass(numbers, vertex.properties[k]);
+      else if (const double value = numbers.take(vertex.properties[k].type); places[k])
+        parts.values[v * size + *places[k]] = value;
+    }
+    numbers.end(std::to_string(vertex.properties.size()) + " numbers for a vertex");
+  }
+}
+
+bool is_vertex_list(const PlyProperty& property) {
+  return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+void read_ply_faces(PlyNumbers& numbers, const PlyElement& face, std::size_t vertices, Parts& parts) {
+  for (std::size_t f = 0; f < face.count; ++f) {
+    numbers.begin(face, f);
+    for (const PlyProperty& property : face.properties) {
+      if (is_vertex_list(property)) {
+        numbers.take(*property.length, 4, 4, "faces of 4 vertices");
+        Quad& quad = parts.faces.emplace_back();
+        for (std::size_t& vertex : quad)
+          vertex = numbers.take(property.type, 0, static_cast<double>(vertices) - 1,
+                                "the number of a vertex from 0 to " + std::to_string(vertices - 1));
+      } else if (property.length) {
+        pass(numbers, property);
+      } else {
+        numbers.take(property.type);
+      }
+    }
+    numbers.end("4 and four vertices");
+  }
+}
+
+void pass(PlyNumbers& numbers, const PlyElement& element) {
+  if (element.properties.empty()) return;
+  for (std::size_t i = 0; i < element.count; ++i) {
+    numbers.begin(element, i);
+    for (const PlyProperty& property : element.properties)
+      if (property.length)
+        pass(numbers, property);
+      else
+        numbers.take(property.type);
+  }
+}
+
+/// A number as the encoding has it; in text a blank follows.
+void append(double value, const NumberType& type, Encoding encoding, std::string& text) {
+  if (encoding == Encoding::text)
+    text += shortest_text(fitted(value, type)) + " ";
+  else
+    append_number(value, type, encoding, text);
+}
+
+constexpr NumberType count_type{1, true, false}, index_type{4, true, true};
+
 }  // namespace
 
-GridData<double> parse_obj(std::string_view text, const std::string& file) {
-  TextLines lines(text, file);
-  std::vector<double> coordinates;
-  std::vector<Quad> faces;
+QuadMesh parse_obj(std::string_view text, const std::string& file) {
+  TextLines lines(text, file, true);
+  Parts parts;
+  bool other = false;
   while (lines.next()) {
     if (lines.is(0, "v")) {
-      lines.need(lines.words().size() == 4, lines.words().size() < 4 ? lines.words().size() : 4,
-                 "v and three coordinates");
-      for (std::size_t c = 1; c <= 3; ++c) coordinates.push_back(lines.number(c));
+      read_obj_vertex(lines, parts);
     } else if (lines.is(0, "f")) {
-      lines.need(lines.words().size() == 5, lines.words().size() < 5 ? lines.words().size() : 5, "f and four vertices");
+      lines.need(lines.words().size() == 5, std::min<std::size_t>(lines.words().size(), 5), "f and four vertices");
+      const std::size_t vertices = parts.properties.empty() ? 0 : parts.values.size() / parts.properties.size();
       Quad face;
-      for (std::size_t k = 0; k < 4; ++k) face[k] = obj_vertex(lines, k + 1, coordinates.size() / 3);
-      faces.push_back(face);
+      for (std::size_t k = 0; k < 4; ++k) face[k] = obj_vertex(lines, k + 1, vertices);
+      parts.faces.push_back(face);
     } else {
       static constexpr std::string_view others[] = {"vn", "vt", "o", "g", "s", "usemtl", "mtllib"};
-      lines.need(std::find(std::begin(others), std::end(others), lines.word(0)) != std::end(others), 0,
-                 "v, f, vn, vt, o, g, s, usemtl or mtllib");
+      const auto found = std::ranges::find(others, lines.word(0));
+      lines.need(found != std::end(others), 0, "v, f, vn, vt, o, g, s, usemtl or mtllib");
+      if (found - std::begin(others) < 2) other = true;
     }
   }
-  return surface(std::move(coordinates), faces, lines);
+  if (other) parts.left_out.emplace_back("normals and texture coordinates");
+  if (parts.properties.empty()) parts.properties = obj_properties(3);
+  return mesh_of(std::move(parts), lines, MeshFormat::obj, Encoding::text);
 }
 
-GridData<double> parse_ply(std::string_view text, const std::string& file) {
+QuadMesh parse_ply(std::string_view text, const std::string& file) {
   TextLines lines(text, file);
   const PlyHeader header = read_ply_header(lines);
-  std::vector<double> coordinates;
-  std::vector<Quad> faces;
-  while (coordinates.size() < 3 * header.vertices) {
-    if (!lines.next())
-      lines.fail_file(std::to_string(header.vertices) + " vertices; found " + std::to_string(coordinates.size() / 3));
-    lines.need(lines.words().size() == 3, std::min<std::size_t>(lines.words().size(), 3), "three coordinates");
-    for (std::size_t c = 0; c < 3; ++c) coordinates.push_back(lines.number(c));
+  Parts parts;
+  PlyNumbers numbers(lines, header.encoding);
+  std::optional<std::size_t> vertices;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex" && !vertices) {
+      vertices = element.count;
+      read_ply_vertices(numbers, element, ply_places(element, lines, parts), parts);
+    } else if (element.name == "face" && parts.faces.empty()) {
+      if (!vertices || *vertices == 0 || std::ranges::count_if(element.properties, is_vertex_list) != 1)
+        lines.fail_file("vertices, then faces with one list vertex_indices");
+      if (element.properties.size() > 1) parts.left_out.emplace_back("what faces have beside their vertices");
+      read_ply_faces(numbers, element, *vertices, parts);
+    } else {
+      parts.left_out.push_back("elements " + element.name);
+      pass(numbers, element);
+    }
   }
-  while (faces.size() < header.faces) {
-    if (!lines.next()) lines.fail_file(std::to_string(header.faces) + " faces; found " + std::to_string(faces.size()));
-    lines.need(lines.is(0, "4") && lines.words().size() == 5,
-               std::min<std::size_t>(lines.words().size(), lines.is(0, "4") ? 5 : 0), "4 and four vertices");
-    Quad face;
-    for (std::size_t k = 0; k < 4; ++k) face[k] = lines.count(k + 1, 0, header.vertices - 1, "the number of a vertex");
-    faces.push_back(face);
-  }
-  if (lines.next()) lines.fail(0, "the end of the file after the faces");
-  return surface(std::move(coordinates), faces, lines);
+  if (!vertices) lines.fail_file("the element vertex");
+  if (header.encoding == Encoding::text && lines.next()) lines.fail(0, "the end of the file after the elements");
+  return mesh_of(std::move(parts), lines, MeshFormat::ply, header.encoding);
 }
 
-std::string to_obj(const GridData<double>& data) {
-  require_surface(data);
-  return point_lines(data, "v ") + face_lines(data, "f", 1);
+void write_mesh_begin(std::ostream& stream, const QuadMesh& form, const std::vector<Axis>& axes) {
+  if (form.format == MeshFormat::obj) return;
+  constexpr const char* names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+  stream << "ply\nformat " << names[static_cast<std::size_t>(form.encoding)] << " 1.0\nelement vertex "
+         << axes[0].count * axes[1].count << "\n";
+  for (const VertexProperty& property : form.properties)
+    stream << "property " << ply_name(property.type) << " " << property.name << "\n";
+  stream << "element face " << count_quads(axes) << "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-std::string to_ply(const GridData<double>& data) {
-  require_surface(data);
-  const std::string faces = face_lines(data, "4", 0);
-  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(data.points()) +
-         "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-         std::to_string(std::count(faces.begin(), faces.end(), '\n')) +
-         "\nproperty list uchar int vertex_indices\nend_header\n" + point_lines(data, "") + faces;
+void write_vertices(std::ostream& stream, const QuadMesh& form, const double* values, std::size_t vertices) {
+  std::string text;
+  for (std::size_t v = 0; v < vertices; ++v, values += form.properties.size()) {
+    text.clear();
+    if (form.format == MeshFormat::obj) text += "v ";
+    for (std::size_t k = 0; k < form.properties.size(); ++k) {
+      const VertexProperty& property = form.properties[k];
+      append(std::clamp(values[k], property.low, property.high), property.type, form.encoding, text);
+    }
+    if (form.encoding == Encoding::text) text.back() = '\n';
+    stream << text;
+  }
+}
+
+void write_mesh_end(std::ostream& stream, const QuadMesh& form, const std::vector<Axis>& axes) {
+  const bool obj = form.format == MeshFormat::obj;
+  std::string text;
+  for_quads(axes, [&](const Quad& quad) {
+    text.clear();
+    if (obj)
+      text += "f ";
+    else
+      append(4, count_type, form.encoding, text);
+    for (const std::size_t vertex : quad)
+      append(static_cast<double>(vertex + (obj ? 1 : 0)), index_type, form.encoding, text);
+    if (form.encoding == Encoding::text) text.back() = '\n';
+    stream << text;
+  });
+}
+
+std::string to_text(const QuadMesh& mesh) {
+  require(mesh.data.axes.size() == 2 && mesh.data.dimension >= 3 && mesh.properties.size() == mesh.data.dimension &&
+              mesh.data.is_canonical(),
+          "quad mesh: need two axes and a property for each number, three or more");
+  std::ostringstream stream;
+  write_mesh_begin(stream, mesh, mesh.data.axes);
+  write_vertices(stream, mesh, mesh.data.values.data(), mesh.data.points());
+  write_mesh_end(stream, mesh, mesh.data.axes);
+  return stream.str();
 }
 
 }  // namespace subcert::data

@@ -33,11 +33,11 @@ GridData<Number> refined_along_axes(GridData<Number> data, const std::vector<Mas
 
 }  // namespace
 
-void require_refinable(std::size_t numbers, long growth, long levels) {
+void require_refinable(std::size_t numbers, long growth, long levels, double most) {
   const double logarithm = std::log10(static_cast<double>(numbers)) + static_cast<double>(levels) * std::log10(growth);
-  if (logarithm > std::log10(most_refined_numbers))
+  if (logarithm > std::log10(most))
     fail(ErrorKind::size, "{} levels would make about {} numbers of {}; need at most {}", levels,
-         estimate_text(logarithm), numbers, estimate_text(std::log10(most_refined_numbers)));
+         estimate_text(logarithm), numbers, estimate_text(std::log10(most)));
 }
 
 template <class Number>

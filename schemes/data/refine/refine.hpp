@@ -33,9 +33,9 @@ GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, c
 /// The number of points that each axis must have at least; 1 with Boundary::periodic, as along closed axes.
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary);
 
-/// Throws a size error where `levels` refinements by the factor `growth` of `numbers` numbers would pass
-/// most_refined_numbers. Domain: growth >= 2.
-void require_refinable(std::size_t numbers, long growth, long levels);
+/// Throws a size error where `levels` refinements by the factor `growth` of `numbers` numbers would pass `most`.
+/// Domain: growth >= 2.
+void require_refinable(std::size_t numbers, long growth, long levels, double most = most_refined_numbers);
 
 /// The piecewise linear function through the points at these parameters. Domain: one axis with at least two points of
 /// one coordinate; beyond the ends of an open one the first or last piece goes on. Errors: throws a domain error. Cost:

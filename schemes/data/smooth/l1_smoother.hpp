@@ -39,7 +39,7 @@ class L1Smoother {
 
  private:
   bool plain() const { return sites_.weights.empty() && sites_.positions.empty(); }
-  std::vector<double> values(const std::vector<double>& data, const std::vector<Rational>& places, int levels,
+  std::vector<double> values(const std::vector<double>& data, const std::vector<Rational>& places, int binary,
                              int threads) const;
   std::vector<double> residuals(const std::vector<double>& data, const std::vector<double>& fits) const;
 

@@ -189,6 +189,10 @@ void set_weights(const SampleOptions& options, const Table& table, const std::ve
   samples.weights = std::move(result);
 }
 
+bool holds_dates(const Table& table, std::size_t column) {
+  return table.contents[column].numbers == 0 && parse_date(table.contents[column].text);
+}
+
 ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   ColumnUse use;
   if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
@@ -197,14 +201,11 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);
   for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
   for (const std::string& text : options.keep) use.kept.push_back(find_column(table, "--keep", text));
-  const auto holds_dates = [&](std::size_t c) {
-    return table.contents[c].numbers == 0 && parse_date(table.contents[c].text);
-  };
   std::vector<std::size_t> left;
   for (std::size_t c = 0; c < table.columns; ++c) {
     if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
     if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
-    if (!table.contents[c].is_text() || holds_dates(c))
+    if (!table.contents[c].is_text() || holds_dates(table, c))
       left.push_back(c);
     else if (use.values.empty())
       use.left_out.push_back(c);
@@ -213,13 +214,14 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
     use.x = left.front();
     left.erase(left.begin());
   }
-  if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), holds_dates);
-  std::erase_if(left, holds_dates);
+  const auto dates = [&](std::size_t c) { return holds_dates(table, c); };
+  if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), dates);
+  std::erase_if(left, dates);
   if (use.values.empty()) use.values = left;
   if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
   for (const std::size_t c : use.values)
     if (c == use.weights || c == use.x || c == use.by) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
-  use.dates = use.x && holds_dates(*use.x);
+  use.dates = use.x && holds_dates(table, *use.x);
   return use;
 }
 
@@ -318,18 +320,34 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
   return samples;
 }
 
+/// The columns whose fields are kept as they are written: those of groups, what is kept, and dates, as far as the first
+/// rows tell.
+std::vector<std::size_t> columns_as_written(const SampleOptions& options, std::string_view text) {
+  constexpr std::size_t first_bytes = 1 << 14;
+  TableReader reader(options.name(), options.form());
+  const Table& table = reader.read(text.size() > first_bytes ? text.substr(0, text.rfind('\n', first_bytes)) : text);
+  std::vector<std::size_t> columns;
+  if (table.rows() == 0) return columns;
+  for (const std::string& name : options.keep) columns.push_back(find_column(table, "--keep", name));
+  if (!options.by.empty()) columns.push_back(find_column(table, "--by", options.by));
+  for (std::size_t c = 0; c < table.columns; ++c)
+    if (holds_dates(table, c) && std::ranges::count(columns, c) == 0) columns.push_back(c);
+  return columns;
+}
+
 }  // namespace
 
 std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   const std::string text = runtime::read_input(options.file);
   TableForm form = options.form();
+  form.kept = columns_as_written(options, text);
   Table table = parse_table(text, options.name(), form);
   const ColumnUse use = find_columns(options, table);
   require_numbers(table, use);
-  form.kept = use.kept;
-  if (use.by) form.kept.push_back(*use.by);
-  if (use.dates) form.kept.push_back(*use.x);
-  if (!form.kept.empty()) table = parse_table(text, options.name(), form);
+  if (use.dates && std::ranges::count(form.kept, *use.x) == 0) {  // dates that begin below the first rows
+    form.kept.push_back(*use.x);
+    table = parse_table(text, options.name(), form);
+  }
   std::optional<DateForm> dates;
   if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
   std::vector<std::string> remarks;

@@ -18,6 +18,10 @@ GridData<double> sample(std::size_t columns, std::size_t rows, bool closed_x, bo
   return data;
 }
 
+QuadMesh mesh_of(GridData<double> data, MeshFormat format, Encoding encoding = Encoding::text) {
+  return {std::move(data), {{"x"}, {"y"}, {"z"}}, format, encoding};
+}
+
 template <class Parse>
 std::string error_of(Parse parse, const std::string& text) {
   try {
@@ -46,7 +50,10 @@ TEST_CASE("meshes are written and read back, open and closed") {
         if ((closed_x && columns < 3) || (closed_y && rows < 3)) continue;
         const GridData<double> data = sample(columns, rows, closed_x, closed_y);
         CAPTURE(columns, rows, closed_x, closed_y);
-        for (const GridData<double>& back : {parse_obj(to_obj(data), "f"), parse_ply(to_ply(data), "f")}) {
+        std::vector<GridData<double>> all{parse_obj(to_text(mesh_of(data, MeshFormat::obj)), "f").data};
+        for (const Encoding encoding : {Encoding::text, Encoding::little_endian, Encoding::big_endian})
+          all.push_back(parse_ply(to_text(mesh_of(data, MeshFormat::ply, encoding)), "f").data);
+        for (const GridData<double>& back : all) {
           CHECK(back.values == data.values);
           CHECK(back.axes[0].count == columns);
           CHECK(back.axes[1].count == rows);
@@ -55,52 +62,63 @@ TEST_CASE("meshes are written and read back, open and closed") {
         }
       }
   // Other orders, orientations, texture and normal numbers, vertices counted from the end.
-  const GridData<double> back = parse_obj(
-      "o s # name\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nv 0 2 0\nv 1 2 0\ns off\n"
-      "f -1 -2 3//1 4/2/1\nf 3 1 2 4\n",
-      "f");
+  const GridData<double> back =
+      parse_obj(
+          "o s # name\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nv 0 2 0\nv 1 2 0\ns off\n"
+          "f -1 -2 3//1 4/2/1\nf 3 1 2 4\n",
+          "f")
+          .data;
   CHECK(back.axes[0].count == 2);
   CHECK(back.axes[1].count == 3);
 }
 
 TEST_CASE("what is no grid is refused with its place") {
-  const std::string obj = to_obj(sample(3, 3, false, false)), ply = to_ply(sample(3, 3, false, false));
+  const std::string obj = to_text(mesh_of(sample(3, 3, false, false), MeshFormat::obj)),
+                    ply = to_text(mesh_of(sample(3, 3, false, false), MeshFormat::ply));
   CHECK(error_of(parse_obj, "").find("f: expected vertices and four-sided faces") == 0);
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 5")) ==
         "f, line 10, word 5: expected f and four vertices; found nothing");
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 5 44")) ==
         "f, line 10, word 5: expected the number of one of the 9 vertices above; found '44'");
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 6 4")).find("do not") != std::string::npos);
-  CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4\n", "")).find("the 3 faces on 9 vertices do not") !=
+  CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4\n", "")).find("the 3 faces on 8 vertices do not") !=
         std::string::npos);
   CHECK(error_of(parse_obj, replaced(obj, "v ", "v x")).find("f, line 1, word 2: expected a finite number") == 0);
-  CHECK(
-      error_of(parse_obj, replaced(obj, "v ", "v nan ")).find("f, line 1, word 5: expected v and three coordinates") ==
-      0);
+  CHECK(error_of(parse_obj, replaced(obj, "v ", "v nan ")) ==
+        "f, line 1, word 2: expected a finite number; found 'nan'");
+  CHECK(error_of(parse_obj, "v 1 2\n") ==
+        "f, line 1, word 4: expected v and x y z, with w, red green blue or both behind them; found nothing");
+  CHECK(error_of(parse_obj, "v 1 2 3\nv 1 2 3 4\n") ==
+        "f, line 2, word 5: expected v and 3 numbers as in the first vertex; found '4'");
   CHECK(error_of(parse_obj, "curv 1\n") ==
         "f, line 1, word 1: expected v, f, vn, vt, o, g, s, usemtl or mtllib; found 'curv'");
   CHECK(error_of(parse_ply, "") == "f: expected a PLY file, which begins with the line 'ply'");
-  CHECK(error_of(parse_ply, replaced(ply, "ascii", "binary_little_endian")).find("expected ascii") !=
-        std::string::npos);
+  CHECK(error_of(parse_ply, replaced(ply, "ascii", "binary")) ==
+        "f, line 2, word 2: expected ascii, binary_little_endian or binary_big_endian; found 'binary'");
   CHECK(error_of(parse_ply, replaced(ply, "element vertex 9", "element vertex 10")) != "");
   CHECK(error_of(parse_ply, replaced(ply, "element vertex 9", "element vertex 99999999999")) != "");
   CHECK(error_of(parse_ply, replaced(ply, "property double z", "property double red")) ==
-        "f, line 6, word 3: expected the properties x, y, z of the vertices and no others; found 'red'");
+        "f: expected the properties x, y and z of the vertices; found no z");
   CHECK(error_of(parse_ply, replaced(ply, "end_header", "end")) ==
         "f, line 9, word 1: expected format, element, property, comment or end_header; found 'end'");
   CHECK(error_of(parse_ply, ply + "4 0 1 2 3\n").find("expected the end of the file") != std::string::npos);
+  CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4.5 3")) ==
+        "f, line 19, word 4: expected the number of a vertex from 0 to 8; found '4.5'");
+  CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4 3 3")) ==
+        "f, line 19, word 6: expected 4 and four vertices; found '3'");
   CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "3 0 1 4"))
-            .find("word 1: expected 4 and four vertices; found '3'") != std::string::npos);
+            .find("word 1: expected faces of 4 vertices; found '3'") != std::string::npos);
 }
 
 TEST_CASE("volumes are read and written") {
   const Volume volume = parse_vtk(vtk, "f");
   CHECK(volume.title == "the title");
-  CHECK(volume.name == "density");
+  REQUIRE(volume.arrays.size() == 1);
+  CHECK(volume.arrays[0].name == "density");
   CHECK(volume.data.axes.size() == 3);
   CHECK(volume.data.values.size() == 12);
   CHECK(volume.spacing == std::array<double, 3>{0.5, 1, 2});
-  const Volume back = parse_vtk(to_vtk(volume), "f");
+  const Volume back = parse_vtk(to_text(volume), "f");
   CHECK(back.data.values == volume.data.values);
   CHECK(back.origin == volume.origin);
   const Volume vectors = parse_vtk(
@@ -109,12 +127,13 @@ TEST_CASE("volumes are read and written") {
       "f");
   CHECK(vectors.data.dimension == 3);
   CHECK(vectors.data.axes.size() == 2);
+  CHECK(to_text(vectors).find("VECTORS v double\n1 2 3\n4 5 6\n") != std::string::npos);
 }
 
 TEST_CASE("damaged volumes are refused with their place") {
   CHECK(error_of(parse_vtk, "").find("f: expected a legacy VTK file") == 0);
   CHECK(error_of(parse_vtk, replaced(vtk, "ASCII", "BINARY")) ==
-        "f, line 3, word 1: expected ASCII (binary files are not read); found 'BINARY'");
+        "f: expected 48 bytes of numbers after line 10; found 27");
   CHECK(error_of(parse_vtk, replaced(vtk, "STRUCTURED_POINTS", "POLYDATA")) ==
         "f, line 4, word 2: expected STRUCTURED_POINTS; found 'POLYDATA'");
   CHECK(error_of(parse_vtk, replaced(vtk, "DIMENSIONS 3 2 2", "DIMENSIONS 3 2")).find("line 5, word 4") !=
@@ -125,7 +144,149 @@ TEST_CASE("damaged volumes are refused with their place") {
         "f, line 8, word 2: expected 12 as DIMENSIONS say; found '11'");
   CHECK(error_of(parse_vtk, replaced(vtk, "11\n12", "11")) == "f: expected 12 values; found 11");
   CHECK(error_of(parse_vtk, vtk + "13\n") ==
-        "f, line 14, word 1: expected the end of the file after one array; found '13'");
+        "f, line 14, word 1: expected the end of the file, or another array; found '13'");
   CHECK(error_of(parse_vtk, replaced(vtk, "7 8", "7 inf")) ==
         "f, line 12, word 2: expected a finite number; found 'inf'");
+}
+
+TEST_CASE("what vertices have beside their place is read in every form") {
+  // As MeshLab writes colours, with a weight, a byte order mark, a continued line, a vertex without faces.
+  const QuadMesh obj = parse_obj(
+      "\xef\xbb\xbf# MeshLab\r\nv 0 0 0 1 0.5 0 0\r\nv 9 9 9 1 0 0 0\r\nv 1 0 0 1 \\\r\n 0.25 0 0\r\n"
+      "vn 0 0 1\r\nv 0 1 0 1 0 1 0\r\nv 1 1 0 1 0 0 2\r\nf 1 3 \\\r\n5 4\r\n",
+      "f");
+  CHECK(obj.data.values ==
+        std::vector<double>{0, 0, 0, 1, .5, 0, 0, 1, 0, 0, 1, .25, 0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 1, 0, 1, 0, 0, 2});
+  CHECK(obj.properties[3].name == "w");
+  CHECK(obj.remarks == std::vector<std::string>{"refined as x, y, z are: w, red, green, blue",
+                                                "left out: normals and texture coordinates, 1 vertices without faces"});
+  CHECK(to_text(obj).ends_with("v 1 1 0 1 0 0 1\nf 1 2 4 3\n"));  // colours end at 1
+
+  const std::string header =
+      "element vertex 4\nproperty uchar red\nproperty float x\nproperty float y\nproperty float nx\n"
+      "property float z\nproperty list uchar int neighbours\nproperty float quality\nelement face 1\n"
+      "property list uchar uint vertex_indices\nproperty double quality\nelement edge 1\nproperty int vertex1\n"
+      "end_header\n";
+  const QuadMesh ascii = parse_ply("ply\nformat ascii 1.0\ncomment x\n" + header +
+                                       "255 0 0 1 0 2 7 8 0.5\n0 1 0 1 0 0 0.5\n0 0 1 1 0 1 9 0.5\n9 1 1 1 4 0 0.5\n"
+                                       "4 0 1 3 2 0.75\n17\n",
+                                   "f");
+  CHECK(ascii.data.values == std::vector<double>{0, 0, 0, 255, .5, 1, 0, 0, 0, .5, 0, 1, 0, 0, .5, 1, 1, 4, 9, .5});
+  CHECK(ascii.remarks ==
+        std::vector<std::string>{"refined as x, y, z are: red, quality",
+                                 "left out: nx of the vertices, neighbours of the vertices, what faces have beside "
+                                 "their vertices, elements edge"});
+  CHECK(to_text(ascii).find("property uchar red\nproperty double quality\n") != std::string::npos);
+  QuadMesh bright = ascii;
+  bright.data.values[3] = 260.4;
+  CHECK(to_text(bright).find("\n0 0 0 255 0.5\n") != std::string::npos);
+  for (const Encoding encoding : {Encoding::little_endian, Encoding::big_endian}) {
+    std::string bytes;
+    const auto add = [&](double value, const NumberType& type) { append_number(value, type, encoding, bytes); };
+    const NumberType uchar{1, true, false}, real{4, false, true}, whole{4, true, true};
+    for (std::size_t v = 0; v < 4; ++v) {
+      const double* const p = ascii.data.values.data() + 5 * v;
+      add(p[3], uchar);
+      add(p[0], real);
+      add(p[1], real);
+      add(1, real);
+      add(p[2], real);
+      add(static_cast<double>(v % 2), uchar);
+      if (v % 2 == 1) add(7, whole);
+      add(p[4], real);
+    }
+    add(4, uchar);
+    for (const int vertex : {0, 1, 3, 2}) add(vertex, whole);
+    add(0.75, {});
+    add(17, whole);
+    const std::string name = encoding == Encoding::little_endian ? "little" : "big";
+    const std::string file = "ply\r\nformat binary_" + name + "_endian 1.0\r\n" + header + bytes;
+    const QuadMesh back = parse_ply(file, "f");
+    CHECK(back.data.values == ascii.data.values);
+    CHECK(back.encoding == encoding);
+    CHECK(parse_ply(to_text(back), "f").data.values == ascii.data.values);
+    for (std::size_t length = 0; length < file.size() - 4; ++length)
+      CHECK(error_of(parse_ply, file.substr(0, length)) != "");
+    CHECK(error_of(parse_ply, file.substr(0, file.size() - 20)).find("bytes of face 0 after line ") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("whole numbers are rounded and cut off at the ends of their type") {
+  const NumberType uchar{1, true, false}, schar{1, true, true}, real{4, false, true};
+  CHECK(fitted(-3, uchar) == 0);
+  CHECK(fitted(254.6, uchar) == 255);
+  CHECK(fitted(300, uchar) == 255);
+  CHECK(fitted(-300, schar) == -128);
+  CHECK(fitted(0.1, real) == 0.1);
+  for (const Encoding encoding : {Encoding::little_endian, Encoding::big_endian})
+    for (const std::size_t size : {1, 2, 4, 8})
+      for (const bool with_sign : {false, true}) {
+        const NumberType type{size, true, with_sign};
+        for (const double value : {0.0, 1.0, 100.0, with_sign ? -100.0 : 200.0}) {
+          std::string bytes;
+          append_number(value, type, encoding, bytes);
+          CHECK(bytes.size() == size);
+          CHECK(read_number(bytes.data(), type, encoding) == value);
+        }
+      }
+  std::string bytes;
+  append_number(258, {2, true, false}, Encoding::big_endian, bytes);
+  CHECK(bytes == std::string("\x01\x02"));
+}
+
+TEST_CASE("volumes have many arrays, fields, cells, bytes") {
+  const std::string begin =
+      "# vtk DataFile Version 4.2\nt\nascii\ndataset structured_points\nFIELD FieldData 1\n"
+      "TimeValue 1 1 double\n0.5\nMETADATA\nINFORMATION 0\n\ndimensions 2 2 1\nspacing 1 1 1\n"
+      "origin 0 0 0\n";
+  const std::string file = begin +
+                           "CELL_DATA 1\nSCALARS c int 1\nLOOKUP_TABLE default\n7\n"
+                           "POINT_DATA 4\nFIELD FieldData 2\na 1 4 float\n1 2 3 4\nMETADATA\nINFORMATION 1\n"
+                           "NAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\nb 2 4 int\n1 1 2 2 3 3 4 4\n"
+                           "scalars d unsigned_char\nlookup_table mine\n5\n6 7 8\nLOOKUP_TABLE mine 1\n0 0 0 1\n"
+                           "COLOR_SCALARS e 3\n0 0 0.5 0 0 1 0 0 0 1 1 1\nNORMALS n float\n0 0 1 0 0 1 0 0 1 0 0 1\n"
+                           "VECTORS v float\n1 2 3 1 2 3 1 2 3 1 2 3\nMETADATA\nINFORMATION 0\n\n";
+  const Volume volume = parse_vtk(file, "f");
+  CHECK(volume.remarks ==
+        std::vector<std::string>{"left out: fields of the data set, lookup tables, NORMALS, CELL_DATA"});
+  REQUIRE(volume.arrays.size() == 5);
+  CHECK(volume.data.dimension == 1 + 3 + 3 + 1 + 2);
+  const std::vector<double> first(volume.data.values.begin(), volume.data.values.begin() + 10);
+  CHECK(first == std::vector<double>{5, 0, 0, .5, 1, 2, 3, 1, 1, 1});
+  const std::string text = to_text(volume);
+  CHECK(text.find("COLOR_SCALARS e 3\n0 0 0.5\n0 0 1\n") != std::string::npos);
+  CHECK(text.find("FIELD FieldData 2\na 1 4 double\n1\n2\n3\n4\nb 2 4 double\n1 1\n") != std::string::npos);
+  CHECK(parse_vtk(text, "f").data.values == volume.data.values);
+  Volume binary = volume;
+  binary.encoding = Encoding::big_endian;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t c = 1; c < 4; ++c) binary.data.values[10 * i + c] *= 255;
+  const std::string bytes = to_text(binary);
+  const Volume back = parse_vtk(bytes, "f");
+  CHECK(back.encoding == Encoding::big_endian);
+  CHECK(back.data.values[3] == 128);  // of 127.5
+  CHECK(back.data.values[7] == 1);
+  CHECK(back.arrays[4].name == "b");
+  CHECK(to_text(back) == bytes);
+  std::size_t whole = 0;  // beginnings that end with an array
+  for (std::size_t length = 0; length < bytes.size() - 1; ++length)
+    if (error_of(parse_vtk, bytes.substr(0, length)).empty()) ++whole;
+  CHECK(whole == 6);
+
+  const Volume cells = parse_vtk(
+      replaced(begin, "2 2 1", "3 4 1") + "CELL_DATA 6\nSCALARS c float\nLOOKUP_TABLE default\n1 2 3 4 5 6\n", "f");
+  CHECK(cells.data.axes[0].count == 2);
+  CHECK(cells.data.axes[1].count == 3);
+  CHECK(cells.origin == std::array<double, 3>{0.5, 0.5, 0});
+  CHECK(cells.remarks.front() == "CELL_DATA are taken as data at the middles of the cells");
+  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\nFIELD f 1\ns 1 4 string\na\nb\nc\nd\n") ==
+        "f, line 16, word 4: expected a type of numbers, as unsigned_char, int, float or double; found 'string'");
+  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\nFIELD f 1\na 1 3 int\n1 2 3\n") ==
+        "f, line 16, word 3: expected 4, one for each point; found '3'");
+  const std::string shorts = replaced(begin, "ascii", "binary").substr(0, begin.find("FIELD") + 1);
+  for (const auto& [type, value] : {std::pair("unsigned_short", 65535.0), {"short", -1.0}})
+    CHECK(parse_vtk(shorts + "dimensions 1 1 1\nPOINT_DATA 1\nSCALARS a " + type + "\nLOOKUP_TABLE d\n\xff\xff\n", "f")
+              .data.values.front() == value);
+  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\n") == "f: expected an array of POINT_DATA or CELL_DATA; found none");
 }

@@ -3,10 +3,11 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
+#include <random>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -365,4 +366,53 @@ TEST_CASE("nearest doubles") {
   CHECK(nearest_double(Rational(2, 3)) == 2.0 / 3);
   CHECK(nearest_double(Rational(-7, 10)) == -0.7);
   CHECK(nearest_double(0) == 0);
+}
+
+TEST_CASE("slabs have the bits of the whole") {
+  std::mt19937 engine(3);
+  const auto random = [&](std::size_t numbers) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < numbers; ++i) values.push_back(static_cast<double>(engine()) / 1e9 - 2);
+    return values;
+  };
+  struct Case {
+    const char* scheme;
+    std::vector<std::size_t> counts;
+    std::size_t dimension;
+    int levels;
+  };
+  const Case cases[] = {{"primal:n=3", {12}, 2, 9},
+                        {"dual:n=2", {40}, 1, 14},
+                        {"primal:n=3", {3}, 1, 6},
+                        {"bspline:degree=3,a=3", {50}, 3, 5},
+                        {"tensor:(primal:n=2)x(dual:n=3)", {9, 14}, 1, 6},
+                        {"tensor:(dd:n=2)x(dd:n=2)", {9, 8}, 4, 4},
+                        {"tensor:(primal:n=1)x(dd:n=2)x(dual:n=2)", {3, 9, 11}, 2, 3}};
+  for (const Case& one : cases)
+    for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::shrink})
+      for (const bool closed : {false, true}) {
+        CAPTURE(one.scheme, to_text(boundary), closed);
+        GridData<double> data{{}, one.dimension, {}};
+        for (const std::size_t count : one.counts) data.axes.push_back(Axis::of(count, closed));
+        data.values = random(data.points() * data.dimension);
+        const LatticeMask mask = std::get<Scheme>(make_any_scheme(one.scheme)).mask;
+        const std::vector<std::size_t> fewest = fewest_points(mask, closed ? Boundary::periodic : boundary);
+        bool few = false;
+        for (std::size_t k = 0; k < fewest.size(); ++k) few = few || one.counts[k] < fewest[k];
+        if (few) continue;
+        const RefineOptions options{one.levels, boundary, 2};
+        const GridData<double> whole = refine(data, mask, options);
+        const SlabRefinement slabs(data, mask, options);
+        std::vector<double> values;
+        slabs.run([&](const double* some, std::size_t points) {
+          values.insert(values.end(), some, some + points * data.dimension);
+        });
+        CHECK(values == whole.values);
+        for (std::size_t k = 0; k < whole.axes.size(); ++k) {
+          CHECK(slabs.axes()[k].count == whole.axes[k].count);
+          CHECK(slabs.axes()[k].first == whole.axes[k].first);
+        }
+      }
+  const GridData<double> line = curve_data<double>({1, 2, 3, 4});
+  CHECK_THROWS_AS(SlabRefinement(line, make_scheme("primal:n=1").mask, {60, Boundary::regression, 1}), Error);
 }

@@ -1,0 +1,252 @@
+"""Tables: frames of pandas, polars, pyarrow and others, dicts of arrays, files. What is smoothed is of the same kind."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Mapping
+from decimal import Decimal
+from numbers import Real
+from typing import Any, Callable, Optional, Sequence, Union
+
+from ._errors import DataError, Error, UsageError
+
+Name = Union[str, int]
+
+
+def is_table(data: Any) -> bool:
+    """Whether these are named columns, or a file of them."""
+    return (
+        isinstance(data, (Mapping, str, os.PathLike))
+        or hasattr(data, "__dataframe__")
+        or bool(getattr(getattr(data, "dtype", None), "names", None))
+    )
+
+
+def _read(path: str) -> Any:
+    """The table, or the array, in a file."""
+    import numpy
+
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".npy":
+        return numpy.load(path, allow_pickle=False)
+    if ending == ".npz":
+        with numpy.load(path, allow_pickle=False) as arrays:
+            return {name: arrays[name] for name in arrays.files}
+    if ending not in (".parquet", ".feather", ".arrow"):
+        raise UsageError(f"{path}: expected a name that ends in .npy, .npz, .parquet, .feather or .arrow")
+    try:
+        from pyarrow import feather, parquet  # type: ignore[import]
+    except ImportError:
+        raise ImportError(f"{path}: files of this kind need pyarrow (pip install pyarrow)") from None
+    return parquet.read_table(path) if ending == ".parquet" else feather.read_table(path)
+
+
+def _columns(data: Any) -> tuple[dict[str, Any], Callable[[dict[str, Any]], Any]]:
+    """The columns by their names, and what makes of columns a table of the same kind."""
+    import numpy
+
+    if isinstance(data, (str, os.PathLike)):
+        path = os.fspath(data)
+        data = _read(path)
+        if not is_table(data):
+            if data.ndim not in (1, 2):
+                raise DataError(f"{path}: expected an array of one or two dimensions; found {data.ndim}")
+            return {f"column {k + 1}": c for k, c in enumerate(data.T if data.ndim == 2 else [data])}, dict
+    if isinstance(data, Mapping):
+        return {str(name): numpy.asarray(values) for name, values in data.items()}, dict
+    if hasattr(data, "__dataframe__"):
+        names = data.__dataframe__().column_names()
+        return {name: data[name] for name in names}, getattr(type(data), "from_pydict", type(data))
+
+    def records(columns: dict[str, Any]) -> Any:
+        return numpy.rec.fromarrays(list(columns.values()), names=",".join(columns))
+
+    return {name: data[name] for name in data.dtype.names}, records
+
+
+def _is_missing(value: Any) -> bool:
+    return value is None or type(value).__name__ in ("NAType", "NaTType") or (isinstance(value, Real) and value != value)
+
+
+@dataclasses.dataclass
+class _Column:
+    """Numbers, NaN where one is missing; of dates days or seconds from `first` on."""
+
+    name: str
+    raw: Any
+    numbers: Any
+    first: Any = None
+    unit: str = ""
+
+    def positions(self, numbers: Any) -> Any:
+        """Numbers as they stand in this column: dates where it holds dates."""
+        import numpy
+
+        if self.first is None:
+            return numbers
+        second = 10**9 * (86400 if self.unit == "D" else 1)
+        return self.first + numpy.round(numbers * second).astype("timedelta64[ns]")
+
+
+def _column(name: str, values: Any) -> Optional[_Column]:
+    """A column of numbers or dates; None for text."""
+    import datetime
+
+    import numpy
+
+    raw = numpy.asarray(values)
+    array = raw
+    if array.dtype.kind == "O":
+        present = [value for value in array.tolist() if not _is_missing(value)]
+        if present and all(isinstance(value, (datetime.date, numpy.datetime64)) for value in present):
+            array = numpy.array([None if _is_missing(v) else v for v in array.tolist()], dtype="datetime64[ns]")
+        elif all(isinstance(value, (Real, Decimal)) for value in present):
+            array = numpy.array([numpy.nan if _is_missing(v) else float(v) for v in array.tolist()])
+    if array.dtype.kind in "biuf":
+        return _Column(name, raw, array.astype(numpy.float64))
+    if array.dtype.kind != "M":
+        return None
+    times = array.astype("datetime64[ns]")
+    there = times[~numpy.isnat(times)]
+    days = bool((there == there.astype("datetime64[D]")).all())
+    first = there.min() if there.size else numpy.datetime64(0, "ns")
+    numbers = (times - first) / numpy.timedelta64(1, "D" if days else "s")
+    return _Column(name, times, numbers, first, "D" if days else "s")
+
+
+class _Table:
+    """Which columns of a table hold what."""
+
+    def __init__(self, data: Any) -> None:
+        self.columns, self.make = _columns(data)
+        if not self.columns:
+            raise DataError("smooth: expected a table with columns; found none")
+
+    def name(self, option: str, name: Name) -> str:
+        if isinstance(name, str) and name in self.columns:
+            return name
+        if isinstance(name, int) and 1 <= name <= len(self.columns):
+            return list(self.columns)[name - 1]
+        raise UsageError(f"{option}: expected one of the columns {', '.join(self.columns)}; got {name!r}")
+
+    def numbers(self, name: str) -> _Column:
+        column = _column(name, self.columns[name])
+        if column is None:
+            raise DataError(f"column {name}: expected numbers; found text")
+        return column
+
+    def choose(self, x: Any, y: Any, used: list[str]) -> tuple[Optional[_Column], list[_Column]]:
+        """Positions and values. Without a name the first of several columns of numbers or dates holds the positions,
+        and all other columns of numbers the values."""
+        names = [] if y is None else [y] if isinstance(y, (str, int)) else list(y)
+        values = [self.numbers(self.name("y", one)) for one in names]
+        counted = isinstance(x, str) and x == "none" and x not in self.columns
+        position = None if x is None or counted else self.numbers(self.name("x", x))
+        taken = used + [column.name for column in values] + ([position.name] if position else [])
+        left = [_column(name, raw) for name, raw in self.columns.items() if name not in taken]
+        others = [column for column in left if column is not None]
+        if x is None and len(others) > (0 if values else 1):
+            position = others.pop(0)
+        values = values or [column for column in others if column.first is None]
+        if not values:
+            raise DataError("smooth: expected a column of values; found none")
+        for column in values:
+            if column.first is not None:
+                raise DataError(f"column {column.name}: expected numbers; found dates")
+        return position, values
+
+
+def _groups(keys: Any) -> dict[Any, list[int]]:
+    """The rows of each group, in the order of their first rows."""
+    groups: dict[Any, list[int]] = {}
+    for row, key in enumerate(keys.tolist()):
+        groups.setdefault(None if _is_missing(key) else key, []).append(row)
+    return groups
+
+
+def _smoothed_rows(
+    smooth: Callable[..., Any],
+    x: Optional[_Column],
+    values: Sequence[_Column],
+    rows: Any,
+    weights: Any,
+    kept: dict[str, Any],
+    options: dict[str, Any],
+) -> dict[str, Any]:
+    """The columns of the answer for these rows."""
+    import numpy
+
+    missing = numpy.isnan(numpy.array([column.numbers[rows] for column in values])).any(axis=0)
+    if x is not None:
+        lost = numpy.isnan(x.numbers[rows])
+        if lost.any() and options["missing"] != "drop":
+            raise DataError(f"column {x.name}: expected a position; found a missing value (missing='drop' drops it)")
+        rows, missing = rows[~lost], missing[~lost]
+    prior = None if weights is None else weights.numbers[rows]
+    if missing.any():
+        if options["missing"] != "drop":
+            names = ", ".join(column.name for column in values)
+            raise DataError(f"columns {names}: expected numbers; found a missing value (missing='drop' drops it)")
+        prior = numpy.where(missing, 0, 1.0 if prior is None else prior)
+    answer: dict[str, Any] = {}
+    for column in values:
+        samples = numpy.where(missing, 0, column.numbers[rows])
+        found = smooth(samples, None if x is None else x.numbers[rows], weights=prior, **options)
+        whole = len(found.values) == len(rows)
+        stay = rows if whole or prior is None else rows[prior > 0]
+        if not answer:
+            name = x.name if x is not None else "index" if any(one.name == "x" for one in values) else "x"
+            at_data = x is not None and options["at"] == "data"
+            answer[name] = x.raw[stay] if x is not None and at_data else x.positions(found.x) if x is not None else found.x
+        answer[column.name] = found.values
+        for ending, facts in (("sd", found.deviation), ("lower", found.lower), ("upper", found.upper)):
+            if facts is not None:
+                answer[f"{column.name}_{ending}"] = facts
+    for name, raw in kept.items():
+        answer[name] = raw[stay]
+    return answer
+
+
+def smoothed(
+    smooth: Callable[..., Any], data: Any, x: Any, y: Any, by: Optional[Name], keep: Any, options: dict[str, Any]
+) -> Any:
+    """What subcert.smooth makes of a table."""
+    import numpy
+
+    table = _Table(data)
+    weights = options.pop("weights")
+    if weights is not None and not isinstance(weights, (str, int)):
+        raise UsageError(f"weights: expected the name of a column; got {type(weights).__name__}")
+    prior = None if weights is None else table.numbers(table.name("weights", weights))
+    names = [] if keep is None else [keep] if isinstance(keep, (str, int)) else list(keep)
+    if names and options["at"] != "data":
+        raise UsageError("keep needs at='data': other rows have no fields of the table")
+    kept = {table.name("keep", one): numpy.asarray(table.columns[table.name("keep", one)]) for one in names}
+    group = None if by is None else table.name("by", by)
+    used = list(kept) + ([group] if group else []) + ([prior.name] if prior else [])
+    position, values = table.choose(x, y, used)
+    count = len(values[0].numbers)
+    for column in values + ([position] if position else []):
+        if len(column.numbers) != count:
+            raise DataError(f"column {column.name}: expected {count} rows; found {len(column.numbers)}")
+    if group is None:
+        return table.make(_smoothed_rows(smooth, position, values, numpy.arange(count), prior, kept, options))
+    keys = numpy.asarray(table.columns[group])
+    parts = []
+    for key, rows in _groups(keys).items():
+        try:
+            part = _smoothed_rows(smooth, position, values, numpy.array(rows), prior, kept, options)
+        except Error as error:
+            raise type(error)(f"{group} {key}: {error}") from None
+        parts.append({group: keys[[rows[0]] * len(next(iter(part.values())))], **part})
+    return table.make(_joined(parts))
+
+
+def _joined(parts: list[dict[str, Any]]) -> dict[str, Any]:
+    """One after another; NaN where a part lacks a column, as of a group whose noise has no estimate."""
+    import numpy
+
+    widest = max(parts, key=len)
+    gaps = [numpy.full(len(next(iter(part.values()))), numpy.nan) for part in parts]
+    return {name: numpy.concatenate([part.get(name, gap) for part, gap in zip(parts, gaps)]) for name in widest}

@@ -1,0 +1,121 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/smooth/grid_smoothing.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace subcert;
+using namespace subcert::data;
+
+namespace {
+
+std::vector<double> random_numbers(std::size_t count, std::mt19937& engine) {
+  std::normal_distribution<double> normal;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(normal(engine));
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("products are smoothed as their factors are, with the products of the variances") {
+  std::mt19937 engine(5);
+  const std::vector<double> f = random_numbers(12, engine), g = random_numbers(17, engine);
+  GridData<double> grid{{}, 2, {Axis::of(12), Axis::of(17)}};
+  for (const double y : g)
+    for (const double x : f) {
+      grid.values.push_back(x * y);
+      grid.values.push_back(1 - x * y);
+    }
+  for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::nearest, Boundary::periodic})
+    for (const auto& [all, x, y] : {std::tuple("tensor:(primal:n=2)x(dual:n=3)", "primal:n=2", "dual:n=3"),
+                                    std::tuple("local:points=5,d=2", "local:points=5,d=2", "local:points=5,d=2"),
+                                    std::tuple("bspline:degree=3", "bspline:degree=3", "bspline:degree=3")}) {
+      CAPTURE(to_text(boundary), all);
+      const SmoothingOptions options{boundary, 1};
+      const SmoothedGrid smoothed = smooth_grid(grid, all, options, 2.0, 2);
+      Samples along_x{{f}}, along_y{{g}};
+      along_x.noise = along_y.noise = 1;
+      const SmoothedColumn sx = smooth(along_x, std::string_view(x), options).columns[0],
+                           sy = smooth(along_y, std::string_view(y), options).columns[0];
+      REQUIRE(smoothed.axes[0].count == sx.values.size());
+      REQUIRE(smoothed.axes[1].count == sy.values.size());
+      CHECK(smoothed.axes[0].step == Rational(1) / 2);
+      double error = 0;
+      for (std::size_t j = 0; j < sy.values.size(); ++j)
+        for (std::size_t i = 0; i < sx.values.size(); ++i) {
+          const std::size_t at = j * sx.values.size() + i;
+          error = std::max({error, std::abs(smoothed.columns[0].values[at] - sx.values[i] * sy.values[j]),
+                            std::abs(smoothed.columns[1].values[at] - 1 + sx.values[i] * sy.values[j]),
+                            std::abs(smoothed.columns[0].deviations[at] - 2 * sx.deviations[i] * sy.deviations[j])});
+        }
+      CHECK(error < 1e-12);
+    }
+  // The same constant everywhere.
+  for (double& value : grid.values) value = 7;
+  const SmoothingOptions constant{Boundary::constant, 1, 0, 7};
+  for (const double value : smooth_grid(grid, "primal:n=3", constant, 1.0).columns[1].values)
+    CHECK(std::abs(value - 7) < 1e-12);
+}
+
+TEST_CASE("inside, a smoothed surface is the limit of its data") {
+  std::mt19937 engine(6);
+  const GridData<double> grid{random_numbers(20 * 21, engine), 1, {Axis::of(20), Axis::of(21)}};
+  const std::string name = "tensor:(primal:n=2)x(primal:n=1)";
+  const GridData<double> limit = limit_of_data(grid, std::get<Scheme>(make_any_scheme(name)).mask, {1});
+  const SmoothedGrid smoothed = smooth_grid(grid, name, {Boundary::regression, 1}, std::nullopt);
+  REQUIRE(smoothed.axes[0].count == limit.axes[0].count);
+  for (std::size_t j = 16; j < 24; ++j)
+    for (std::size_t i = 16; i < 24; ++i) {
+      const std::size_t at = j * limit.axes[0].count + i;
+      CHECK(std::abs(smoothed.columns[0].values[at] - limit.values[at]) < 1e-12);
+    }
+}
+
+TEST_CASE("the noise of a surface is found, and bands cover") {
+  std::mt19937 engine(7);
+  constexpr int draws = 400;
+  int covered = 0, covered_new = 0;
+  double mean = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    GridData<double> grid{random_numbers(13 * 11, engine), 1, {Axis::of(13), Axis::of(11)}};
+    for (std::size_t i = 0; i < grid.values.size(); ++i) {
+      const auto x = static_cast<double>(i % 13), y = static_cast<double>(i / 13);
+      grid.values[i] = 3 * grid.values[i] + 2 * x - y + 0.5 * x * y;
+    }
+    const SmoothedGrid smoothed = smooth_grid(grid, "primal:n=2", {Boundary::regression, 0}, std::nullopt);
+    const SmoothedColumn& column = smoothed.columns[0];
+    mean += column.noise->variance / draws;
+    const std::size_t at = 4 * 13 + 9;
+    const double truth = 2 * 9 - 4 + 0.5 * 36, off = std::abs(column.values[at] - truth);
+    covered += off <= column.half_widths(0.9)[at] ? 1 : 0;
+    const double fresh = truth + 3 * random_numbers(1, engine)[0];
+    covered_new += std::abs(fresh - column.values[at]) <= column.half_widths(0.9, BandKind::prediction)[at] ? 1 : 0;
+  }
+  CHECK(std::abs(mean - 9) < 0.5);
+  const double deviation = std::sqrt(draws * 0.9 * 0.1);  // of the binomial law
+  CHECK(std::abs(covered - 0.9 * draws) < 3.5 * deviation);
+  CHECK(std::abs(covered_new - 0.9 * draws) < 3.5 * deviation);
+  // A plane has none; one row is a curve; two by two have no estimate.
+  GridData<double> plane{{}, 1, {Axis::of(5), Axis::of(4)}};
+  for (std::size_t i = 0; i < 20; ++i) plane.values.push_back(static_cast<double>(i % 5) - static_cast<double>(i / 5));
+  CHECK(estimate_noise(plane)[0].variance < 1e-28);
+  CHECK(estimate_noise(plane)[0].terms == 6);
+  const std::vector<double> curve = random_numbers(30, engine);
+  const NoiseEstimate row = estimate_noise(GridData<double>{curve, 1, {Axis::of(30), Axis::of(1)}})[0],
+                      same = estimate_noise(curve);
+  CHECK(std::abs(row.variance - same.variance) < 1e-12);
+  CHECK(row.degrees_of_freedom == same.degrees_of_freedom);
+  CHECK_FALSE(estimate_noise(GridData<double>{{1, 2, 3, 4}, 1, {Axis::of(2), Axis::of(2)}})[0].exists());
+}
+
+TEST_CASE("what does not smooth grids is refused") {
+  const GridData<double> grid{std::vector<double>(64), 1, {Axis::of(8), Axis::of(8)}};
+  CHECK_THROWS_AS(smooth_grid(grid, "l1:points=4", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "tensor:(primal:n=1)x(primal:n=1)x(primal:n=1)", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "mask:[1,0,0,1]", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "grid:points=4x4", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "primal:n=2", {Boundary::regression, 0, 1}, std::nullopt), Error);
+}

@@ -68,7 +68,8 @@ struct SmoothPage {
 
 /// What a comment says of bands of this kind, and of the noise of a column.
 std::string covered_text(data::BandKind kind);
-std::string noise_line(const std::string& column, const data::NoiseEstimate& noise);
+std::string noise_line(const std::string& column, const data::NoiseEstimate& noise,
+                       data::BandMethod method = data::BandMethod::linear);
 
 /// The pages of all groups: one table.
 Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages);

@@ -181,8 +181,8 @@ c(p$fit, half)
 
 def table_of_coverage(out, runs, count=200, points=41):
     out(f"\n## Coverage of bands of 95 %\n\n{count} scattered data about a line, windows of {points}, degree 1, {runs} "
-        "draws; the share of the positions at which the band holds the line, and the mean half width. The standard "
-        "deviation of a share is at most the last column, from the draws.\n")
+        "draws; the share of the positions at which the band holds the line, and the mean half width. The last column is "
+        "the standard deviation of the share, from the draws; l1 schemes and R have a fifth of these.\n")
     out("| outliers | method | share | half width | deviation |\n|---|---|---|---|---|")
     for outliers in (0.0, 0.2):
         methods = {

@@ -144,8 +144,8 @@ def smooth(
     spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard deviation, where it is known.
     `select`: by what the method is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of
     l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest,
-    constant or wrap. Where outliers move a linear fit a UserWarning names the method that leaves them out. Raises DataError for samples that cannot be smoothed,
-    DomainError for a scheme without proof of convergence.
+    constant or wrap. Where outliers move a linear fit a UserWarning names the method that leaves them out. Raises
+    DataError for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")

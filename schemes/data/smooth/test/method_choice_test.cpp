@@ -218,7 +218,7 @@ TEST_CASE("windows for derivatives are chosen for these, near the best of all") 
     share += static_cast<double>(ranked.front().points) / 4000;
   }
   CAPTURE(share);
-  CHECK(share > 0.6);
+  CHECK(share > 0.8);
 }
 
 TEST_CASE("bands have the width of Student's quantiles") {

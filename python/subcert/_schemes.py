@@ -291,8 +291,8 @@ class Scheme(LinearScheme):
         """x and y: the basic limit function, or a derivative, at the points i / arity^level of its support.
 
         Arrays of numpy, rounded from the exact values; with `exact` lists of Fractions. Raises DomainError for a
-        scheme that does not converge, UndecidedError where convergence, or that the derivative is continuous, is not
-        proved.
+        scheme that does not converge or a derivative that is not continuous, UndecidedError where neither that nor the
+        contrary is proved.
 
         >>> import subcert
         >>> x, y = subcert.scheme("four-point:w=1/16").limit(1, exact=True)

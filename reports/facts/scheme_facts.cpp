@@ -123,9 +123,9 @@ Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
     known.convergence = known.regularity->converges();
     return known;
   }
-  known.convergence = mask.has_factors()
-                          ? has_derivative(mask, LatticePoint(mask.dilation().variables(), 0), options.limits).decision
-                          : converges(mask, options.limits);
+  known.convergence = converges(mask, options.limits);
+  if (known.convergence.truth == Truth::unknown && mask.has_factors())  // by the exponent
+    known.convergence = has_derivative(mask, LatticePoint(mask.dilation().variables(), 0), options.limits).decision;
   if (!known.convergence.is_yes() || !mask.has_factors()) return known;
   known.smoothness = proved_smoothness(mask, options.limits);
   add_regularity(deadline.after(regularity_share).at_most(regularity_seconds));

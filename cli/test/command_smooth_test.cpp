@@ -319,7 +319,7 @@ TEST_CASE("heights and volumes are smoothed") {
   CHECK(
       smoothed.out.starts_with("# scheme local:points=3,d=1,weight=box along each axis, boundary interp\n"
                                "# noise of value: standard deviation 1, as given\n# bands: 95 % pointwise"));
-  CHECK(smoothed.out.find("\nx;y;value;value_sd;value_lower;value_upper\n0;0;0;") != std::string::npos);
+  CHECK(smoothed.out.find("\nx;y;value;value_sd;value_lower;value_upper\n0;0;") != std::string::npos);
   const auto json = run_json("smooth " + plane +
                              " --grid --scheme 'tensor:(primal:n=1)x(primal:n=1)' --level 1 --json");
   CHECK(json.at("columns") == nlohmann::json({"x", "y", "value", "value_sd", "value_lower", "value_upper"}));

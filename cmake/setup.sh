@@ -10,7 +10,7 @@ readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem
 # What tests and benchmarks need beside.
 readonly packages_to_check="catch2 libbenchmark-dev python3 python3-jsonschema python3-yaml git clang-format clang-tidy
   man-db pkg-config zsh fish pybind11-dev python3-dev python3-numpy python3-sympy python3-pytest python3-hypothesis mypy
-  python3-nbconvert python3-ipykernel python3-matplotlib ocaml ocaml-findlib libzarith-ocaml-dev nodejs"
+  python3-nbconvert python3-ipykernel python3-matplotlib python3-pandas ocaml ocaml-findlib libzarith-ocaml-dev nodejs"
 # What makes Debian packages, and what tries them in the long tests.
 readonly packages_to_pack="dpkg-dev file"
 readonly packages_to_try="$packages_to_pack lintian mmdebstrap buildah coq chromium firefox-esr"

@@ -1,4 +1,4 @@
-"""Tables: frames of pandas, polars, pyarrow and others, dicts of arrays, files. What is smoothed is of the same kind."""
+"""Tables: frames of pandas, polars, pyarrow and others, dicts of arrays, files. Answers are of the same kind."""
 
 from __future__ import annotations
 
@@ -60,13 +60,16 @@ def _columns(data: Any) -> tuple[dict[str, Any], Callable[[dict[str, Any]], Any]
         return {name: data[name] for name in names}, getattr(type(data), "from_pydict", type(data))
 
     def records(columns: dict[str, Any]) -> Any:
-        return numpy.rec.fromarrays(list(columns.values()), names=",".join(columns))
+        kinds = [(name, values.dtype) for name, values in columns.items()]
+        return numpy.rec.fromarrays(list(columns.values()), dtype=kinds)
 
     return {name: data[name] for name in data.dtype.names}, records
 
 
 def _is_missing(value: Any) -> bool:
-    return value is None or type(value).__name__ in ("NAType", "NaTType") or (isinstance(value, Real) and value != value)
+    if value is None or type(value).__name__ in ("NAType", "NaTType"):
+        return True
+    return isinstance(value, Real) and bool(value != value)
 
 
 @dataclasses.dataclass
@@ -197,8 +200,10 @@ def _smoothed_rows(
         stay = rows if whole or prior is None else rows[prior > 0]
         if not answer:
             name = x.name if x is not None else "index" if any(one.name == "x" for one in values) else "x"
-            at_data = x is not None and options["at"] == "data"
-            answer[name] = x.raw[stay] if x is not None and at_data else x.positions(found.x) if x is not None else found.x
+            if x is None:
+                answer[name] = found.x
+            else:
+                answer[name] = x.raw[stay] if options["at"] == "data" else x.positions(found.x)
         answer[column.name] = found.values
         for ending, facts in (("sd", found.deviation), ("lower", found.lower), ("upper", found.upper)):
             if facts is not None:

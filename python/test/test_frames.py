@@ -60,11 +60,12 @@ def test_the_answer_is_of_the_kind_of_the_table(kind):
 @pytest.mark.parametrize("kind", list(kinds()))
 def test_groups(kind):
     data = table()
-    found = subcert.smooth(kind(data), x="x", y=["y", "z"], by="name", irregular=True, at="data", scheme="local:points=9")
+    options = {"irregular": True, "at": "data", "scheme": "local:points=9"}
+    found = subcert.smooth(kind(data), x="x", y=["y", "z"], by="name", **options)
     assert list(found["name"]) == ["b"] * 20 + ["a"] * 20 + ["c"] * 20
     for k, name in enumerate("bac"):
         rows = data["name"] == name
-        alone = subcert.smooth(data["z"][rows], data["x"][rows], irregular=True, at="data", scheme="local:points=9")
+        alone = subcert.smooth(data["z"][rows], data["x"][rows], **options)
         assert numpy.array_equal(numpy.asarray(found["z"])[20 * k : 20 * k + 20], alone.values)
     with pytest.raises(subcert.Error, match="^name b: "):
         subcert.smooth(kind(data), x="x", y="y", by="name", irregular=True, scheme="local:points=21")
@@ -102,7 +103,8 @@ def test_columns_of_objects():
     records = numpy.rec.fromarrays([numpy.arange(9.0), numpy.arange(9.0) ** 2], names=["t", "v"])
     again = subcert.smooth(records, scheme="dd:n=2", bands=0)
     assert again.dtype.names[:2] == ("t", "v") and abs(again.v - records.v).max() < 1e-9
-    counted = subcert.smooth({"x": numpy.arange(8.0), "w": numpy.ones(8)}, x="none", y="x", weights="w", scheme="primal:n=2")
+    columns = {"x": numpy.arange(8.0), "w": numpy.ones(8)}
+    counted = subcert.smooth(columns, x="none", y="x", weights="w", scheme="primal:n=2")
     assert list(counted)[:2] == ["index", "x"] and abs(counted["x"] - counted["index"]).max() < 1e-9
 
 
@@ -190,7 +192,8 @@ def test_arrays_without_tables():
     assert abs(found.values - numpy.arange(30)).max() < 1e-9
     x = numpy.arange(30.0)
     x[9] = numpy.nan
-    scattered = subcert.smooth(y, x, missing="drop", irregular=True, scheme="local:points=5", at="data", weights=[1] * 30)
+    options = {"irregular": True, "scheme": "local:points=5", "at": "data", "weights": [1] * 30}
+    scattered = subcert.smooth(y, x, missing="drop", **options)
     assert len(scattered.values) == 28
     with pytest.raises(subcert.UsageError, match="columns of a table"):
         subcert.smooth(y, by="g")

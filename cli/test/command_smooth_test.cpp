@@ -355,13 +355,9 @@ TEST_CASE("heights and volumes are smoothed") {
   CHECK(
       smoothed.out.starts_with("# scheme local:points=3,d=1,weight=box along each axis, boundary interp\n"
                                "# noise of value: standard deviation 1, as given\n# bands: 95 % pointwise"));
-<<<<<<< HEAD
   const std::string head = "\nx;y;value;value_sd;value_lower;value_upper\n0;0;";
   REQUIRE(smoothed.out.find(head) != std::string::npos);
   CHECK(std::abs(std::stod(smoothed.out.substr(smoothed.out.find(head) + head.size()))) < 1e-14);
-=======
-  CHECK(smoothed.out.find("\nx;y;value;value_sd;value_lower;value_upper\n0;0;") != std::string::npos);
->>>>>>> 04892a1b8ace6f2200c03ed69a3145716213fa2c
   const auto json = run_json("smooth " + plane +
                              " --grid --scheme 'tensor:(primal:n=1)x(primal:n=1)' --level 1 --json");
   CHECK(json.at("columns") == nlohmann::json({"x", "y", "value", "value_sd", "value_lower", "value_upper"}));

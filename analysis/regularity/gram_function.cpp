@@ -44,12 +44,13 @@ class TransferOperator {
   std::size_t size() const { return orbits_.size(); }
   const std::vector<LatticePoint>& orbit(std::size_t index) const { return orbits_[index]; }
 
-  /// On the values of the orbits.
-  RationalMatrix matrix() const {
+  /// On the values of the orbits; nothing past the deadline.
+  std::optional<RationalMatrix> matrix(const Deadline& deadline) const {
     std::map<LatticePoint, Rational> coefficients;
     for (const auto& term : mask_.symbol().terms()) coefficients.emplace(term.exponents, term.coefficient);
     RationalMatrix result(size(), size());
     for (std::size_t row = 0; row < size(); ++row) {
+      if (deadline.expired()) return std::nullopt;
       const LatticePoint image = mask_.dilation() * orbits_[row].front();
       for (const auto& [exponents, coefficient] : coefficients)
         if (const auto column = orbit_of_.find(representative(image - exponents)); column != orbit_of_.end())
@@ -193,11 +194,11 @@ RationalMatrix even_moments(const TransferOperator& transfer, std::size_t variab
 std::optional<LatticeSequence> gram_function(const LatticeMask& mask, const Deadline& deadline) {
   const std::size_t variables = mask.dilation().variables();
   const TransferOperator transfer(mask, {LatticePoint(variables, 0)});
-  RationalMatrix system = transfer.matrix();
-  if (!radius::has_time_for_elimination(system, deadline)) return std::nullopt;
+  auto system = transfer.matrix(deadline);
+  if (!system || !radius::has_time_for_elimination(*system, deadline)) return std::nullopt;
   std::vector<Rational> sizes;
   for (std::size_t k = 0; k < transfer.size(); ++k) sizes.emplace_back(static_cast<long>(transfer.orbit(k).size()));
-  const auto values = fixed_vector(std::move(system), sizes);
+  const auto values = fixed_vector(std::move(*system), sizes);
   if (!values) return std::nullopt;
   LatticeSequence gram;
   for (std::size_t k = 0; k < transfer.size(); ++k)
@@ -232,13 +233,14 @@ std::optional<MultivariateSobolev> sobolev_regularity(const LatticeMask& mask, i
         if (signs >> v & 1) start.back()[v] = -point[v];
     }
   const TransferOperator transfer(mask, start);
-  const RationalMatrix whole = transfer.matrix();
+  const auto whole = transfer.matrix(deadline);
+  if (!whole) return std::nullopt;
   const auto basis = kernel(even_moments(transfer, variables, 2 * sum_rules));
-  if (basis.empty() || !radius::has_time_for_elimination(whole, deadline)) return std::nullopt;
+  if (basis.empty() || !radius::has_time_for_elimination(*whole, deadline)) return std::nullopt;
   const std::vector<std::size_t> pivots = free_columns(basis);
   RationalMatrix matrix(basis.size(), basis.size());
   for (std::size_t c = 0; c < basis.size(); ++c) {
-    const std::vector<Rational> image = whole * basis[c];
+    const std::vector<Rational> image = *whole * basis[c];
     for (std::size_t r = 0; r < basis.size(); ++r) matrix(r, c) = image[pivots[r]];
   }
   const auto characteristic = characteristic_polynomial(matrix, deadline);
@@ -257,9 +259,9 @@ std::optional<MultivariateSobolev> sobolev_regularity(const LatticeMask& mask, c
     std::vector<LatticePoint> start;
     for (const auto& [point, value] : differences) start.push_back(point);
     const TransferOperator transfer(mask, start);
-    const RationalMatrix matrix = transfer.matrix();
-    if (!radius::has_time_for_elimination(matrix, deadline)) return std::nullopt;
-    const auto polynomial = minimal_polynomial(matrix, transfer.led_in(differences), deadline);
+    const auto matrix = transfer.matrix(deadline);
+    if (!matrix || !radius::has_time_for_elimination(*matrix, deadline)) return std::nullopt;
+    const auto polynomial = minimal_polynomial(*matrix, transfer.led_in(differences), deadline);
     if (!polynomial || !radius::has_time_for_roots(*polynomial, deadline)) return std::nullopt;
     MultivariateSobolev found = sobolev_of(largest_root_modulus(*polynomial).largest, mask.dilation(),
                                            static_cast<std::size_t>(polynomial->highest()));

@@ -69,8 +69,10 @@ std::string noise_line(const std::string& column, const data::NoiseEstimate& noi
   if (method != data::BandMethod::linear)
     return fmt::format("# noise of {}: standard deviation {:.6g} from {} residuals, without outliers\n", column,
                        std::sqrt(noise.variance), noise.terms);
-  return fmt::format("# noise of {}: standard deviation {:.6g} from {} second differences, {:.6g} degrees of freedom\n",
-                     column, std::sqrt(noise.variance), noise.terms, noise.degrees_of_freedom);
+  const std::string ties = noise.ties == 0 ? "" : fmt::format(" and {} data beside others", noise.ties);
+  return fmt::format(
+      "# noise of {}: standard deviation {:.6g} from {} second differences{}, {:.6g} degrees of freedom\n", column,
+      std::sqrt(noise.variance), noise.terms - noise.ties, ties, noise.degrees_of_freedom);
 }
 
 SmoothPage::SmoothPage(const SmoothOptions& how, const data::NamedSamples& what, data::SmoothedSamples smoothed)

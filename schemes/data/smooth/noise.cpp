@@ -40,6 +40,36 @@ struct SecondDifference {
   }
 };
 
+/// Data at different positions: of several at one their weighted mean, with the sum of their weights; and what these
+/// spread about their means, which has as many degrees of freedom. In whatever order they came.
+struct DifferentPositions {
+  std::vector<double> data, weights, positions;
+  double spread = 0;
+  std::size_t degrees = 0;
+
+  DifferentPositions(const std::vector<double>& all, const std::vector<double>& prior_weights,
+                     const std::vector<double>& places) {
+    for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
+      double weight = 0, sum = 0;
+      std::size_t present = 0;
+      for (end = i; end < all.size() && places[end] == places[i]; ++end) {
+        const double own = at_or_one(prior_weights, end);
+        if (own == 0) continue;
+        weight += own, sum += own * all[end], ++present;
+      }
+      const double mean = present > 0 ? sum / weight : 0;
+      for (std::size_t k = i; k < end && present > 1; ++k) {
+        const double own = at_or_one(prior_weights, k);
+        if (own > 0) spread += own * (all[k] - mean) * (all[k] - mean);
+      }
+      degrees += present > 1 ? present - 1 : 0;
+      data.push_back(mean), weights.push_back(weight), positions.push_back(places[i]);
+    }
+  }
+};
+
+bool has_ties(const std::vector<double>& positions) { return std::ranges::adjacent_find(positions) != positions.end(); }
+
 /// The covariance of two second differences for noise of variance 1 / weight.
 double covariance(const SecondDifference& a, const SecondDifference& b, const std::vector<double>& weights) {
   double sum = 0;
@@ -62,6 +92,16 @@ NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<
   for (const auto* other : {&prior_weights, &positions})
     require(other->empty() || other->size() == data.size(),
             "estimate_noise: need as many weights and positions as data, got {} for {}", other->size(), data.size());
+  if (has_ties(positions)) {
+    // Means are independent of what the data spread about them.
+    const DifferentPositions means(data, prior_weights, positions);
+    const NoiseEstimate between = estimate_noise(means.data, means.weights, means.positions);
+    const auto m = static_cast<double>(between.terms), within = static_cast<double>(means.degrees);
+    if (m + within == 0) return {};
+    const double squares = between.exists() ? m * m / between.degrees_of_freedom : 0;
+    return {(m * between.variance + means.spread) / (m + within), (m + within) * (m + within) / (squares + within),
+            between.terms + means.degrees, means.degrees};
+  }
   std::vector<SecondDifference> terms;
   double sum = 0;
   const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
@@ -99,6 +139,10 @@ constexpr double answer = -0.25;  // of a neighbour's difference to an outlier, 
 
 std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights,
                            const std::vector<double>& positions) {
+  if (has_ties(positions)) {
+    const DifferentPositions means(data, prior_weights, positions);
+    return count_outliers(means.data, means.weights, means.positions);
+  }
   const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> differences(data.size(), none), moduli;

@@ -12,12 +12,14 @@ namespace subcert::data {
 constexpr double normal_quartile = 0.6744897501960817;
 
 /// Variance of the noise of data with prior weight 1. Computed from sums of squares in `terms` second differences,
-/// which linear trends do not enter; distributed nearly as chi squared with `degrees_of_freedom` where the noise is
-/// normal. Infinitely many degrees where it is known, none where data have no estimate.
+/// which linear trends do not enter, and of what several data at one position differ from their mean; distributed
+/// nearly as chi squared with `degrees_of_freedom` where the noise is normal. Infinitely many degrees where it is
+/// known, none where data have no estimate.
 struct NoiseEstimate {
   double variance = 0;
   double degrees_of_freedom = 0;
   std::size_t terms = 0;
+  std::size_t ties = 0;  ///< of the terms, those of data beside others at their position
 
   bool exists() const { return degrees_of_freedom > 0; }
 };
@@ -26,8 +28,8 @@ struct NoiseEstimate {
 NoiseEstimate known_noise(double deviation);
 
 /// From the distances of data to the chords of their neighbours. Domain: as many prior weights, and positions, as data,
-/// or none; positions in order; a weight 0 means missing. Without three neighbouring data there is no estimate. Ref:
-/// [GSJ86].
+/// or none; positions in order, ties in any; a weight 0 means missing. Without ties or three neighbouring data there is
+/// no estimate. Ref: [GSJ86].
 NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
                              const std::vector<double>& positions = {});
 

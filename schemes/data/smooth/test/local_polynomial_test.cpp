@@ -152,6 +152,42 @@ TEST_CASE("indices and positions of continued data are inverse to each other") {
   }
 }
 
+TEST_CASE("the noise of several data at one position does not depend on their order") {
+  std::vector<double> at, weights;
+  for (const double x : scattered(30))
+    for (int k = 0; k < 1 + static_cast<int>(x) % 4; ++k) {
+      at.push_back(x);
+      weights.push_back(k == 2 ? 0 : 1 + k);
+    }
+  std::mt19937_64 engine(1921);
+  std::normal_distribution<double> gauss(0, 2);
+  double sum = 0, squares = 0, nu = 0;
+  constexpr int runs = 2000;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<double> data, sorted_weights = weights;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      data.push_back(5 * at[i] + (weights[i] > 0 ? gauss(engine) / std::sqrt(weights[i]) : 1e6));
+    const NoiseEstimate noise = estimate_noise(data, weights, at);
+    sum += noise.variance;
+    squares += noise.variance * noise.variance;
+    nu = noise.degrees_of_freedom;
+    for (std::size_t i = 0, end = 0; i < at.size(); i = end) {
+      while (end < at.size() && at[end] == at[i]) ++end;
+      std::reverse(data.begin() + static_cast<std::ptrdiff_t>(i), data.begin() + static_cast<std::ptrdiff_t>(end));
+      std::reverse(sorted_weights.begin() + static_cast<std::ptrdiff_t>(i),
+                   sorted_weights.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    CHECK(estimate_noise(data, sorted_weights, at).variance == Approx(noise.variance));
+  }
+  const double mean = sum / runs;
+  CHECK(mean == Approx(4).epsilon(0.03));
+  CHECK(squares / runs - mean * mean == Approx(2 * 16 / nu).epsilon(0.15));
+  // All at one position: the variance about the mean.
+  const NoiseEstimate one = estimate_noise({1, 2, 6}, {}, {4, 4, 4});
+  CHECK(one.variance == Approx(7));
+  CHECK(one.degrees_of_freedom == Approx(2));
+}
+
 TEST_CASE("noise at scattered positions has the mean and the spread of its degrees of freedom") {
   const std::vector<double> at = scattered(60);
   std::mt19937_64 engine(1986);
@@ -241,7 +277,7 @@ TEST_CASE("several data at one position: each counts in a window, which grows wh
   CHECK(fit(samples)[1] == Approx(fit(means)[1]).epsilon(1e-12));
   CHECK(fit(samples)[6] == Approx(fit(means)[3]).epsilon(1e-12));
   // Second differences of three data at one position are those of uniform ones.
-  CHECK(estimate_noise({1, 2, 4}, {}, {0, 0, 0}).variance == Approx(estimate_noise({1, 2, 4}).variance));
+  CHECK(estimate_noise({1, 2, 4}, {}, {0, 0, 0}).variance == Approx(7.0 / 3));
 }
 
 TEST_CASE("the order of positions") {

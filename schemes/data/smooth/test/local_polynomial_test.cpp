@@ -276,7 +276,7 @@ TEST_CASE("several data at one position: each counts in a window, which grows wh
   };
   CHECK(fit(samples)[1] == Approx(fit(means)[1]).epsilon(1e-12));
   CHECK(fit(samples)[6] == Approx(fit(means)[3]).epsilon(1e-12));
-  // Second differences of three data at one position are those of uniform ones.
+  // The noise of data at one position is their variance.
   CHECK(estimate_noise({1, 2, 4}, {}, {0, 0, 0}).variance == Approx(7.0 / 3));
 }
 

@@ -156,6 +156,24 @@ TEST_CASE("data at scattered positions are smoothed, by local polynomials and by
               data + ": smoothing: 1 data count at 0 spacings from the first, a fit of degree 1 needs 2");
 }
 
+TEST_CASE("the last position is not lost by rounding, and row numbers that are positions are said") {
+  const Folder folder;
+  const std::string tenths = folder.write("t.csv",
+                                          "x,y\n1,1\n1.1,2\n1.2,3\n1.3,2\n1.4,5\n1.5,4\n1.6,3\n1.7,6\n1.9,5\n");
+  CHECK(run("smooth " + tenths + " --irregular fit").out.find("\n1.9,") != std::string::npos);
+  CHECK(run("smooth " + tenths + " --irregular fit --spacing 0.1").out.find("\n1.9,") != std::string::npos);
+  const std::string numbered = folder.write("n.csv", "\"\",\"a\"\n1,2\n2,3\n3,5\n4,4\n5,6\n6,5\n");
+  CHECK(run("smooth " + numbered).err.find("the positions are the column without a name") != std::string::npos);
+  CHECK(run("smooth " + numbered + " --x 1").err.find("without a name") == std::string::npos);
+  std::string tiny = "x,y\n";
+  for (int i = 1; i < 20; ++i) tiny += std::to_string(i) + "e-320," + std::to_string(i % 3) + "\n";
+  const Run too_large = run("smooth " + folder.write("e.csv", tiny) +
+                            " --irregular fit --derivative 2 --scheme local:points=7,d=3");
+  check_fails(too_large, 65, "smoothing: values beyond the range of double precision; expected other units");
+  const std::string path = folder.path.string();
+  check_fails(run("smooth " + path), 66, path + ": expected a file; found a folder");
+}
+
 TEST_CASE("outliers are said, and left out by robust methods, with bands that say how they are made") {
   const Folder folder;
   const std::string data = folder / "data.csv";

@@ -38,13 +38,17 @@ std::string read_to_the_end(std::istream& stream, const std::string& name) {
   return text;
 }
 
+void require_file(const std::string& path) {
+  if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);
+  if (std::filesystem::is_directory(path)) fail(ErrorKind::missing_file, "{}: expected a file; found a folder", path);
+}
+
 }  // namespace
 
 void set_input_listener(InputListener one) { listener() = std::move(one); }
 
 std::string read_file(const std::string& path) {
-  if (!std::filesystem::exists(path)) fail(ErrorKind::missing_file, "{}: no such file", path);
-  if (std::filesystem::is_directory(path)) fail(ErrorKind::data, "{}: cannot be read", path);
+  require_file(path);
   std::ifstream stream(path, std::ios::binary);
   return read_to_the_end(stream, path);
 }
@@ -57,9 +61,9 @@ std::string read_input(const std::string& path) {
 
 LineInput::LineInput(std::string path) : path_(std::move(path)), file_(STDIN_FILENO) {
   if (path_ == standard_stream) return;
-  if (!std::filesystem::exists(path_)) fail(ErrorKind::missing_file, "{}: no such file", path_);
-  file_ = std::filesystem::is_directory(path_) ? -1 : open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file_ < 0) fail(ErrorKind::data, "{}: cannot be read", path_);
+  require_file(path_);
+  file_ = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file_ < 0) fail(ErrorKind::missing_file, "{}: cannot be read", path_);
 }
 
 LineInput::~LineInput() {

@@ -17,7 +17,8 @@ constexpr std::size_t most_block_values = 8192;
 }  // namespace
 
 std::size_t count_outputs(double length, std::size_t scale) {
-  const double spacings = std::floor(length * static_cast<double>(scale));
+  constexpr double rounding = 1e-10;  // of positions, so that the last one is not lost
+  const double spacings = std::floor(length * static_cast<double>(scale) * (1 + rounding) + rounding);
   if (!(spacings < static_cast<double>(most_smoothed_values)))
     fail(ErrorKind::size, "smoothing: need at most {} outputs, got {} spacings with {} outputs each",
          most_smoothed_values, length, scale);

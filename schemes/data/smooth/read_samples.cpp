@@ -352,6 +352,8 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
   std::vector<std::string> remarks;
   for (const std::size_t c : use.left_out) remarks.push_back(column_name(table, c) + " holds text and is left out");
+  if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
+    remarks.emplace_back("the positions are the column without a name, as of row numbers (--x COLUMN takes another)");
   std::vector<NamedSamples> result;
   const auto add = [&](const std::string& group, Table rows) {
     NamedSamples& samples = result.emplace_back(samples_of(options, std::move(rows), use, form.kept));

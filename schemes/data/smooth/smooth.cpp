@@ -9,6 +9,7 @@
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace subcert::data {
@@ -117,6 +118,18 @@ SmoothedSamples smooth_by(const LocalPolynomial& method, const Samples& samples,
 
 }  // namespace
 
+namespace {
+
+/// Errors: throws a data error for values beyond double precision, as of derivatives with tiny spacings.
+SmoothedSamples finite(SmoothedSamples result) {
+  for (const SmoothedColumn& column : result.columns)
+    if (!std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); }))
+      fail(ErrorKind::data, "smoothing: values beyond the range of double precision; expected other units");
+  return result;
+}
+
+}  // namespace
+
 SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
                        int threads) {
   const auto* scheme = std::get_if<DataDependentScheme>(&method);
@@ -125,7 +138,8 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
   require(linear || !samples.noise, "smoothing: a known noise is for linear methods; {} finds its own",
           to_text(method));
   if (!linear)
-    return scheme ? smooth_by(*scheme, samples, options, threads) : smooth_by(*local, samples, options, threads);
+    return finite(scheme ? smooth_by(*scheme, samples, options, threads)
+                         : smooth_by(*local, samples, options, threads));
   // Rules of schemes take data one after another: they get the means of those at one position.
   std::optional<Samples> means;
   if (std::holds_alternative<Scheme>(method) && samples.repeated()) means = merged(samples);
@@ -137,7 +151,7 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
     result.columns[c].outliers = count_outliers(samples.columns[c], samples.rounded_weights(), samples.positions);
   result.method = to_text(method);
   set_positions_of_data(result, samples, options);
-  return result;
+  return finite(std::move(result));
 }
 
 SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<NoiseEstimate>& noise,

@@ -169,7 +169,8 @@ TEST_CASE("the last position is not lost by rounding, and row numbers that are p
   for (int i = 1; i < 20; ++i) tiny += std::to_string(i) + "e-320," + std::to_string(i % 3) + "\n";
   const Run too_large = run("smooth " + folder.write("e.csv", tiny) +
                             " --irregular fit --derivative 2 --scheme local:points=7,d=3");
-  check_fails(too_large, 65, "smoothing: values beyond the range of double precision; expected other units");
+  check_fails(too_large, 65,
+              folder / "e.csv" + ": smoothing: values beyond the range of double precision; expected other units");
   const std::string path = folder.path.string();
   check_fails(run("smooth " + path), 66, path + ": expected a file; found a folder");
 }

@@ -186,17 +186,17 @@ Facts rule_facts(const DataDependentScheme& scheme) {
       scheme.rules.options.tolerance != 0)
     return {};
   Facts list;
+  const std::string smooth = points < 4 || points > 8 ? "" : " and as smooth as by least squares";  // Theorem 4
   const auto found = points <= 5 ? data::reweighted_contraction(points, fits, {.most_boxes = 100'000}) : std::nullopt;
   if (found)
     list.push_back({"rule",
                     "this rule",
                     fmt::format("|D^2 S f| <= {} |D^2 f|, so that it converges for all data", found->bound),
-                    fmt::format("any delta > 0 and up to {} fits; limits are as smooth as by least squares", fits),
+                    fmt::format("any delta > 0 and up to {} fits; limits are continuous{}", fits, smooth),
                     {{"bound", to_text(found->bound)}, {"fits", fits}}});
   const auto level = data::basin_entry(scheme.rules, {1}, most_levels);
   if (level)
-    list.push_back({"impulse_level", "impulse",
-                    "the limit of 1 among zeros exists and is as smooth as by least squares",
+    list.push_back({"impulse_level", "impulse", "the limit of 1 among zeros is continuous" + smooth,
                     fmt::format("small data are reached at level {}", *level), *level});
   return list;
 }
@@ -207,7 +207,8 @@ std::string subject_text(const L1Options& options) {
   if (options.iterations == 0)
     return "holds for least absolute deviations; without iterations the scheme is linear, that of least squares: "
            "analyze dual: or dual-odd:";
-  return "holds for least absolute deviations, which the fits come near to with many iterations and a small delta";
+  return "holds for least absolute deviations, which the fits come near to with many iterations and a small delta, but "
+         "for small data, this rule and impulse";
 }
 
 }  // namespace

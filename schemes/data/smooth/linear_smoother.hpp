@@ -11,7 +11,8 @@ namespace subcert::data {
 /// Outputs that one smoother may have.
 constexpr std::size_t most_smoothed_values = 4'000'000;
 
-/// The multiples of 1 / scale from 0 to `length`, which may be a little rounded. Errors: throws a size error beyond most_smoothed_values.
+/// The multiples of 1 / scale from 0 to `length`, which may be a little rounded. Errors: throws a size error beyond
+/// most_smoothed_values.
 std::size_t count_outputs(double length, std::size_t scale);
 
 /// By what a method is chosen: the estimated error, or the squared errors of predicting each datum from the others.

@@ -154,6 +154,15 @@ TEST_CASE("reweighted fits: second differences of all data shrink, as docs/l1.md
   CHECK_THROWS_AS(reweighted_contraction(4, 6, {.bound = 1}), Error);
 }
 
+TEST_CASE("reweighted fits: the largest cases of docs/l1.md", "[long]") {
+  for (const auto& [points, fits, boxes] : {std::array{5, 6, 41076}, {5, 7, 59046}, {6, 2, 354407}}) {
+    CAPTURE(points, fits);
+    const auto found = reweighted_contraction(points, fits, {.bound = Rational(19, 20), .most_boxes = 1'000'000});
+    REQUIRE(found);
+    CHECK(static_cast<double>(found->boxes) > 0.95 * boxes);
+  }
+}
+
 TEST_CASE("reweighted fits: the range of second differences contains those of data and delta of a box") {
   Random random;
   const auto inside = [&](const Ends& of) {

@@ -9,7 +9,6 @@ namespace subcert::schedule {
 namespace family {
 inline constexpr double triangular_form = 0.2;
 inline constexpr double symmetries = 0.1;         ///< for balanced blocks, and as much for the symmetries of each
-inline constexpr double norms_of_whole = 0.05;    ///< of products, before its blocks
 inline constexpr double first_look = 0.02;        ///< whole, a block: norms and a product
 inline constexpr double least_of_block = 0.05;    ///< whole, however small its part of the work
 inline constexpr double first_seconds = 0.05;     ///< for a block that seems smaller; twice as many with each try

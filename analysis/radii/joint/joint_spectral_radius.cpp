@@ -163,9 +163,6 @@ void settle_exactness(JointSpectralRadius& result, const MatrixFamily& family,
 
 JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular triangular, const Budget& budget,
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
-  // First, so that blocks which a small budget does not find never make a bound much worse.
-  NormProof norms = known ? *known
-                          : norm_of_products(family, {budget.deadline.after(shares::norms_of_whole), budget.memory});
   BlockSearch search(triangular, budget, target);
   search.run();
   const Deadline proving = budget.deadline.later(shares::grace_of_blocks);
@@ -181,9 +178,7 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
     result.radius.upper = std::max(*result.radius.upper, *block.radius.upper);
   settle_exactness(result, family, search.families(), proving);
   if (result.is_closed() || result.exact.is_yes() || (target && result.proved_upper() <= *target)) return result;
-  if (!known)
-    if (const NormProof longer = norm_of_products(family, {proving, budget.memory}); longer.bound() < norms.bound())
-      norms = longer;
+  const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
   if (norms.bound() >= result.proved_upper()) return result;
   JointSpectralRadius whole;
   whole.product = prove_product(family, leader.product.word, proving);

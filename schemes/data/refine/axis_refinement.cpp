@@ -199,7 +199,7 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
 }
 
 template <class Number>
-GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows,
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Number>& rows,
                              int threads) {
   GridData<Number> result{{}, data.dimension, data.axes};
   result.axes[k] = rows.output;
@@ -207,7 +207,7 @@ GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const 
   for (std::size_t l = 0; l < k; ++l) inner *= data.axes[l].count;
   for (std::size_t l = k + 1; l < data.axes.size(); ++l) outer *= data.axes[l].count;
   result.values.resize(outer * rows.outputs() * inner);
-  apply(converted<Number>(rows), data.values.data(), result.values.data(), outer, inner, threads);
+  apply(rows, data.values.data(), result.values.data(), outer, inner, threads);
   return result;
 }
 
@@ -217,8 +217,7 @@ template void apply<double>(const AxisRefinement<double>&, const double*, double
 template void apply<Rational>(const AxisRefinement<Rational>&, const Rational*, Rational*, std::size_t, std::size_t,
                               int);
 
-template GridData<double> apply_along<double>(const GridData<double>&, std::size_t, const AxisRefinement<Rational>&,
-                                              int);
+template GridData<double> apply_along<double>(const GridData<double>&, std::size_t, const AxisRefinement<double>&, int);
 template GridData<Rational> apply_along<Rational>(const GridData<Rational>&, std::size_t,
                                                   const AxisRefinement<Rational>&, int);
 

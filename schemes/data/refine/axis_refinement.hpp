@@ -87,7 +87,7 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
 
 /// The data after the step along axis k, whose input is data.axes[k].
 template <class Number>
-GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Rational>& rows,
+GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const AxisRefinement<Number>& rows,
                              int threads = 1);
 
 }  // namespace subcert::data

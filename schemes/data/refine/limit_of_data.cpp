@@ -195,11 +195,11 @@ GridData<Number> limit_of_data(const GridData<Number>& data, const LatticeMask& 
     AxisRefiner refiner(masks[k], options.boundary);
     long stride = 1;
     for (int level = 0; level < options.levels + extra; ++level) {
-      result = apply_along(result, k, refiner.step(result.axes[k]), options.threads);
+      result = apply_along(result, k, converted<Number>(refiner.step(result.axes[k])), options.threads);
       if (level >= options.levels) stride *= masks[k].arity();
     }
-    result = apply_along(result, k, LimitRows(masks[k], result.axes[k], options.boundary, stride).make(),
-                         options.threads);
+    const LimitRows rows(masks[k], result.axes[k], options.boundary, stride);
+    result = apply_along(result, k, converted<Number>(rows.make()), options.threads);
   }
   return result;
 }

@@ -27,7 +27,7 @@ GridData<Number> refined_along_axes(GridData<Number> data, const std::vector<Mas
   for (const Mask& mask : masks) refiners.emplace_back(mask, options.boundary);
   for (int level = 0; level < options.levels; ++level)
     for (std::size_t k = 0; k < masks.size(); ++k)
-      data = apply_along(data, k, refiners[k].step(data.axes[k]), options.threads);
+      data = apply_along(data, k, converted<Number>(refiners[k].step(data.axes[k])), options.threads);
   return data;
 }
 

@@ -27,18 +27,6 @@ std::vector<SmoothingMethod> methods_along(std::string_view specification, std::
   return methods;
 }
 
-/// Applies rows along axis k, and adds what they give to a constant outside.
-void apply_rows(GridData<double>& data, std::size_t k, const AxisRefinement<double>& rows, int threads) {
-  GridData<double> result{{}, data.dimension, data.axes};
-  result.axes[k] = rows.output;
-  std::size_t inner = data.dimension, outer = 1;
-  for (std::size_t l = 0; l < k; ++l) inner *= data.axes[l].count;
-  for (std::size_t l = k + 1; l < data.axes.size(); ++l) outer *= data.axes[l].count;
-  result.values.resize(outer * rows.outputs() * inner);
-  apply(rows, data.values.data(), result.values.data(), outer, inner, threads);
-  data = std::move(result);
-}
-
 void add_outside(GridData<double>& data, std::size_t k, const std::vector<RoundedRow>& rows, double constant) {
   std::size_t inner = data.dimension;
   for (std::size_t l = 0; l < k; ++l) inner *= data.axes[l].count;
@@ -60,7 +48,7 @@ void smooth_along(GridData<double>& data, std::size_t k, const SmoothingMethod& 
     WeightRow<double>& one = step.head.emplace_back(WeightRow<double>{{}, row.weights});
     for (std::size_t i = 0; i < row.weights.size(); ++i) one.at.push_back(row.first + i);
   }
-  apply_rows(data, k, step, threads);
+  data = apply_along(data, k, step, threads);
   if (options.boundary == Boundary::constant) add_outside(data, k, rows, options.constant);
   std::vector<double> products;
   products.reserve(variances.size() * rows.size());
@@ -88,7 +76,7 @@ std::vector<NoiseEstimate> estimate_noise(const GridData<double>& grid) {
     const double norm = 1 / std::sqrt(1.5);
     for (std::size_t i = 0; i + 2 < count; ++i)
       step.head.push_back({{i, i + 1, i + 2}, {0.5 * norm, -norm, 0.5 * norm}});
-    apply_rows(residuals, k, step, 1);
+    residuals = apply_along(residuals, k, step);
   }
   std::vector<NoiseEstimate> noise(grid.dimension);
   if (!differences) return noise;

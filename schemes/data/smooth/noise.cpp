@@ -49,21 +49,18 @@ struct DifferentPositions {
 
   DifferentPositions(const std::vector<double>& all, const std::vector<double>& prior_weights,
                      const std::vector<double>& places) {
-    for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
-      double weight = 0, sum = 0;
+    for (const PositionGroup& group : groups_of_positions(places)) {
+      double weight = 0;
       std::size_t present = 0;
-      for (end = i; end < all.size() && places[end] == places[i]; ++end) {
-        const double own = at_or_one(prior_weights, end);
-        if (own == 0) continue;
-        weight += own, sum += own * all[end], ++present;
+      for (std::size_t k = group.first; k < group.end; ++k) {
+        weight += at_or_one(prior_weights, k);
+        present += at_or_one(prior_weights, k) > 0 ? 1 : 0;
       }
-      const double mean = present > 0 ? sum / weight : 0;
-      for (std::size_t k = i; k < end && present > 1; ++k) {
-        const double own = at_or_one(prior_weights, k);
-        if (own > 0) spread += own * (all[k] - mean) * (all[k] - mean);
-      }
+      const double mean = mean_of(all, prior_weights, group, weight);
+      for (std::size_t k = group.first; k < group.end && present > 1; ++k)
+        if (const double own = at_or_one(prior_weights, k); own > 0) spread += own * (all[k] - mean) * (all[k] - mean);
       degrees += present > 1 ? present - 1 : 0;
-      data.push_back(mean), weights.push_back(weight), positions.push_back(places[i]);
+      data.push_back(mean), weights.push_back(weight), positions.push_back(places[group.first]);
     }
   }
 };

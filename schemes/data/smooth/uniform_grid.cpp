@@ -126,27 +126,38 @@ UniformGrid Samples::put_at(std::vector<double> x) {
 
 bool Samples::repeated() const { return std::ranges::adjacent_find(positions) != positions.end(); }
 
+std::vector<PositionGroup> groups_of_positions(const std::vector<double>& positions) {
+  std::vector<PositionGroup> groups;
+  for (std::size_t first = 0, end = 0; first < positions.size(); first = end) {
+    while (end < positions.size() && positions[end] == positions[first]) ++end;
+    groups.push_back({first, end});
+  }
+  return groups;
+}
+
+double mean_of(const std::vector<double>& data, const std::vector<double>& weights, const PositionGroup& group,
+               double sum) {
+  if (group.end == group.first + 1) return data[group.first];
+  double mean = 0;
+  for (std::size_t k = group.first; k < group.end; ++k)
+    if (const double weight = weights.empty() ? 1 : weights[k]; weight > 0) mean += weight / sum * data[k];
+  return mean;
+}
+
 Samples merged(const Samples& samples) {
   Samples one = samples;
-  const auto weight = [&](std::size_t i) { return samples.weights.empty() ? Rational(1) : samples.weights[i]; };
-  std::size_t made = 0;
-  one.weights.assign(samples.count(), 0);
-  for (std::size_t i = 0; i < samples.count();) {
-    std::size_t end = i;
-    for (; end < samples.count() && samples.positions[end] == samples.positions[i]; ++end)
-      one.weights[made] += weight(end);
-    const double sum = nearest_double(one.weights[made]);
-    for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-      double mean = 0;
-      for (std::size_t k = i; k < end; ++k) mean += nearest_double(weight(k)) / sum * samples.columns[c][k];
-      one.columns[c][made] = end == i + 1 ? samples.columns[c][i] : mean;
-    }
-    one.positions[made++] = samples.positions[i];
-    i = end;
+  const std::vector<PositionGroup> groups = groups_of_positions(samples.positions);
+  const std::vector<double> weights = samples.rounded_weights();
+  one.weights.assign(groups.size(), 0);
+  one.positions.clear();
+  for (auto& column : one.columns) column.clear();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t k = groups[g].first; k < groups[g].end; ++k)
+      one.weights[g] += samples.weights.empty() ? Rational(1) : samples.weights[k];
+    for (std::size_t c = 0; c < samples.columns.size(); ++c)
+      one.columns[c].push_back(mean_of(samples.columns[c], weights, groups[g], nearest_double(one.weights[g])));
+    one.positions.push_back(samples.positions[groups[g].first]);
   }
-  for (auto& column : one.columns) column.resize(made);
-  one.positions.resize(made);
-  one.weights.resize(made);
   return one;
 }
 

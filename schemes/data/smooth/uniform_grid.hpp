@@ -90,6 +90,18 @@ struct Samples {
   void drop_missing();
 };
 
+/// Data from `first` to before `end` have one position.
+struct PositionGroup {
+  std::size_t first, end;
+};
+
+/// Domain: positions in order.
+std::vector<PositionGroup> groups_of_positions(const std::vector<double>& positions);
+
+/// The mean of the data of a group by their weights, none being 1 each; 0 where all are 0. `sum`: of the weights.
+double mean_of(const std::vector<double>& data, const std::vector<double>& weights, const PositionGroup& group,
+               double sum);
+
 /// One datum for each position: the mean by weights, with their sum as its weight.
 Samples merged(const Samples& samples);
 

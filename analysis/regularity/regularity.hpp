@@ -12,6 +12,7 @@ struct RegularityOptions {
   int levels = 16;
   HolderProof proof = HolderProof::shortest;
   std::optional<MaskRounding> rounding = {};
+  std::optional<std::size_t> component = {};  ///< of a mask of matrices: the function, from 0, whose exponent is asked
 };
 
 /// What is proved, and by which kind of evidence: one of the two is there.

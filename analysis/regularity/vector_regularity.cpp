@@ -1,0 +1,247 @@
+#include "multivariate_regularity.hpp"
+#include "value_space.hpp"
+
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/radii/joint/modular_meataxe.hpp>
+#include <subcert/analysis/radii/joint/p_radius.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace subcert {
+namespace {
+
+namespace shares = schedule::vector;
+
+constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
+constexpr int most_orders = 24;    // of differences
+constexpr std::size_t largest_space = 256;
+
+using Doubles = std::vector<double>;  // row by row
+
+Doubles doubles(const RationalMatrix& matrix) {
+  Doubles result;
+  for (std::size_t i = 0; i < matrix.rows(); ++i)
+    for (std::size_t j = 0; j < matrix.columns(); ++j) result.push_back(matrix(i, j).convert_to<double>());
+  return result;
+}
+
+/// sum + a x a^T, for matrices of n rows.
+void add_congruent(Doubles& sum, const Doubles& a, const Doubles& x, std::size_t n) {
+  Doubles product(n * n, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
+      if (const double factor = a[i * n + k]; factor != 0)
+        for (std::size_t j = 0; j < n; ++j) product[i * n + j] += factor * x[k * n + j];
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t k = 0; k < n; ++k) sum[i * n + j] += product[i * n + k] * a[j * n + k];
+}
+
+/// About the exponent in the mean of squares, which is at least that in the maximum: only to choose the order of the
+/// differences by. Polynomials make it at most that order.
+double rough_exponent(const MatrixFamily& family, std::size_t dimension) {
+  constexpr int rounds = 40, last = 10;
+  const std::size_t n = family.size();
+  std::vector<Doubles> matrices;
+  for (const RationalMatrix& matrix : family) matrices.push_back(doubles(matrix));
+  Doubles x(n * n, 0);
+  for (std::size_t i = 0; i < n; ++i) x[i * n + i] = 1;
+  double growth = 0;  // logarithm of that in the last rounds
+  for (int round = 0; round < rounds; ++round) {
+    Doubles next(n * n, 0);
+    for (const Doubles& a : matrices) add_congruent(next, a, x, n);
+    double trace = 0, before = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      trace += next[i * n + i];
+      before += x[i * n + i];
+    }
+    if (!(trace > 0) || !std::isfinite(trace)) return most_orders;
+    if (round >= rounds - last) growth += std::log(trace / before) / last;
+    for (double& entry : next) entry /= trace;
+    x = std::move(next);
+  }
+  const double classes = std::log(static_cast<double>(family.count()));
+  return -(growth - classes) / 2 / (classes / static_cast<double>(dimension));
+}
+
+/// The differences of the least order that is above the exponent, as far as can be told before it is known.
+std::optional<DifferenceSpace> space_above_exponent(const LatticeMask& mask,
+                                                    const std::vector<LatticeSequence>& solutions,
+                                                    const Deadline& deadline) {
+  constexpr double clear = 1e-3;
+  std::optional<DifferenceSpace> result;
+  for (int order = 1; order <= most_orders; ++order) {
+    auto space = value_space(mask, solutions, order);
+    if (!space || space->family.size() > largest_space) break;
+    result = std::move(space);
+    if (rough_exponent(result->family, mask.dilation().variables()) < order - clear || deadline.expired()) break;
+  }
+  return result;
+}
+
+/// What a family on a space of differences of this order tells of the exponent.
+struct Told {
+  Enclosure exponent;
+  JointSpectralRadius radius;
+  NormProof norms;
+};
+Told exponent_of(const MatrixFamily& family, int order, const Dilation& dilation, const Budget& budget, int bits) {
+  Told result;
+  result.norms = norm_of_products(family, {budget.deadline.after(shares::norms), budget.memory});
+  result.radius = joint_spectral_radius(family, budget, result.norms);
+  sharpen(result.radius, family, bits + bits_of_powers, budget.deadline);
+  result.exponent = exponent_of_radius(result.radius.radius, dilation.classes(), dilation.variables(),
+                                       bits + bits_of_powers);
+  // Differences of an order say nothing about exponents from that order on.
+  if (result.exponent.upper && *result.exponent.upper >= order) result.exponent.upper.reset();
+  if (result.exponent.lower && *result.exponent.lower > order) result.exponent.lower = order;
+  return result;
+}
+
+/// The transition operators on the space modulo its largest invariant subspace of sequences whose component is 0: by
+/// the span of all functionals u -> (T_w u)_k of this component. Nothing where its numbers are not recognised modulo a
+/// prime; an empty family where the component is 0.
+std::optional<std::vector<RationalMatrix>> family_of_component(const DifferenceSpace& space, std::size_t component) {
+  const MatrixFamily family = transposed(space.family);
+  std::map<LatticePoint, radius::Vector> functionals;
+  for (std::size_t k = 0; k < space.basis.size(); ++k)
+    for (const auto& [point, value] : space.basis[k])
+      if (static_cast<std::size_t>(point.back()) == component)
+        functionals.try_emplace(point, space.basis.size(), 0).first->second[k] = value;
+  if (functionals.empty()) return std::vector<RationalMatrix>{};
+  const auto modular = radius::modulo_prime(family);
+  if (!modular) return std::nullopt;
+  std::vector<radius::ModVector> starts;
+  for (const auto& [point, functional] : functionals)
+    starts.push_back(radius::modulo_prime(radius::primitive(functional)));
+  const auto rows = span_of_words(*modular, starts).recognised();
+  if (!rows) return std::nullopt;
+  if (rows->size() == space.basis.size()) return space.family.matrices();
+  // The rows are reduced: what a vector of their span has in the first columns of rows are its coordinates.
+  std::vector<std::size_t> pivots;
+  for (const radius::Vector& row : *rows)
+    pivots.push_back(
+        static_cast<std::size_t>(std::ranges::find_if(row, [](const Rational& x) { return x != 0; }) - row.begin()));
+  const auto coordinates = [&](radius::Vector x) -> std::optional<radius::Vector> {
+    radius::Vector result;
+    for (std::size_t r = 0; r < rows->size(); ++r) {
+      const Rational factor = x[pivots[r]] / (*rows)[r][pivots[r]];
+      result.push_back(factor);
+      if (factor != 0)
+        for (std::size_t k = 0; k < x.size(); ++k) x[k] -= factor * (*rows)[r][k];
+    }
+    const bool inside = std::ranges::all_of(x, [](const Rational& entry) { return entry == 0; });
+    return inside ? std::optional(std::move(result)) : std::nullopt;
+  };
+  for (const auto& [point, functional] : functionals)
+    if (!coordinates(functional)) return std::nullopt;
+  std::vector<RationalMatrix> result;
+  for (const RationalMatrix& matrix : family) {
+    RationalMatrix& restricted = result.emplace_back(rows->size(), rows->size());
+    for (std::size_t r = 0; r < rows->size(); ++r) {
+      const auto image = coordinates(matrix * (*rows)[r]);
+      if (!image) return std::nullopt;
+      for (std::size_t j = 0; j < rows->size(); ++j) restricted(r, j) = (*image)[j];
+    }
+  }
+  return result;
+}
+
+/// By differences of higher orders, until one is above the exponent. `whole`: what the space tells of the worst.
+ComponentRegularity regularity_of_component(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                            const DifferenceSpace& first, const Told& whole, std::size_t component,
+                                            const Budget& budget, int bits) {
+  ComponentRegularity result{
+      {}, {Truth::unknown, "its differences span no space that is small enough"}, false, component};
+  std::optional<DifferenceSpace> space = first;
+  while (space && space->family.size() <= largest_space) {
+    const auto family = family_of_component(*space, component);
+    if (!family) return result;
+    if (family->empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
+    const bool is_whole = space->order == first.order && family->front().rows() == first.family.size();
+    const Told told = is_whole ? whole
+                               : exponent_of(MatrixFamily(*family), space->order, mask.dilation(), budget, bits);
+    result = {told.exponent, told.radius.exact, false, component};
+    if (result.exponent.upper || budget.deadline.expired() || space->order >= most_orders) break;
+    space = value_space(mask, solutions, space->order + 1);
+  }
+  return result;
+}
+
+std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& space, const Deadline& deadline, int bits) {
+  try {
+    const auto found = p_radius(space.family, 2, bits + bits_of_powers, deadline);
+    if (!found) return std::nullopt;
+    Enclosure result = exponent_of_radius(found->radius, space.dilation.classes(), space.dilation.variables(),
+                                          bits + bits_of_powers);
+    if (result.upper && *result.upper >= space.order) result = Enclosure::at_least(space.order);
+    return result;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::size && error.kind() != ErrorKind::domain) throw;
+    return std::nullopt;  // blocks that are too large
+  }
+}
+
+/// Whether the solutions are continuous, by the exponent of the worst.
+Decision are_continuous(const Enclosure& exponent, std::size_t solutions) {
+  if (exponent.lower && *exponent.lower > 0) return {Truth::yes, "the differences of its values shrink"};
+  if (exponent.upper && *exponent.upper <= 0)
+    return solutions == 1 ? Decision{Truth::no, "the differences of its values do not shrink"}
+                          : Decision{Truth::unknown, "not all solutions are continuous"};
+  return {Truth::unknown, "not decided within the budget"};
+}
+
+}  // namespace
+
+MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits,
+                                         std::optional<std::size_t> component) {
+  const Dilation& dilation = mask.dilation();
+  require(dilation.is_isotropic(),
+          "regularity: need a dilation that is similar to a multiple of an orthogonal matrix for a mask of matrices, "
+          "got {}",
+          dilation.to_text());
+  require(!component || *component < mask.components(), "regularity: need a component from 1 to {}", mask.components());
+  MultivariateRegularity result;
+  FunctionVector& vector = result.vector.emplace();
+  result.stable = {Truth::unknown, "not needed for the exponent, which is from values of phi"};
+  result.converges = {Truth::unknown, "what is proved is about the solution of the refinement equation"};
+  const std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);
+  vector.solutions = solutions.size();
+  if (solutions.empty()) {
+    result.exact = {Truth::no, "there is no continuous solution"};
+    vector.continuous = {Truth::no, "the refinement equation has no solution but 0 at lattice points"};
+    return result;
+  }
+  result.exact = vector.continuous = {Truth::unknown, "the differences of the values span no space that is found"};
+  result.space = space_above_exponent(mask, solutions, budget.deadline.after(shares::spaces));
+  if (!result.space) return result;
+  const DifferenceSpace& space = *result.space;
+  Told told = exponent_of(space.family, space.order, dilation, {budget.deadline.after(shares::whole), budget.memory},
+                          bits);
+  result.exact = told.radius.exact;
+  vector.continuous = are_continuous(told.exponent, solutions.size());
+  if (vector.continuous.is_yes()) {
+    result.exponent = told.exponent;
+    if (!component) result.sobolev = sobolev_exponent(space, budget.deadline.after(shares::sobolev), bits);
+    const std::size_t first = component.value_or(0), last = component.value_or(mask.components() - 1);
+    for (std::size_t c = first; c <= last; ++c) {
+      const double share = 1.0 / static_cast<double>(last + 1 - c);
+      vector.components.push_back(regularity_of_component(mask, solutions, space, told, c,
+                                                          {budget.deadline.after(share), budget.memory}, bits));
+    }
+  }
+  result.bound = HolderBound{
+      told.norms.level, told.norms.norm,
+      exponent_of_radius(root_enclosure(told.norms.norm, told.norms.level), dilation.classes(), dilation.variables())};
+  result.radius = std::move(told.radius);
+  if (component && !vector.components.empty()) {
+    result.exponent = vector.components.front().exponent;
+    result.exact = vector.components.front().exact;
+  }
+  return result;
+}
+
+}  // namespace subcert

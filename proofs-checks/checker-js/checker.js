@@ -2149,7 +2149,7 @@ var check_certificate = (() => {
     return family;
   }
   // 5.9: no coordinate of a point j is larger in modulus if a solution of compact support does not vanish at x' + j
-  function reach({mask, M, adjugate: of_inverse, det, digits}) {
+  function reach({mask, M, adjugate: of_inverse, det, digits}, components) {
     const farthest = Math.max(...[...mask.values()].flatMap(([k]) => add_points(digits[0], k, -1).map(Math.abs)));
     const inverse = of_inverse.map(row => row.map(BigInt)), D = abs(BigInt(det));
     let power_of = identity(M.length), scale = 1n, size = fraction(1n), total = fraction(0n);
@@ -2158,25 +2158,21 @@ var check_certificate = (() => {
       size = fraction(row_norm(power_of), scale);
       total = plus(total, size);
     }
-    return small(String(ceil_div(2n * BigInt(farthest) * total.n, total.d)), 0, 10 ** 9);
+    const R = ceil_div(2n * BigInt(farthest) * total.n, total.d);
+    demand((2n * R + 1n) ** BigInt(M.length) * BigInt(components) <= 2n ** 20n, too_much_work);
+    return Number(R);
   }
   // The places [j, component] that may not vanish in v(x' + M^(-n) e) for all large n, for each e
   function inner_places(transition, components) {
     const {mask, M, digits} = transition, dimension = M.length, ones = x => new Map([...x].map(([key, [p]]) => [key, [p, 1n]]));
     const pattern = new Transition(ones(mask), M, digits), back = x => ones(pattern.apply(digits[0], x));
-    const same = (x, y) => is_multiple(x, y, 1n), radius = reach(transition), most = 1000;
-    const in_box = i => {
-      let rest = i;
-      return [...digits[0], 0].map((_, v) => {
-        const size = v ? 2 * radius + 1 : components, x = rest % size;
-        rest = (rest - x) / size;
-        return v ? x - radius : x;
-      });
-    };
+    const same = (x, y) => is_multiple(x, y, 1n), radius = reach(transition, components), most = 1000;
+    const side = 2 * radius + 1;
     let all = new Map();
-    demand((2 * radius + 1) ** dimension * components <= 2 ** 24, too_much_work);
-    for (let i = 0; i < (2 * radius + 1) ** dimension * components; ++i) {
-      const [component, ...point] = in_box(i);
+    for (let i = 0; i < side ** dimension * components; ++i) {
+      const component = i % components, point = [];
+      for (let rest = (i - component) / components; point.length < dimension; rest = Math.floor(rest / side))
+        point.push(rest % side - radius);
       add(all, [...point, component], 1n);
     }
     for (let steps = 0, next; !same(next = back(all), all); ++steps, all = next) demand(steps < most, too_much_work);

@@ -8,7 +8,8 @@ namespace subcert_check {
 namespace {
 
 constexpr unsigned long prime = 4'294'967'291;  // 2^32 - 5
-constexpr std::size_t max_classes = 64, max_space = 256, max_order = 64, max_rounds = 64, max_steps = 1000;
+constexpr std::size_t max_classes = 64, max_space = 256, max_order = 64, max_rounds = 64;
+constexpr std::size_t max_steps = 1000, max_places = 1UL << 20;
 
 /// A vector of a basis; the vectors after it, and in the basis of the space all others, are 0 at its pivot.
 struct Row {
@@ -276,7 +277,9 @@ class Surface {
       norm = ratio(largest, scale);
     }
     const mpz_class result = ceiling(2 * sum * mpz_class(farthest));
-    require(result <= max_coordinate, too_much_work);
+    mpz_class places = components_;
+    for (std::size_t v = 0; v < dilation_.variables; ++v) places *= 2 * result + 1;
+    require(places <= max_places, too_much_work);
     return result.get_si();
   }
 

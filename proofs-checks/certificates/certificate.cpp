@@ -561,11 +561,9 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
   const DifferenceSpace& space = *regularity.space;
   const FunctionVector* vector = regularity.vector ? &*regularity.vector : nullptr;
-  require(
-      !vector || (vector->solutions == 1 && vector->components.size() == mask.components()),
-      "certificate: of a vector of functions the exponent of the worst is certified, where there is one solution up "
-      "to a factor, got {} solutions, and {} of {} functions to be looked at",
-      vector ? vector->solutions : 0, vector ? vector->components.size() : 0, mask.components());
+  require(!vector || vector->solutions == 1,
+          "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
+          vector ? vector->solutions : 0);
   require(!space.is_of_values() || vector || regularity.shrinking,
           "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone (with a "
           "longer budget a proof may be found)");
@@ -579,6 +577,8 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const std::optional<Rational>&lower = ends.lower, &upper = ends.upper;
   require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
+  require(!vector || vector->components.size() == mask.components(),
+          "certificate: that of a vector of functions is about the worst of them, not about one that is chosen");
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
   const ExactRadius exact = tells_upper_end ? exact_radius(radius) : ExactRadius{};
   Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr}}, {}};

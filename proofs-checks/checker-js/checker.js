@@ -395,19 +395,23 @@ var check_certificate = (() => {
 
   // ---- 4.3, 6.3, section 7: stability -------------------------------------------------------------------------------
   const divides = (x, y) => y % x === 0;
-  function cyclotomic_orders(arity, degree) {  // n = k A, k >= 2 coprime to A, phi(n) <= degree < 1000, with its primes
-    return range_of(6 * (degree + 1)).filter(n => n >= 2 * arity && divides(arity, n)).map(n => {
-      const primes = [];
-      let rest = n, phi = n;
-      for (let p = 2; rest > 1; p = p * p > rest ? rest : p + 1) {
-        if (!divides(p, rest)) continue;
-        primes.push(p);
-        phi = phi / p * (p - 1);
-        while (divides(p, rest)) rest /= p;
-      }
-      const coprime = primes.every(p => !(divides(p, arity) && divides(p, n / arity)));
-      return {n, primes, matters: coprime && phi <= degree};
-    }).filter(order => order.matters);
+  function with_primes(n) {
+    const primes = [];
+    let rest = n, phi = n;
+    for (let p = 2; rest > 1; p = p * p > rest ? rest : p + 1) {
+      if (!divides(p, rest)) continue;
+      primes.push(p);
+      phi = phi / p * (p - 1);
+      while (divides(p, rest)) rest /= p;
+    }
+    return {n, primes, phi};
+  }
+  function cyclotomic_orders(arity, degree) {  // for each k >= 2 coprime to A with phi(kA) <= degree < 1000: the kd, d | A
+    const divisors = range_of(arity + 1).filter(d => d > 1 && divides(d, arity));
+    const orders = range_of(6 * (degree + 1)).filter(n => n >= 2 * arity && divides(arity, n)).map(with_primes);
+    return orders.filter(({n, primes, phi}) =>
+      phi <= degree && primes.every(p => !(divides(p, arity) && divides(p, n / arity)))
+    ).map(({n}) => divisors.map(d => with_primes(n / arity * d)));
   }
   function cyclotomic_remainder(packed, {n, primes}, width) {  // a(z) prod_q (1 - z^(n/q)) modulo z^n - 1, packed
     const size = n * width;
@@ -424,16 +428,20 @@ var check_certificate = (() => {
     if (degree || rounding) check_resultant(curve, interval, rounding);
     else check_common_divisor(curve);
     const packed = transpose(a).map(numbers => pack(numbers, width));
-    for (const order of cyclotomic_orders(curve.arity, top)) {
-      const what = `stability: the remainder modulo Phi_${order.n}`;
-      const parts = packed.map(x => cyclotomic_remainder(x, order, width));
-      if (!interval && !rounding) demand(parts[0], `${what} is not positive`);
+    for (const orders of cyclotomic_orders(curve.arity, top)) {
+      const what = `stability: the remainder modulo Phi_${orders.at(-1).n}`;
+      const parts = packed.map(x => orders.map(order => cyclotomic_remainder(x, order, width)));
+      if (!interval && !rounding) demand(parts[0].some(x => x), `${what} is not positive`);
       else {
-        const squares = squares_of(transpose(parts.map(x => unpack(x, width, order.n))));
+        const numbers = parts.map(part => part.flatMap((x, i) => unpack(x, width, orders[i].n)));
+        const squares = squares_of(transpose(numbers));
         if (interval) show_positive(form_of(squares, interval, 2 * degree), what);
         if (!rounding) continue;
-        const change = times(rounding.eps, BigInt(top + 1) * q[0] << BigInt(order.primes.length));
-        demand(less(times(order.n, times(change, change)), squares[0]), `${what} is not positive`);
+        const changes = orders.map(({n, primes}) => {
+          const change = times(rounding.eps, BigInt(top + 1) * q[0] << BigInt(primes.length));
+          return times(n, times(change, change));
+        });
+        demand(less(changes.reduce((x, y) => plus(x, y)), squares[0]), `${what} is not positive`);
       }
     }
   }

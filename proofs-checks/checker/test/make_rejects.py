@@ -118,6 +118,9 @@ mask_case("one-coefficient", "[2]", 1, "1/1000", None, "no sum rules of this ord
 # arity 4, hat(x/3)/3: not stable by the cyclic zeros of order 3, times i
 mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "modulo Phi_12", arity=4,
           more=["stability"])
+# arity 4, a step of width 5: not stable by the cyclic zeros of order 5, times -1 and i
+mask_case("quaternary-box", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", 1, "1/1000", "2", "modulo Phi_20", arity=4,
+          more=["stability"])
 reject("beyond-sum-rules", "four-point", "does not prove the claim", arguments=option(claims["four-point"], "lower", "5"))
 reject("crossed-bounds", "bspline-3", "does not prove the claim",
        arguments=option(option(claims["bspline-3"], "lower", "31/10"), "upper", "29/10"))

@@ -1,6 +1,7 @@
 #include "contraction.hpp"
 
 #include "cone_program.hpp"
+#include "difference_forms.hpp"
 
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -17,107 +18,6 @@ constexpr double clearly = 1e-7;         // larger values of forms are no roundi
 constexpr double slightly = 1e-6;        // smaller residuals are rounding
 constexpr std::size_t most_asked = 500;  // known factors that are tried on a cell
 constexpr std::size_t most_tried = 3;    // splits of a window of which programs are solved
-
-/// sum += factor * row.
-void add_multiple(Row& sum, const Rational& factor, const Row& row) {
-  if (factor == 0) return;
-  if (sum.size() < row.size()) sum.resize(row.size(), 0);
-  for (std::size_t j = 0; j < row.size(); ++j)
-    if (row[j] != 0) sum[j] += factor * row[j];
-}
-
-/// (-1)^(order - s) binom(order, s) for s = 0, ..., order.
-Row difference_form(int order) {
-  Row form{order % 2 == 0 ? 1 : -1};
-  for (int s = 0; s < order; ++s) form.push_back(form.back() * Rational(s - order, s + 1));
-  return form;
-}
-
-/// What a difference at the last level depends on: of each level the first index and the number of values.
-struct Dependence {
-  struct Level {
-    long first;
-    std::size_t count;
-  };
-  std::vector<Level> levels;  // 0, ..., steps
-  std::vector<WindowPlace> windows;
-};
-
-Dependence dependence(const Rule& rule, int steps, int order, long start) {
-  Dependence result;
-  result.levels.resize(static_cast<std::size_t>(steps) + 1);
-  long low = start, high = start + order;
-  result.levels.back() = {low, static_cast<std::size_t>(order) + 1};
-  for (int level = steps - 1; level >= 0; --level) {
-    const long first = floor_divide(low, rule.arity()), last = floor_divide(high, rule.arity());
-    std::vector<WindowPlace> windows;
-    for (long window = first; window <= last; ++window) windows.push_back({level, window});
-    result.windows.insert(result.windows.begin(), windows.begin(), windows.end());
-    low = first;
-    high = last + static_cast<long>(rule.points) - 1;
-    result.levels[static_cast<std::size_t>(level)] = {low, static_cast<std::size_t>(high - low + 1)};
-  }
-  return result;
-}
-
-/// Data by their differences of this order, the first `order` data being zero: row j has the coefficients of datum j.
-std::vector<Row> data_by_differences(std::size_t count, std::size_t order) {
-  std::vector<Row> rows(count);
-  for (std::size_t j = order; j < count; ++j) {
-    rows[j].assign(j - order + 1, 0);
-    rows[j].back() = 1;
-  }
-  for (std::size_t k = 0; k < order; ++k)
-    for (std::size_t j = order; j + 1 < count; ++j) add_multiple(rows[j + 1], 1, rows[j]);
-  return rows;
-}
-
-/// The form in the differences of the data that one difference of the last level is, and the residuals of all windows
-/// that it depends on, in these differences and the coefficients of all fits.
-struct Forms {
-  std::vector<Row> data;       // each datum
-  std::vector<Row> residuals;  // [window * points + datum]
-  Row objective;
-  std::size_t dimension = 0, boxed = 0;
-};
-
-/// p(x): coefficient k belongs to (2 x / (points - 1))^k.
-Row fit_value(const Rule& rule, std::size_t begin, const Rational& twice_x) {
-  Row row(begin, 0);
-  const Rational x = twice_x / static_cast<long>(rule.points - 1);
-  row.push_back(1);
-  for (int k = 0; k < rule.degree; ++k) row.push_back(row.back() * x);
-  return row;
-}
-
-Forms forms_of(const Rule& rule, const Dependence& plan, int order) {
-  Forms result;
-  const auto differences = static_cast<std::size_t>(order), own = static_cast<std::size_t>(rule.degree) + 1;
-  result.data = data_by_differences(plan.levels[0].count, differences);
-  result.boxed = plan.levels[0].count - std::min(differences, plan.levels[0].count);
-  result.dimension = result.boxed + own * plan.windows.size();
-  std::vector<std::vector<Row>> values{result.data};  // [level][index]
-  for (std::size_t level = 1; level < plan.levels.size(); ++level) values.emplace_back(plan.levels[level].count);
-  for (std::size_t w = 0; w < plan.windows.size(); ++w) {
-    const auto [level_number, window] = plan.windows[w];
-    const auto level = static_cast<std::size_t>(level_number);
-    const std::size_t begin = result.boxed + own * w;
-    for (std::size_t r = 0; r < rule.points; ++r) {
-      Row residual = values[level][static_cast<std::size_t>(window - plan.levels[level].first) + r];
-      add_multiple(residual, -1, fit_value(rule, begin, 2 * static_cast<long>(r) - static_cast<long>(rule.points - 1)));
-      result.residuals.push_back(std::move(residual));
-    }
-    for (long phase = 0; phase < rule.arity(); ++phase) {
-      const long index = rule.arity() * window + phase - plan.levels[level + 1].first;
-      if (index >= 0 && index < static_cast<long>(plan.levels[level + 1].count))
-        values[level + 1][static_cast<std::size_t>(index)] = fit_value(
-            rule, begin, 2 * rule.places[static_cast<std::size_t>(phase)]);
-    }
-  }
-  const Row difference = difference_form(order);
-  for (std::size_t s = 0; s < difference.size(); ++s) add_multiple(result.objective, difference[s], values.back()[s]);
-  return result;
-}
 
 /// Which data of a window have a positive, which a negative sign, in some of its pieces or of its factors.
 struct SignMasks {
@@ -151,21 +51,6 @@ struct Split {
   std::uint8_t signs = 0;  // of the first child
   double rank = 0;
 };
-
-/// What is bounded: a difference, on all data; or the negative of one, on data whose differences are not negative.
-enum class Aim { modulus, sign };
-
-/// The forms of a difference; for its sign with the differences of the data as further rows.
-Forms forms_for(Aim aim, const Rule& rule, const Dependence& plan, int order) {
-  Forms forms = forms_of(rule, plan, order);
-  if (aim == Aim::modulus) return forms;
-  for (Rational& entry : forms.objective) entry = -entry;
-  for (std::size_t j = 0; j < forms.boxed; ++j) {
-    forms.residuals.emplace_back(j + 1, 0);
-    forms.residuals.back().back() = 1;
-  }
-  return forms;
-}
 
 /// The tree of one start.
 class TreeSearch {

@@ -1,62 +1,25 @@
-// The claims, the lines of a certificate, and what they prove; the parts are beside this file. Section numbers refer to
+// The lines of a certificate, and what they prove of a claim; the parts are beside this file. Section numbers refer to
 // ../certificates/SPEC.md, which proves each step.
 #include "check.hpp"
 
-#include "exact_radius.hpp"
+#include "claim.hpp"
 #include "frequency.hpp"
 #include "graph.hpp"
-#include "least_absolute.hpp"
-#include "parameter.hpp"
+#include "product.hpp"
 #include "quadratic.hpp"
-#include "scheme.hpp"
 #include "single.hpp"
 #include "subradius.hpp"
-#include "surface.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 namespace subcert_check {
 namespace {
 
 constexpr unsigned most_exponent = 10'000;
 constexpr const char* not_attained = "no block attains the exact radius";
-
-/// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.
-std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool exponent) {
-  const std::size_t bar = std::min(text.find('|'), text.size());
-  const std::string_view before = text.substr(0, bar);
-  require(exponent ? before.ends_with("-log") : before.empty(),
-          "an exact exponent is M-log|[p0,p1,...]@RE,IM,EPS|^1/L, an exact radius the same without M-log");
-  return {parse_exact_radius(text.substr(bar)), exponent ? parse_size(before.substr(0, bar - 4), 0, 500) : 0};
-}
-
-/// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
-/// family or its subradius. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k =
-/// `rough`. Without any of them: the shifts are stable. Or about fits of least absolute deviations: that differences
-/// contract, or that limits have an exponent.
-struct Claim {
-  std::optional<Mask> mask;
-  unsigned arity = 0;
-  std::optional<Range> range;
-  std::optional<Rounding> rounding;
-  std::optional<Dilation> dilation;
-  Family family;
-  bool subradius = false;
-  std::optional<mpq_class> lower, upper;
-  std::optional<std::size_t> rough;
-  std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
-  std::size_t exact_order = 0;
-  std::string exact_text;
-  std::optional<std::size_t> logarithm;
-  std::optional<L1Rule> l1;
-  std::optional<Contraction> contraction;
-  std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
-};
 
 class Checker {
  public:
@@ -319,127 +282,27 @@ class Checker {
   void read_product(const std::vector<Family>& blocks) {
     const Fields fields = reader_.take("product", 4, 3 + 4096);
     const Family& family = blocks[parse_size(fields[0], 0, blocks.size() - 1)];
-    const mpq_class re = parse_rational(fields[1]), im = parse_rational(fields[2]);
-    std::vector<std::size_t> letters;
+    GivenProduct given{{}, parse_rational(fields[1]), parse_rational(fields[2])};
     for (std::size_t i = 3; i < fields.size(); ++i)
-      letters.push_back(parse_size(fields[i], 0, family.count() / weights_.size() - 1));
-    mpq_class radius = abs(re + im);  // JSR^length is at least that, over a range above it
+      given.letters.push_back(parse_size(fields[i], 0, family.count() / weights_.size() - 1));
+    mpq_class radius = abs(given.re + given.im);  // JSR^length is at least that, over a range above it
     if (claim_.range)
-      check_eigenvalue(family, weights_, letters, re, im, arithmetic_);
+      check_eigenvalue(family, weights_, given.letters, given.re, given.im, arithmetic_);
     else
-      radius = spectral_radius_bound(family, letters, re, im);
+      radius = spectral_radius_bound(family, given, entry_error_, reader_, arithmetic_);
     if (!lower_) return;
-    const mpq_class value = power(radius, root_), least = power(above_, letters.size());
+    const mpq_class value = power(radius, root_), least = power(above_, given.letters.size());
     require(value > least || (claim_.range && value == least),
             "the product proves no exponent below the number of sum rules");
-    require(*lower_ <= 0 || value >= power(*lower_, letters.size()),
+    require(*lower_ <= 0 || value >= power(*lower_, given.letters.size()),
             "the product's spectral radius does not prove the claim");
-  }
-
-  /// Section 4.5: a lower bound of the spectral radius of the product, which has an eigenvalue near re + i im.
-  mpq_class spectral_radius_bound(const Family& family, const std::vector<std::size_t>& letters, const mpq_class& re,
-                                  const mpq_class& im) {
-    const std::size_t n = family.size, length = letters.size();
-    // `scale` times the product is an integer matrix; c = x + i y is `scale` times the given eigenvalue.
-    const mpz_class q = lcm(re.get_den(), im.get_den());
-    mpq_class scale = power(family.denominator, length).get_num() * q;
-    mpz_class x = mpq_class(re * scale).get_num(), y = mpq_class(im * scale).get_num();
-    Vector product(n * n), m(n * n);
-    for (std::size_t i = 0; i < n; ++i) product[i * n + i] = q;
-    for (std::size_t i = length; i-- > 0;) product = arithmetic_.multiply(family.matrix(letters[i]), product, n);
-    mpq_class error = change_of(family, length) * scale;
-    const bool by_inverse = reader_.at("inverse");
-    if (entry_error_ > 0 || by_inverse) {
-      // With fewer digits, which is one more error.
-      std::size_t most = 0;
-      for (const mpz_class& entry : product) most = std::max(most, bits(entry));
-      const std::size_t cut = most - std::min(most, 256 + 40 * n);
-      const auto shorten = [cut](mpz_class& value) { value >>= cut; };
-      std::for_each(product.begin(), product.end(), shorten);
-      shorten(x), shorten(y);
-      scale /= mpz_class(1) << cut;
-      if (cut > 0) error = error / (mpz_class(1) << cut) + mpz_class(n);
-    }
-    if (by_inverse) return bound_by_inverse({n, product, 1}, im == 0 ? 1 : 2, x, y, scale, error);
-    // The characteristic polynomial, highest coefficient first; by Horner's scheme its value and derivative at c.
-    mpz_class coefficient = 1;
-    const Vector times_c{x, y, -y, x};
-    Vector state{1, 0, 0, 0};  // real and imaginary part of the value, then of the derivative
-    for (std::size_t k = 1; k <= n; ++k) {
-      mpz_class trace = 0;
-      for (std::size_t i = 0; i < n; ++i) m[i * n + i] += coefficient;
-      m = arithmetic_.multiply(product, m, n);
-      for (std::size_t i = 0; i < n; ++i) trace += m[i * n + i];
-      coefficient = -trace / k;
-      Vector next = arithmetic_.multiply(times_c, state, 2);
-      next[0] += coefficient;
-      for (std::size_t part = 0; part < 2; ++part) next[2 + part] += state[part];
-      state = next;
-    }
-    const auto square = [](const mpz_class& a, const mpz_class& b) { return mpz_class(a * a + b * b); };
-    const mpz_class values = square(state[0], state[1]) * n * n, slopes = square(state[2], state[3]);
-    require(slopes != 0, "the characteristic polynomial has derivative 0 at the given eigenvalue");
-    const mpz_class modulus = sqrt(mpz_class(square(x, y) << 640));
-    mpz_class distance = sqrt(mpz_class((values << 640) / slopes)) + (values == 0 ? 0 : 1);
-    if (entry_error_ > 0) {
-      // The changes of the characteristic polynomial and of its derivative.
-      const mpq_class column = largest_column_sum({n, product, 1}) + sqrt(square(x, y)) + 1,
-                      factor(mpz_class(n) << 320);
-      const mpz_class steep = sqrt(mpz_class((slopes << 640))) -
-                              ceiling(change_of_product(column, error, n - 1) * factor),
-                      value = sqrt(mpz_class(values << 640)) + 1 +
-                              ceiling(change_of_product(column, error, n) * factor);
-      require(steep > 0, "the product proves nothing of rounded masks");
-      distance = (value << 320) / steep + 1;
-    }
-    const mpz_class bound = modulus - distance;
-    require(bound > 0, "the product proves no positive spectral radius");
-    return bound / (scale * (mpz_class(1) << 320));
-  }
-
-  /// The same by an approximate inverse X of c - P, where P is within `error` of the product over `scale`, in the norm
-  /// of the largest column sum, |re| + |im|.
-  mpq_class bound_by_inverse(const Family& product, std::size_t parts, const mpz_class& x, const mpz_class& y,
-                             const mpq_class& scale, const mpq_class& error) {
-    const std::size_t n = product.size;
-    const mpz_class unit = mpz_class(1) << parse_size(reader_.take("inverse", 1, 1)[0], 0, 4096);
-    // (c - P) X is a part of 1/(scale * unit) of the integers below.
-    const mpq_class whole = scale * unit;
-    mpz_class largest = 0, farthest = 0, traces[2];
-    for (std::size_t k = 0; k < n; ++k) {
-      const Fields fields = reader_.take("column " + std::to_string(k), parts * n, parts * n);
-      Vector re(n), im(n);
-      for (std::size_t i = 0; i < n; ++i) re[i] = parse_integer(fields[i]);
-      for (std::size_t i = 0; parts == 2 && i < n; ++i) im[i] = parse_integer(fields[n + i]);
-      const Vector moved_re = arithmetic_.multiply(product.entries, re, n),
-                   moved_im = arithmetic_.multiply(product.entries, im, n);
-      mpz_class size = 0, away = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        const mpz_class real = x * re[i] - y * im[i] - moved_re[i], imaginary = x * im[i] + y * re[i] - moved_im[i];
-        away += abs(mpz_class((i == k ? whole.get_num() : mpz_class(0)) - whole.get_den() * real)) +
-                abs(mpz_class(whole.get_den() * imaginary));
-        size += abs(re[i]) + abs(im[i]);
-      }
-      traces[0] += re[k], traces[1] += im[k];
-      largest = std::max(largest, size), farthest = std::max(farthest, away);
-    }
-    const mpq_class size = ratio(largest, unit), off = ratio(farthest, whole.get_num()) + error / scale * size;
-    require(off < 1, "the inverse is none of the product less the given eigenvalue");
-    const auto modulus = [](const mpz_class& a, const mpz_class& b) {
-      return ratio(sqrt(mpz_class((a * a + b * b) << 640)), mpz_class(1) << 320);
-    };
-    const mpq_class steep = modulus(traces[0], traces[1]) / unit - mpz_class(n) * size * off / (1 - off);
-    require(steep > 0, "the inverse proves no eigenvalue near the given one");
-    const mpq_class bound = modulus(x, y) / scale - mpz_class(n) / steep;
-    require(bound > 0, "the product proves no positive spectral radius");
-    return bound;
   }
 
   /// Section 4.6, with the first columns of the products.
   void read_norm(const Family& family, const Fields& fields, std::size_t columns) {
     require(fields.size() == 2, "wrong number of fields after 'norm'");
     const std::size_t level = parse_size(fields[1], 1, 64);
-    use_upper_bound(norm_of_products(family, level, columns) + change_of(family, level), level);
+    use_upper_bound(norm_of_products(family, level, columns) + change_of(family, entry_error_, level), level);
   }
 
   mpq_class norm_of_products(const Family& family, std::size_t level, std::size_t columns) {
@@ -462,12 +325,6 @@ class Checker {
                          largest_norm(family, arithmetic_.multiply(family.matrix(t), x, family.size), level - 1));
     for (std::size_t i = 0; level == 0 && i < x.size(); ++i) largest += abs(x[i]);
     return largest;
-  }
-
-  /// What errors of the entries add to the norms of products of so many matrices.
-  mpq_class change_of(const Family& family, std::size_t level) const {
-    if (entry_error_ == 0) return 0;
-    return change_of_product(largest_column_sum(family), entry_error_ * mpz_class(family.size), level);
   }
 
   void use_polytope(const Polytope& body) {
@@ -559,177 +416,6 @@ class Checker {
   std::size_t power_ = 0;     // and how products grow
   std::optional<std::size_t> logarithm_;
 };
-
-// ---- the command line ------------------------------------------------------------------------------------------
-
-constexpr const char* usage =
-    "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
-    "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
-    "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
-    "       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)\n"
-    "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
-    "                     within EPS of MASK that have M sum rules)\n"
-    "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
-    "                     --lower P/Q [--upper P/Q] FILE\n"
-    "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
-    "                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to "
-    "a "
-    "factor)\n"
-    "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
-    "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
-    "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of "
-    "degree "
-    "D\n"
-    "                     to N points by least absolute deviations: |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents "
-    "of\n"
-    "                     limits)\n"
-    "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to "
-    "the\n"
-    "                     base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: "
-    "without\n"
-    "                     M-log; beside bounds, or without)\n"
-    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n"
-    "a mask and no bounds: its integer shifts are stable\n"
-    "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
-    "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
-
-using Options = std::map<std::string, std::optional<std::string>>;
-
-Options read_options(const std::vector<std::string>& arguments) {
-  Options given;
-  for (const char* name :
-       {"--mask", "--arity", "--for", "--within", "--surface", "--refinable", "--dilation", "--matrices", "--subradius",
-        "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
-    given[name];
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
-    require(given.contains(name), "unknown option " + name);
-    require(i < arguments.size() && !given[name], name + " needs a value, and only one");
-    given[name] = arguments[i];
-  }
-  return given;
-}
-
-/// The mask, of numbers or of matrices, and its arity or its dilation.
-void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
-                       bool of_matrices = false) {
-  claim.mask = of_matrices ? parse_matrix_mask(mask) : parse_mask(mask, claim.range ? claim.range->letter : '\0');
-  const Vector& coefficients = claim.mask->coefficients;
-  if (kind == "arity") {
-    require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
-                (claim.range || (coefficients.front() != 0 && coefficients.back() != 0)),
-            "a mask has 1 to 1000 coefficients, the first and the last not zero");
-    claim.arity = static_cast<unsigned>(parse_size(scale, 2, 16));
-  } else {
-    claim.dilation = parse_dilation(scale);
-    require(claim.dilation->variables == claim.mask->sizes.size(),
-            "mask and dilation have different numbers of variables");
-  }
-  claim.head = (of_matrices ? "refinable " : kind == "arity" ? "exponent " : "surface ") + mask + " " + scale;
-  claim.text = "Hoelder exponent";
-  claim.subject = (of_matrices ? "the refinable functions of " : "") + mask + " with " + kind + " " + scale;
-}
-
-/// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
-Claim read_l1_claim(Options& given) {
-  const auto &l1 = given["--l1"], &contraction = given["--contraction"], &lower = given["--lower"],
-             &upper = given["--upper"], &file = given["FILE"];
-  const auto count = std::count_if(given.begin(), given.end(), [](const auto& option) { return option.second; });
-  require(l1 && file && (contraction || lower) && (lower || !upper) &&
-              count == 2 + contraction.has_value() + lower.has_value() + upper.has_value(),
-          usage);
-  Claim claim;
-  claim.file = *file;
-  claim.l1 = parse_l1_rule(*l1);
-  claim.head = "l1 " + std::to_string(claim.l1->points) + " " + std::to_string(claim.l1->degree) +
-               (claim.l1->arity == 2 ? "" : " " + std::to_string(claim.l1->arity));
-  if (lower) {
-    claim.lower = parse_rational(*lower);
-    claim.text = claim.lower->get_str() + " <= Hoelder exponent";
-  }
-  if (upper) {
-    claim.upper = parse_rational(*upper);
-    claim.text += " <= " + claim.upper->get_str();
-  }
-  if (contraction) {
-    claim.contraction = parse_contraction(split(*contraction, ","), *claim.l1);
-    const std::string difference = "|D^" + std::to_string(claim.contraction->order);
-    claim.text += (lower ? " and " : "") + difference + " S^" + std::to_string(claim.contraction->steps) +
-                  " f| <= " + claim.contraction->bound.get_str() + " " + difference + " f|";
-  }
-  claim.text += " of least absolute deviations " + *l1;
-  return claim;
-}
-
-Claim read_claim(const std::vector<std::string>& arguments) {
-  Options given = read_options(arguments);
-  const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
-             &scheme = given["--surface"], &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
-             &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
-             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
-             &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
-             &contraction = given["--contraction"], &file = given["FILE"];
-  if (l1 || contraction) return read_l1_claim(given);
-  const bool rough = upper && upper->starts_with('C');
-  const int subjects = mask.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
-                       subradius.has_value();
-  require(file && subjects == 1 && mask.has_value() == arity.has_value() &&
-              surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
-              !(exact && (range || rounding)) &&
-              (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
-              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
-          usage);
-  Claim claim;
-  claim.file = *file;
-  if (lower) claim.lower = parse_rational(*lower);
-  if (rough) claim.rough = parse_size(upper->substr(1), 1, 500);
-  if (upper && !rough) claim.upper = parse_rational(*upper);
-  if (exact) {
-    std::tie(claim.exact, claim.exact_order) = parse_exact(*exact, !matrices);
-    claim.exact_text = *exact;
-  }
-  if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
-  if (range) claim.range = parse_range(*range);
-  if (rounding) claim.rounding = parse_rounding(*rounding);
-  if (mask) read_scheme_claim("arity", *mask, *arity, claim);
-  if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
-  if (matrices) {
-    read(*matrices, 65, [&](Reader& reader) {
-      const Fields fields = reader.take("matrices", 2, 2);
-      const std::size_t count = parse_size(fields[0], 1, 4096), size = parse_size(fields[1], 1, 256);
-      require(count * size * size <= std::size_t{1} << 22, "more entries than 2^22");
-      claim.family = read_family(reader, "row", count, size);
-      require(reader.at_end(), "text after the last row");
-    });
-    claim.subradius = subradius.has_value();
-    const std::string what = claim.subradius ? "subradius" : "radius";
-    claim.head = what + " " + std::to_string(claim.family.count()) + " " + std::to_string(claim.family.size);
-    claim.text = "joint spectral " + what;
-    claim.subject = *matrices;
-  }
-  if (exact) claim.text += " = " + *exact;
-  const std::string number = lower || exact ? claim.text + " and " : "";
-  if (!lower && !upper && !exact) claim.text = "stable integer shifts of the refinable distribution";
-  const std::string relation = range ? " < " : " <= ";
-  const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
-  if (diverges)
-    claim.text = "no convergence";
-  else if (range && upper && !lower && !rough)
-    claim.text = "no convergence, or " + claim.text;
-  if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
-  claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
-               (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") +
-               (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
-  if (range) {
-    claim.head += " " + *range;
-    claim.text += " for all " + *range;
-  }
-  if (rounding) {
-    claim.head += " within=" + *rounding;
-    claim.text += " for all masks within=" + *rounding;
-  }
-  return claim;
-}
 
 }  // namespace
 

@@ -236,4 +236,9 @@ mpq_class largest_column_sum(const Family& family) {
   return ratio(largest, family.denominator);
 }
 
+mpq_class change_of(const Family& family, const mpq_class& entry_error, std::size_t level) {
+  if (entry_error == 0) return 0;
+  return change_of_product(largest_column_sum(family), entry_error * mpz_class(family.size), level);
+}
+
 }  // namespace subcert_check

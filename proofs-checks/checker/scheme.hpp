@@ -77,4 +77,7 @@ mpq_class change_of_product(const mpq_class& norm, const mpq_class& error, std::
 /// The largest 1-norm of a matrix of the family.
 mpq_class largest_column_sum(const Family& family);
 
+/// What errors of the entries add to the norms of products of so many matrices.
+mpq_class change_of(const Family& family, const mpq_class& entry_error, std::size_t level);
+
 }  // namespace subcert_check

@@ -82,8 +82,8 @@ def claim(mask, dilation="[2]", ends="--lower 1"):
 
 
 NOT_UNIQUE = "the refinement equation may have several continuous solutions"
-# name, base, options, reason, edits
-REJECTED = [
+# name, base, options, reason, edits, with `; ` between lines
+EDITED = [
     # two hats; a hat of lattice points that are three apart
     ("vector-two-hats", "vector-ends", claim("[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1"), NOT_UNIQUE,
      [(HAT_HAAR, "[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1")]),
@@ -152,3 +152,5 @@ REJECTED = [
     ("vector-too-far", "vector-hat", claim("[[[1]],[[2]],[[1]]]/2@1000000001"), "a coordinate is too large",
      [("[[[1]],[[2]],[[1]]]/2@-1", "[[[1]],[[2]],[[1]]]/2@1000000001")]),
 ]
+REJECTED = [(name, base, options, reason, [tuple(part.replace("; ", "\n") for part in edit) for edit in edits])
+            for name, base, options, reason, edits in EDITED]

@@ -1,0 +1,63 @@
+#pragma once
+/// The lines of certificates about joint spectral radii. Format: SPEC.md beside this. Inner header.
+
+#include "certificate.hpp"
+
+#include <string>
+#include <vector>
+
+namespace subcert::certificate_text {
+
+/// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
+std::string outward(const Rational& value, Rounding rounding);
+
+/// Each after a blank.
+std::string numbers_text(const std::vector<Integer>& numbers);
+
+/// The head, and the coefficients from that of z^0 on.
+std::string polynomial_text(const std::string& head, const LaurentPolynomial& p);
+
+/// A line for each row, after the head.
+std::string rows_text(const std::string& head, const RationalMatrix& matrix);
+
+/// The line `product`.
+std::string product_text(std::size_t block, const RationalComplex& eigenvalue, const std::vector<int>& word);
+
+/// That and the lines of an inverse: large products are proved by one, which is checked by d^3 operations; eigenvalues
+/// that are rational numbers by polynomials, exactly. Domain: `family` has the radius.
+std::string product_text(const MatrixFamily& family, const JointSpectralRadius& radius);
+
+/// What the line `product` proves at least.
+Rational proved_lower(const ProductEvidence& product);
+
+/// The same as a claim, if it is positive.
+std::optional<std::string> claimed_lower(const ProductEvidence& product);
+
+/// The lines from `blocks` to `inverse`, if there are blocks.
+std::string blocks_text(const JointSpectralRadius& radius);
+
+/// On the line of the sum rules: there are no more of them.
+inline const char* full_text(bool full) { return full ? " full" : ""; }
+
+/// What says that the product attains the radius.
+struct ExactRadius {
+  std::string number = {}, root = {};  // empty where nothing says so,
+  std::string missing = {};            // and why
+  std::vector<bool> blocks = {};       // those with products that attain the radius
+  bool grows_like_powers = false;      // products of length n have norms between multiples of radius^n
+};
+
+ExactRadius exact_radius(const JointSpectralRadius& radius);
+
+/// The upper end of the radius that is proved; where letters of a graph are kept, by its product.
+Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact);
+
+/// What the number is: `before` the logarithm of the radius, or the radius. Domain: the first section.
+void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before = "");
+
+/// The sections of a proof, block by block; for the blocks that are `exact` with what says that products attain the
+/// radius. Errors: throws Error for what no checker reads.
+void add_sections(Certificate& certificate, const RadiusProof& proof, std::size_t matrix_count,
+                  const std::vector<bool>& exact = {});
+
+}  // namespace subcert::certificate_text

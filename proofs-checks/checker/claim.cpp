@@ -1,0 +1,185 @@
+#include "claim.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace subcert_check {
+
+const char* const usage =
+    "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
+    "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
+    "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
+    "       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)\n"
+    "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
+    "                     within EPS of MASK that have M sum rules)\n"
+    "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
+    "                     --lower P/Q [--upper P/Q] FILE\n"
+    "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
+    "                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to "
+    "a "
+    "factor)\n"
+    "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
+    "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
+    "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE\n"
+    "                     (fits of degree D to N points by least absolute deviations:\n"
+    "                     |D^ORDER S^STEPS f| <= P/Q |D^ORDER f|; exponents of limits)\n"
+    "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the\n"
+    "                     logarithm to the base A of |z|^(1/L), z the only zero of p0 + p1 x + ...\n"
+    "                     within EPS of RE + i IM; radii: without M-log; beside bounds, or without)\n"
+    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n"
+    "a mask and no bounds: its integer shifts are stable\n"
+    "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
+    "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
+
+namespace {
+
+using Options = std::map<std::string, std::optional<std::string>>;
+
+Options read_options(const std::vector<std::string>& arguments) {
+  Options given;
+  for (const char* name :
+       {"--mask", "--arity", "--for", "--within", "--surface", "--refinable", "--dilation", "--matrices", "--subradius",
+        "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+    given[name];
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
+    require(given.contains(name), "unknown option " + name);
+    require(i < arguments.size() && !given[name], name + " needs a value, and only one");
+    given[name] = arguments[i];
+  }
+  return given;
+}
+
+/// The mask, of numbers or of matrices, and its arity or its dilation.
+void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
+                       bool of_matrices = false) {
+  claim.mask = of_matrices ? parse_matrix_mask(mask) : parse_mask(mask, claim.range ? claim.range->letter : '\0');
+  const Vector& coefficients = claim.mask->coefficients;
+  if (kind == "arity") {
+    require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
+                (claim.range || (coefficients.front() != 0 && coefficients.back() != 0)),
+            "a mask has 1 to 1000 coefficients, the first and the last not zero");
+    claim.arity = static_cast<unsigned>(parse_size(scale, 2, 16));
+  } else {
+    claim.dilation = parse_dilation(scale);
+    require(claim.dilation->variables == claim.mask->sizes.size(),
+            "mask and dilation have different numbers of variables");
+  }
+  claim.head = (of_matrices ? "refinable " : kind == "arity" ? "exponent " : "surface ") + mask + " " + scale;
+  claim.text = "Hoelder exponent";
+  claim.subject = (of_matrices ? "the refinable functions of " : "") + mask + " with " + kind + " " + scale;
+}
+
+/// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
+Claim read_l1_claim(Options& given) {
+  const auto &l1 = given["--l1"], &contraction = given["--contraction"], &lower = given["--lower"],
+             &upper = given["--upper"], &file = given["FILE"];
+  const auto count = std::count_if(given.begin(), given.end(), [](const auto& option) { return option.second; });
+  require(l1 && file && (contraction || lower) && (lower || !upper) &&
+              count == 2 + contraction.has_value() + lower.has_value() + upper.has_value(),
+          usage);
+  Claim claim;
+  claim.file = *file;
+  claim.l1 = parse_l1_rule(*l1);
+  claim.head = "l1 " + std::to_string(claim.l1->points) + " " + std::to_string(claim.l1->degree) +
+               (claim.l1->arity == 2 ? "" : " " + std::to_string(claim.l1->arity));
+  if (lower) {
+    claim.lower = parse_rational(*lower);
+    claim.text = claim.lower->get_str() + " <= Hoelder exponent";
+  }
+  if (upper) {
+    claim.upper = parse_rational(*upper);
+    claim.text += " <= " + claim.upper->get_str();
+  }
+  if (contraction) {
+    claim.contraction = parse_contraction(split(*contraction, ","), *claim.l1);
+    const std::string difference = "|D^" + std::to_string(claim.contraction->order);
+    claim.text += (lower ? " and " : "") + difference + " S^" + std::to_string(claim.contraction->steps) +
+                  " f| <= " + claim.contraction->bound.get_str() + " " + difference + " f|";
+  }
+  claim.text += " of least absolute deviations " + *l1;
+  return claim;
+}
+
+}  // namespace
+
+std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool exponent) {
+  const std::size_t bar = std::min(text.find('|'), text.size());
+  const std::string_view before = text.substr(0, bar);
+  require(exponent ? before.ends_with("-log") : before.empty(),
+          "an exact exponent is M-log|[p0,p1,...]@RE,IM,EPS|^1/L, an exact radius the same without M-log");
+  return {parse_exact_radius(text.substr(bar)), exponent ? parse_size(before.substr(0, bar - 4), 0, 500) : 0};
+}
+
+Claim read_claim(const std::vector<std::string>& arguments) {
+  Options given = read_options(arguments);
+  const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
+             &scheme = given["--surface"], &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
+             &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
+             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
+             &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
+             &contraction = given["--contraction"], &file = given["FILE"];
+  if (l1 || contraction) return read_l1_claim(given);
+  const bool rough = upper && upper->starts_with('C');
+  const int subjects = mask.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
+                       subradius.has_value();
+  require(file && subjects == 1 && mask.has_value() == arity.has_value() &&
+              surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
+              !(exact && (range || rounding)) &&
+              (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
+              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
+          usage);
+  Claim claim;
+  claim.file = *file;
+  if (lower) claim.lower = parse_rational(*lower);
+  if (rough) claim.rough = parse_size(upper->substr(1), 1, 500);
+  if (upper && !rough) claim.upper = parse_rational(*upper);
+  if (exact) {
+    std::tie(claim.exact, claim.exact_order) = parse_exact(*exact, !matrices);
+    claim.exact_text = *exact;
+  }
+  if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
+  if (range) claim.range = parse_range(*range);
+  if (rounding) claim.rounding = parse_rounding(*rounding);
+  if (mask) read_scheme_claim("arity", *mask, *arity, claim);
+  if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (matrices) {
+    read(*matrices, 65, [&](Reader& reader) {
+      const Fields fields = reader.take("matrices", 2, 2);
+      const std::size_t count = parse_size(fields[0], 1, 4096), size = parse_size(fields[1], 1, 256);
+      require(count * size * size <= std::size_t{1} << 22, "more entries than 2^22");
+      claim.family = read_family(reader, "row", count, size);
+      require(reader.at_end(), "text after the last row");
+    });
+    claim.subradius = subradius.has_value();
+    const std::string what = claim.subradius ? "subradius" : "radius";
+    claim.head = what + " " + std::to_string(claim.family.count()) + " " + std::to_string(claim.family.size);
+    claim.text = "joint spectral " + what;
+    claim.subject = *matrices;
+  }
+  if (exact) claim.text += " = " + *exact;
+  const std::string number = lower || exact ? claim.text + " and " : "";
+  if (!lower && !upper && !exact) claim.text = "stable integer shifts of the refinable distribution";
+  const std::string relation = range ? " < " : " <= ";
+  const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
+  if (diverges)
+    claim.text = "no convergence";
+  else if (range && upper && !lower && !rough)
+    claim.text = "no convergence, or " + claim.text;
+  if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
+  claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
+               (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") +
+               (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
+  if (range) {
+    claim.head += " " + *range;
+    claim.text += " for all " + *range;
+  }
+  if (rounding) {
+    claim.head += " within=" + *rounding;
+    claim.text += " for all masks within=" + *rounding;
+  }
+  return claim;
+}
+
+}  // namespace subcert_check

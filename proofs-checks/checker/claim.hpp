@@ -1,0 +1,48 @@
+// What the program is asked to prove: sections 1 and 2 of ../certificates/SPEC.md, and the command line.
+#pragma once
+
+#include "exact_radius.hpp"
+#include "least_absolute.hpp"
+#include "parameter.hpp"
+#include "surface.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace subcert_check {
+
+extern const char* const usage;
+
+/// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
+/// family or its subradius. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k =
+/// `rough`. Without any of them: the shifts are stable. Or about fits of least absolute deviations: that differences
+/// contract, or that limits have an exponent.
+struct Claim {
+  std::optional<Mask> mask;
+  unsigned arity = 0;
+  std::optional<Range> range;
+  std::optional<Rounding> rounding;
+  std::optional<Dilation> dilation;
+  Family family;
+  bool subradius = false;
+  std::optional<mpq_class> lower, upper;
+  std::optional<std::size_t> rough;
+  std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
+  std::size_t exact_order = 0;
+  std::string exact_text;
+  std::optional<std::size_t> logarithm;
+  std::optional<L1Rule> l1;
+  std::optional<Contraction> contraction;
+  std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
+};
+
+/// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.
+std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool exponent);
+
+/// What the arguments ask, the matrices read from their file. Rejects wrong ones with exit code 64, matrices with 65.
+Claim read_claim(const std::vector<std::string>& arguments);
+
+}  // namespace subcert_check

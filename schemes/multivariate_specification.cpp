@@ -12,13 +12,46 @@
 #include <limits>
 
 namespace subcert {
-namespace {
 
-using namespace specification_text;
+namespace specification_text {
 
-constexpr long max_coefficients = 100'000, max_mask = 2 * max_points, max_entry = 64, max_digit = 1'000'000;
+constexpr long max_digit = 1'000'000;
 
-/// The specifications in `(A)x(B)` or `(A)x(B)x(C)`.
+std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::string& name, std::size_t variables,
+                                              long bound) {
+  std::vector<LatticePoint> points;
+  for (const Piece& entry : read_list(piece, ';')) {
+    points.emplace_back();
+    for (const Piece& number : split(entry, ',')) points.back().push_back(read_integer(number, name, -bound, bound));
+    if (points.back().size() != variables) fail(entry, fmt::format("{} numbers, one for each variable", variables));
+  }
+  return points;
+}
+
+Dilation read_dilation(Fields& fields, std::size_t variables) {
+  const auto arity = fields.optional("arity"), matrix = fields.optional("dilation"), digits = fields.optional("digits");
+  if (arity && matrix) fail(*matrix, "arity or dilation, not both");
+  Dilation result = matrix
+                        ? checked(
+                              *matrix,
+                              [&] { return Dilation(read_lattice_points(*matrix, "an entry", variables, max_entry)); })
+                        : Dilation::multiple(static_cast<int>(variables),
+                                             arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2);
+  if (!digits) return result;
+  return checked(*digits, [&] {
+    return Dilation(result.rows(), read_lattice_points(*digits, "a coordinate", variables, max_digit));
+  });
+}
+
+std::string fields_text(const Dilation& dilation) {
+  const int factor = dilation.factor().value_or(0);
+  const Dilation plain(dilation.rows());
+  return (factor == 2  ? ""
+          : factor > 2 ? ",arity=" + std::to_string(factor)
+                       : ",dilation=" + dilation.to_text()) +
+         (dilation == plain ? "" : ",digits=" + to_text(dilation.digits()));
+}
+
 std::vector<Piece> read_factors(const Piece& body) {
   const std::string expected = "two or three specifications in parentheses, as (primal:n=3)x(dual:n=2)";
   std::vector<Piece> factors;
@@ -40,6 +73,14 @@ std::vector<Piece> read_factors(const Piece& body) {
   if (factors.size() < 2 || factors.size() > 3) fail(body, expected);
   return factors;
 }
+
+}  // namespace specification_text
+
+namespace {
+
+using namespace specification_text;
+
+constexpr long max_coefficients = 100'000, max_mask = 2 * max_points;
 
 Scheme make_tensor(const Piece&, const Piece& body, const std::string&) {
   std::string specification = "tensor:";
@@ -94,58 +135,6 @@ Scheme make_grid(Fields& fields) {
           points + "-point least squares scheme of total degree " + std::to_string(scheme.degree) +
               (scheme.arity == 2 ? "" : ", arity " + std::to_string(scheme.arity)),
           grid_regression_mask(scheme)};
-}
-
-/// What `make` returns; what it says to be needed is what is expected in place of the piece.
-template <class Make>
-auto checked(const Piece& piece, Make make) {
-  try {
-    return make();
-  } catch (const SpecificationError&) {
-    throw;
-  } catch (const Error& error) {
-    const std::string what = error.what();
-    const std::size_t need = what.find("need ");
-    fail(piece, need == std::string::npos ? what : what.substr(need + 5));
-  }
-}
-
-/// Points as `1,0;0,1`, with as many coordinates as variables.
-std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::string& name, std::size_t variables,
-                                              long bound) {
-  std::vector<LatticePoint> points;
-  for (const Piece& entry : read_list(piece, ';')) {
-    points.emplace_back();
-    for (const Piece& number : split(entry, ',')) points.back().push_back(read_integer(number, name, -bound, bound));
-    if (points.back().size() != variables) fail(entry, fmt::format("{} numbers, one for each variable", variables));
-  }
-  return points;
-}
-
-/// The fields arity, dilation and digits; 2 times the identity unless given.
-Dilation read_dilation(Fields& fields, std::size_t variables) {
-  const auto arity = fields.optional("arity"), matrix = fields.optional("dilation"), digits = fields.optional("digits");
-  if (arity && matrix) fail(*matrix, "arity or dilation, not both");
-  Dilation result = matrix
-                        ? checked(
-                              *matrix,
-                              [&] { return Dilation(read_lattice_points(*matrix, "an entry", variables, max_entry)); })
-                        : Dilation::multiple(static_cast<int>(variables),
-                                             arity ? static_cast<int>(read_integer(*arity, "arity", 2, max_arity)) : 2);
-  if (!digits) return result;
-  return checked(*digits, [&] {
-    return Dilation(result.rows(), read_lattice_points(*digits, "a coordinate", variables, max_digit));
-  });
-}
-
-/// The fields that read_dilation reads.
-std::string fields_text(const Dilation& dilation) {
-  const int factor = dilation.factor().value_or(0);
-  const Dilation plain(dilation.rows());
-  return (factor == 2  ? ""
-          : factor > 2 ? ",arity=" + std::to_string(factor)
-                       : ",dilation=" + dilation.to_text()) +
-         (dilation == plain ? "" : ",digits=" + to_text(dilation.digits()));
 }
 
 /// Refuses masks whose coset sums are not all 1, by a class without coefficients where there is one.
@@ -327,33 +316,13 @@ const std::vector<Family>& multivariate_table() {
   return families;
 }
 
-text::MaskText dense(const LatticeMask& mask) {
-  const LatticePoint lowest = mask.symbol().lowest(), size = mask.symbol().highest() - lowest;
-  text::MaskText result{{}, {}, lowest};
-  std::size_t count = 1;
-  for (const long length : size) {
-    result.sizes.push_back(static_cast<std::size_t>(length + 1));
-    count *= result.sizes.back();
-  }
-  result.coefficients.resize(count, 0);
-  for (const auto& term : mask.symbol().terms()) {
-    std::size_t at = 0;
-    for (std::size_t v = lowest.size(); v-- > 0;)
-      at = at * result.sizes[v] + static_cast<std::size_t>(term.exponents[v] - lowest[v]);
-    result.coefficients[at] = term.coefficient;
-  }
-  return result;
-}
-
-}  // namespace
-
-namespace {
-
 Scheme linear_scheme_of(std::string_view specification) {
   if (auto scheme = make_one_of(multivariate_table(), specification)) return *std::move(scheme);
   const Piece family = family_of(specification);
   for (const FamilyHelp& help : families())
     if (help.family == family.text) return make_scheme(specification);
+  for (const FamilyHelp& help : vector_families())
+    if (help.family == family.text) fail(family, numbers_only);
   if (is_l1_specification(specification))
     fail(family, "a linear scheme; l1 schemes only act on data, and 'subcert l1' tells what is proved of them");
   fail(family, unknown_family(family.text));
@@ -382,6 +351,33 @@ const std::vector<FamilyHelp>& multivariate_families() {
   return help;
 }
 
-std::string to_mask_text(const LatticeMask& mask) { return text::print_mask_text(dense(mask)); }
+text::MaskText mask_text_parts(const LatticeMask& mask) {
+  const std::vector<LatticeMask::Term> terms = mask.terms();
+  LatticePoint lowest = terms.front().exponents, highest = lowest;
+  for (const LatticeMask::Term& term : terms)
+    for (std::size_t v = 0; v < lowest.size(); ++v) {
+      lowest[v] = std::min(lowest[v], term.exponents[v]);
+      highest[v] = std::max(highest[v], term.exponents[v]);
+    }
+  text::MaskText result{{}, {}, lowest};
+  const std::size_t size = mask.components();
+  if (size > 1) result.sizes = {size, size};
+  std::size_t count = size * size;
+  for (std::size_t v = 0; v < lowest.size(); ++v) {
+    result.sizes.push_back(static_cast<std::size_t>(highest[v] - lowest[v] + 1));
+    count *= result.sizes.back();
+  }
+  result.coefficients.resize(count, 0);
+  for (const LatticeMask::Term& term : terms) {
+    std::size_t at = 0;
+    for (std::size_t v = lowest.size(); v-- > 0;)
+      at = at * result.sizes[result.sizes.size() - lowest.size() + v] +
+           static_cast<std::size_t>(term.exponents[v] - lowest[v]);
+    result.coefficients[(at * size + term.row) * size + term.column] = term.coefficient;
+  }
+  return result;
+}
+
+std::string to_mask_text(const LatticeMask& mask) { return text::print_mask_text(mask_text_parts(mask)); }
 
 }  // namespace subcert

@@ -4,6 +4,8 @@
 #include "l1_scheme.hpp"
 #include "local_regression.hpp"
 
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
+#include <subcert/analysis/symbol/polynomials/term_text.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <optional>
@@ -21,6 +23,12 @@ class SpecificationError : public ParseError {
       : ParseError("scheme specification", token, position, expected) {}
 };
 
+/// How the matrices of a vector of functions are given: those of the equation phi(x) = sum over k of A_k phi(Mx - k),
+/// of a scheme f'_i = sum over j of P_{i-Mj} f_j, or of a Hermite scheme D^(n+1) f'_i = sum over j of P_{i-Mj} D^n f_j
+/// on values and derivatives, D = diag(1, 1/a, 1/a^2, ...). Of both schemes phi_c is the limit of the first component
+/// from the unit datum in component c, and A_k is P_k transposed.
+enum class VectorForm { refinable, vector, hermite };
+
 /// A linear scheme: its canonical specification, a name for people, its exact mask, and the local regressions that it
 /// was made from. `mask` has one factor, curve(), for one variable, those of a tensor product, and no factors for
 /// others.
@@ -30,6 +38,9 @@ struct Scheme {
   LatticeMask mask;
   std::optional<LocalRegression> rules = std::nullopt;
   std::optional<MaskRounding> rounding = std::nullopt;  ///< where the coefficients that are meant are not rational
+  std::optional<VectorForm> form = std::nullopt;        ///< of a mask of matrices, always
+  /// What is meant where `mask` is one of matrices and rounded.
+  std::optional<QuadraticMask> quadratic = std::nullopt;
 };
 
 /// A data-dependent scheme of one to three variables. It has no mask and only acts on data.
@@ -50,6 +61,13 @@ Scheme make_scheme(std::string_view specification);
 /// Reads a linear specification of one, two or three variables. Domain and errors: as make_scheme.
 Scheme make_linear_scheme(std::string_view specification);
 
+/// Reads any of these, or a specification of a vector of functions or a vector scheme. Domain and errors: as
+/// make_scheme, of masks of matrices at most 20,000 numbers; nothing is asked of their sums.
+Scheme make_refinable_scheme(std::string_view specification);
+
+/// The scheme of a mask of matrices A_k with its canonical specification.
+Scheme vector_scheme(VectorForm form, const std::string& title, const LatticeMask& mask);
+
 /// Whether the text names the family l1.
 bool is_l1_specification(std::string_view specification);
 
@@ -69,7 +87,7 @@ const std::string& specification_of(const AnyScheme& scheme);
 /// The mask, where it has factors to be applied along the axes: those of one variable and tensor products.
 std::optional<LatticeMask> mask_with_factors(const AnyScheme& scheme);
 
-/// One line of help for every family: those of one variable, which make_scheme accepts, and the others.
+/// One line of help for every family: those of one variable, which make_scheme accepts, those of several, and vectors.
 struct FamilyHelp {
   std::string family;
   std::string usage;
@@ -77,9 +95,12 @@ struct FamilyHelp {
 };
 const std::vector<FamilyHelp>& families();
 const std::vector<FamilyHelp>& multivariate_families();
+const std::vector<FamilyHelp>& vector_families();
 
 /// The coefficients as nested lists over their common denominator, the last variable outermost, and the first index of
-/// each variable: `[[1,3],[3,1]]/8@-1,0`.
+/// each variable: `[[1,3],[3,1]]/8@-1,0`. Matrices are lists of rows in the place of numbers.
 std::string to_mask_text(const LatticeMask& mask);
+/// What it prints. Matrices run faster than the first variable.
+text::MaskText mask_text_parts(const LatticeMask& mask);
 
 }  // namespace subcert

@@ -7,6 +7,7 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/expression.hpp>
 #include <subcert/analysis/symbol/polynomials/term_text.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
@@ -23,6 +24,7 @@ constexpr long max_points = 4096;
 constexpr long max_work = 200'000;         // points * degree: keeps every accepted mask within seconds
 constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
 constexpr long max_arity = 64;
+constexpr long max_entry = 64;  // of a dilation matrix
 
 /// A piece of the specification and where it begins (0-based).
 struct Piece {
@@ -198,6 +200,32 @@ auto placed(const Piece& piece, Read read) {
   }
 }
 
+/// What `make` returns; what it says to be needed is what is expected in place of the piece.
+template <class Make>
+auto checked(const Piece& piece, Make make) {
+  try {
+    return make();
+  } catch (const SpecificationError&) {
+    throw;
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    const std::size_t need = what.find("need ");
+    fail(piece, need == std::string::npos ? what : what.substr(need + 5));
+  }
+}
+
+/// Points as `1,0;0,1`, with as many coordinates as variables.
+std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::string& name, std::size_t variables,
+                                              long bound);
+
+/// The specifications in `(A)x(B)` or `(A)x(B)x(C)`.
+std::vector<Piece> read_factors(const Piece& body);
+
+/// The fields arity, dilation and digits; 2 times the identity unless given.
+Dilation read_dilation(Fields& fields, std::size_t variables);
+/// The fields that read_dilation reads.
+std::string fields_text(const Dilation& dilation);
+
 /// The coefficients at the beginning of the body of a specification, and the fields that follow. Domain: at most `most`
 /// coefficients.
 std::pair<Piece, Fields> split_mask(const Piece& family, const Piece& body, const std::string& usage, int variables,
@@ -234,11 +262,18 @@ auto from_fields(Make make) {
   };
 }
 
+/// Of vectors of functions by name. Two of them also name families of numbers, which they make as well.
+const std::vector<Family>& named_vectors();
+
 inline std::vector<FamilyHelp> help_of(const std::vector<Family>& families) {
   std::vector<FamilyHelp> result;
   for (const Family& family : families) result.push_back(family.help);
   return result;
 }
+
+/// What is expected in the place of a vector of functions.
+constexpr const char* numbers_only =
+    "a scheme of numbers; of vectors 'subcert regularity', 'mask' and 'limit' tell what is known";
 
 /// `primal, dual, ...`
 inline std::string names_of(const std::vector<FamilyHelp>& families) {
@@ -251,7 +286,7 @@ inline std::string names_of(const std::vector<FamilyHelp>& families) {
 inline std::string unknown_family(std::string_view word) {
   std::vector<std::string> names = other_names();
   names.emplace_back("l1");
-  for (const auto* helps : {&families(), &multivariate_families()})
+  for (const auto* helps : {&families(), &multivariate_families(), &vector_families()})
     for (const FamilyHelp& help : *helps) names.push_back(help.family);
   if (const std::string first(word.substr(0, word.find_first_of(" (="))); first.size() < word.size())
     if (std::ranges::find(names, first) != names.end()) return "a colon behind '" + first + "', as in primal:n=3";

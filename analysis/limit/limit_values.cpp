@@ -55,17 +55,48 @@ std::vector<LatticePoint> points_of_support(const LatticeMask& mask, int level) 
 
 /// V(z) -> a(z) a(z^M) ... a(z^(M^(level-1))) V(z): values of a function at lattice points become those at M^-level i.
 LatticeSequence refined(const LatticeMask& mask, LatticeSequence values, int level) {
-  std::vector<MultivariatePolynomial::Monomial> terms = mask.symbol().terms();
+  std::vector<LatticeMask::Term> terms = mask.terms();
+  const bool has_components = mask.components() > 1;
   for (int n = 0; n < level; ++n) {
     LatticeSequence finer;
     for (const auto& term : terms)
-      for (const auto& [point, value] : values) finer[point + term.exponents] += term.coefficient * value;
+      for (const auto& [point, value] : values) {
+        if (has_components && static_cast<std::size_t>(point.back()) != term.column) continue;
+        LatticePoint sum = point;
+        for (std::size_t v = 0; v < term.exponents.size(); ++v) sum[v] += term.exponents[v];
+        if (has_components) sum.back() = static_cast<long>(term.row);
+        finer[std::move(sum)] += term.coefficient * value;
+      }
     require_few(static_cast<double>(finer.size()), n + 1);
     std::erase_if(finer, [](const auto& entry) { return entry.second == 0; });
     values = std::move(finer);
     for (auto& term : terms) term.exponents = mask.dilation() * term.exponents;
   }
   return values;
+}
+
+LatticePoint with_component(LatticePoint point, const LatticeMask& mask, std::size_t component) {
+  if (mask.components() > 1) point.push_back(static_cast<long>(component));
+  return point;
+}
+
+/// Strictly inside the box that holds the support, component by component.
+std::vector<LatticePoint> inner_points(const LatticeMask& mask) {
+  LatticePoint low, high;
+  double count = static_cast<double>(mask.components());
+  for (const Interval& side : limit_support(mask)) {
+    low.push_back(floor_index(side.lower) + 1);
+    high.push_back(ceil_index(side.upper) - 1);
+    count *= static_cast<double>(std::max(0L, high.back() - low.back() + 1));
+  }
+  if (count == 0) return {};
+  if (count > static_cast<double>(most_points))
+    fail(ErrorKind::size, "limit_values: need at most {} values at lattice points in the support, got {}", most_points,
+         count);
+  std::vector<LatticePoint> result;
+  for (const LatticePoint& point : points_of_box(low, high))
+    for (std::size_t c = 0; c < mask.components(); ++c) result.push_back(with_component(point, mask, c));
+  return result;
 }
 
 /// C with D^orders[r] (f(M .)) = sum over c of C_{rc} (D^orders[c] f)(M .); `orders` are all of one sum.
@@ -176,7 +207,7 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Lat
 }
 
 LatticeSequence values_of_whole(const LatticeMask& given, int level, const LatticePoint& orders) {
-  const LatticeMask mask(given.symbol(), Dilation(given.dilation().rows()));
+  const LatticeMask mask = given.with_dilation(Dilation(given.dilation().rows()));
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
   LatticeSequence values = values_at_lattice_points(mask, level);
   require(total == 0 || mask.dilation().is_isotropic(),
@@ -259,6 +290,31 @@ LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePo
   for (const long order : orders) require(order >= 0, "limit_values: need orders >= 0, got {}", order);
   const LatticePoint all = orders.empty() ? LatticePoint(variables, 0) : orders;
   return mask.has_factors() ? product_of_values(mask.factors(), level, all) : values_of_whole(mask, level, all);
+}
+
+std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask) {
+  const std::vector<LatticePoint> points = inner_points(mask);
+  if (points.empty()) return {};
+  const std::size_t zero = digit_zero(mask.dilation());
+  std::map<LatticePoint, std::size_t> rows;  // those inside, and others to which T_0 leads from there
+  std::vector<LatticeSequence> images;
+  for (const LatticePoint& point : points) rows.emplace(point, rows.size());
+  for (const LatticePoint& point : points) {
+    images.push_back(transitions(mask, {{point, 1}})[zero]);
+    for (const auto& [image, value] : images.back()) rows.emplace(image, rows.size());
+  }
+  RationalMatrix equations(rows.size(), points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (const auto& [image, value] : images[k]) equations(rows.at(image), k) = value;
+    equations(rows.at(points[k]), k) -= 1;
+  }
+  std::vector<LatticeSequence> result;
+  for (const std::vector<Rational>& solution : kernel(equations)) {
+    LatticeSequence& values = result.emplace_back();
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (solution[k] != 0) values.emplace(points[k], solution[k]);
+  }
+  return result;
 }
 
 LatticeSequence refined_delta(const LatticeMask& mask, int level) {

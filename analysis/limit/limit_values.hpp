@@ -43,6 +43,12 @@ LimitValues limit_values(const Mask& mask, int level, int order = 0, const Deadl
 /// two more; then coefficients * values. Proof: docs/surfaces.md.
 LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders = {});
 
+/// A basis of the sequences v on the lattice points strictly inside the box of the support with v = T_0 v: a continuous
+/// solution of the refinement equation is determined by its values there, as it is 0 at all others, so that there are
+/// at most so many solutions, up to linear combinations. Domain: 0 is a digit. Errors: throws Error of kind size where
+/// more than 2000 numbers are to be found. Cost: one elimination.
+std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask);
+
 /// The coefficients of the power of the scheme: `level` steps applied to the unit sequence, the datum with index i at
 /// M^-level i. Errors: throws Error of kind size for more than 10^6. Cost: coefficients * values.
 LatticeSequence refined_delta(const LatticeMask& mask, int level);

@@ -98,4 +98,13 @@ inline constexpr double convergence = 0.5;                  ///< by norms, and b
 inline constexpr double convergence_seconds = 5, convergence_grace = 0.5;  ///< once the rest of the time is gone
 }  // namespace surface
 
+/// An exponent of a vector of functions: vector_regularity.cpp.
+namespace vector {
+inline constexpr double spaces = 0.2;   ///< differences of ever higher orders
+inline constexpr double norms = 0.05;   ///< of each radius
+inline constexpr double blocks = 0.3;   ///< of a field
+inline constexpr double whole = 0.6;    ///< the worst function
+inline constexpr double sobolev = 0.2;  ///< its exponent in the mean of squares
+}  // namespace vector
+
 }  // namespace subcert::schedule

@@ -319,6 +319,7 @@ Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t 
 }
 
 MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Budget& budget, int bits) {
+  if (mask.components() > 1) return vector_regularity(mask, budget, bits);
   const std::vector<Rational> sums = coset_sums(mask);
   if (!std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; })) {
     MultivariateRegularity result;
@@ -335,6 +336,9 @@ Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const Re
   if (mask.factors().size() == 1)
     result.curve = holder_regularity(mask.curve(), options.levels, budget, options.proof, options.rounding,
                                      options.bits);
+  else if (mask.components() > 1)
+    result.surface = options.quadratic ? vector_regularity(*options.quadratic, budget, options.bits, options.component)
+                                       : vector_regularity(mask, budget, options.bits, options.component);
   else
     result.surface = multivariate_regularity(mask, budget, options.bits);
   return result;

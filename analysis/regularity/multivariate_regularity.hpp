@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 
 namespace subcert {
 
@@ -19,8 +20,25 @@ struct ShrinkingDifferences {
   JointSpectralRadius radius;  ///< perhaps without a product
 };
 
+/// How smooth one function of a vector is.
+struct ComponentRegularity {
+  Enclosure exponent;  ///< of its Hoelder exponent; without upper end and `exact` where it is 0
+  Decision exact;
+  bool is_zero = false;
+  std::size_t component = 0;
+};
+
+/// What is known of a vector of functions beside its exponent, that of the worst function in it.
+struct FunctionVector {
+  /// At most so many solutions are continuous and of compact support, up to linear combinations. Where it is more than
+  /// one, all that is said is about all of them.
+  std::size_t solutions = 0;
+  Decision continuous;  ///< of all of them; no where there is none
+  std::vector<ComponentRegularity> components;
+};
+
 struct MultivariateRegularity {
-  int sum_rules = 0;
+  int sum_rules = 0;  ///< of a mask of numbers
   /// Nothing without sum rules, or where it grows past its limit. Its dilation may be g M with a symmetry g of the
   /// mask.
   std::optional<DifferenceSpace> space;
@@ -34,12 +52,24 @@ struct MultivariateRegularity {
   /// Contains the Hoelder exponent of the limit phi; absent where no positive lower end is proved. Where the shifts are
   /// not proved stable it comes from the differences of phi, and the upper end is absent if these give no space.
   Enclosure exponent;
-  std::optional<Enclosure> sobolev;     ///< contains the Sobolev exponent
-  std::optional<LatticeSequence> gram;  ///< inner products of the shifts, where the scheme converges
+  std::optional<Enclosure> sobolev;      ///< contains the Sobolev exponent
+  std::optional<LatticeSequence> gram;   ///< inner products of the shifts, where the scheme converges
+  std::optional<FunctionVector> vector;  ///< of a mask of matrices, always; then the space is one of values
 
   /// The enclosure is as narrow as it gets.
   bool is_closed() const;
 };
+
+/// Of a mask of matrices: the exponent of the continuous solution of the refinement equation, for which neither sum
+/// rules nor stability are needed (docs/vectors.md). Domain: an isotropic dilation. Errors, error and cost: as below.
+/// With `component`, from 0, the exponent is that of this function alone, and no other is looked at.
+MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits = default_bits,
+                                         std::optional<std::size_t> component = std::nullopt);
+
+/// The same of matrices over a quadratic field. What is said of a radius, that it is of rounded matrices, is proved of
+/// those that are meant. Without a Sobolev exponent. Proof: docs/vectors.md.
+MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget, int bits = default_bits,
+                                         std::optional<std::size_t> component = std::nullopt);
 
 /// By factors, whatever their arities, the smallest of their exponents, without space, radius and inner products. Else,
 /// where the dilation is not isotropic, the smallest of the exponents along its isotropic subspaces, whose space and

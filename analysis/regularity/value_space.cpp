@@ -39,14 +39,6 @@ class SequenceSpace {
   std::vector<std::pair<LatticePoint, LatticeSequence>> rows_;
 };
 
-LatticeSequence convolution(const LatticeSequence& a, const LatticeSequence& b) {
-  LatticeSequence result;
-  for (const auto& [i, x] : a)
-    for (const auto& [k, y] : b) result[i + k] += x * y;
-  std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
-  return result;
-}
-
 /// The span of the words modulo the prime, recognised over the rationals.
 std::optional<SequenceSpace> recognised_space(const LatticeMask& mask, const std::vector<LatticeSequence>& starts,
                                               const std::vector<LatticePoint>& support, std::size_t most_points) {
@@ -98,29 +90,17 @@ Dilation with_zero_first(const Dilation& dilation) {
   return Dilation(dilation.rows(), digits);
 }
 
-}  // namespace
-
-std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order, std::size_t most_points) {
-  return value_space(mask, order, exponents_of_degree(mask.dilation().variables(), 1), most_points);
-}
-
-std::optional<DifferenceSpace> value_space(const LatticeMask& original, int order,
-                                           const std::vector<LatticePoint>& directions, std::size_t most_points) {
-  const LatticeMask mask(original.symbol(), with_zero_first(original.dilation()));
-  const Dilation& dilation = mask.dilation();
-  LatticeSequence values;
-  try {
-    values = limit_values(mask, 0);
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::size) throw;
-    return std::nullopt;  // several fixed vectors or none
-  }
+/// That of the solutions. Domain: the first digit is 0.
+std::optional<DifferenceSpace> space_of_words(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                              int order, const std::vector<LatticePoint>& directions,
+                                              std::size_t most_points) {
   std::vector<LatticeSequence> starts;
   std::vector<LatticePoint> support;
-  for (const LatticeSequence& difference : differences_of_delta(directions, order)) {
-    starts.push_back(convolution(difference, values));
-    for (const auto& [point, value] : starts.back()) support.push_back(point);
-  }
+  for (const LatticeSequence& difference : differences_of_delta(directions, order))
+    for (const LatticeSequence& values : solutions) {
+      starts.push_back(convolution(difference, values));
+      for (const auto& [point, value] : starts.back()) support.push_back(point);
+    }
   const auto space = recognised_space(mask, starts, support, most_points);
   if (!space || space->is_empty() || !leads_into(mask, *space, starts)) return std::nullopt;
   std::vector<LatticeSequence> basis;
@@ -133,12 +113,37 @@ std::optional<DifferenceSpace> value_space(const LatticeMask& original, int orde
   }
   MatrixFamily family = transition_family(mask, basis, pivots);
   return DifferenceSpace{order,
-                         dilation,
+                         mask.dilation(),
                          LatticeWindow(mask, support, most_points),
                          std::move(basis),
                          std::move(pivots),
                          std::move(family),
-                         std::move(values)};
+                         solutions.front()};
+}
+
+}  // namespace
+
+std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order, std::size_t most_points) {
+  return value_space(mask, order, exponents_of_degree(mask.dilation().variables(), 1), most_points);
+}
+
+std::optional<DifferenceSpace> value_space(const LatticeMask& original, int order,
+                                           const std::vector<LatticePoint>& directions, std::size_t most_points) {
+  const LatticeMask mask = original.with_dilation(with_zero_first(original.dilation()));
+  LatticeSequence values;
+  try {
+    values = limit_values(mask, 0);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::size) throw;
+    return std::nullopt;  // several fixed vectors or none
+  }
+  return space_of_words(mask, {std::move(values)}, order, directions, most_points);
+}
+
+std::optional<DifferenceSpace> value_space(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                           int order, std::size_t most_points) {
+  return space_of_words(mask.with_dilation(with_zero_first(mask.dilation())), solutions, order,
+                        exponents_of_degree(mask.dilation().variables(), 1), most_points);
 }
 
 }  // namespace subcert

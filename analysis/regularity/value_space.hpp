@@ -18,4 +18,9 @@ std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order, s
 std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order,
                                            const std::vector<LatticePoint>& directions, std::size_t most_points = 1024);
 
+/// The same for fixed sequences T_0 v = v of a mask of numbers or matrices, of which there is at least one: the space
+/// is that of all of them together, and holds the first as its values. No sums are asked for. Proof: docs/vectors.md.
+std::optional<DifferenceSpace> value_space(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                           int order, std::size_t most_points = 1024);
+
 }  // namespace subcert

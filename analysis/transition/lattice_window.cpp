@@ -10,14 +10,8 @@
 namespace subcert {
 namespace {
 
-/// A point of up to three coordinates, without memory of its own.
-using FixedPoint = std::array<long, 3>;
-
-FixedPoint fixed(const LatticePoint& point) {
-  FixedPoint result{};
-  std::copy(point.begin(), point.end(), result.begin());
-  return result;
-}
+/// A point of up to three coordinates, and the component, without memory of its own.
+using FixedPoint = std::array<long, 4>;
 
 struct Hash {
   std::size_t operator()(const FixedPoint& point) const {
@@ -27,42 +21,87 @@ struct Hash {
   }
 };
 
+/// The points of Z^s, and the components that points of sequences carry where there are several.
+class Lattice {
+ public:
+  explicit Lattice(const LatticeMask& mask)
+      : variables_(mask.dilation().variables()), has_components_(mask.components() > 1) {}
+
+  FixedPoint fixed(const LatticePoint& point) const { return fixed(point, component(point)); }
+  FixedPoint fixed(const LatticePoint& point, std::size_t component) const {
+    FixedPoint result{};
+    std::copy_n(point.begin(), variables_, result.begin());
+    result.back() = static_cast<long>(component);
+    return result;
+  }
+  std::size_t component(const LatticePoint& point) const {
+    return has_components_ ? static_cast<std::size_t>(point.back()) : 0;
+  }
+  /// M^-1 of a point, digit by digit, with its component.
+  Dilation::Division divide(const Dilation& dilation, const FixedPoint& point) const {
+    Dilation::Division at = dilation.divide({point.begin(), point.begin() + static_cast<long>(variables_)});
+    if (has_components_) at.quotient.push_back(point.back());
+    return at;
+  }
+
+ private:
+  std::size_t variables_;
+  bool has_components_;
+};
+
+/// Where a component leads to: the exponents of the entries in a column, with their rows.
+class Steps {
+ public:
+  explicit Steps(const LatticeMask& mask) : lattice(mask), dilation(mask.dilation()), columns_(mask.components()) {
+    for (const LatticeMask::Term& term : mask.terms()) {
+      columns_[term.column].push_back(lattice.fixed(term.exponents, term.row));
+      ++count_;
+    }
+  }
+
+  /// The sum of a point and the exponents of a step from there.
+  std::vector<FixedPoint> from(const LatticePoint& point) const {
+    const FixedPoint at = lattice.fixed(point);
+    std::vector<FixedPoint> sums = columns_[lattice.component(point)];
+    for (FixedPoint& sum : sums)
+      for (std::size_t v = 0; v < 3; ++v) sum[v] += at[v];
+    return sums;
+  }
+  std::size_t count() const { return count_; }
+
+  const Lattice lattice;
+  const Dilation& dilation;
+
+ private:
+  std::vector<std::vector<FixedPoint>> columns_;
+  std::size_t count_ = 0;
+};
+
 /// Where T_d v has its support, over all digits d or for one, for v supported on `points`. Cost: a look at a table for
 /// each pair, and a division for each different sum.
-std::set<LatticePoint> images(const std::vector<LatticePoint>& support, const Dilation& dilation,
-                              const std::set<LatticePoint>& points, std::optional<std::size_t> digit) {
+std::set<LatticePoint> images(const Steps& steps, const std::set<LatticePoint>& points,
+                              std::optional<std::size_t> digit) {
   std::unordered_set<FixedPoint, Hash> sums;
-  std::vector<FixedPoint> steps;
-  for (const LatticePoint& i : support) steps.push_back(fixed(i));
-  for (const LatticePoint& k : points) {
-    const FixedPoint from = fixed(k);
-    for (const FixedPoint& i : steps) sums.insert({from[0] + i[0], from[1] + i[1], from[2] + i[2]});
-  }
+  for (const LatticePoint& k : points)
+    for (const FixedPoint& sum : steps.from(k)) sums.insert(sum);
   std::set<LatticePoint> result;
   for (const FixedPoint& sum : sums) {
-    Dilation::Division at = dilation.divide({sum.begin(), sum.begin() + static_cast<long>(dilation.variables())});
+    Dilation::Division at = steps.lattice.divide(steps.dilation, sum);
     if (!digit || at.digit == *digit) result.insert(std::move(at.quotient));
   }
   return result;
 }
 
-std::vector<LatticePoint> support_of(const LatticeMask& mask) {
-  std::vector<LatticePoint> support;
-  for (const auto& term : mask.symbol().terms()) support.push_back(term.exponents);
-  return support;
-}
-
-std::set<LatticePoint> reached_from(const std::vector<LatticePoint>& support, const Dilation& dilation,
-                                    const std::vector<LatticePoint>& start, std::size_t most_points,
+std::set<LatticePoint> reached_from(const Steps& steps, const std::vector<LatticePoint>& start, std::size_t most_points,
                                     std::optional<std::size_t> digit) {
   std::set<LatticePoint> reached(start.begin(), start.end()), fresh = reached;
   while (!fresh.empty()) {
     std::set<LatticePoint> next;
-    for (const LatticePoint& point : images(support, dilation, fresh, digit))
+    for (const LatticePoint& point : images(steps, fresh, digit))
       if (reached.insert(point).second) next.insert(point);
     if (reached.size() > most_points)
       fail(ErrorKind::size, "transition operators: need at most {} lattice points, got more for {} coefficients",
-           most_points, support.size());
+           most_points, steps.count());
     fresh = std::move(next);
   }
   return reached;
@@ -72,11 +111,11 @@ std::set<LatticePoint> reached_from(const std::vector<LatticePoint>& support, co
 
 LatticeWindow::LatticeWindow(const LatticeMask& mask, const std::vector<LatticePoint>& start, std::size_t most_points,
                              std::optional<std::size_t> digit) {
-  const std::vector<LatticePoint> support = support_of(mask);
-  std::set<LatticePoint> reached = reached_from(support, mask.dilation(), start, most_points, digit);
+  const Steps steps(mask);
+  std::set<LatticePoint> reached = reached_from(steps, start, most_points, digit);
   // A point without predecessor is left behind after one step.
   for (;; ++steps_) {
-    std::set<LatticePoint> kept = images(support, mask.dilation(), reached, digit);
+    std::set<LatticePoint> kept = images(steps, reached, digit);
     if (kept.size() == reached.size()) break;
     reached = std::move(kept);
   }
@@ -85,8 +124,7 @@ LatticeWindow::LatticeWindow(const LatticeMask& mask, const std::vector<LatticeP
 
 LatticeWindow LatticeWindow::closure(const LatticeMask& mask, const std::vector<LatticePoint>& start,
                                      std::size_t most_points) {
-  const std::set<LatticePoint> reached = reached_from(support_of(mask), mask.dilation(), start, most_points,
-                                                      std::nullopt);
+  const std::set<LatticePoint> reached = reached_from(Steps(mask), start, most_points, std::nullopt);
   LatticeWindow result;
   result.points_.assign(reached.begin(), reached.end());
   return result;
@@ -98,12 +136,16 @@ std::size_t LatticeWindow::place(const LatticePoint& point) const {
 }
 
 std::vector<LatticeSequence> transitions(const LatticeMask& mask, const LatticeSequence& v) {
+  const Lattice lattice(mask);
   const Dilation& dilation = mask.dilation();
   std::vector<LatticeSequence> result(dilation.digits().size());
-  for (const auto& term : mask.symbol().terms())
+  for (const LatticeMask::Term& term : mask.terms())
     for (const auto& [k, value] : v) {
-      const Dilation::Division at = dilation.divide(term.exponents + k);
-      result[at.digit][at.quotient] += term.coefficient * value;
+      if (lattice.component(k) != term.column) continue;
+      FixedPoint sum = lattice.fixed(term.exponents, term.row);
+      for (std::size_t c = 0; c < dilation.variables(); ++c) sum[c] += k[c];
+      Dilation::Division at = lattice.divide(dilation, sum);
+      result[at.digit][std::move(at.quotient)] += term.coefficient * value;
     }
   for (LatticeSequence& sequence : result) std::erase_if(sequence, [](const auto& entry) { return entry.second == 0; });
   return result;
@@ -149,6 +191,18 @@ std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int ord
   std::vector<LatticePoint> axes(variables, LatticePoint(variables, 0));
   for (std::size_t v = 0; v < variables; ++v) axes[v][v] = 1;
   return differences_of_delta(axes, order);
+}
+
+LatticeSequence convolution(const LatticeSequence& a, const LatticeSequence& x) {
+  LatticeSequence result;
+  for (const auto& [i, factor] : a)
+    for (const auto& [k, value] : x) {
+      LatticePoint sum = k;
+      for (std::size_t v = 0; v < i.size(); ++v) sum[v] += i[v];
+      result[std::move(sum)] += factor * value;
+    }
+  std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
+  return result;
 }
 
 }  // namespace subcert

@@ -11,7 +11,8 @@
 
 namespace subcert {
 
-/// A sequence of finite support. Canonical: no value is 0.
+/// A sequence of finite support. Canonical: no value is 0. Where a mask has r > 1 components its sequences have vectors
+/// of r numbers: the component, from 0, is a last coordinate of the point.
 using LatticeSequence = std::map<LatticePoint, Rational>;
 
 /// The indices that matter for a mask: every T_d v is supported there where v is.
@@ -53,5 +54,8 @@ MatrixFamily transition_family(const LatticeMask& mask, const std::vector<Lattic
 /// exponents_of_degree; along the axes.
 std::vector<LatticeSequence> differences_of_delta(const std::vector<LatticePoint>& directions, int order);
 std::vector<LatticeSequence> differences_of_delta(std::size_t variables, int order);
+
+/// sum over i of a_i x_{k - i}, for numbers a_i and a sequence of numbers or vectors.
+LatticeSequence convolution(const LatticeSequence& a, const LatticeSequence& x);
 
 }  // namespace subcert

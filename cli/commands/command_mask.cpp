@@ -1,5 +1,6 @@
 // subcert mask SCHEME
 
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
@@ -14,6 +15,8 @@ struct MaskOptions : CommonOptions {
 
 void print(const Scheme& scheme, const MaskOptions& options) {
   require_one_form(options, options.form);
+  if (options.form.latex && scheme.form)
+    fail(ErrorKind::usage, "--latex: need a mask of numbers, got {}", scheme.specification);
   if (options.form.latex) return options.answer(mask_formulas(scheme));
   const Dilation& dilation = scheme.mask.dilation();
   const bool multiple = dilation.factor().value_or(0) > 0;
@@ -41,10 +44,10 @@ void print(const Scheme& scheme, const MaskOptions& options) {
 void add_mask(Command& app) {
   auto options = std::make_shared<MaskOptions>();
   Command command = add_command(app, "mask", "The exact mask of a scheme", "subcert mask primal:n=3", options, [=] {
-    print(make_linear_scheme(options->scheme), *options);
+    print(make_refinable_scheme(options->scheme), *options);
     return done;
   });
-  add_scheme(command, options->scheme, true);
+  add_scheme(command, options->scheme, true, true);
   add_paper_form(command, options->form, "Mask and symbol as formulas of LaTeX");
 }
 

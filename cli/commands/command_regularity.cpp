@@ -6,6 +6,8 @@
 #include <subcert/cli/width.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 
+#include <fmt/format.h>
+
 namespace subcert::cli {
 namespace {
 
@@ -16,6 +18,7 @@ struct RegularityCommandOptions : SearchOptions {
   std::string certificate;
   std::string method = "radius";
   int levels = 16;
+  int component = 0;
   PaperForm form;
 };
 
@@ -67,16 +70,23 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   require_one_form(options, options.form);
   if (options.method == "frequency") return by_frequency(options);
   const WantedWidth wanted = wanted_width(options);
-  const Scheme scheme = make_linear_scheme(options.scheme);
+  const Scheme scheme = make_refinable_scheme(options.scheme);
   const LatticeMask& mask = scheme.mask;
-  const bool curve = mask.dimension() == 1;
+  const bool curve = mask.factors().size() == 1;
   const Stopwatch watch;
   options.progress(curve ? "norms, products and polytopes" : "products and polytopes");
   std::optional<SobolevRegularity> sobolev;
   if (curve && is_affine(mask.curve()) && !scheme.rounding)  // otherwise the exponent says so
     sobolev = sobolev_if_small(mask.curve(), budget.deadline.after(sobolev_share).later(1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  const RegularityOptions how{wanted.bits, options.levels, proof, scheme.rounding};
+  RegularityOptions how{wanted.bits, options.levels, proof, scheme.rounding, scheme.quadratic};
+  if (options.component > 0) {
+    if (options.component > static_cast<int>(mask.components()) || mask.components() == 1)
+      fail(ErrorKind::usage, "--component: need {}, got {}",
+           mask.components() == 1 ? "a mask of matrices" : fmt::format("1 to {}", mask.components()),
+           options.component);
+    how.component = options.component - 1;
+  }
   const Regularity found = regularity_of(mask, budget, how);
   const bool complete = found.is_closed() && wanted.holds(found.exponent());
   const Facts list = regularity_facts(scheme, found, sobolev, {watch.seconds(), wanted.digits, complete});
@@ -93,8 +103,10 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
         latex_of(scheme.specification, proved_exponent(found), found.converges(), exponent_formula(scheme, found)),
         certificate.text(found.exact().is_yes()));
   certificate.failure.raise();
-  if (found.converges().is_no()) return failed;
-  return found.converges().is_yes() && complete ? done : undecided;
+  const Decision& limits = found.surface && found.surface->vector ? found.surface->vector->continuous
+                                                                  : found.converges();
+  if (limits.is_no()) return failed;
+  return limits.is_yes() && complete ? done : undecided;
 }
 
 }  // namespace
@@ -116,8 +128,10 @@ void add_regularity(Command& app) {
           "once, for curves of any size")
       .one_of({"radius", "frequency"})
       .with_default();
+  command.option("--component", options->component, "Of a vector of functions the exponent of this one alone")
+      .within(1, 64);
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
-  add_scheme(command, options->scheme, true);
+  add_scheme(command, options->scheme, true, true);
   add_paper_form(command, options->form, "The exponent as a formula of LaTeX", "All facts as a table in Markdown");
 }
 

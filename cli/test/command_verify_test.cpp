@@ -189,6 +189,29 @@ TEST_CASE("the certificate of a surface is verified by its claim line") {
   }
 }
 
+TEST_CASE("the exponent of a vector of functions has a certificate") {
+  const Folder folder;
+  const std::string file = folder / "file.cert", hermite = "[[[4,6],[-1,-1]],[[8,0],[0,4]],[[4,-6],[1,-1]]]/8@-1",
+                    of_scheme = "[[[4,-1],[6,-1]],[[8,0],[0,4]],[[4,1],[-6,-1]]]/8@-1";
+  const auto asked = [&](const std::string& claim) { return run("verify " + file + " --claim '" + claim + "'"); };
+  CHECK(run("regularity 'refinable:" + hermite + "' --certificate " + file).code == 0);
+  const std::string proved = ": VERIFIED 2 <= Hoelder exponent <= 2 of the refinable functions of " + hermite +
+                             " with dilation [2]\n";
+  CHECK(run("verify " + file).out == file + proved);
+  CHECK(
+      run("verify --print-claim " + file).out.starts_with("--refinable '" + hermite + "' --dilation '[2]' --lower 2"));
+  for (const std::string& scheme : {"refinable:" + hermite, "vector:" + of_scheme, "hermite:" + of_scheme})
+    CHECK(asked("2 <= " + scheme + " <= 2").out == file + proved);
+  CHECK(asked("2.1 <= refinable:" + hermite).code == 1);
+  CHECK(asked("2 <= refinable:" + hermite + " <= 1.9").code == 1);
+  CHECK(asked("2 <= refinable:" + of_scheme).code == 1);
+  // One function of them, and a space of solutions.
+  CHECK(run("regularity 'refinable:" + hermite + "' --component 2 --certificate " + file)
+            .out.find("about the worst of them") != std::string::npos);
+  CHECK(run("regularity 'refinable:[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1' --certificate " + file)
+            .out.find("the only one up to a factor, got up to 2") != std::string::npos);
+}
+
 TEST_CASE("a certificate is asked for the claim that is stated") {
   const Folder folder;
   const std::string file = folder / "file.cert";

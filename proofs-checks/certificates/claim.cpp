@@ -63,8 +63,10 @@ ClaimSubject stated_subject(const std::string& subject) {
                        with_letter(family, trimmed(subject.substr(at + range.size())))};
   }
   if (is_l1_specification(subject)) return l1_subject(subject);
-  const Scheme scheme = make_linear_scheme(subject);
-  if (scheme.mask.dimension() > 1) return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text()};
+  const Scheme scheme = make_refinable_scheme(subject);
+  const bool is_refinable = scheme.mask.components() > 1;
+  if (scheme.mask.dimension() > 1 || is_refinable)
+    return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text(), is_refinable};
   if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
   return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};
@@ -99,7 +101,9 @@ struct SubjectLine {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
     return fmt::format("exponent {} {}{}{}", of.mask, of.arity, more.empty() ? "" : " ", more);
   }
-  std::string operator()(const SurfaceSubject& of) const { return fmt::format("surface {} {}", of.mask, of.dilation); }
+  std::string operator()(const SurfaceSubject& of) const {
+    return fmt::format("{} {} {}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation);
+  }
   std::string operator()(const FamilySubject& of) const {
     return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
   }
@@ -116,10 +120,10 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   const bool rounded = more.starts_with(within);
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, more.substr(within.size())};
   if (kind == "exponent") return MaskSubject{first, second, more};
-  if (kind == "surface") return SurfaceSubject{first, second};
+  if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
-  fail(ErrorKind::data, "{}, line 2: expected exponent, surface, radius, subradius or l1", file);
+  fail(ErrorKind::data, "{}, line 2: expected exponent, surface, refinable, radius, subradius or l1", file);
 }
 
 /// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of
@@ -141,7 +145,7 @@ struct SubjectArguments {
     return arguments;
   }
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
-    return {"--surface", of.mask, "--dilation", of.dilation};
+    return {of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation", of.dilation};
   }
   std::vector<std::string> operator()(const FamilySubject& of) const {
     return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};

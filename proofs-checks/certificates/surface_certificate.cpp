@@ -13,7 +13,12 @@ namespace {
 
 using namespace certificate_text;
 
-std::string point_text(const LatticePoint& point) { return fmt::format("{}", fmt::join(point, ",")); }
+/// Of a sequence of vectors the component is one more coordinate.
+std::string point_text(const LatticePoint& point, std::size_t variables) {
+  const auto end = point.begin() + static_cast<std::ptrdiff_t>(variables);
+  std::string text = fmt::format("{}", fmt::join(point.begin(), end, ","));
+  return end == point.end() ? text : fmt::format("{}.{}", text, *end);
+}
 
 Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
   Integer common = 1;
@@ -23,10 +28,11 @@ Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
 }
 
 /// The sequences times a factor; the point `first` leads, if it is one of them.
-std::string terms_text(const LatticeSequence& sequence, const Rational& factor, const LatticePoint& first = {}) {
+std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
+                       const LatticePoint& first = {}) {
   std::string text;
   const auto append = [&](const LatticePoint& point, const Rational& value) {
-    text += " " + point_text(point) + ":" + to_text(Rational(factor * value));
+    text += " " + point_text(point, variables) + ":" + to_text(Rational(factor * value));
   };
   if (const auto at = sequence.find(first); at != sequence.end()) append(first, at->second);
   for (const auto& [point, value] : sequence)
@@ -39,7 +45,7 @@ std::string vectors_text(const DifferenceSpace& space) {
   std::string text = fmt::format("space {}\n", space.basis.size());
   const Rational factor = common_denominator(space.basis);
   for (std::size_t c = 0; c < space.basis.size(); ++c)
-    text += "vector" + terms_text(space.basis[c], factor, space.pivots[c]);
+    text += "vector" + terms_text(space.basis[c], factor, space.dilation.variables(), space.pivots[c]);
   return text;
 }
 
@@ -48,9 +54,10 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
   if (space.dilation.rows() != dilation.rows()) text += fmt::format("turned {}\n", space.dilation.to_text());
   text += "digits";
-  for (const LatticePoint& digit : space.dilation.digits()) text += " " + point_text(digit);
+  for (const LatticePoint& digit : space.dilation.digits()) text += " " + point_text(digit, digit.size());
   text += "\n";
-  if (space.is_of_values()) text += "values" + terms_text(space.values, common_denominator({space.values}));
+  if (space.is_of_values())
+    text += "values" + terms_text(space.values, common_denominator({space.values}), dilation.variables());
   return text + vectors_text(space);
 }
 
@@ -67,7 +74,7 @@ std::string gram_text(const LatticeSequence& gram) {
   LatticeSequence half;
   for (const auto& [point, value] : gram)
     if (LatticePoint(point.size(), 0) - point <= point) half.emplace(point, value);
-  return "gram" + terms_text(half, common_denominator({half}));
+  return "gram" + terms_text(half, common_denominator({half}), gram.begin()->first.size());
 }
 
 }  // namespace
@@ -79,7 +86,11 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
   const DifferenceSpace& space = *regularity.space;
-  require(!space.is_of_values() || regularity.shrinking,
+  const FunctionVector* vector = regularity.vector ? &*regularity.vector : nullptr;
+  require(!vector || vector->solutions == 1,
+          "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
+          vector ? vector->solutions : 0);
+  require(!space.is_of_values() || vector || regularity.shrinking,
           "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone (with a "
           "longer budget a proof may be found)");
   const auto exponent = [&](const ExactRadius& exact) {
@@ -92,9 +103,11 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const std::optional<Rational>&lower = ends.lower, &upper = ends.upper;
   require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
+  require(!vector || vector->components.size() == mask.components(),
+          "certificate: that of a vector of functions is about the worst of them, not about one that is chosen");
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
   const ExactRadius exact = tells_upper_end ? exact_radius(radius) : ExactRadius{};
-  Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text()}}, {}};
+  Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr}}, {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
   certificate.bounds = {outward(*lower, Rounding::down), certificate.claim.upper};
@@ -105,7 +118,7 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   if (tells_upper_end) text += product_text(space.family, radius);
   certificate.sections.push_back({std::move(text)});
   add_sections(certificate, radius.proof, space.family.count(), exact.blocks);
-  if (space.is_of_values()) add_shrinking(certificate, *regularity.shrinking);
+  if (space.is_of_values() && !vector) add_shrinking(certificate, *regularity.shrinking);
   return certificate;
 }
 

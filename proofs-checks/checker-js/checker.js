@@ -248,13 +248,14 @@ var check_certificate = (() => {
 
   // ---- Section 1: masks ---------------------------------------------------------------------------------------------
   const mask_form = 'a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first';
-  function mask_parts(text) {  // the coefficients of nested lists, the first variable innermost
+  // The numbers of nested lists, the first variable innermost, but for the `inner` lists of a coefficient
+  function mask_parts(text, inner = 0) {
     const end = text.lastIndexOf(']') + 1, lists = text.slice(0, end), at = (text + '@').indexOf('@', end);
     const by = text.slice(end, at), sizes = [], first = at < text.length ? text.slice(at + 1) : undefined;
     let depth = 0;
     while (text[depth] === '[') ++depth;
     demand(!by || by[0] === '/', mask_form);
-    demand(depth && depth <= 3 && lists.endsWith(']'.repeat(depth)), mask_form);
+    demand(depth > inner && depth <= 3 + inner && lists.endsWith(']'.repeat(depth)), mask_form);
     const split = (body, d) => {
       const pieces = body.split(']'.repeat(d - 1) + ',' + '['.repeat(d - 1));
       demand((sizes[d - 1] = sizes[d - 1] || pieces.length) === pieces.length, 'lists of different lengths in a mask');
@@ -394,19 +395,23 @@ var check_certificate = (() => {
 
   // ---- 4.3, 6.3, section 7: stability -------------------------------------------------------------------------------
   const divides = (x, y) => y % x === 0;
-  function cyclotomic_orders(arity, degree) {  // n = k A, k >= 2 coprime to A, phi(n) <= degree < 1000, with its primes
-    return range_of(6 * (degree + 1)).filter(n => n >= 2 * arity && divides(arity, n)).map(n => {
-      const primes = [];
-      let rest = n, phi = n;
-      for (let p = 2; rest > 1; p = p * p > rest ? rest : p + 1) {
-        if (!divides(p, rest)) continue;
-        primes.push(p);
-        phi = phi / p * (p - 1);
-        while (divides(p, rest)) rest /= p;
-      }
-      const coprime = primes.every(p => !(divides(p, arity) && divides(p, n / arity)));
-      return {n, primes, matters: coprime && phi <= degree};
-    }).filter(order => order.matters);
+  function with_primes(n) {
+    const primes = [];
+    let rest = n, phi = n;
+    for (let p = 2; rest > 1; p = p * p > rest ? rest : p + 1) {
+      if (!divides(p, rest)) continue;
+      primes.push(p);
+      phi = phi / p * (p - 1);
+      while (divides(p, rest)) rest /= p;
+    }
+    return {n, primes, phi};
+  }
+  function cyclotomic_orders(arity, degree) {  // for each k >= 2 coprime to A with phi(kA) <= degree < 1000: the kd, d | A
+    const divisors = range_of(arity + 1).filter(d => d > 1 && divides(d, arity));
+    const orders = range_of(6 * (degree + 1)).filter(n => n >= 2 * arity && divides(arity, n)).map(with_primes);
+    return orders.filter(({n, primes, phi}) =>
+      phi <= degree && primes.every(p => !(divides(p, arity) && divides(p, n / arity)))
+    ).map(({n}) => divisors.map(d => with_primes(n / arity * d)));
   }
   function cyclotomic_remainder(packed, {n, primes}, width) {  // a(z) prod_q (1 - z^(n/q)) modulo z^n - 1, packed
     const size = n * width;
@@ -423,16 +428,20 @@ var check_certificate = (() => {
     if (degree || rounding) check_resultant(curve, interval, rounding);
     else check_common_divisor(curve);
     const packed = transpose(a).map(numbers => pack(numbers, width));
-    for (const order of cyclotomic_orders(curve.arity, top)) {
-      const what = `stability: the remainder modulo Phi_${order.n}`;
-      const parts = packed.map(x => cyclotomic_remainder(x, order, width));
-      if (!interval && !rounding) demand(parts[0], `${what} is not positive`);
+    for (const orders of cyclotomic_orders(curve.arity, top)) {
+      const what = `stability: the remainder modulo Phi_${orders.at(-1).n}`;
+      const parts = packed.map(x => orders.map(order => cyclotomic_remainder(x, order, width)));
+      if (!interval && !rounding) demand(parts[0].some(x => x), `${what} is not positive`);
       else {
-        const squares = squares_of(transpose(parts.map(x => unpack(x, width, order.n))));
+        const numbers = parts.map(part => part.flatMap((x, i) => unpack(x, width, orders[i].n)));
+        const squares = squares_of(transpose(numbers));
         if (interval) show_positive(form_of(squares, interval, 2 * degree), what);
         if (!rounding) continue;
-        const change = times(rounding.eps, BigInt(top + 1) * q[0] << BigInt(order.primes.length));
-        demand(less(times(order.n, times(change, change)), squares[0]), `${what} is not positive`);
+        const changes = orders.map(({n, primes}) => {
+          const change = times(rounding.eps, BigInt(top + 1) * q[0] << BigInt(primes.length));
+          return times(n, times(change, change));
+        });
+        demand(less(changes.reduce((x, y) => plus(x, y)), squares[0]), `${what} is not positive`);
       }
     }
   }
@@ -1818,7 +1827,8 @@ var check_certificate = (() => {
   }
 
   // ---- Section 5: several variables ---------------------------------------------------------------------------------
-  // Points are arrays of small integers; a sequence is a Map of the text of a point to [point, value], without zeros.
+  // Points are arrays of small integers; a sequence is a Map of the text of a point to [point, value], without zeros. Of
+  // sequences of vectors (5.9) the component is one more coordinate, of masks of matrices the row and the column are two.
   const point_bits = 4096;  // of memory, for a point and its value
   const minor = (m, i, j) => m.filter((_, r) => r !== i).map(row => row.filter((_, c) => c !== j));
   const small_determinant = m =>
@@ -1849,36 +1859,44 @@ var check_certificate = (() => {
     demand(parts.length === dimension, 'a point with another number of coordinates');
     return parts.map(integer).map(coordinate);
   }
-  function read_sequence(fields, dimension) {
+  function read_place(text, dimension, components) {
+    if (!components) return read_point(text, dimension);
+    const parts = text.split('.');
+    demand(parts.length === 2, 'a point of a sequence of vectors is POINT.COMPONENT');
+    return [...read_point(parts[0], dimension), small(parts[1], 0, components - 1)];
+  }
+  function read_sequence(fields, dimension, components) {
     const result = new Map();
     for (const field of fields) {
       const [point, token, more] = field.split(':');
       demand(token !== undefined && more === undefined, 'a term is POINT:INTEGER');
-      const p = read_point(point, dimension), value = integer(token);
+      const p = read_place(point, dimension, components), value = integer(token);
       demand(value, 'a coefficient is 0');
       demand(!result.has(String(p)), 'a point occurs twice');
       add(result, p, value);
     }
     return result;
   }
-  function read_surface(text) {
-    const {depth, sizes, coefficients, den: by, first} = mask_parts(text);
-    const divisor = by === undefined ? 1n : integer(by);
+  function read_surface(text, of_matrices) {
+    const inner = of_matrices ? 2 : 0, {depth, sizes, coefficients, den: by, first} = mask_parts(text, inner);
+    const divisor = by === undefined ? 1n : integer(by), dimension = depth - inner, components = of_matrices ? sizes[0] : 0;
     demand(coefficients.length <= 10000, 'a mask with too many coefficients');
-    demand(!first || first.length === depth, mask_form);
+    demand(!of_matrices || sizes[1] === components, 'a coefficient of a mask is no square matrix');
+    demand(!first || first.length === dimension, mask_form);
     demand(divisor > 0n, 'a denominator must be positive');
     const {den, numbers} = common(coefficients.map(c => reduced(over(rational(c), divisor))));
-    return {depth, sizes, den, numbers, first: first || Array(depth).fill(0n)};
+    return {dimension, sizes: sizes.slice(inner), components, den, numbers, first: first || Array(dimension).fill(0n)};
   }
-  function mask_sequence({sizes, numbers, first}) {
-    const result = new Map();
+  function mask_sequence({sizes, components, numbers, first}) {
+    const result = new Map(), entries = components ** 2 || 1;
     numbers.forEach((value, i) => {
-      let rest = i;
-      add(result, sizes.map((size, v) => {
+      const entry = i % entries, column = entry % components;
+      let rest = (i - entry) / entries;
+      add(result, [...sizes.map((size, v) => {
         const x = rest % size;
         rest = (rest - x) / size;
         return x + coordinate(first[v]);
-      }), value);
+      }), ...(components ? [(entry - column) / components, column] : [])], value);
     });
     return result;
   }
@@ -1926,22 +1944,24 @@ var check_certificate = (() => {
       [this.mask, this.M, this.digits, this.det, this.adjugate] = [mask, M, digits, small_determinant(M), adjugate(M)];
       [this.classes, this.size] = [new Map(), bits(largest(values_of(mask)))];
       for (const entry of mask.values()) {
-        const key = this.class_of(entry[0]);
+        const key = this.key_of(entry[0], entry[0].slice(M.length + 1));
         if (!this.classes.has(key)) this.classes.set(key, []);
         this.classes.get(key).push(entry);
       }
     }
+    key_of(point, column) { return `${this.class_of(point)}.${column}`; }  // of coefficients: their class, and a column
     class_of(point) {
       const D = Math.abs(this.det);
       return String(times_point(this.adjugate, point).map(x => (x % D + D) % D));
     }
     divide(point) { return times_point(this.adjugate, point).map(x => x / this.det || 0); }  // M^(-1) point
     apply(t, v) {
-      const result = new Map();
+      const result = new Map(), n = t.length;
       for (const [k, value] of v.values()) {
-        const from = this.classes.get(this.class_of(add_points(t, k, -1))) || [];
+        const from = this.classes.get(this.key_of(add_points(t, k, -1), k.slice(n))) || [];
         spend(4 * from.length + 4, this.size, bits(value));
-        for (const [i, c] of from) add(result, this.divide(add_points(add_points(i, k), t, -1)), c * value);
+        for (const [i, c] of from)
+          add(result, [...this.divide(add_points(add_points(t, i, -1), k, -1).map(x => -x)), ...i.slice(n, -1)], c * value);
       }
       return result;
     }
@@ -2018,11 +2038,11 @@ var check_certificate = (() => {
       return result;
     });
   }
-  function read_space(reader, dimension) {
+  function read_space(reader, dimension, components) {
     const count = small(reader.read('space', 1)[0], 1, 256), vectors = [], holders = new Map();
     let memory = 0;
     for (let n = 0; n < count; ++n) {
-      const v = read_sequence(reader.read('vector', 1, 2 ** 24), dimension), pivot = v.values().next().value[1];
+      const v = read_sequence(reader.read('vector', 1, 2 ** 24), dimension, components), pivot = v.values().next().value[1];
       demand(pivot > 0n, 'the first coefficient of a vector must be positive');
       demand(!n || vectors[0].values().next().value[1] === pivot, 'the first coefficients of two vectors differ');
       allow_bits(memory += v.size * point_bits);
@@ -2121,21 +2141,75 @@ var check_certificate = (() => {
   }
   const lead_into = (vectors, start, transition) =>  // (iii): the number of letters that words need
     long_words(start, vectors.map(row => ({key: first_key(row), row})), transition).steps;
-  function read_values(reader, transition, order, den, spanned) {  // 5.6: the space of the differences of phi
+  // 5.6: the space of the differences of phi; 5.9 where phi has components
+  function read_values(reader, transition, order, den, spanned, components) {
     const dimension = transition.M.length;
-    check_sum_rules(transition, 1, den);
-    const values = read_sequence(reader.read('values', 1, 2 ** 24), dimension);
-    demand(sum(values_of(values)), 'the numbers of the values line have the sum 0');
+    if (!components) check_sum_rules(transition, 1, den);
+    const values = read_sequence(reader.read('values', 1, 2 ** 24), dimension, components);
+    demand(components || sum(values_of(values)), 'the numbers of the values line have the sum 0');
     demand(is_multiple(transition.apply(transition.digits[0], values), values, den),
            'the values line is not fixed by the operator of the first digit');
-    const vectors = read_space(reader, dimension), family = space_family(vectors, transition, den);
+    if (components) check_unique(transition, den, components);
+    const vectors = read_space(reader, dimension, components), family = space_family(vectors, transition, den);
     const start = differences(values, order, dimension), steps = lead_into(vectors, start, transition);
     const rank = () => long_words(start, [], transition, steps, 2n ** 32n - 5n).basis.length;
     demand(!spanned || rank() === vectors.length, 'the differences do not span the space');
     return family;
   }
+  // 5.9: no coordinate of a point j is larger in modulus if a solution of compact support does not vanish at x' + j
+  function reach({mask, M, adjugate: of_inverse, det, digits}, components) {
+    const farthest = Math.max(...[...mask.values()].flatMap(([k]) => add_points(digits[0], k, -1).map(Math.abs)));
+    const inverse = of_inverse.map(row => row.map(BigInt)), D = abs(BigInt(det));
+    let power_of = identity(M.length), scale = 1n, size = fraction(1n), total = fraction(0n);
+    while (less(fraction(1n, 2n), size)) {
+      [power_of, scale] = [multiply(inverse, power_of), scale * D];
+      size = fraction(row_norm(power_of), scale);
+      total = plus(total, size);
+    }
+    const R = ceil_div(2n * BigInt(farthest) * total.n, total.d);
+    demand((2n * R + 1n) ** BigInt(M.length) * BigInt(components) <= 2n ** 20n, too_much_work);
+    return Number(R);
+  }
+  // The places [j, component] that may not vanish in v(x' + M^(-n) e) for all large n, for each e
+  function inner_places(transition, components) {
+    const {mask, M, digits} = transition, dimension = M.length, ones = x => new Map([...x].map(([key, [p]]) => [key, [p, 1n]]));
+    const pattern = new Transition(ones(mask), M, digits), back = x => ones(pattern.apply(digits[0], x));
+    const same = (x, y) => is_multiple(x, y, 1n), radius = reach(transition, components), most = 1000;
+    const side = 2 * radius + 1;
+    let all = new Map();
+    for (let i = 0; i < side ** dimension * components; ++i) {
+      const component = i % components, point = [];
+      for (let rest = (i - component) / components; point.length < dimension; rest = Math.floor(rest / side))
+        point.push(rest % side - radius);
+      add(all, [...point, component], 1n);
+    }
+    for (let steps = 0, next; !same(next = back(all), all); ++steps, all = next) demand(steps < most, too_much_work);
+    let inner = all;
+    for (let v = 0; v < 2 * dimension; ++v) {
+      const moved = new Map(), seen = [moved];
+      for (const [p] of all.values()) add(moved, p.map((x, i) => i === v >> 1 ? x + (v % 2 ? 1 : -1) : x), 1n);
+      let again = -1;
+      for (let next; again < 0;) {
+        next = back(seen[seen.length - 1]);
+        again = seen.findIndex(x => same(x, next));
+        if (again < 0) seen.push(next);
+        demand(seen.length <= most, too_much_work);
+      }
+      inner = new Map([...inner].filter(([key]) => seen.slice(again).every(x => x.has(key))));
+    }
+    return inner;
+  }
+  function check_unique(transition, den, components) {  // all continuous solutions are multiples of one
+    const inner = inner_places(transition, components), span = new Span([], 2n ** 32n - 5n);
+    const images = [...inner].map(([key, entry]) => {
+      const image = transition.apply(transition.digits[0], new Map([[key, entry]]));
+      add(image, entry[0], -den);
+      return span.extend(image);
+    });
+    demand(images.filter(x => !x).length <= 1, 'the refinement equation may have several continuous solutions');
+  }
   function check_surface(reader, {lower, upper, surface, dilation, exact}) {
-    const dimension = surface.depth, by_values = reader.peek() === 'differences', {den} = surface;
+    const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
     const order = order_in_space(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0]);
     check_ends(lower, upper, 1);
     demand(!by_values || !lower || !less(order, lower), 'the lower end is above the order of the differences');
@@ -2144,14 +2218,14 @@ var check_certificate = (() => {
     check_exponent(exact, 0, 1n, dimension, least);
     const mask = mask_sequence(surface);
     demand(mask.size, 'all coefficients of the mask are 0');
-    const turned = reader.peek() === 'turned', M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
+    const turned = !components && reader.peek() === 'turned', M = turned ? read_dilation(reader.read('turned', 1)[0]) : dilation;
     if (turned) check_turned(M, dilation, mask);
     const D = Math.abs(small_determinant(M)), base = BigInt(D);
     demand(D <= 64, 'a dilation with too large a determinant');
     const digits = reader.read('digits', D).map(token => read_point(token, dimension));
     const transition = new Transition(mask, M, digits), both = upper || exact;
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
-    const family = by_values ? read_values(reader, transition, order, den, both)
+    const family = by_values ? read_values(reader, transition, order, den, both, components)
       : read_differences(reader, transition, order, den);
     if (!by_values && (both || reader.peek() === 'gram')) check_gram(reader, transition, den);
     const within = lower && at_most(power_below(base, minus(0n, lower)), false);
@@ -2163,7 +2237,7 @@ var check_certificate = (() => {
         reached(power(radius, dimension), length);
       }),
     }, {exact});
-    if (!by_values) return;
+    if (!by_values || components) return;
     const rules = order_in_space(reader.read('sum-rules', 1)[0]);  // 5.6: the scheme converges
     prove(reader, read_differences(reader, transition, rules, den), {below: at_most(fraction(1n), true)});
   }
@@ -2447,6 +2521,8 @@ var check_certificate = (() => {
                      within EPS of MASK that have M sum rules)
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
+       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
+                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to a factor)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
        subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
@@ -2460,7 +2536,7 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'within', 'surface', 'dilation', 'matrices', 'subradius', 'l1',
+    const names = ['mask', 'arity', 'for', 'within', 'surface', 'refinable', 'dilation', 'matrices', 'subradius', 'l1',
                    'contraction', 'lower', 'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
@@ -2473,14 +2549,14 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
-    const curve = has('mask', 'arity') && none('surface', 'dilation', 'matrices', 'subradius') &&
+    const curve = has('mask', 'arity') && none('surface', 'refinable', 'dilation', 'matrices', 'subradius') &&
       !(has('for') && has('within')) &&
       (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && some('for', 'within')) && !(has('logarithm') && none('exact'));
-    const surface = has('surface', 'dilation') && some('lower', 'exact') && !rough &&
+    const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'surface', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
@@ -2499,9 +2575,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     if (rough) claim.rough = small(options.upper.slice(1), 1, 500);
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
     if (kind === check_surface) {
-      [claim.surface, claim.dilation] = [read_surface(options.surface), read_dilation(options.dilation)];
-      demand(claim.surface.depth === claim.dilation.length, 'mask and dilation have different numbers of variables');
-      claim.head = `surface ${options.surface} ${options.dilation}`;
+      const kind_of = options.surface === undefined ? 'refinable' : 'surface', text = options[kind_of];
+      [claim.surface, claim.dilation] = [read_surface(text, kind_of === 'refinable'), read_dilation(options.dilation)];
+      demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
+      claim.head = `${kind_of} ${text} ${options.dilation}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
       const letter = options.for === undefined ? null : read_range(options.for, claim);
@@ -2553,8 +2630,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     if (!lower && interval && upper) what = `no convergence, or ${what}`;
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
-    const subject = of_family ? of_family.file : options.surface !== undefined
-      ? `${options.surface} with dilation ${options.dilation}` : `${options.mask} with arity ${options.arity}`;
+    const mask = options.refinable === undefined ? options.surface : `the refinable functions of ${options.refinable}`;
+    const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}`
+      : `${options.mask} with arity ${options.arity}`;
     return `${ends} of ${subject}` + (interval ? ` for all ${options.for}` : '') +
       (options.within ? ` for all masks within=${options.within}` : '');
   }

@@ -169,7 +169,7 @@ class Checker {
 
   /// The transition matrices of the mask, and what is to be shown of them.
   Family read_scheme(const Mask& mask) {
-    const bool of_values = claim_.dilation && reader_.at("differences");
+    const bool of_values = claim_.dilation && (mask.components > 0 || reader_.at("differences"));
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);
     const bool full = order.size() > 1, is_word_full = full && order[1] == "full";

@@ -15,6 +15,10 @@ const char* const usage =
     "                     within EPS of MASK that have M sum rules)\n"
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
+    "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
+    "                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to "
+    "a "
+    "factor)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
     "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE\n"
@@ -35,8 +39,8 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask", "--arity", "--for", "--within", "--surface", "--dilation", "--matrices", "--subradius", "--l1",
-        "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+       {"--mask", "--arity", "--for", "--within", "--surface", "--refinable", "--dilation", "--matrices", "--subradius",
+        "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -47,9 +51,10 @@ Options read_options(const std::vector<std::string>& arguments) {
   return given;
 }
 
-/// The mask and its arity or its dilation.
-void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim) {
-  claim.mask = parse_mask(mask, claim.range ? claim.range->letter : '\0');
+/// The mask, of numbers or of matrices, and its arity or its dilation.
+void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
+                       bool of_matrices = false) {
+  claim.mask = of_matrices ? parse_matrix_mask(mask) : parse_mask(mask, claim.range ? claim.range->letter : '\0');
   const Vector& coefficients = claim.mask->coefficients;
   if (kind == "arity") {
     require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
@@ -61,9 +66,9 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
     require(claim.dilation->variables == claim.mask->sizes.size(),
             "mask and dilation have different numbers of variables");
   }
-  claim.head = (kind == "arity" ? "exponent " : "surface ") + mask + " " + scale;
+  claim.head = (of_matrices ? "refinable " : kind == "arity" ? "exponent " : "surface ") + mask + " " + scale;
   claim.text = "Hoelder exponent";
-  claim.subject = mask + " with " + kind + " " + scale;
+  claim.subject = (of_matrices ? "the refinable functions of " : "") + mask + " with " + kind + " " + scale;
 }
 
 /// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
@@ -110,15 +115,18 @@ std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool expo
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
-             &surface = given["--surface"], &dilation = given["--dilation"], &radius = given["--matrices"],
-             &subradius = given["--subradius"], &matrices = subradius ? subradius : radius, &lower = given["--lower"],
-             &upper = given["--upper"], &exact = given["--exact"], &logarithm = given["--logarithm"],
-             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
+             &scheme = given["--surface"], &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
+             &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
+             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
+             &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
+             &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
-  require(file && mask.has_value() + surface.has_value() + radius.has_value() + subradius.has_value() == 1 &&
-              mask.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-              (mask || !(range || rounding)) && !(range && rounding) && !(exact && (range || rounding)) &&
+  const int subjects = mask.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
+                       subradius.has_value();
+  require(file && subjects == 1 && mask.has_value() == arity.has_value() &&
+              surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
+              !(exact && (range || rounding)) &&
               (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
               (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
           usage);
@@ -135,7 +143,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (range) claim.range = parse_range(*range);
   if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
-  if (surface) read_scheme_claim("dilation", *surface, *dilation, claim);
+  if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
   if (matrices) {
     read(*matrices, 65, [&](Reader& reader) {
       const Fields fields = reader.take("matrices", 2, 2);

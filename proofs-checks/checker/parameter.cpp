@@ -160,24 +160,43 @@ Vector sum_of_squares(const std::vector<Vector>& forms, Arithmetic& arithmetic) 
   return squares;
 }
 
-/// Whether Phi_n can divide the symbol at a value: its product with all 1 - z^(n/q), q | n a prime, modulo z^n - 1.
-void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t n, const std::vector<std::size_t>& primes,
-                      const mpq_class& error, Arithmetic& arithmetic) {
+std::vector<std::size_t> primes_of(std::size_t n) {
+  std::vector<std::size_t> primes;
+  for (std::size_t q = 2; n > 1; ++q) {
+    if (n % q != 0) continue;
+    primes.push_back(q);
+    while (n % q == 0) n /= q;
+  }
+  return primes;
+}
+
+/// Whether all Phi_{kd}, d > 1 a divisor of the arity, can divide the symbol at one value: its products with all
+/// 1 - z^(n/q), q | n = kd a prime, modulo z^n - 1.
+void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t k, std::size_t arity, const mpq_class& error,
+                      Arithmetic& arithmetic) {
   const std::size_t points = forms.size() / (degree + 1);
-  arithmetic.spend((degree + 1) * (points + n * (primes.size() + degree)) * 50);
-  std::vector<Vector> rests;
-  for (std::size_t k = 0; k <= degree; ++k) {
-    Vector& rest = rests.emplace_back(n);
-    for (std::size_t i = 0; i < points; ++i) rest[i % n] += forms[k * points + i];
-    for (const std::size_t q : primes) {
-      const Vector old = rest;
-      for (std::size_t i = 0; i < n; ++i) rest[(i + n / q) % n] -= old[i];
+  std::vector<Vector> rests(degree + 1);
+  mpq_class off = 0;  // at least the sum of squares of what errors may change
+  for (std::size_t d = 2; d <= arity; ++d) {
+    if (arity % d != 0) continue;
+    const std::size_t n = k * d;
+    const std::vector<std::size_t> primes = primes_of(n);
+    arithmetic.spend((degree + 1) * (points + n * (primes.size() + degree)) * 50);
+    for (std::size_t power = 0; power <= degree; ++power) {
+      Vector rest(n);
+      for (std::size_t i = 0; i < points; ++i) rest[i % n] += forms[power * points + i];
+      for (const std::size_t q : primes) {
+        const Vector old = rest;
+        for (std::size_t i = 0; i < n; ++i) rest[(i + n / q) % n] -= old[i];
+      }
+      rests[power].insert(rests[power].end(), rest.begin(), rest.end());
     }
+    const mpq_class change = error * mpz_class(points) * (mpz_class(1) << primes.size());
+    off += change * change * mpz_class(n);
   }
   Vector squares = sum_of_squares(rests, arithmetic);
-  const mpq_class off = error * mpz_class(points) * (mpz_class(1) << primes.size());
-  if (error > 0) squares[0] = squares[0] > off * off * mpz_class(n) ? 1 : 0;
-  check_positive_form(squares, "stability: the remainder modulo Phi_" + std::to_string(n), arithmetic);
+  if (error > 0) squares[0] = squares[0] > off ? 1 : 0;
+  check_positive_form(squares, "stability: the remainder modulo Phi_" + std::to_string(k * arity), arithmetic);
 }
 
 /// The sums of products of two entries of two rows and two columns: the minors, or with +1 what is at least their
@@ -244,17 +263,11 @@ void check_stability(const Mask& mask, unsigned arity, const Range& range, const
     check_no_leading_factors(mask, arity);
   else
     check_resultant(forms, degree, arity, error, arithmetic);
-  for (std::size_t n = 2 * std::size_t{arity}; n < 6 * points; n += arity) {
-    if (std::gcd(n / arity, std::size_t{arity}) != 1) continue;
-    std::vector<std::size_t> primes;
-    std::size_t rest = n, totient = n;
-    for (std::size_t q = 2; rest > 1; ++q) {
-      if (rest % q != 0) continue;
-      primes.push_back(q);
-      totient -= totient / q;
-      while (rest % q == 0) rest /= q;
-    }
-    if (totient < points) check_cyclotomic(forms, degree, n, primes, error, arithmetic);
+  for (std::size_t k = 2; k * arity < 6 * points; ++k) {
+    if (std::gcd(k, std::size_t{arity}) != 1) continue;
+    std::size_t totient = k * arity;
+    for (const std::size_t q : primes_of(totient)) totient -= totient / q;
+    if (totient < points) check_cyclotomic(forms, degree, k, arity, error, arithmetic);
   }
 }
 

@@ -46,6 +46,53 @@ Rationals parse_polynomial(std::string_view text, char letter) {
   return coefficients;
 }
 
+/// `inner`: how many of the innermost lists belong to a coefficient.
+Mask parse_lists(std::string_view text, char letter, std::size_t inner, const char* expected) {
+  const std::size_t variables = std::min(text.find_first_not_of('['), text.size()), end = text.rfind(']') + 1;
+  require(variables > inner && variables <= 3 + inner && end >= 2 * variables, expected);
+  const Fields tail = split(text.substr(end), "@");
+  require(text.substr(end - variables, variables) == std::string(variables, ']') && tail.size() <= 2 &&
+              (tail[0].empty() || tail[0].starts_with('/')),
+          expected);
+  Mask mask{std::vector<std::size_t>(variables), Vector(variables - inner), 0, 1, {}, 1, {1}};
+  Fields lists{text.substr(variables, end - 2 * variables)};
+  for (std::size_t v = variables; v-- > 0;) {
+    Fields items;
+    for (const std::string_view list : lists) {
+      const Fields parts = split(list, std::string(v, ']') + "," + std::string(v, '['));
+      require(items.empty() || parts.size() == mask.sizes[v], "a list of a mask is longer than another");
+      mask.sizes[v] = parts.size();
+      items.insert(items.end(), parts.begin(), parts.end());
+    }
+    lists = items;
+  }
+  require(lists.size() <= max_coefficients, "a mask with too many coefficients");
+  const bool divided = letter != '\0' && tail[0].starts_with("/(") && tail[0].ends_with(')');
+  mpq_class scale = divided ? mpq_class(1) : parse_rational("1" + std::string(tail[0]));
+  if (divided) {
+    const Family divisor = clear_denominators(1, parse_polynomial(tail[0].substr(2, tail[0].size() - 3), letter));
+    mask.divisor = divisor.entries;
+    mask.powers = divisor.entries.size();
+    scale = divisor.denominator;
+  }
+  std::vector<Rationals> polynomials;
+  for (const std::string_view c : lists)
+    mask.powers = std::max(mask.powers, polynomials.emplace_back(parse_polynomial(c, letter)).size());
+  mask.divisor.resize(mask.powers);
+  Rationals values;
+  for (std::size_t k = 0; k < mask.powers; ++k)
+    for (const Rationals& c : polynomials) values.push_back(k < c.size() ? mpq_class(c[k] * scale) : mpq_class(0));
+  const Family cleared = clear_denominators(1, values);
+  mask.coefficients = cleared.entries;
+  mask.denominator = cleared.denominator;
+  if (tail.size() == 2) {
+    const Fields first = split(tail[1], ",");
+    require(first.size() == mask.first.size(), expected);
+    std::transform(first.begin(), first.end(), mask.first.begin(), parse_integer);
+  }
+  return mask;
+}
+
 }  // namespace
 
 bool is_nonnegative(const Vector& x) {
@@ -91,49 +138,16 @@ Family read_family(Reader& reader, const std::string& head, std::size_t count, s
 }
 
 Mask parse_mask(std::string_view text, char letter) {
-  constexpr const char* expected = "a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first";
-  const std::size_t variables = std::min(text.find_first_not_of('['), text.size()), end = text.rfind(']') + 1;
-  require(variables >= 1 && variables <= 3 && end >= 2 * variables, expected);
-  const Fields tail = split(text.substr(end), "@");
-  require(text.substr(end - variables, variables) == std::string(variables, ']') && tail.size() <= 2 &&
-              (tail[0].empty() || tail[0].starts_with('/')),
-          expected);
-  Mask mask{std::vector<std::size_t>(variables), Vector(variables), 1, {}, 1, {1}};
-  Fields lists{text.substr(variables, end - 2 * variables)};
-  for (std::size_t v = variables; v-- > 0;) {
-    Fields items;
-    for (const std::string_view list : lists) {
-      const Fields parts = split(list, std::string(v, ']') + "," + std::string(v, '['));
-      require(items.empty() || parts.size() == mask.sizes[v], "a list of a mask is longer than another");
-      mask.sizes[v] = parts.size();
-      items.insert(items.end(), parts.begin(), parts.end());
-    }
-    lists = items;
-  }
-  require(lists.size() <= max_coefficients, "a mask with too many coefficients");
-  const bool divided = letter != '\0' && tail[0].starts_with("/(") && tail[0].ends_with(')');
-  mpq_class scale = divided ? mpq_class(1) : parse_rational("1" + std::string(tail[0]));
-  if (divided) {
-    const Family divisor = clear_denominators(1, parse_polynomial(tail[0].substr(2, tail[0].size() - 3), letter));
-    mask.divisor = divisor.entries;
-    mask.powers = divisor.entries.size();
-    scale = divisor.denominator;
-  }
-  std::vector<Rationals> polynomials;
-  for (const std::string_view c : lists)
-    mask.powers = std::max(mask.powers, polynomials.emplace_back(parse_polynomial(c, letter)).size());
-  mask.divisor.resize(mask.powers);
-  Rationals values;
-  for (std::size_t k = 0; k < mask.powers; ++k)
-    for (const Rationals& c : polynomials) values.push_back(k < c.size() ? mpq_class(c[k] * scale) : mpq_class(0));
-  const Family cleared = clear_denominators(1, values);
-  mask.coefficients = cleared.entries;
-  mask.denominator = cleared.denominator;
-  if (tail.size() == 2) {
-    const Fields first = split(tail[1], ",");
-    require(first.size() == variables, expected);
-    std::transform(first.begin(), first.end(), mask.first.begin(), parse_integer);
-  }
+  return parse_lists(text, letter, 0,
+                     "a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first");
+}
+
+Mask parse_matrix_mask(std::string_view text) {
+  Mask mask = parse_lists(text, '\0', 2,
+                          "a mask of matrices is [[[a,b],[c,d]],...]/D@first: for each variable a list, then the rows");
+  mask.components = mask.sizes[0];
+  require(mask.sizes[1] == mask.components, "a coefficient of a mask is no square matrix");
+  mask.sizes.erase(mask.sizes.begin(), mask.sizes.begin() + 2);
   return mask;
 }
 

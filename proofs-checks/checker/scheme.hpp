@@ -28,9 +28,11 @@ Family read_family(Reader& reader, const std::string& head, std::size_t count, s
 
 /// Coefficients on a box of lattice points, the first variable running fastest, over one denominator > 0: the boxes of
 /// all powers of a parameter, one after another, from the power 0 on; all of that over a polynomial in the parameter.
+/// Each coefficient is a number, or a square matrix, row by row.
 struct Mask {
   std::vector<std::size_t> sizes;  // along the variables
   Vector first;                    // the lowest point
+  std::size_t components = 0;      // the size of the matrices, 0 for numbers
   std::size_t powers = 1;
   Vector coefficients;
   mpz_class denominator;
@@ -42,6 +44,9 @@ struct Mask {
 /// [c0,c1,...]/D@first, or nested lists, the last variable outermost, or [c0,c1,...]/(q)@first with a polynomial q in
 /// the parameter. `letter`: of the parameter, 0 where there is none.
 Mask parse_mask(std::string_view text, char letter);
+
+/// [[[1,0],[0,1]],...]/D@first: nested lists as above, with a matrix, row by row, in place of each number.
+Mask parse_matrix_mask(std::string_view text);
 
 /// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each
 /// matrix those of all powers, one after another.

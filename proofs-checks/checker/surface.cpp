@@ -9,27 +9,33 @@ namespace {
 
 constexpr unsigned long prime = 4'294'967'291;  // 2^32 - 5
 constexpr std::size_t max_classes = 64, max_space = 256, max_order = 64, max_rounds = 64;
+constexpr std::size_t max_steps = 1000, max_places = 1UL << 20;
 
 /// A vector of a basis; the vectors after it, and in the basis of the space all others, are 0 at its pivot.
 struct Row {
-  Point pivot;
+  Place pivot;
   Sequence values;
 };
 
-/// A mask and a dilation with what the certificate says of them. Coordinates on the space are read off at the pivots.
+/// A mask of numbers or of matrices and a dilation with what the certificate says of them. Sequences have numbers or
+/// vectors as their values. Coordinates on the space are read off at the pivots.
 class Surface {
  public:
   Surface(const Mask& mask, const Dilation& dilation, Reader& reader, Arithmetic& arithmetic)
       : dilation_(dilation),
+        of_vectors_(mask.components > 0),
+        components_(std::max<std::size_t>(mask.components, 1)),
         denominator_(mask.denominator),
         reader_(reader),
         arithmetic_(arithmetic),
         determinant_(determinant(dilation.rows)),
         adjugate_(adjugate(dilation.rows)) {
     Point point{};
-    for (const mpz_class& coefficient : mask.coefficients) {
-      if (coefficient != 0) entry(mask_, combine(point, 1, first_of(mask))) = coefficient;
-      for (std::size_t v = 0; v < mask.sizes.size(); ++v) {
+    const std::size_t entries = components_ * components_;
+    for (std::size_t k = 0; k < mask.coefficients.size(); ++k) {
+      if (const mpz_class& coefficient = mask.coefficients[k]; coefficient != 0)
+        entry(mask_, {combine(point, 1, first_of(mask)), k % entries}) = coefficient;
+      for (std::size_t v = 0; v < mask.sizes.size() && (k + 1) % entries == 0; ++v) {
         if (++point[v] < static_cast<std::int64_t>(mask.sizes[v])) break;
         point[v] = 0;
       }
@@ -54,14 +60,15 @@ class Surface {
       for (const mpz_class& moment : moments(row.values, order))
         require(moment == 0, "a vector does not annihilate the polynomials of degree below the order of the sum rules");
     Family result = restricted();
-    rounds_into_space(differences({{Point{}, 1}}, order));
+    rounds_into_space(differences({{Place{}, 1}}, order));
     return result;
   }
 
-  /// Section 5.6: the space of the differences of phi. With `spanned` they are shown to span it.
+  /// Sections 5.6 and 5.9: the space of the differences of phi. With `spanned` they are shown to span it.
   Family of_values(std::size_t order, bool spanned) {
-    check_sum_rules(1);
+    if (!of_vectors_) check_sum_rules(1);
     const std::set<Sequence> starts = differences(read_values(), order);
+    if (of_vectors_) check_unique();
     read_space();
     Family result = restricted();
     const std::size_t rounds = rounds_into_space(starts);
@@ -78,14 +85,14 @@ class Surface {
       return result;
     };
     Sequence moved;
-    for (const auto& [point, value] : mask_) {
-      const Point at = image(point);
+    for (const auto& [place, value] : mask_) {
+      const Point at = image(place.point);
       for (const std::int64_t c : at) require(std::abs(c) <= max_distance, "a lattice point is too far away");
-      set(moved, at, value);
+      set(moved, {at}, value);
     }
-    const Point shift = combine(mask_.begin()->first, -1, moved.begin()->first);
+    const Point shift = combine(mask_.begin()->first.point, -1, moved.begin()->first.point);
     return std::equal(mask_.begin(), mask_.end(), moved.begin(), moved.end(), [&](const auto& a, const auto& b) {
-      return a.first == combine(b.first, 1, shift) && a.second == b.second;
+      return a.first.point == combine(b.first.point, 1, shift) && a.second == b.second;
     });
   }
 
@@ -93,23 +100,23 @@ class Surface {
   void check_stability() {
     Sequence g, moved, products;
     mpz_class sum = 0;
-    for (const auto& [point, value] : read_terms("gram")) {
-      set(g, point, value);
-      if (point != Point{}) set(g, combine({}, -1, point), value);
+    for (const auto& [place, value] : read_terms("gram")) {
+      set(g, place, value);
+      if (place.point != Point{}) set(g, {combine({}, -1, place.point)}, value);
     }
-    for (const auto& [point, value] : g) sum += value;
+    for (const auto& [place, value] : g) sum += value;
     require(sum > 0, "the numbers of the gram line have no positive sum");
     for (const auto& [i, a] : mask_)
-      for (const auto& [k, b] : mask_) add_product(products, combine(i, -1, k), a, b);
+      for (const auto& [k, b] : mask_) add_product(products, {combine(i.point, -1, k.point)}, a, b);
     for (const auto& [i, c] : products)
       for (const auto& [k, value] : g) {
-        const Point point = combine(i, 1, k);
+        const Point point = combine(i.point, 1, k.point);
         arithmetic_.spend(40);
-        if (class_of(point) == Point{}) add_product(moved, divide(point), c, value);
+        if (class_of(point) == Point{}) add_product(moved, {divide(point)}, c, value);
       }
     drop_zeros(moved);
     const mpz_class scale = denominator_ * denominator_ * std::abs(determinant_);
-    for (auto& [point, value] : g) value *= scale;
+    for (auto& [place, value] : g) value *= scale;
     require(moved == g, "the gram line is not a fixed point of the transfer operator");
     check_positive(g, dilation_.variables, arithmetic_);
   }
@@ -125,18 +132,18 @@ class Surface {
   }
 
   /// The value there, 0 if it is new. What it may take of memory counts as work.
-  mpz_class& entry(Sequence& x, const Point& point, std::size_t limbs = 1) {
-    const auto [at, fresh] = x.try_emplace(point);
+  mpz_class& entry(Sequence& x, const Place& place, std::size_t limbs = 1) {
+    const auto [at, fresh] = x.try_emplace(place);
     arithmetic_.spend((fresh ? 1200 : 100) + 80 * limbs);
     return at->second;
   }
-  void add_product(Sequence& sum, const Point& point, const mpz_class& x, const mpz_class& y) {
+  void add_product(Sequence& sum, const Place& place, const mpz_class& x, const mpz_class& y) {
     const std::size_t limbs = mpz_size(x.get_mpz_t()) + mpz_size(y.get_mpz_t());
-    arithmetic_.add_product(entry(sum, point, limbs), x, y);
+    arithmetic_.add_product(entry(sum, place, limbs), x, y);
   }
-  void set(Sequence& x, const Point& point, const mpz_class& value) {
-    require(!x.contains(point), "a point occurs twice");
-    entry(x, point, mpz_size(value.get_mpz_t())) = value;
+  void set(Sequence& x, const Place& place, const mpz_class& value) {
+    require(!x.contains(place), "a point occurs twice");
+    entry(x, place, mpz_size(value.get_mpz_t())) = value;
   }
   static void drop_zeros(Sequence& x) {
     std::erase_if(x, [](const auto& value) { return value.second == 0; });
@@ -169,7 +176,8 @@ class Surface {
   /// The sums of x_k k^nu for all |nu| < m, one after another, beginning with nu = 0.
   Vector moments(const Sequence& x, std::size_t m) {
     Vector sums(m * (m + 1) * (m + 2) / 6);
-    for (const auto& [point, value] : x) {
+    for (const auto& [place, value] : x) {
+      const Point& point = place.point;
       arithmetic_.spend(sums.size() * (60 + m + mpz_size(value.get_mpz_t())));
       std::size_t at = 0;
       mpz_class a = value;
@@ -186,7 +194,7 @@ class Surface {
 
   void check_sum_rules(std::size_t order) {
     std::vector<Sequence> classes(digits_.size());
-    for (const auto& [point, value] : mask_) entry(classes[digit_of_class_.at(class_of(point))], point) = value;
+    for (const auto& [place, value] : mask_) entry(classes[digit_of_class_.at(class_of(place.point))], place) = value;
     const Vector first = moments(classes[0], order);
     require(first[0] == denominator_, "a class of coefficients does not sum to 1");
     for (const Sequence& one : classes)
@@ -201,9 +209,9 @@ class Surface {
       for (const Sequence& x : result)
         for (std::size_t v = 0; v < dilation_.variables; ++v) {
           Sequence difference = x;
-          for (const auto& [point, value] : x) {
-            Point moved = point;
-            ++moved[v];
+          for (const auto& [place, value] : x) {
+            Place moved = place;
+            ++moved.point[v];
             entry(difference, moved, 10 + mpz_size(value.get_mpz_t())) -= value;
           }
           drop_zeros(difference);
@@ -217,30 +225,129 @@ class Surface {
   // ---- the space
 
   /// T_d x for all digits, times the denominator of the mask.
-  std::vector<Sequence> transitions(const Sequence& x) {
+  std::vector<Sequence> transitions(const Sequence& x) { return transitions(mask_, x); }
+  std::vector<Sequence> transitions(const Sequence& mask, const Sequence& x) {
     std::vector<Sequence> images(digits_.size());
-    for (const auto& [i, a] : mask_)
+    for (const auto& [i, a] : mask)
       for (const auto& [k, b] : x) {
-        const Point point = combine(i, 1, k);
+        arithmetic_.spend(10);
+        if (i.component % components_ != k.component) continue;
+        const Point point = combine(i.point, 1, k.point);
         const std::size_t d = digit_of_class_.at(class_of(point));
-        add_product(images[d], divide(combine(point, -1, digits_[d])), a, b);
+        add_product(images[d], {divide(combine(point, -1, digits_[d])), i.component / components_}, a, b);
       }
     for (Sequence& image : images) drop_zeros(image);
     return images;
   }
 
-  /// A fixed vector of the operator of the first digit, of which the sum is not 0.
+  /// A fixed vector of the operator of the first digit; of numbers one whose sum is not 0.
   Sequence read_values() {
     Sequence values, scaled;
     mpz_class sum = 0;
-    for (const auto& [point, value] : read_terms("values")) {
-      set(values, point, value);
-      set(scaled, point, value * denominator_);
+    for (const auto& [place, value] : read_terms("values")) {
+      set(values, place, value);
+      set(scaled, place, value * denominator_);
       sum += value;
     }
-    require(sum != 0, "the numbers of the values line have the sum 0");
+    require(of_vectors_ || sum != 0, "the numbers of the values line have the sum 0");
     require(transitions(values)[0] == scaled, "the values line is not fixed by the operator of the first digit");
     return values;
+  }
+
+  // ---- section 5.9: the places where continuous solutions may have values
+
+  /// Bounds the coordinates of the points j for which a solution of compact support may not vanish at x' + j.
+  std::int64_t reach() {
+    std::int64_t farthest = 0;
+    for (const auto& [place, value] : mask_)
+      for (const std::int64_t c : combine(place.point, -1, digits_[0])) farthest = std::max(farthest, std::abs(c));
+    Vector inverse, power;
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i) {
+        inverse.emplace_back(adjugate_[i][j]);
+        power.emplace_back(i == j);
+      }
+    mpq_class sum = 0, norm = 1;
+    for (mpz_class scale = 1; norm > mpq_class(1, 2); sum += norm) {
+      power = arithmetic_.multiply(inverse, power, 3);
+      scale *= std::abs(determinant_);
+      mpz_class largest = 0;
+      for (std::size_t i = 0; i < dilation_.variables; ++i)
+        largest = std::max(largest, mpz_class(abs(power[i]) + abs(power[3 + i]) + abs(power[6 + i])));
+      norm = ratio(largest, scale);
+    }
+    const mpz_class result = ceiling(2 * sum * mpz_class(farthest));
+    mpz_class places = components_;
+    for (std::size_t v = 0; v < dilation_.variables; ++v) places *= 2 * result + 1;
+    require(places <= max_places, too_much_work);
+    return result.get_si();
+  }
+
+  /// The places from which the operator of the first digit leads to one of these, with values 1.
+  Sequence led_to(const Sequence& places) {
+    Sequence result = std::move(transitions(pattern_, places)[0]);
+    for (auto& [place, value] : result) value = 1;
+    return result;
+  }
+
+  /// All places that may not vanish in v(x'), with values 1.
+  Sequence support() {
+    for (const auto& [place, value] : mask_) entry(pattern_, place) = 1;
+    Point radius{};
+    std::fill_n(radius.begin(), dilation_.variables, reach());
+    Sequence places, next;
+    for (Point p = combine({}, -1, radius);;) {
+      for (std::size_t c = 0; c < components_; ++c) entry(next, {p, c}) = 1;
+      std::size_t v = 0;
+      for (; v < dilation_.variables && ++p[v] > radius[v]; ++v) p[v] = -radius[v];
+      if (v == dilation_.variables) break;
+    }
+    for (std::size_t step = 0; next != places; ++step) {
+      require(step < max_steps, too_much_work);
+      places = std::exchange(next, led_to(next));
+    }
+    return places;
+  }
+
+  /// Of these, those that may not vanish in the limit of v(x' + M^-n e) either.
+  Sequence approached(const Sequence& support, const Point& e) {
+    std::vector<Sequence> sets(1);
+    for (const auto& [place, value] : support) entry(sets[0], {combine(place.point, -1, e), place.component}) = 1;
+    for (;;) {
+      Sequence next = led_to(sets.back());
+      const auto again = std::find(sets.begin(), sets.end(), next);
+      if (again == sets.end()) {
+        require(sets.size() < max_steps, too_much_work);
+        sets.push_back(std::move(next));
+        continue;
+      }
+      for (auto at = again; at != sets.end(); ++at)
+        std::erase_if(next, [&](const auto& value) { return !at->contains(value.first); });
+      return next;
+    }
+  }
+
+  /// The continuous solutions of compact support are the multiples of one: the fixed vectors of the operator of the
+  /// first digit with values at these places have no more than one dimension.
+  void check_unique() {
+    const Sequence all = support();
+    Sequence inner = all;
+    for (std::size_t v = 0; v < dilation_.variables; ++v)
+      for (const std::int64_t sign : {-1, 1}) {
+        Point e{};
+        e[v] = sign;
+        const Sequence seen = approached(all, e);
+        std::erase_if(inner, [&](const auto& value) { return !seen.contains(value.first); });
+      }
+    modular_ = true;
+    std::vector<Row> rows;
+    for (const auto& [place, value] : inner) {
+      Sequence image = std::move(transitions({{place, 1}})[0]);
+      entry(image, place) -= denominator_;
+      add_independent(rows, std::move(image));
+    }
+    modular_ = false;
+    require(rows.size() + 1 >= inner.size(), "the refinement equation may have several continuous solutions");
   }
 
   /// Makes x zero at the pivots by subtracting multiples of the rows; x may be multiplied by a number. Once `modular_`
@@ -252,26 +359,26 @@ class Surface {
       if (at == x.end()) continue;
       const mpz_class factor = -at->second, scale = row.values.at(row.pivot);
       const std::size_t limbs = mpz_size(scale.get_mpz_t());
-      for (auto& [point, value] : x) {
+      for (auto& [place, value] : x) {
         arithmetic_.spend(20 + limbs * (80 + mpz_size(value.get_mpz_t())));
         value *= scale;
       }
-      for (const auto& [point, value] : row.values) add_product(x, point, value, factor);
+      for (const auto& [place, value] : row.values) add_product(x, place, value, factor);
       if (modular_) {
         reduce_modulo_prime(x);
         continue;
       }
       drop_zeros(x);
       mpz_class content = 0;
-      for (const auto& [point, value] : x) {
+      for (const auto& [place, value] : x) {
         arithmetic_.spend(50 + mpz_size(value.get_mpz_t()) * mpz_size(value.get_mpz_t()));
         content = gcd(content, value);
       }
-      for (auto& [point, value] : x) value /= content;
+      for (auto& [place, value] : x) value /= content;
     }
   }
   void reduce_modulo_prime(Sequence& x) {
-    for (auto& [point, value] : x) {
+    for (auto& [place, value] : x) {
       arithmetic_.spend(20 + 20 * mpz_size(value.get_mpz_t()));
       value = mpz_fdiv_ui(value.get_mpz_t(), prime);
     }
@@ -283,9 +390,9 @@ class Surface {
     const std::size_t size = parse_size(reader_.take("space", 1, 1)[0], 1, max_space);
     for (std::size_t i = 0; i < size; ++i) {
       Row& row = space_.emplace_back();
-      for (const auto& [point, value] : read_terms("vector")) {
-        if (row.values.empty()) row.pivot = point;
-        set(row.values, point, value);
+      for (const auto& [place, value] : read_terms("vector")) {
+        if (row.values.empty()) row.pivot = place;
+        set(row.values, place, value);
       }
       factor_ = space_[0].values.at(space_[0].pivot);
       require(factor_ > 0, "the first coefficient of a vector must be positive");
@@ -296,13 +403,21 @@ class Surface {
         require(&row == &other || !other.values.contains(row.pivot), "the first point of a vector occurs in another");
   }
 
+  /// POINT, of vectors POINT.COMPONENT
+  Place parse_place(std::string_view text) const {
+    if (!of_vectors_) return {parse_point(text, dilation_.variables)};
+    const Fields parts = split(text, ".");
+    require(parts.size() == 2, "a point of a sequence of vectors is POINT.COMPONENT");
+    return {parse_point(parts[0], dilation_.variables), parse_size(parts[1], 0, components_ - 1)};
+  }
+
   /// POINT:INTEGER ...
-  std::vector<std::pair<Point, mpz_class>> read_terms(const std::string& head) {
-    std::vector<std::pair<Point, mpz_class>> terms;
+  std::vector<std::pair<Place, mpz_class>> read_terms(const std::string& head) {
+    std::vector<std::pair<Place, mpz_class>> terms;
     for (const std::string_view field : reader_.take(head, 1, max_line)) {
       const Fields parts = split(field, ":");
       require(parts.size() == 2, "a term is POINT:INTEGER");
-      terms.emplace_back(parse_point(parts[0], dilation_.variables), parse_integer(parts[1]));
+      terms.emplace_back(parse_place(parts[0]), parse_integer(parts[1]));
       arithmetic_.spend(1000 + 80 * mpz_size(terms.back().second.get_mpz_t()));
       require(terms.back().second != 0, "a coefficient is 0");
     }
@@ -368,12 +483,15 @@ class Surface {
   }
 
   Dilation dilation_;
+  bool of_vectors_;
+  std::size_t components_;  // 1 for numbers
   mpz_class denominator_;
   Reader& reader_;
   Arithmetic& arithmetic_;
   std::int64_t determinant_;
   Matrix adjugate_;
-  Sequence mask_;
+  Sequence mask_;     // row times the number of components plus column is the component
+  Sequence pattern_;  // 1 where the mask is not 0
   std::vector<Point> digits_;
   std::map<Point, std::size_t> digit_of_class_;
   std::vector<Row> space_;
@@ -404,9 +522,11 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   require(order <= max_order, "a higher order than the checker allows in several variables");
   const auto is_zero = [](const mpz_class& coefficient) { return coefficient == 0; };
   require(!std::ranges::all_of(mask.coefficients, is_zero), "all coefficients of the mask are 0");
-  const Dilation used = reader.at("turned") ? read_turned(mask, dilation, reader, arithmetic) : dilation;
+  const Dilation used = mask.components == 0 && reader.at("turned") ? read_turned(mask, dilation, reader, arithmetic)
+                                                                    : dilation;
   const auto surface = std::make_shared<Surface>(mask, used, reader, arithmetic);
   surface->read_digits();
+  if (mask.components > 0) return {surface->of_values(order, upper), {}};
   if (of_values)
     return {surface->of_values(order, upper), [surface, &reader] {
               return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order));

@@ -1,4 +1,4 @@
-// Schemes of two and three variables: section 5 of ../certificates/SPEC.md.
+// Schemes and refinable functions of one, two and three variables: section 5 of ../certificates/SPEC.md.
 #pragma once
 
 #include "dilation.hpp"
@@ -16,9 +16,9 @@ struct SurfaceFamily {
 };
 
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
-/// order; they are those of the scheme, or with `of_values` those of phi. With `upper` the radius is shown to tell the
-/// exponent from above as well, provided that it tells it from below: the shifts are stable, or the differences of phi
-/// span the space. The result uses the reader and the arithmetic.
+/// order; they are those of the scheme, or with `of_values` those of phi, as they always are for a mask of matrices.
+/// With `upper` the radius is shown to tell the exponent from above as well, provided that it tells it from below: the
+/// shifts are stable, or the differences of phi span the space. The result uses the reader and the arithmetic.
 SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
                            Reader& reader, Arithmetic& arithmetic);
 

@@ -102,8 +102,9 @@ class Positivity {
   Positivity(const Sequence& g, std::size_t variables, Arithmetic& arithmetic)
       : g_(g), variables_(variables), arithmetic_(arithmetic) {
     std::size_t entries = 1;
-    for (const auto& [point, value] : g)
-      for (std::size_t v = 0; v < 3; ++v) half_[v] = std::max(half_[v], static_cast<std::size_t>(std::abs(point[v])));
+    for (const auto& [place, value] : g)
+      for (std::size_t v = 0; v < 3; ++v)
+        half_[v] = std::max(half_[v], static_cast<std::size_t>(std::abs(place.point[v])));
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t n = half_[v];
       require((entries *= sizes_[v] = 2 * n + 1) <= max_cell_entries, too_much_work);
@@ -120,7 +121,8 @@ class Positivity {
   /// On |x_v - pi_v| <= pi/2, pi_v = pi where the bit of the chart is set, otherwise 0; times a positive function.
   Box<mpz_class> form(unsigned chart) {
     Box<Gaussian> sum{sizes_, std::vector<Gaussian>(sizes_[0] * sizes_[1] * sizes_[2])};
-    for (const auto& [point, value] : g_) {
+    for (const auto& [place, value] : g_) {
+      const Point& point = place.point;
       std::size_t at = 0, sign = 0;
       for (std::size_t v = 3; v-- > 0;) {
         at = at * sum.sizes[v] + static_cast<std::size_t>(point[v] + static_cast<std::int64_t>(half_[v]));

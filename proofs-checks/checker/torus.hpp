@@ -12,10 +12,18 @@ namespace subcert_check {
 /// A point of Z^s, s <= 3; the coordinates that are not used are 0.
 using Point = std::array<std::int64_t, 3>;
 
-/// Finitely many values on Z^s, none of them 0.
-using Sequence = std::map<Point, mpz_class>;
+/// Where a number of a sequence stands: a point, and a component of the vector there, or an entry of the matrix there.
+struct Place {
+  Point point{};
+  std::size_t component = 0;
 
-/// Rejects unless it can show that sum_k g_k e^(ikx) > 0 for all x. Domain: g_{-k} = g_k.
+  auto operator<=>(const Place&) const = default;
+};
+
+/// Finitely many values on Z^s, none of them 0.
+using Sequence = std::map<Place, mpz_class>;
+
+/// Rejects unless it can show that sum_k g_k e^(ikx) > 0 for all x. Domain: g_{-k} = g_k, numbers.
 void check_positive(const Sequence& g, std::size_t variables, Arithmetic& arithmetic);
 
 /// Rejects unless it can show that the sum of form_j u^j (1-u)^(n-j) is positive for all u from 0 to 1; `what` is the

@@ -81,9 +81,10 @@ Fact sobolev_fact(const std::optional<SobolevRegularity>& found, const Decision&
       {{"exponent", enclosure_json(found->exponent)}, {"spectral_radius", enclosure_json(found->spectral_radius)}});
 }
 
-Fact sobolev_fact(const std::optional<Enclosure>& exponent, const Decision& stable) {
+Fact sobolev_fact(const std::optional<Enclosure>& exponent, const Decision& stable, bool of_values) {
   if (!exponent) return member("sobolev", nullptr);
-  return sobolev(*exponent, stable, "not proved stable", "exact, by the inner products of the shifts",
+  return sobolev(*exponent, stable, "not proved stable",
+                 of_values ? "exact, by the differences of phi" : "exact, by the inner products of the shifts",
                  {{"exponent", enclosure_json(*exponent)}});
 }
 

@@ -33,6 +33,6 @@ Facts radius_facts(const JointSpectralRadius& radius, int digits);
 
 /// The Sobolev exponent, of one variable with the spectral radius behind it; null where there is none.
 Fact sobolev_fact(const std::optional<SobolevRegularity>& sobolev, const Decision& stable);
-Fact sobolev_fact(const std::optional<Enclosure>& exponent, const Decision& stable);
+Fact sobolev_fact(const std::optional<Enclosure>& exponent, const Decision& stable, bool of_values = false);
 
 }  // namespace subcert::facts

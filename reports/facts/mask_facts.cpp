@@ -94,21 +94,22 @@ Facts polynomial_facts(const LatticeMask& mask, const PolynomialReproduction& po
   return list;
 }
 
-Json nested(const MultivariatePolynomial& symbol, MultivariatePolynomial::Exponents& at, std::size_t variable) {
+/// Lists of one level have one length; numbers come in the order of the coefficients.
+Json nested(const text::MaskText& parts, std::size_t levels, std::size_t& at) {
+  if (levels == 0) return to_text(parts.coefficients[at++]);
   Json list = Json::array();
-  const long first = symbol.lowest()[variable], last = symbol.highest()[variable];
-  for (at[variable] = first; at[variable] <= last; ++at[variable])
-    list.push_back(variable == 0 ? Json(to_text(symbol.coefficient(at))) : nested(symbol, at, variable - 1));
+  for (std::size_t k = 0; k < parts.sizes[levels - 1]; ++k) list.push_back(nested(parts, levels - 1, at));
   return list;
 }
 
 }  // namespace
 
-Json first_index_json(const LatticeMask& mask) { return entries(mask, mask.symbol().lowest()); }
+Json first_index_json(const LatticeMask& mask) { return entries(mask, *mask_text_parts(mask).first); }
 
 Json coefficients_json(const LatticeMask& mask) {
-  MultivariatePolynomial::Exponents at = mask.symbol().lowest();
-  return nested(mask.symbol(), at, at.size() - 1);
+  const text::MaskText parts = mask_text_parts(mask);
+  std::size_t at = 0;
+  return nested(parts, parts.sizes.size(), at);
 }
 
 Json limit_support_json(const LatticeMask& mask) {

@@ -91,6 +91,12 @@ Fact exponent_fact(const HolderRegularity& regularity, const Enclosure& holder, 
 
 Fact exponent_fact(const MultivariateRegularity& regularity, bool by_factors, int digits) {
   const Enclosure& exponent = regularity.exponent;
+  if (!exponent.lower && regularity.vector) {
+    const Decision& continuous = regularity.vector->continuous;
+    return exponent_fact(continuous.is_no() ? "none, as there is no continuous solution"
+                                            : "unknown, as a continuous solution is not proved",
+                         "", exponent, digits);
+  }
   if (!exponent.lower) return exponent_fact(no_exponent_text(regularity.converges), "", exponent, digits);
   if (!exponent.upper)
     return exponent_fact(
@@ -160,6 +166,52 @@ Fact surface_bound_fact(const std::optional<HolderBound>& bound) {
           bound_json(*bound)};
 }
 
+std::string function_name(std::size_t component) { return fmt::format("phi_{}", component + 1); }
+
+/// What the refinement equation is and how many solutions it has.
+Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
+  std::string text = to_mask_text(mask);
+  constexpr std::size_t most_text = 400;
+  if (text.size() > most_text)
+    text = fmt::format("{} matrices of {} rows, see subcert mask", mask.terms().size(), mask.components());
+  std::vector<std::string> sides;
+  for (const Interval& side : limit_support(mask))
+    sides.push_back(fmt::format("[{}, {}]", to_text(side.lower), to_text(side.upper)));
+  return {{"equation", "equation",
+           "phi(x) = sum of A_k phi(" + std::string(mask.dimension() == 1 ? fmt::format("{}x", mask.arity()) : "Mx") +
+               " - k), A = " + text,
+           "", to_mask_text(mask)},
+          {"", "support", fmt::format("in {}", fmt::join(sides, " x "))},
+          {"solutions", "solutions",
+           vector.solutions == 0 ? "none that is continuous"
+           : vector.solutions == 1
+               ? "at most one that is continuous, up to a factor"
+               : fmt::format("at most {} that are continuous and independent; what follows is about all of them",
+                             vector.solutions),
+           "", vector.solutions}};
+}
+
+Fact continuous_fact(const Decision& continuous) {
+  Fact fact = decided("continuous", "continuous", continuous);
+  fact.json = to_text(continuous.truth);
+  return fact;
+}
+
+/// The exponent of each function.
+Fact components_fact(const FunctionVector& vector, int digits) {
+  Json list = Json::array();
+  std::string text;
+  for (const ComponentRegularity& one : vector.components) {
+    list.push_back({{"component", one.component + 1},
+                    {"holder", enclosure_json(one.exponent, std::max(digits, most_digits))},
+                    {"exact", one.exact.is_yes()}});
+    text += fmt::format("{}{} {}", text.empty() ? "" : "\n", function_name(one.component),
+                        one.is_zero ? "is 0" : enclosure_text(one.exponent, std::max(digits, usual_digits)));
+  }
+  if (list.empty()) return member("components", list);
+  return {"components", "components", text, "", list};
+}
+
 Facts dilation_facts(const LatticeMask& mask) {
   const Dilation& dilation = mask.dilation();
   return {member("variables", mask.dimension()),
@@ -200,8 +252,13 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   const auto& surface = regularity.surface;
   Facts list = named(scheme.specification, scheme.title);
   append(list, {exponent_fact(scheme, regularity, form.digits), formula_fact(exponent_formula(scheme, regularity))});
+  const FunctionVector* vector = surface && surface->vector ? &*surface->vector : nullptr;
+  if (vector) {
+    append(list, {components_fact(*vector, form.digits), continuous_fact(vector->continuous)});
+    append(list, equation_facts(scheme.mask, *vector));
+  }
   append(list, curve ? Facts{rounding_fact(scheme.rounding)} : dilation_facts(scheme.mask));
-  list.push_back(plain("sum_rules", "sum rules", regularity.sum_rules()));
+  list.push_back(vector ? member("sum_rules", nullptr) : plain("sum_rules", "sum rules", regularity.sum_rules()));
   list.push_back(converges_fact(regularity.converges()));
   if (curve)
     append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});
@@ -215,7 +272,8 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   // Of the mask itself, also where the exponent is that of the reduced one.
   append(list, curve ? exact_facts(curve->radius.exact, curve->radius.is_closed())
                      : exact_facts(surface->exact, surface->is_closed()));
-  append(list, stable_facts(regularity.stable(), !curve || curve->converges.is_yes()));
+  append(list, vector ? Facts{member("stable", "unknown"), member("stability", regularity.stable().reason)}
+                      : stable_facts(regularity.stable(), !curve || curve->converges.is_yes()));
   if (curve) {
     list.push_back(reduced_fact(*curve));
     if (curve->proved_exponent().lower && *curve->exponent.lower > 0) list.push_back(attained_fact(*curve));
@@ -223,8 +281,8 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                   sobolev_fact(sobolev, curve->stable)});
     if (!form.complete) list.push_back({"", "budget", "the polytope did not close; the enclosure reached is printed"});
   } else {
-    list.push_back(sobolev_fact(surface->sobolev, surface->stable));
-    if (!surface->is_closed() && !surface->converges.is_no())
+    list.push_back(sobolev_fact(surface->sobolev, surface->stable, vector != nullptr));
+    if (!surface->is_closed() && !surface->converges.is_no() && !(vector && vector->continuous.is_no()))
       list.push_back({"", "budget", "the search did not close; the enclosure reached is printed"});
   }
   list.push_back(member("seconds", form.seconds));

@@ -21,10 +21,10 @@ RationalMatrix inverse_of(const Dilation& dilation) {
   return inverse;
 }
 
-/// The box of the images of the exponents of the symbol.
-std::vector<Interval> box_of_support(const MultivariatePolynomial& symbol, const RationalMatrix& matrix) {
+/// The box of the images of the exponents.
+std::vector<Interval> box_of_support(const std::vector<LatticeMask::Term>& terms, const RationalMatrix& matrix) {
   std::vector<std::optional<Interval>> box(matrix.rows());
-  for (const Monomial& term : symbol.terms()) {
+  for (const LatticeMask::Term& term : terms) {
     const std::vector<Rational> point = matrix * std::vector<Rational>(term.exponents.begin(), term.exponents.end());
     for (std::size_t v = 0; v < box.size(); ++v)
       box[v] = box[v] ? Interval{std::min(box[v]->lower, point[v]), std::max(box[v]->upper, point[v])}
@@ -62,10 +62,31 @@ Mask::Mask(LaurentPolynomial symbol, int arity) : symbol_(std::move(symbol)), ar
 }
 
 LatticeMask::LatticeMask(MultivariatePolynomial symbol, Dilation dilation)
-    : symbol_(std::move(symbol)), dilation_(std::move(dilation)) {
-  require(!symbol_.is_zero(), "mask: need at least one non-zero coefficient");
-  require(static_cast<int>(dilation_.variables()) == symbol_.variables(),
-          "mask: need a dilation of {} rows, as many as variables, got {}", symbol_.variables(), dilation_.variables());
+    : LatticeMask(std::vector{std::move(symbol)}, std::move(dilation)) {}
+
+LatticeMask::LatticeMask(std::vector<MultivariatePolynomial> entries, Dilation dilation)
+    : entries_(std::move(entries)), components_(0), dilation_(std::move(dilation)) {
+  while (components_ * components_ < entries_.size()) ++components_;
+  require(components_ > 0 && components_ * components_ == entries_.size(), "mask: need square matrices, got {} entries",
+          entries_.size());
+  require(!std::ranges::all_of(entries_, &MultivariatePolynomial::is_zero),
+          "mask: need at least one non-zero coefficient");
+  for (const MultivariatePolynomial& entry : entries_)
+    require(static_cast<int>(dilation_.variables()) == entry.variables(),
+            "mask: need a dilation of {} rows, as many as variables, got {}", entry.variables(), dilation_.variables());
+}
+
+std::vector<LatticeMask::Term> LatticeMask::terms() const {
+  std::vector<Term> result;
+  for (std::size_t at = 0; at < entries_.size(); ++at)
+    for (Monomial& term : entries_[at].terms())
+      result.push_back({std::move(term.exponents), at / components_, at % components_, std::move(term.coefficient)});
+  return result;
+}
+
+const MultivariatePolynomial& LatticeMask::symbol() const {
+  require(components_ == 1, "mask: need a mask of numbers, got matrices of {} rows", components_);
+  return entries_.front();
 }
 
 LatticeMask::LatticeMask(const MultivariatePolynomial& symbol, int arity)
@@ -143,11 +164,12 @@ std::vector<Interval> limit_support(const LatticeMask& mask) {
   // the first round, divided by its entries, or, where there is none, smaller than a part of a box around them.
   constexpr int longest_period = 24;
   const RationalMatrix inverse = inverse_of(mask.dilation());
+  const std::vector<LatticeMask::Term> terms = mask.terms();
   std::vector<Interval> sums(inverse.rows(), Interval::exactly(0));
   RationalMatrix power = RationalMatrix::identity(inverse.rows());
   for (int n = 1;; ++n) {
     power = power * inverse;
-    const std::vector<Interval> box = box_of_support(mask.symbol(), power);
+    const std::vector<Interval> box = box_of_support(terms, power);
     for (std::size_t v = 0; v < box.size(); ++v) sums[v] = sums[v] + box[v];
     if (is_positive_diagonal(power)) {
       for (std::size_t v = 0; v < box.size(); ++v) sums[v] = sums[v] * (1 / (1 - power(v, v)));

@@ -34,36 +34,57 @@ struct MaskRounding {
 /// A mask on the lattice Z^s, s = 1, 2, 3, where i and j are multi-indices and a dilation matrix M stands for the
 /// arity: f'_i = sum over j of a_{i - Mj} f_j. One that is made as a tensor product knows its factors, and one that is
 /// made of a mask of one variable is its own only factor: what is asked of such masks is answered factor by factor.
+///
+/// Its coefficients are numbers or, with r > 1 components, r x r matrices A_k: those of a vector of functions,
+/// phi(x) = sum over k of A_k phi(Mx - k).
 class LatticeMask {
  public:
+  /// A coefficient that is not 0, or an entry of a matrix.
+  struct Term {
+    LatticePoint exponents;
+    std::size_t row, column;
+    Rational coefficient;
+  };
+
   /// Without factors. Errors: throws Error for a zero symbol, or a dilation of another number of variables.
   LatticeMask(MultivariatePolynomial symbol, Dilation dilation);
+  /// Of the entries of the matrices, row by row: entries[r*i + j] is the sum over k of (A_k)_{ij} z^k. Errors: the
+  /// same, and throws Error unless there are as many rows as columns.
+  LatticeMask(std::vector<MultivariatePolynomial> entries, Dilation dilation);
   /// With the dilation arity times the identity.
   LatticeMask(const MultivariatePolynomial& symbol, int arity);
   LatticeMask(const Mask& mask);  // NOLINT(google-explicit-constructor): one variable is a case of several
 
-  const MultivariatePolynomial& symbol() const { return symbol_; }
+  /// r; 1 where the coefficients are numbers.
+  std::size_t components() const { return components_; }
+  const std::vector<MultivariatePolynomial>& entries() const { return entries_; }
+  std::vector<Term> terms() const;
+  /// Of numbers. Errors: throws Error for more than one component.
+  const MultivariatePolynomial& symbol() const;
   const Dilation& dilation() const { return dilation_; }
   /// Where the dilation is a multiple of the identity. Errors: throws Error otherwise.
   int arity() const;
   /// 1 for curves, 2 for surfaces, 3 for volumes.
-  int dimension() const { return symbol_.variables(); }
+  int dimension() const { return entries_.front().variables(); }
   /// Of a tensor product, first variable first; none where it was not made as one.
   const std::vector<Mask>& factors() const& { return factors_; }
   std::vector<Mask> factors() && { return std::move(factors_); }
   bool has_factors() const { return !factors_.empty(); }
   /// The same mask, of which no factors are known.
-  LatticeMask without_factors() const { return {symbol_, dilation_}; }
+  LatticeMask without_factors() const { return with_dilation(dilation_); }
+  /// The same coefficients with another dilation, or other digits; without factors.
+  LatticeMask with_dilation(Dilation dilation) const { return {entries_, std::move(dilation)}; }
   /// The only factor. Errors: throws Error unless there is one.
   const Mask& curve() const&;
   Mask curve() && { return curve(); }
   /// Whether they are the same mask, with or without factors.
-  bool operator==(const LatticeMask& other) const { return dilation_ == other.dilation_ && symbol_ == other.symbol_; }
+  bool operator==(const LatticeMask& other) const { return dilation_ == other.dilation_ && entries_ == other.entries_; }
 
  private:
   friend LatticeMask tensor_product(const std::vector<Mask>& masks);
 
-  MultivariatePolynomial symbol_;
+  std::vector<MultivariatePolynomial> entries_;
+  std::size_t components_;
   Dilation dilation_;
   std::vector<Mask> factors_;
 };

@@ -41,9 +41,9 @@ class MaskReader {
   using Read = std::function<Number(std::string_view)>;
 
   /// `read`: a coefficient, with ParseErrors about places in its own text.
-  MaskReader(std::string_view text, int variables, bool has_letters, Read read)
-      : text_(text), has_letters_(has_letters), read_(std::move(read)) {
-    result_.sizes.resize(static_cast<std::size_t>(variables), 0);
+  MaskReader(std::string_view text, int variables, Entries entries, bool has_letters, Read read)
+      : text_(text), variables_(variables), has_letters_(has_letters), read_(std::move(read)) {
+    result_.sizes.resize(static_cast<std::size_t>(variables) + (entries == Entries::matrices ? 2 : 0), 0);
   }
 
   MaskTextOf<Number> mask() {
@@ -65,7 +65,9 @@ class MaskReader {
   std::string form() const {
     const std::size_t depth = result_.sizes.size();
     return depth == 1 ? "coefficients in brackets, as in [1,3,3,1]/4@-2"
-                      : "lists in brackets, nested " + std::to_string(depth) + " deep for as many variables";
+                      : "lists in brackets, nested " + std::to_string(depth) + " deep" +
+                            (depth == static_cast<std::size_t>(variables_) ? " for as many variables"
+                                                                           : ", the innermost two for matrices");
   }
 
   Number number(std::string_view text, std::size_t at) const {
@@ -118,8 +120,8 @@ class MaskReader {
 
   void first() {
     result_.first.emplace();
-    for (const std::string& name : variable_names(static_cast<int>(result_.sizes.size()))) {
-      const std::string of = result_.sizes.size() == 1 ? "" : " of " + name;
+    for (const std::string& name : variable_names(variables_)) {
+      const std::string of = variables_ == 1 ? "" : " of " + name;
       if (at_ == text_.size()) fail("", at_, "@ and as many first indices as variables");
       ++at_;  // '@' or ','
       const std::string_view index_text = until(",");
@@ -133,6 +135,7 @@ class MaskReader {
   }
 
   std::string_view text_;
+  int variables_;
   bool has_letters_;
   Read read_;
   MaskTextOf<Number> result_{};
@@ -167,12 +170,12 @@ std::string print_terms(const std::vector<Monomial>& terms, Style style, std::ve
   return text.empty() ? "0" : text;
 }
 
-MaskText parse_mask_text(std::string_view text, int variables) {
-  return MaskReader<Rational>(text, variables, false, read_number).mask();
+MaskText parse_mask_text(std::string_view text, int variables, Entries entries) {
+  return MaskReader<Rational>(text, variables, entries, false, read_number).mask();
 }
 
 MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters) {
-  return MaskReader<LetterFunction>(text, 1, true,
+  return MaskReader<LetterFunction>(text, 1, Entries::numbers, true,
                                     [=](std::string_view entry) { return LetterFunction::parse(entry, letters); })
       .mask();
 }
@@ -191,7 +194,7 @@ std::string print_mask_text(const MaskText& mask) {
   }
   if (common != 1) text += "/" + common.str();
   if (mask.first)
-    for (std::size_t v = 0; v < mask.sizes.size(); ++v) text += (v ? "," : "@") + std::to_string((*mask.first)[v]);
+    for (std::size_t v = 0; v < mask.first->size(); ++v) text += (v ? "," : "@") + std::to_string((*mask.first)[v]);
   return text;
 }
 

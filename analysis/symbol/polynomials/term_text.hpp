@@ -23,14 +23,16 @@ std::string print_terms(const std::vector<Monomial>& terms, Style style, std::ve
 template <class Number>
 struct MaskTextOf {
   std::vector<Number> coefficients;        ///< the first variable runs fastest
-  std::vector<std::size_t> sizes;          ///< entries along each variable
+  std::vector<std::size_t> sizes;          ///< entries along each variable, behind columns and rows of matrices
   std::optional<std::vector<long>> first;  ///< index of the first coefficient
 };
 using MaskText = MaskTextOf<Rational>;
 
-/// Reads a mask with rational coefficients, divided by the positive integer D. Domain: 1 <= variables <= 3. Errors:
-/// throws ParseError, also for lists of one level with different lengths.
-MaskText parse_mask_text(std::string_view text, int variables);
+enum class Entries { numbers, matrices };
+
+/// Reads a mask with rational coefficients, or matrices of such, row by row, divided by the positive integer D. Domain:
+/// 1 <= variables <= 3. Errors: throws ParseError, also for lists of one level with different lengths.
+MaskText parse_mask_text(std::string_view text, int variables, Entries entries = Entries::numbers);
 /// The same in one variable with coefficients that LetterFunction::parse reads, and such a D in parentheses.
 MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters);
 

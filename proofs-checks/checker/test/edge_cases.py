@@ -61,6 +61,8 @@ MATRICES = [
     ("four.mat", [[[str(int(i == j)) for j in range(4)] for i in range(4)]]),
 ]
 
+BETWEEN = "[1,1-w,w,0,0,w,0,w,0,0,1-w,1-w]"  # of arity 4: a multiple of Phi_20 at 0, of Phi_10 at 1
+
 # name, options of the claim, and the lines after the first one
 ACCEPTED = [
     # the word `full` where no line `stability` follows
@@ -192,6 +194,12 @@ ACCEPTED = [
     # masks of two coefficients have no zeros at roots of unity that matter
     ("haar-rounded-wide", "--mask [1,1] --arity 2 --within 99/100,1",
      "exponent [1,1] 2 within=99/100,1; bounds - -; sum-rules 1; stability; end"),
+    # quaternary: a multiple of one of Phi_10 and Phi_20, but not of both, and between such masks
+    *((f"quaternary-stable-{name}", f"--mask {mask} --arity 4{options}",
+       f"exponent {mask} 4{more}; bounds - -; sum-rules 1; stability; end") for name, mask, options, more in (
+           ("10", "[1,0,1,0,0,1,0,1]", "", ""), ("20", "[1,1,0,0,0,0,0,0,0,0,1,1]", "", ""),
+           ("20-rounded", "[1,1,0,0,0,0,0,0,0,0,1,1]", " --within 1/1000000000,1", " within=1/1000000000,1"),
+           ("between", BETWEEN, " --for w=0..1", " w=0..1"))),
 ]
 
 # name, accepted case that is changed, other options or None, changes of its text

@@ -20,6 +20,7 @@ import single_cases
 import subradius_cases
 import subradius_exact_cases
 import variant_cases
+import vector_cases
 
 accept, out = map(Path, sys.argv[1:3])
 out.mkdir(parents=True, exist_ok=True)
@@ -116,6 +117,9 @@ reject("saturated", "bspline-3", "no exponent below", lambda lines: [
 mask_case("one-coefficient", "[2]", 1, "1/1000", None, "no sum rules of this order")
 # arity 4, hat(x/3)/3: not stable by the cyclic zeros of order 3, times i
 mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "modulo Phi_12", arity=4,
+          more=["stability"])
+# arity 4, a step of width 5: not stable by the cyclic zeros of order 5, times -1 and i
+mask_case("quaternary-box", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", 1, "1/1000", "2", "modulo Phi_20", arity=4,
           more=["stability"])
 reject("beyond-sum-rules", "four-point", "does not prove the claim", arguments=option(claims["four-point"], "lower", "5"))
 reject("crossed-bounds", "bspline-3", "does not prove the claim",
@@ -669,7 +673,7 @@ reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",
        replace("^(image 0 .) 0:16$", r"\1 0:21 0:-5", 2))
-modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases
+modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases
 for case, base, options, reason, edits in [case for module in modules for case in module.REJECTED]:
     reject(case, base, reason, lambda lines: make_certificates.edited(lines, edits), options)
 for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN:

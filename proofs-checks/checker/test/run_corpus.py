@@ -148,6 +148,15 @@ if mode == "usage":
             (64, "--contraction 1,1,1 golden.cert"), (64, "--contraction 1,1,1 --lower 1/2 golden.cert"), (64, "--l1 6,1 --contraction 1,1,1"), (64, "--l1 6,1 --lower 1"), (66, "--l1 6,1 --lower 1 none.cert"), (66, "--l1 13,1 --lower 1 none.cert"),
             (64, "--contraction 1,1,1 --mask [1,2,1]/2 --arity 2 --lower 1 golden.cert"),
             (66, f"{golden} none.cert"), (66, f"{golden} ."), (66, f"{golden} /dev/null"), (64, f"{golden} --FILE golden.cert"),
+            *((64, f"--refinable {options} golden.cert") for options in (
+                "[[[1]]]", "[[[1]]] --dilation [2]", "[[[1]]] --lower 1", "[[[1]]] --dilation [2] --upper 1", "[[[1]]] --arity 2 --lower 1",
+                "[[[1]]] --dilation [2] --lower 1 --surface [1]", "[[[1]]] --dilation [2] --lower 1 --mask [1] --arity 2",
+                "[[[1]]] --dilation [2] --lower 1 --matrices golden.mat", "[[[1]]] --dilation [2] --lower 1 --logarithm 0",
+                "[[[1]]] --dilation [2] --lower 1 --upper C1", "[[[1]]] --dilation [2] --lower 1 --within 1/9,1", "[[[1]]] --dilation [2] --lower 1 --for w=0..1",
+                *(f"{mask} --dilation [2] --lower 1" for mask in (
+                    "[[1]]", "[1]", "1", "[]", "[[[[1]]]]", "[[[[[[1]]]]]]", "[[[1,2]]]", "[[[1],[2]]]", "[[[1,0],[0,1]],[[1]]]", "[[[1,0],[0]]]", "[[[1]]", "[[[1]]]]",
+                    "[[[1]]]/0", "[[[1]]]@1,1", "[[[1]]]@", "[[[1]]]/2@x", "[[[w]]]", "[[[]]]", "[[[1]],[[]]]", "[[[1]]]2", "[[[1]]]/2/2")))),
+            (66, "--refinable [[[1]]] --dilation [2] --lower 1 none.cert"), (66, "--refinable [[[[[1]]]]] --dilation [2,0,0;0,2,0;0,0,2] --lower 1 none.cert"),
             (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
         expect(arguments, result[0] == code and bool(result[2] if code else result[1]), result)
@@ -169,6 +178,7 @@ else:
             what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                                     for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
+            subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
             relation = "<" if range_ else "<="
             rough = upper and upper.startswith("C")
             if rough:

@@ -1,0 +1,147 @@
+// Masks of matrices: function vectors.
+
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
+#include <subcert/analysis/regularity/value_space.hpp>
+#include <subcert/analysis/transition/lattice_window.hpp>
+
+#include <catch2/catch.hpp>
+
+namespace subcert {
+namespace {
+
+using Matrix = std::vector<std::vector<Rational>>;
+
+/// Of one variable, A_first, A_{first + 1}, ...
+LatticeMask of_matrices(const std::vector<Matrix>& matrices, long first, int arity = 2) {
+  const std::size_t size = matrices.front().size();
+  std::vector<MultivariatePolynomial> entries;
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) {
+      std::vector<Monomial> terms;
+      for (std::size_t k = 0; k < matrices.size(); ++k)
+        terms.push_back({matrices[k][i][j], {first + static_cast<long>(k)}});
+      entries.emplace_back(1, terms);
+    }
+  return {std::move(entries), Dilation::multiple(1, arity)};
+}
+
+Rational q(long p, long d = 1) { return {p, d}; }
+
+/// Merrien's scheme on values and slopes of two points.
+LatticeMask merrien(const Rational& lambda, const Rational& mu) {
+  return of_matrices({{{q(1, 2), (1 - mu) / 2}, {lambda, mu / 4}},
+                      {{1, 0}, {0, q(1, 2)}},
+                      {{q(1, 2), -(1 - mu) / 2}, {-lambda, mu / 4}}},
+                     -1);
+}
+
+/// Of a mask of numbers: phi(x), phi(x - 1) beside each other, whose matrices are diagonal with shifts between.
+LatticeMask beside_its_shift(const LaurentPolynomial& symbol) {
+  // phi_2(x) = phi(x - 1): phi_2(x) = sum a_k phi(2x - 2 - k) = sum a_k phi_2(2x - 1 - k).
+  const MultivariatePolynomial a = MultivariatePolynomial::in_variable(1, 0, symbol), zero(1);
+  return {{a, zero, zero, a.shifted({1})}, Dilation::multiple(1, 2)};
+}
+
+bool is_exactly(const Enclosure& exponent, const Rational& value) {
+  return exponent.lower == value && exponent.upper == value;
+}
+
+const Budget budget{Deadline::in(20), {}};
+
+TEST_CASE("Sequences of vectors are sums over components") {
+  const LatticeMask mask = of_matrices({{{1, 2}, {3, 4}}, {{5, 6}, {7, 8}}}, 0);
+  CHECK(mask.components() == 2);
+  CHECK(mask.terms().size() == 8);
+  CHECK_THROWS(mask.symbol());
+  const auto moved = transitions(mask, {{{0, 1}, 1}});  // the second unit vector at 0
+  CHECK(moved[0] == LatticeSequence{{{0, 0}, 2}, {{0, 1}, 4}});
+  CHECK(moved[1] == LatticeSequence{{{0, 0}, 6}, {{0, 1}, 8}});
+  CHECK_THROWS(
+      LatticeMask(std::vector{MultivariatePolynomial(1, 1), MultivariatePolynomial(1, 1)}, Dilation::multiple(1, 2)));
+}
+
+TEST_CASE("Hermite cubics have the exponent 2, with both components") {
+  const MultivariateRegularity found = vector_regularity(merrien(q(-1, 8), q(-1, 2)), budget);
+  REQUIRE(found.vector);
+  CHECK(found.vector->solutions == 1);
+  CHECK(found.vector->continuous.is_yes());
+  CHECK(found.exact.is_yes());
+  CHECK(is_exactly(found.exponent, 2));
+  REQUIRE(found.vector->components.size() == 2);
+  for (const ComponentRegularity& one : found.vector->components) CHECK(is_exactly(one.exponent, 2));
+  REQUIRE(found.sobolev);
+  CHECK(*found.sobolev->lower <= q(5, 2));
+  CHECK(*found.sobolev->upper >= q(5, 2));
+  CHECK(*found.sobolev->upper - *found.sobolev->lower < power(Rational(10), -12));
+}
+
+TEST_CASE("A spline beside its own shift, which are dependent, has the exponent of the spline") {
+  const LaurentPolynomial cubic = LaurentPolynomial::parse_mask("[1,4,6,4,1]/8@0");
+  const MultivariateRegularity found = vector_regularity(beside_its_shift(cubic), budget);
+  REQUIRE(found.vector);
+  CHECK(found.vector->solutions == 2);  // multiples of each
+  CHECK(is_exactly(found.exponent, 3));
+}
+
+TEST_CASE("Each component has its own exponent") {
+  // The hat function on [0, 2] and a function on [0, 1] with one half of itself on each half: psi(x) = hat(2x) +
+  // (psi(2x) + psi(2x - 1)) / 2 + ... is Takagi's function, of exponent 1 with a logarithm.
+  const LatticeMask mask = of_matrices({{{q(1, 2), 0}, {1, q(3, 4)}}, {{1, 0}, {0, q(3, 4)}}, {{q(1, 2), 0}, {0, 0}}},
+                                       0);
+  const MultivariateRegularity found = vector_regularity(mask, budget);
+  REQUIRE(found.vector);
+  CHECK(found.vector->continuous.is_yes());
+  REQUIRE(found.vector->components.size() == 2);
+  CHECK(is_exactly(found.vector->components[0].exponent, 1));
+  // psi = sum of (3/4)^n hat(2^(n+1) x), folded: log2(4/3).
+  const Enclosure& rough = found.vector->components[1].exponent;
+  REQUIRE(rough.is_bounded());
+  CHECK(*rough.lower > q(4150374, 10'000'000));
+  CHECK(*rough.upper < q(4150375, 10'000'000));
+  CHECK(found.exponent.lower == rough.lower);
+  const MultivariateRegularity first = vector_regularity(mask, budget, default_bits, 0);
+  CHECK(is_exactly(first.exponent, 1));
+  CHECK(first.vector->components.size() == 1);
+  CHECK_THROWS(vector_regularity(mask, budget, default_bits, 2));
+}
+
+TEST_CASE("What has no continuous solution") {
+  const LatticeMask boxes = of_matrices({{{1, 0}, {0, 1}}, {{1, 0}, {0, 1}}}, 0);
+  const MultivariateRegularity none = vector_regularity(boxes, budget);
+  CHECK(none.vector->solutions == 0);
+  CHECK(none.vector->continuous.is_no());
+  CHECK_FALSE(none.exponent.lower);
+  // Values at the integers, and differences that do not shrink.
+  const LatticeMask rough = of_matrices({{{q(1, 2), 0}, {1, q(3, 2)}}, {{1, 0}, {0, q(3, 2)}}, {{q(1, 2), 0}, {0, 0}}},
+                                        0);
+  const MultivariateRegularity found = vector_regularity(rough, budget);
+  CHECK(found.vector->solutions == 1);
+  CHECK(found.vector->continuous.is_no());
+}
+
+TEST_CASE("A mask of numbers as a vector of two halves has the same exponent") {
+  // Phi(x) = (phi(2x), phi(2x - 1)): phi(y) = sum of a_k phi(2y - k), so Phi_i(x) = sum over k of a_k phi(4x - 2i - k)
+  // and phi(4x - m) is component m mod 2 of Phi(2x - floor(m/2)).
+  for (const char* text : {"[1,3,3,1]/4@0", "[-1,0,9,16,9,0,-1]/16@0", "[1,2,1]/2@0"}) {
+    const LaurentPolynomial a = LaurentPolynomial::parse_mask(text);
+    std::vector<std::vector<Monomial>> terms(4);
+    for (long i = 0; i < 2; ++i)
+      for (long k = a.lowest(); k <= a.highest(); ++k) {
+        const long m = 2 * i + k;
+        terms[static_cast<std::size_t>(2 * i + m % 2)].push_back({a.coefficient(k), {m / 2}});
+      }
+    std::vector<MultivariatePolynomial> entries;
+    for (const auto& entry : terms) entries.emplace_back(1, entry);
+    const LatticeMask vector(std::move(entries), Dilation::multiple(1, 2));
+    const MultivariateRegularity found = vector_regularity(vector, budget);
+    const Regularity scalar = regularity_of(LatticeMask(Mask(a, 2)), budget);
+    CHECK(found.vector->solutions == 1);
+    CHECK(found.exponent.lower == scalar.exponent().lower);
+    CHECK(found.exponent.upper == scalar.exponent().upper);
+  }
+}
+
+}  // namespace
+}  // namespace subcert

@@ -1,0 +1,156 @@
+"""Vectors of refinable functions (5.9). The spaces and the bases of the blocks were found by search; exponents are known by hand."""
+
+HAT_BUBBLE = "[[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1"
+ROUGH_BUBBLE = HAT_BUBBLE.replace("[0,1]", "[0,3]").replace("[4,1]", "[4,3]")  # exponent -log2(3/4)
+HERMITE = "[[[4,6],[-1,-1]],[[8,0],[0,4]],[[4,-6],[1,-1]]]/8@-1"
+MERRIEN = "[[[4,2],[-1,1]],[[8,0],[0,4]],[[4,-2],[1,1]]]/8@-1"  # -1/8, 1/2: exponent 2 - log2(3/2)
+GHM = "[[[6,8],[-1,-3]],[[6,0],[9,10]],[[0,0],[9,-3]],[[0,0],[-1,0]]]/10@0"
+DOUBLE_KNOTS = "[[[2,2],[0,1]],[[2,0],[2,4]],[[0,0],[2,1]]]/4@0"  # quadratic B-splines
+HAT_HAAR = "[[[1,0],[0,0]],[[2,0],[0,2]],[[1,0],[0,2]]]/2@-1"  # the characteristic function of [0, 1] is not continuous
+COURANT = ("[[[[1,0],[0,0]],[[1,0],[0,0]],[[0,0],[0,0]]],[[[1,0],[0,0]],[[2,0],[0,1]],[[1,0],[2,0]]],"
+           "[[[0,0],[0,0]],[[1,0],[0,0]],[[1,0],[0,0]]]]/2@-1,-1")  # and h(2x - (1, 0)) + phi_1(2x)/2, with a kink at 0
+CUBIC = "[[[[[1]],[[2]],[[1]]]]]/2@-1,0,0"
+
+UNIT_3 = "basis 1 0 0; basis 0 1 0; basis 0 0 1; inverse 1 0 0; inverse 0 1 0; inverse 0 0 1"
+NORMS_3 = "block 0 norm 1; block 1 norm 1; block 2 norm 1; end"
+BUBBLE_SPACE = "differences 2; digits 0 1; values 0.0:1; space 3; vector 0.1:1; vector 1.1:1; vector -1.0:1 0.0:-2 1.0:1; "
+HAT_SPACE = "differences 2; digits 0 1; values 0.0:1; space 1; vector -1.0:1 0.0:-2 1.0:1; product 0 1/2 0 0; block 0 norm 1; end"
+HERMITE_SPACE = ("differences 3; digits 0 1; values 0.0:1; space 3; vector -1.0:2 0.1:-4 1.0:-2; vector -1.1:2 0.1:-4 1.1:2; "
+                 "vector 0.0:2 0.1:-1 1.0:-2 1.1:-1; blocks 1 1 1; ")
+DIGITS_SPACE = ("differences 2; digits 1 -2; values -1.0:1; space 5; vector -1.0:1 1.0:-3 2.0:2; vector 0.0:1 1.0:-2 2.0:1; "
+                "vector 0.1:1; vector 1.1:1; vector 2.1:1; ")
+MINUS_SPACE = ("differences 2; digits 0 1; values 0.0:1; space 4; vector -1.0:1 0.0:-2 1.0:1; vector -1.1:1; vector 0.1:1; vector 1.1:1; "
+               "blocks 2 1 1; basis 0 0 1 1; basis -1 -1 8 0; basis 1 0 0 0; basis 0 1 0 0; inverse 0 0 1 0; inverse 0 0 0 1; "
+               "inverse 0 1/8 1/8 1/8; inverse 1 -1/8 -1/8 -1/8; product 1 1/2 0 0; block 0 norm 9; block 1 norm 1; block 2 norm 1; end")
+COURANT_SPACE = (
+    "differences 2; digits 0,0 1,0 0,1 1,1; values 0,0.0:1; space 9; vector -1,-1.0:1 0,1.0:-2 1,0.0:-2 1,1.0:3; "
+    "vector -1,0.0:1 0,1.0:-2 1,0.0:-1 1,1.0:2; vector -1,1.0:1 0,1.0:-2 1,1.0:1; vector 0,-1.0:1 0,1.0:-1 1,0.0:-2 1,1.0:2; "
+    "vector 0,-1.1:1; vector 0,0.0:1 0,1.0:-1 1,0.0:-1 1,1.0:1; vector 0,0.1:1; vector 1,-1.0:1 1,-1.1:2 1,0.0:-2 1,1.0:1; "
+    "vector 1,0.1:1; blocks 1 1 1 1 1 1 1 1 1; basis 0 0 1 -1 0 -1 0 0 1; basis 0 0 -1 0 0 1 -1 1 0; basis 0 0 0 1 0 0 1 0 0; "
+    "basis 0 0 -1 1 0 0 0 0 0; basis 1 0 0 0 0 0 0 0 0; basis 0 0 1 0 0 0 0 0 0; basis 0 1 0 0 0 0 0 0 0; basis 0 0 0 0 0 1 0 0 0; "
+    "basis 0 0 0 0 1 0 0 0 0; inverse 0 0 0 0 1 0 0 0 0; inverse 0 0 0 0 0 0 1 0 0; inverse 0 0 0 0 0 1 0 0 0; "
+    "inverse 0 0 0 1 0 1 0 0 0; inverse 0 0 0 0 0 0 0 0 1; inverse 0 0 0 0 0 0 0 1 0; inverse 0 0 1 -1 0 -1 0 0 0; "
+    "inverse 0 1 1 -1 0 0 0 -1 0; inverse 1 0 0 1 0 0 0 1 0; product 0 1/2 0 2; "
+    + "".join(f"block {i} norm 1; " for i in range(9)) + "end")
+
+MATRICES = []
+
+
+def accepted(name, mask, ends, lines, dilation="[2]"):
+    lower, _, upper = ends.partition(" ")
+    options = f"--refinable {mask} --dilation {dilation} --lower {lower}" + (f" --upper {upper}" if upper else "")
+    return name, options, f"refinable {mask} {dilation}; bounds {lower} {upper or '-'}; {lines}"
+
+
+ACCEPTED = [
+    accepted("vector-by-hand", HAT_BUBBLE, "1 1", BUBBLE_SPACE + "blocks 2 1; " + UNIT_3 + "; product 1 1/2 0 0; block 0 norm 1; "
+             "block 1 norm 1; end"),  # SPEC.md, section 5.10
+    accepted("vector-hermite", HERMITE, "2 2", HERMITE_SPACE + "basis -3 1 1; basis 1 0 0; basis 0 4 0; inverse 0 1 0; inverse 0 0 1/4; "
+             "inverse 1 3 -1/4; product 0 1/4 0 0; " + NORMS_3),
+    accepted("vector-merrien", MERRIEN, "1415/1000 1416/1000", HERMITE_SPACE + "basis -2 -1 1; basis 1 1 0; basis 2 0 0; "
+             "inverse 0 0 1/2; inverse 0 1 -1/2; inverse 1 1 1/2; product 0 3/8 0 0; " + NORMS_3),
+    accepted("vector-ghm", GHM, "1 1", "differences 2; digits 0 1; values 1.1:1; space 3; vector 0.0:1 1.1:-3 2.1:1; "
+             "vector 0.1:1 1.1:-2 2.1:1; vector 1.0:1 1.1:-1 2.1:-1; blocks 1 1 1; basis -1 3 1; basis 1 4 0; basis 0 8 0; "
+             "inverse 0 1 -1/2; inverse 0 0 1/8; inverse 1 1 -7/8; product 1 1/2 0 0; " + NORMS_3),
+    accepted("vector-double-knots", DOUBLE_KNOTS, "1 1", "differences 2; digits 0 1; values 1.1:1; space 3; vector 0.0:2 1.1:-3 2.1:1; "
+             "vector 0.1:2 1.1:-4 2.1:2; vector 1.0:2 1.1:-1 2.1:-1; blocks 1 1 1; basis 1 -4 1; basis 0 1 0; basis 1 0 0; "
+             "inverse 0 0 1; inverse 0 1 0; inverse 1 4 -1; product 0 1/2 0 0; " + NORMS_3),
+    # places at the ends of the support do not count
+    accepted("vector-ends", HAT_HAAR, "1 1", HAT_SPACE),
+    accepted("vector-hat", "[[[1]],[[2]],[[1]]]/2@-1", "1 1", HAT_SPACE),
+    accepted("vector-shifted-hat", "[[[1]],[[2]],[[1]]]/2@0", "1 1", HAT_SPACE.replace("values 0", "values 1").replace(
+        "-1.0:1 0.0:-2 1.0:1", "0.0:1 1.0:-2 2.0:1")),
+    accepted("vector-rough", ROUGH_BUBBLE, "415/1000 4151/10000", BUBBLE_SPACE + "blocks 1 1 1; " + UNIT_3 +
+             "; product 0 3/4 0 0; " + NORMS_3),
+    ("vector-exact", f"--refinable {ROUGH_BUBBLE} --dilation [2] --exact 0-log|[-3,4]@3/4,0,1/4|^1/1",
+     f"refinable {ROUGH_BUBBLE} [2]; bounds - -; exact 0-log|[-3,4]@3/4,0,1/4|^1/1; root 3/4 0 0 3/4 3/4; {BUBBLE_SPACE}"
+     f"blocks 1 1 1; {UNIT_3}; block 0 polytope 1 0 2; vertex 1; unit 0 0:4; image 0 0 0:3; image 0 1 0:3; cycle 0 - 0; seed 1; "
+     "block 1 norm 1; block 2 norm 1; end"),
+    # x' is 1; a lower end alone
+    accepted("vector-digits", HAT_BUBBLE, "1/2", DIGITS_SPACE + "block 0 norm 12; end"),
+    accepted("vector-minus-two", HAT_BUBBLE, "1 1", MINUS_SPACE, "[-2]"),
+    accepted("vector-courant", COURANT, "1 1", COURANT_SPACE, "[2,0;0,2]"),
+]
+
+CHANGED = []
+
+DOUBLE_HAT = "[[[1,0],[0,0]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1"
+
+
+def claim(mask, dilation="[2]", ends="--lower 1"):
+    return f"--refinable {mask} --dilation {dilation} {ends}"
+
+
+NOT_UNIQUE = "the refinement equation may have several continuous solutions"
+# name, base, options, reason, edits, with `; ` between lines
+EDITED = [
+    # two hats; a hat of lattice points that are three apart
+    ("vector-two-hats", "vector-ends", claim("[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1"), NOT_UNIQUE,
+     [(HAT_HAAR, "[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1")]),
+    ("vector-two-hats-minus", "vector-minus-two", claim("[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1", "[-2]"), NOT_UNIQUE,
+     [(HAT_BUBBLE, "[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1")]),
+    ("vector-three-apart", "vector-hat", claim("[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3"), NOT_UNIQUE,
+     [("[[[1]],[[2]],[[1]]]/2@-1", "[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3")]),
+    # a fixed vector with values at an end of the support
+    ("vector-value-at-end", "vector-ends", claim(HAT_HAAR, ends="--lower 1/100"), "the bound does not prove the claim",
+     [("differences 2", "differences 1"), ("values 0.0:1", "values 0.1:1"),
+      ("vector -1.0:1 0.0:-2 1.0:1", "vector 0.1:1 1.1:-1"), ("product 0 1/2 0 0", "product 0 1 0 0")]),
+    # rows and columns exchanged: both are refinable
+    ("vector-transposed", "vector-ghm", claim("[[[6,-1],[8,-3]],[[6,9],[0,10]],[[0,9],[0,-3]],[[0,-1],[0,0]]]/10@0"),
+     "not fixed",
+     [(GHM, "[[[6,-1],[8,-3]],[[6,9],[0,10]],[[0,9],[0,-3]],[[0,-1],[0,0]]]/10@0")]),
+    ("vector-transposed-values", "vector-double-knots", claim("[[[2,0],[2,1]],[[2,2],[0,4]],[[0,2],[0,1]]]/4@0"), "not fixed",
+     [(DOUBLE_KNOTS, "[[[2,0],[2,1]],[[2,2],[0,4]],[[0,2],[0,1]]]/4@0")]),
+    ("vector-other-mask", "vector-ghm", claim(HERMITE), "expected 'refinable ", []),
+    ("vector-as-surface", "vector-hat", "--surface [1,2,1]/2@-1 --dilation [2] --lower 1", "expected 'surface ", []),
+    ("vector-other-dilation", "vector-by-hand", claim(HAT_BUBBLE, "[3]"), "expected 'refinable ", []),
+    # points and components
+    *((f"vector-place-{name}", "vector-by-hand", None, reason, [("values 0.0:1", f"values {values}")]) for name, values, reason in (
+        ("missing", "0:1", "POINT.COMPONENT"), ("two", "0.0.0:1", "POINT.COMPONENT"), ("outside", "0.2:1", "number outside 0..1"),
+        ("minus", "0.-1:1", "number outside 0..1"), ("empty", "0.:1", "not an integer"), ("point", ".0:1", "not an integer"),
+        ("coordinates", "0,0.0:1", "another number of coordinates"), ("twice", "0.0:1 0.0:1", "occurs twice"), ("zero", "0.0:0", "a coefficient is 0"),
+        ("term", "0.0", "a term is POINT:INTEGER"), ("other", "0.1:1", "not fixed"), ("more", "0.0:1 0.1:1", "not fixed"))),
+    ("vector-digit-component", "vector-by-hand", None, "not an integer", [("digits 0 1", "digits 0.0 1.0")]),
+    ("vector-component-of-surface", "trapezoid-by-hand", None, "not an integer", [("values 1:1", "values 1.0:1")]),
+    ("vector-no-values", "vector-by-hand", None, "expected 'values'", [("values 0.0:1; ", "")]),
+    ("vector-no-value", "vector-by-hand", None, "wrong number of fields", [("values 0.0:1", "values")]),
+    # the space
+    ("vector-larger-space", "vector-ends", None, "the differences do not span the space",
+     [("space 1", "space 2"), ("vector -1.0", "vector 0.1:1; vector -1.0"), ("; product", "; blocks 1 1; basis 1 0; basis 0 1; inverse 1 0; inverse 0 1; product")]),
+    ("vector-smaller-space", "vector-by-hand", None, "a transition operator leads out of the space",
+     [("space 3; vector 0.1:1; ", "space 2; ")]),
+    ("vector-not-led", "vector-by-hand", None, "not led into the space", [("space 3; ", "space 2; "), ("; vector -1.0:1 0.0:-2 1.0:1", "")]),
+    ("vector-lower-order", "vector-hermite", None, "not led into the space", [("differences 3", "differences 2")]),
+    ("vector-above-order", "vector-by-hand", claim(HAT_BUBBLE, ends="--lower 201/100"), "the lower end is above the order of the differences", []),
+    ("vector-order-1", "vector-hat", None, "the product proves no exponent below the number of sum rules",
+     [("differences 2", "differences 1"), ("vector -1.0:1 0.0:-2 1.0:1", "vector 0.0:1 -1.0:-1"), ("space 1", "space 2"), ("; product 0 1/2 0 0", "; vector 1.0:1 -1.0:-1; product 0 1/2 0 1"),
+      ("block 0 norm 1", "block 0 norm 12")]),
+    ("vector-order-65", "vector-by-hand", None, ", line 4", [("differences 2", "differences 65")]),
+    ("vector-sum-rules", "vector-by-hand", None, "expected 'differences'", [("differences 2", "sum-rules 2")]),
+    ("vector-turned", "vector-by-hand", None, "expected 'digits'", [("digits", "turned [-2]; digits")]),
+    ("vector-stability", "vector-by-hand", None, "expected 'digits'", [("digits", "stability; digits")]),
+    ("vector-gram", "vector-ends", None, "expected 'product'", [("; product", "; gram 0.0:4 1.0:1; product")]),
+    ("vector-second-part", "vector-ends", None, "expected 'end'",
+     [("; end", "; sum-rules 1; space 1; vector -1.0:1 0.0:-2 1.0:1; block 0 norm 1; end")]),
+    # the ends
+    ("vector-lower", "vector-by-hand", claim(HAT_BUBBLE, ends="--lower 1001/1000"), "the bound does not prove the claim", []),
+    ("vector-upper", "vector-by-hand", claim(HAT_BUBBLE, ends="--lower 1 --upper 999/1000"), "does not prove the claim", []),
+    ("vector-no-product", "vector-by-hand", None, "expected 'product'", [("; product 1 1/2 0 0", "")]),
+    ("vector-lower-zero", "vector-by-hand", claim(HAT_BUBBLE, ends="--lower 0"), "must be positive", []),
+    ("vector-exact-other", "vector-exact", f"--refinable {ROUGH_BUBBLE} --dilation [2] --exact 0-log|[-2,3]@2/3,0,1/4|^1/1", "expected 'exact ", []),
+    ("vector-exact-order", "vector-exact", f"--refinable {ROUGH_BUBBLE} --dilation [2] --exact 2-log|[-3,4]@3/4,0,1/4|^1/1",
+     "another number before its logarithm", [("exact 0-log", "exact 2-log")]),
+    ("vector-exact-1", "vector-exact", f"--refinable {HAT_HAAR} --dilation [2] --exact 0-log|[-1,1]@1,0,1/4|^1/1",
+     "no exponent between 0 and the number of sum rules",
+     [(ROUGH_BUBBLE, HAT_HAAR), ("[-3,4]@3/4", "[-1,1]@1"), ("root 3/4 0 0 3/4 3/4", "root 1 0 0 1 1")]),
+    # the dilation, the digits, sizes
+    ("vector-digits-class", "vector-by-hand", None, "two digits of one class", [("digits 0 1", "digits 0 2")]),
+    ("vector-not-isotropic", "vector-courant", claim(COURANT, "[2,0;0,3]"), "not isotropic", [("[2,0;0,2]", "[2,0;0,3]")]),
+    ("vector-zero", "vector-hat", claim("[[[0]],[[0]]]"), "all coefficients of the mask are 0", [("[[[1]],[[2]],[[1]]]/2@-1", "[[[0]],[[0]]]")]),
+    ("vector-far", "vector-hat", claim("[[[1]],[[2]],[[1]]]/2@999999"), "more work than the checker allows",
+     [("[[[1]],[[2]],[[1]]]/2@-1", "[[[1]],[[2]],[[1]]]/2@999999"), ("values 0.0", "values 1000000.0")]),
+    ("vector-too-far", "vector-hat", claim("[[[1]],[[2]],[[1]]]/2@1000000001"), "a coordinate is too large",
+     [("[[[1]],[[2]],[[1]]]/2@-1", "[[[1]],[[2]],[[1]]]/2@1000000001")]),
+]
+REJECTED = [(name, base, options, reason, [tuple(part.replace("; ", "\n") for part in edit) for edit in edits])
+            for name, base, options, reason, edits in EDITED]

@@ -1,0 +1,126 @@
+// Specifications of masks of matrices: function vectors, vector schemes and Hermite schemes.
+
+#include "specification_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+using namespace specification_text;
+
+constexpr long max_entries = 20'000, max_components = 64;
+constexpr std::size_t max_nesting = 5;  // three variables, rows and columns
+
+/// The sums over k of (A_k)_{ij} z^k, row by row.
+std::vector<MultivariatePolynomial> entries_of(const text::MaskText& mask, bool transposed) {
+  const std::size_t size = mask.sizes[0], variables = mask.sizes.size() - 2;
+  std::vector<std::vector<Monomial>> terms(size * size);
+  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
+    if (mask.coefficients[i] == 0) continue;
+    const std::size_t column = i % size, row = i / size % size;
+    Monomial term{mask.coefficients[i], {}};
+    std::size_t rest = i / (size * size);
+    for (std::size_t v = 0; v < variables; rest /= mask.sizes[2 + v++]) {
+      const long first = mask.first ? (*mask.first)[v] : -static_cast<long>(mask.sizes[2 + v] / 2);
+      term.exponents.push_back(first + static_cast<long>(rest % mask.sizes[2 + v]));
+    }
+    terms[transposed ? column * size + row : row * size + column].push_back(std::move(term));
+  }
+  std::vector<MultivariatePolynomial> result;
+  for (const auto& entry : terms) result.emplace_back(static_cast<int>(variables), entry);
+  return result;
+}
+
+LatticeMask transposed(const LatticeMask& mask) {
+  std::vector<MultivariatePolynomial> entries;
+  const std::size_t size = mask.components();
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) entries.push_back(mask.entries()[j * size + i]);
+  return {std::move(entries), mask.dilation()};
+}
+
+/// Lists that are nested as deep as the text begins, the innermost two being matrices.
+Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, const std::string& usage) {
+  const std::size_t depth = std::min(body.text.find_first_not_of("[ "), body.text.size());
+  const auto nesting = static_cast<std::size_t>(
+      std::count(body.text.begin(), body.text.begin() + static_cast<long>(depth), '['));
+  const std::string lists = "a list of square matrices, as [[[1,0],[1,2]],[[2,1],[0,1]]]/2@0";
+  if (nesting < 3 || nesting > max_nesting || (form == VectorForm::hermite && nesting > 3))
+    fail(body, lists + (form == VectorForm::hermite ? ", of one variable" : ", of one to three variables"));
+  const int variables = static_cast<int>(nesting) - 2;
+  auto [mask, fields] = split_mask(family, body, usage, variables, max_entries);
+  const text::MaskText parts = placed(
+      mask, [&mask = mask, variables] { return text::parse_mask_text(mask.text, variables, text::Entries::matrices); });
+  if (parts.sizes[0] == 1 && parts.sizes[1] == 1) fail(mask, "matrices of at least 2 rows; numbers are a mask:[...]");
+  if (parts.sizes[0] != parts.sizes[1] || parts.sizes[0] > max_components)
+    fail(mask, fmt::format("square matrices of at most {} rows, got {} rows and {} columns", max_components,
+                           parts.sizes[1], parts.sizes[0]));
+  const bool is_of_scheme = form != VectorForm::refinable;
+  const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(variables));
+  fields.finish();
+  const LatticeMask result = checked(mask, [&mask = mask, &parts = parts, &dilation, is_of_scheme] {
+    return LatticeMask(entries_of(parts, is_of_scheme), dilation);
+  });
+  return vector_scheme(form,
+                       std::string(form == VectorForm::refinable ? "function vector given by its matrices"
+                                   : form == VectorForm::vector  ? "vector scheme given by its matrices"
+                                                                 : "Hermite scheme given by its matrices"),
+                       result);
+}
+
+Family of_matrices(VectorForm form, const std::string& name, const std::string& meaning) {
+  const std::string usage = name + ":[[[1,0],[1,2]],[[2,1],[0,1]]]/2@0";
+  return {{name, usage, meaning}, [form](const Piece& family, const Piece& body, const std::string& help) {
+            return make_matrices(form, family, body, help);
+          }};
+}
+
+const std::vector<Family>& vector_table() {
+  static const std::vector<Family> families = [] {
+    std::vector<Family> list{
+        of_matrices(VectorForm::refinable, "refinable",
+                    "the functions phi(x) = sum over k of A_k phi(2x - k), A_k matrices, rows in brackets; optional "
+                    "arity=2 or dilation=[1,1;1,-1]"),
+        of_matrices(VectorForm::vector, "vector",
+                    "the scheme f'_i = sum over j of P_{i-2j} f_j on vectors, so that A_k is P_k transposed"),
+        of_matrices(VectorForm::hermite, "hermite",
+                    "the scheme D^(n+1) f'_i = sum over j of P_{i-2j} D^n f_j on values and derivatives, D = "
+                    "diag(1,1/2,1/4,...)")};
+    list.insert(list.end(), named_vectors().begin(), named_vectors().end());
+    return list;
+  }();
+  return families;
+}
+
+Scheme refinable_scheme_of(std::string_view specification) {
+  if (auto scheme = make_one_of(vector_table(), specification)) return *std::move(scheme);
+  return make_linear_scheme(specification);
+}
+
+}  // namespace
+
+Scheme vector_scheme(VectorForm form, const std::string& title, const LatticeMask& mask) {
+  const std::string name = form == VectorForm::refinable ? "refinable:"
+                           : form == VectorForm::vector  ? "vector:"
+                                                         : "hermite:";
+  return {name + to_mask_text(form == VectorForm::refinable ? mask : transposed(mask)) + fields_text(mask.dilation()),
+          title,
+          mask,
+          {},
+          {},
+          form};
+}
+
+Scheme make_refinable_scheme(std::string_view specification) {
+  return from_written(specification, refinable_scheme_of);
+}
+
+const std::vector<FamilyHelp>& vector_families() {
+  static const std::vector<FamilyHelp> help = help_of(vector_table());
+  return help;
+}
+
+}  // namespace subcert

@@ -52,8 +52,9 @@ void require_vector(const Scheme& scheme, const LatticePoint& orders, const Limi
   const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget), {}});
   const FunctionVector& vector = *found.vector;
   if (vector.continuous.is_no())
-    throw NoLimit(fmt::format("{}: there is no continuous solution; {}", scheme.specification, vector.continuous.reason),
-                  Truth::no);
+    throw NoLimit(
+        fmt::format("{}: there is no continuous solution; {}", scheme.specification, vector.continuous.reason),
+        {vector.continuous});
   if (vector.solutions > 1)
     fail(ErrorKind::usage, "limit: need one continuous solution up to a factor, got up to {} for {}", vector.solutions,
          scheme.specification);

@@ -202,11 +202,13 @@ void SmoothPage::write_rows(std::ostream& stream) const {
   data::write_rows(stream, table, rows(), samples.separator, options.threads(), samples.decimal);
 }
 
-Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages) {
+Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages, const RefusedGroups& refused) {
   if (pages.front()->options.samples.by.empty()) return pages.front()->json();
   Json groups = Json::array();
   for (const auto& page : pages) groups.push_back(page->json());
-  return {{"by", pages.front()->options.samples.by}, {"groups", groups}};
+  Json left_out = Json::array();
+  for (const auto& [group, why] : refused) left_out.push_back({{"group", group}, {"reason", why}});
+  return {{"by", pages.front()->options.samples.by}, {"groups", groups}, {"refused", left_out}};
 }
 
 void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream) {

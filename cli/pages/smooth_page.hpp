@@ -71,7 +71,10 @@ std::string covered_text(data::BandKind kind);
 std::string noise_line(const std::string& column, const data::NoiseEstimate& noise,
                        data::BandMethod method = data::BandMethod::linear);
 
+/// Groups that cannot be smoothed, and why.
+using RefusedGroups = std::vector<std::pair<std::string, std::string>>;
+
 /// The pages of all groups: one table.
-Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages);
+Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages, const RefusedGroups& refused);
 void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream);
 }  // namespace subcert::cli

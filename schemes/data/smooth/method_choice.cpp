@@ -34,7 +34,8 @@ bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandida
 std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidates) {
   if (candidates.empty())
     fail(ErrorKind::data,
-         "no candidate has data at enough positions in every window; there are too few, or gaps are too wide");
+         "no candidate has data at enough positions in every window; there are too few, or gaps are too wide; name a "
+         "scheme");
   std::ranges::stable_sort(candidates, {},
                            [](const SmoothingCandidate& one) { return std::pair(one.risk.total(), one.points); });
   return candidates;
@@ -460,7 +461,7 @@ Samples without_outliers(const Samples& samples, const SmoothingOptions& options
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
                            const std::optional<LocalPolynomial>& pattern, int threads) {
   if (samples.count() < 4)
-    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}", samples.count());
+    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name a scheme", samples.count());
   std::optional<Samples> cleaned;
   if (pattern && pattern->robust > 0) cleaned = without_outliers(samples, options, pseudodata_pilot, threads);
   const Samples& used = cleaned ? *cleaned : samples;

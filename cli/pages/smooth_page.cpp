@@ -24,6 +24,8 @@ std::string risk_line(const data::SmoothingCandidate& candidate) {
                      candidate.risk.total(), candidate.risk.bias_squared, candidate.risk.variance);
 }
 
+}  // namespace
+
 Json choice_json(const std::optional<data::MethodChoice>& choice) {
   if (!choice) return nullptr;
   Json candidates = Json::array();
@@ -31,7 +33,6 @@ Json choice_json(const std::optional<data::MethodChoice>& choice) {
   return {{"chosen", candidates.front()}, {"candidates", candidates}};
 }
 
-/// The method chosen, and the two best others.
 std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& options) {
   std::string text = fmt::format(
       "# chosen for the smallest estimated mean squared error{} at the data{}, of {} methods\n",
@@ -42,8 +43,6 @@ std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& o
   if (choice.widest_tried()) text += "#   more points were not tried for this degree\n";
   return text;
 }
-
-}  // namespace
 
 std::string covered_text(data::BandKind kind) {
   switch (kind) {

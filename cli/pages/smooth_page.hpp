@@ -66,6 +66,11 @@ struct SmoothPage {
   void turn_to_order_of_rows();
 };
 
+/// The method chosen, and the two best others.
+std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& options);
+/// All of them, or null.
+Json choice_json(const std::optional<data::MethodChoice>& choice);
+
 /// What a comment says of bands of this kind, and of the noise of a column.
 std::string covered_text(data::BandKind kind);
 std::string noise_line(const std::string& column, const data::NoiseEstimate& noise,

@@ -379,7 +379,7 @@ TEST_CASE("a group that cannot be smoothed does not stop the others") {
   CHECK(found.err.find("g b, c, left out: " + data + ": expected at least 4 rows to choose a scheme; found 2") !=
         std::string::npos);
   CHECK(found.err.find("g d, left out: " + data + ", lines 10 and 11: expected a uniform grid") != std::string::npos);
-  const auto json = run_json("smooth " + data + " --by g --level 0", 65);
+  const auto json = run_json("smooth " + data + " --by g --level 0 --quiet", 65);
   CHECK(json.at("groups").size() == 1);
   REQUIRE(json.at("refused").size() == 3);
   CHECK(json.at("refused")[2].at("group") == "d");
@@ -450,16 +450,20 @@ TEST_CASE("heights and volumes are smoothed") {
                            "SCALARS d double 1\nLOOKUP_TABLE default\n0\n0.5\n1\n1.5\n2\n") != std::string::npos);
   CHECK(of_volume.out.find("FIELD FieldData 3\nd_sd 1 45 double\n") != std::string::npos);
   CHECK(run("smooth " + plane + " --grid --scheme primal:n=1 --plot " + folder / "p.svg").code == 0);
+  const auto chosen = run_json("smooth " + plane + " --grid --bands-kind simultaneous");
+  CHECK(chosen.at("auto") == true);
+  CHECK(chosen.at("choice").at("chosen").at("scheme") == chosen.at("scheme"));
+  CHECK(run("smooth " + plane + " --grid").out.find("# chosen for the smallest estimated") != std::string::npos);
   const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
     CAPTURE(arguments);
     check_fails(run("smooth " + plane + " --grid " + arguments), code, message);
   };
-  fails("", 64, "--grid needs --scheme, as tensor:(primal:n=3)x(primal:n=3)");
+  fails("--select cv", 64,
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+        "--select cv, --stream");
   fails("--scheme primal:n=1 --by x", 64,
         "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
-        "--stream");
-  fails("--scheme primal:n=1 --bands-kind simultaneous", 64,
-        "--grid: expected pointwise or prediction bands; simultaneous ones are for curves");
+        "--select cv, --stream");
   fails("--scheme l1:points=4 --bands 0", 64, "smoothing: l1:points=4,d=1,iterations=6,delta=1e-8 is not linear");
   check_fails(run("smooth " + folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n") +
                   " --grid --scheme primal:n=1"),

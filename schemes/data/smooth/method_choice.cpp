@@ -18,7 +18,18 @@ namespace {
 constexpr std::size_t many_data = 20'000;
 constexpr double least_rest = 1e-9;  // of 1 where a fit is taken to depend on more than its own datum
 
-/// Adds the candidate with its risk, where each of its windows has data for a fit.
+SmoothingOptions at_data(const SmoothingOptions& options) {
+  SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
+  there.selection = options.selection;
+  return there;
+}
+
+void require_data(const char* who, const Samples& samples) {
+  require(samples.count() >= 4, "{}: need at least 4 data, got {}", who, samples.count());
+}
+
+}  // namespace
+
 bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandidate candidate,
                    const std::function<RiskEstimate()>& risk) {
   try {
@@ -41,20 +52,11 @@ std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidate
   return candidates;
 }
 
-SmoothingOptions at_data(const SmoothingOptions& options) {
-  SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
-  there.selection = options.selection;
-  return there;
+void raise_biases(std::vector<SmoothingCandidate>& candidates) {
+  double least = 0;
+  for (const SmoothingCandidate& one : candidates) least = std::min(least, one.risk.bias_squared);
+  for (SmoothingCandidate& one : candidates) one.risk.bias_squared -= least;
 }
-
-/// A candidate of one number more in a list that grows by about a fifth.
-std::size_t next_points(std::size_t points) { return points + 1 + points / 5; }
-
-void require_data(const char* who, const Samples& samples) {
-  require(samples.count() >= 4, "{}: need at least 4 data, got {}", who, samples.count());
-}
-
-}  // namespace
 
 SmoothingMethod make_smoothing_method(std::string_view specification) {
   if (is_local_specification(specification)) return make_local_polynomial(specification);
@@ -439,13 +441,6 @@ std::vector<SmoothingCandidate> rank_all(const Samples& samples, const std::vect
   bound.set_spread(spread_of_noise(samples, noise));
   add_schemes(candidates, samples, noise, options, longest_scheme, &bound);
   return ranked(std::move(candidates));
-}
-
-/// Takes the error that all estimates have in common out of them, as far as it shows.
-void raise_biases(std::vector<SmoothingCandidate>& candidates) {
-  double least = 0;
-  for (const SmoothingCandidate& one : candidates) least = std::min(least, one.risk.bias_squared);
-  for (SmoothingCandidate& one : candidates) one.risk.bias_squared -= least;
 }
 
 Samples without_outliers(const Samples& samples, const SmoothingOptions& options, LocalPolynomial pilot, int threads) {

@@ -56,8 +56,7 @@ Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Dead
 }
 
 /// What the values of a vector of functions tell, and a picture of all functions.
-ExitCode analyze_vector(const AnalyzeOptions& options) {
-  const Scheme scheme = make_refinable_scheme(options.scheme);
+ExitCode analyze_vector(const Scheme& scheme, const AnalyzeOptions& options) {
   if (!options.html.empty()) fail(ErrorKind::usage, "--html: need a mask of numbers, got {}", options.scheme);
   require_drawable(options.plot, scheme);
   RegularityOptions how;
@@ -110,9 +109,9 @@ ExitCode run(const AnalyzeOptions& options) {
   if (has_parameter(options.scheme)) return analyze_family(options);
   if (!options.over.empty()) fail(ErrorKind::usage, "--over: {} has no parameter", options.scheme);
   if (is_l1_specification(options.scheme)) return analyze_l1(options);
-  if (is_vector_specification(options.scheme)) return analyze_vector(options);
   const Deadline deadline = Deadline::in(options.budget);
-  const Scheme scheme = make_linear_scheme(options.scheme);
+  const Scheme scheme = make_refinable_scheme(options.scheme);
+  if (scheme.form) return analyze_vector(scheme, options);
   require_drawable(options.plot, scheme);
   if (!options.html.empty())
     runtime::write_file(options.html, reports::gallery_html({reports::make_plate(

@@ -102,3 +102,19 @@ TEST_CASE("analyze: a page on which a parameter is moved") {
   CHECK(odd.at("values").size() == 62);
   CHECK(moved("'mask:[w,1/2,1/2-w,1/2-w,1/2,w]' --over w=2..3").at("values").at(0).at("note") == "does not converge");
 }
+
+TEST_CASE("analyze: vectors of functions, their values and a picture") {
+  const Folder folder;
+  const std::string picture = folder / "ghm.svg";
+  const Run page = run("analyze ghm --plot " + picture);
+  CHECK(page.code == 0);
+  CHECK(page.out.find("phi_2(1) = 1") != std::string::npos);
+  CHECK(content(picture).find("<svg") != std::string::npos);
+  const auto json = run_json("analyze ghm");
+  CHECK(json.at("components").size() == 2);
+  CHECK(json.at("holder").at("lower") == "1");
+  CHECK(run("analyze 'refinable:[[[1,0],[0,1]],[[1,0],[0,1]]]@0'").code == 1);
+  CHECK(run("analyze ghm --html " + (folder / "x.html")).code == 64);
+  // Tensor products of numbers are none.
+  CHECK(run("analyze 'tensor:(primal:n=2)x(dd:n=2)' --budget 2").out.find("sum rules") != std::string::npos);
+}

@@ -36,6 +36,19 @@ TEST_CASE("limit: derivatives of surfaces") {
   check_fails(run("limit loop: --derivative 1,x"), 64, "--derivative: expected orders from 0 to 1000, got 'x'");
 }
 
+TEST_CASE("limit: vectors of functions") {
+  const auto cubic = run_json("limit merrien:lambda=-1/8,mu=-1/2 --level 1");
+  CHECK(cubic.at("components") == 2);
+  CHECK(cubic.at("indices") == nlohmann::json({{-1}, {0}, {1}}));
+  CHECK(cubic.at("values") == nlohmann::json::parse(R"([["1/2","-1/8"],["1","0"],["1/2","1/8"]])"));
+  const auto slopes = run_json("limit merrien:lambda=-1/8,mu=-1/2 --level 1 --derivative 1");
+  CHECK(slopes.at("values") == nlohmann::json::parse(R"([["3/2","-1/4"],["0","1"],["-3/2","-1/4"]])"));
+  CHECK(run("limit merrien:lambda=-1/8,mu=-1/2 --derivative 2").code == 2);
+  CHECK(run("limit 'refinable:[[[1,0],[0,1]],[[1,0],[0,1]]]@0'").code == 1);
+  CHECK(run("limit cl:2").code == 64);
+  CHECK(run("limit ghm --range").code == 64);
+}
+
 TEST_CASE("limit: extremes and sign") {
   const auto loop = run_json("limit loop: --range");
   CHECK(loop.at("maximum").at("lower") == "0.5");

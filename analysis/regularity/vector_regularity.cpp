@@ -349,6 +349,7 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
           parts.components());
   MultivariateRegularity result;
   FunctionVector& vector = result.vector.emplace();
+  vector.root = parts.root;
   result.stable = {Truth::unknown, "not needed for the exponent, which is from values of phi"};
   result.converges = {Truth::unknown, "what is proved is about the solution of the refinement equation"};
   const std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);

@@ -336,10 +336,11 @@ Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const Re
   if (mask.factors().size() == 1)
     result.curve = holder_regularity(mask.curve(), options.levels, budget, options.proof, options.rounding,
                                      options.bits);
-  else if (mask.components() > 1)
+  else if (mask.components() > 1) {
+    require(!options.rounding || options.quadratic, "regularity: need the matrices that are meant, not rounded ones");
     result.surface = options.quadratic ? vector_regularity(*options.quadratic, budget, options.bits, options.component)
                                        : vector_regularity(mask, budget, options.bits, options.component);
-  else
+  } else
     result.surface = multivariate_regularity(mask, budget, options.bits);
   return result;
 }

@@ -48,7 +48,7 @@ bool is_exactly(const Enclosure& exponent, const Rational& value) {
   return exponent.lower == value && exponent.upper == value;
 }
 
-const Budget budget{Deadline::in(20), {}};
+const Budget budget{Deadline::in(20)};
 
 TEST_CASE("Sequences of vectors are sums over components") {
   const LatticeMask mask = of_matrices({{{1, 2}, {3, 4}}, {{5, 6}, {7, 8}}}, 0);

@@ -62,7 +62,7 @@ ExitCode analyze_vector(const Scheme& scheme, const AnalyzeOptions& options) {
   RegularityOptions how;
   how.quadratic = scheme.quadratic;
   const Stopwatch watch;
-  const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget), {}}, how);
+  const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget)}, how);
   const FunctionVector& vector = *found.surface->vector;
   facts::Facts list = regularity_facts(scheme, found, {}, {watch.seconds(), 0, found.is_closed()});
   if (vector.continuous.is_yes() && vector.solutions == 1 && !scheme.quadratic)

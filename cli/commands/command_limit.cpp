@@ -49,7 +49,7 @@ void require_vector(const Scheme& scheme, const LatticePoint& orders, const Limi
   if (options.range || scheme.quadratic)
     fail(ErrorKind::usage, "{}: need {}, got {}", options.range ? "--range" : "limit",
          options.range ? "a mask of numbers" : "rational matrices", scheme.specification);
-  const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget), {}});
+  const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget)});
   const FunctionVector& vector = *found.vector;
   if (vector.continuous.is_no())
     throw NoLimit(

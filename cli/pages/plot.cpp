@@ -59,6 +59,8 @@ void require_drawable(const std::string& plot, const Scheme& scheme) {
   if (!plot.empty() && scheme.mask.dimension() > 2)
     fail(ErrorKind::usage, "--plot {}: pictures are of functions of one or two variables; {} has {}", plot,
          scheme.specification, scheme.mask.dimension());
+  if (!plot.empty() && scheme.quadratic)
+    fail(ErrorKind::usage, "--plot {}: need rational matrices, got {}", plot, scheme.specification);
 }
 
 void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& convergence) {

@@ -115,7 +115,8 @@ Analysis analysis(const Scheme& scheme, const AnalysisOptions& options) {
   const bool curve = mask.dimension() == 1;
   const auto add_regularity = [&](const Deadline& time) {
     next("exponent");
-    known.regularity = regularity_of(mask, {time}, {.levels = options.limits.levels, .rounding = scheme.rounding});
+    known.regularity = regularity_of(
+        mask, {time}, {.levels = options.limits.levels, .rounding = scheme.rounding, .quadratic = scheme.quadratic});
   };
   next("convergence");
   if (!mask.has_factors() && !mask.dilation().isotropic_subspaces().empty()) {

@@ -121,14 +121,15 @@ void add_limits(Command& command, SearchOptions& options) {
 
 std::vector<Suggestion> suggested_schemes() {
   std::vector<Suggestion> result;
-  for (const auto* help : {&families(), &multivariate_families()})
+  for (const auto* help : {&families(), &multivariate_families(), &vector_families()})
     for (const FamilyHelp& family : *help) result.push_back({family.family + ":", family.meaning});
   return result;
 }
 
-void add_scheme(Command& command, std::string& target, bool any) {
+void add_scheme(Command& command, std::string& target, bool any, bool vectors) {
   std::vector<FamilyHelp> help = families();
   if (any) help.insert(help.end(), multivariate_families().begin(), multivariate_families().end());
+  if (vectors) help.insert(help.end(), vector_families().begin(), vector_families().end());
   std::string known;
   for (const FamilyHelp& family : help) known += "\n  " + family.usage + "\n      " + family.meaning;
   command.option("SCHEME", target, "Scheme specification").required().suggest(suggested_schemes);

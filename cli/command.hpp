@@ -104,8 +104,9 @@ Command add_command(Command& app, const std::string& name, const std::string& de
 /// The names of all families, for options whose value is a scheme.
 std::vector<Suggestion> suggested_schemes();
 
-/// The positional argument SCHEME; `any` names the families of two and three variables in the help too.
-void add_scheme(Command& command, std::string& target, bool any = false);
+/// The positional argument SCHEME; `any` names the families of two and three variables in the help too, `vectors` those
+/// of vectors of functions.
+void add_scheme(Command& command, std::string& target, bool any = false, bool vectors = false);
 
 /// The text with blanks up to this width.
 std::string padded(std::string text, std::size_t width);

@@ -52,7 +52,7 @@ as_root() {
 
 install_missing() {
   command -v dpkg-query >/dev/null || {
-    echo "not a Debian system: install by hand what docs/dependencies.md lists" >&2
+    echo "not a Debian system: install by hand what docs/developing/dependencies.md lists" >&2
     return
   }
   missing=$(missing_packages)

@@ -29,33 +29,6 @@ std::vector<Named> schemes_of_collection(const statements::PublishedTable& publi
   return list;
 }
 
-formats::Comparison compare_published(const statements::PublishedCell& cell, const SurfaceFacts& facts) {
-  const MultivariateRegularity& regularity = facts.regularity;
-  const Enclosure exponent = cell.quantity.starts_with("Sobolev") ? regularity.sobolev.value_or(Enclosure{})
-                                                                  : regularity.exponent;
-  const ValueVerdict verdict = formats::compare_exponent(cell.printed, exponent);
-  std::string note;
-  if (verdict == ValueVerdict::open)
-    note = exponent.is_bounded() ? fmt::format("enclosed with a width of {}, which does not decide",
-                                               to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up))
-                                 : "not enclosed from both sides; stable shifts: " + regularity.stable.reason;
-  else if (verdict == ValueVerdict::mismatch && regularity.radius)
-    note = fmt::format("the product {} of the transition operators has the radius {}",
-                       fmt::join(regularity.radius->product.word, ""),
-                       formats::fixed_text(regularity.radius->product.radius, 12));
-  return {cell.row,
-          cell.column,
-          facts.specification,
-          cell.printed,
-          exponent,
-          verdict,
-          recorded_verdict(cell, verdict),
-          note,
-          source_text(cell),
-          to_text(regularity.stable.truth),
-          command_of(cell)};
-}
-
 }  // namespace
 
 Report report_bivariate(const ReportOptions& options) {
@@ -74,7 +47,8 @@ Report report_bivariate(const ReportOptions& options) {
   if (options.wants("published"))
     add_published(section, "bivariate", published, [&](const statements::PublishedCell& cell) {
       const auto at = std::ranges::find(specifications, cell.scheme) - specifications.begin();
-      return compare_published(cell, facts[static_cast<std::size_t>(at)]);
+      const SurfaceFacts& found = facts[static_cast<std::size_t>(at)];
+      return compare_smoothness(cell, found.specification, found.regularity);
     });
   if (options.wants("schemes")) {
     formats::PlainTable table{

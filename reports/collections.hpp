@@ -22,6 +22,9 @@ Report report_families(const ReportOptions& options);
 /// With a certificate for each of D4, ..., D42.
 Report report_daubechies(const ReportOptions& options);
 
+/// Hermite schemes and multiwavelets. Errors: as regularity_of.
+Report report_vectors(const ReportOptions& options);
+
 /// With the matrices and a certificate of each family. Errors: as joint_spectral_radius.
 Report report_joint_spectral_radii(const ReportOptions& options);
 

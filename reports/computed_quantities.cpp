@@ -4,6 +4,8 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace subcert::reports {
@@ -111,6 +113,33 @@ formats::Comparison compare_number(const statements::PublishedCell& cell, const 
   return {
       cell.row, cell.column,       cell.scheme, cell.printed,     computed,    verdict, recorded_verdict(cell, verdict),
       note,     source_text(cell), "",          command_of(cell), cell.derived};
+}
+
+formats::Comparison compare_smoothness(const statements::PublishedCell& cell, const std::string& specification,
+                                       const MultivariateRegularity& regularity) {
+  const Enclosure exponent = cell.quantity.starts_with("Sobolev") ? regularity.sobolev.value_or(Enclosure{})
+                                                                  : regularity.exponent;
+  const ValueVerdict verdict = formats::compare_exponent(cell.printed, exponent);
+  std::string note;
+  if (verdict == ValueVerdict::open)
+    note = exponent.is_bounded() ? fmt::format("enclosed with a width of {}, which does not decide",
+                                               to_decimal(*exponent.upper - *exponent.lower, 2, Rounding::up))
+                                 : "not enclosed from both sides; stable shifts: " + regularity.stable.reason;
+  else if (verdict == ValueVerdict::mismatch && regularity.radius)
+    note = fmt::format("the product {} of the transition operators has the radius {}",
+                       fmt::join(regularity.radius->product.word, ""),
+                       formats::fixed_text(regularity.radius->product.radius, 12));
+  return {cell.row,
+          cell.column,
+          specification,
+          cell.printed,
+          exponent,
+          verdict,
+          recorded_verdict(cell, verdict),
+          note,
+          source_text(cell),
+          to_text(regularity.stable.truth),
+          command_of(cell)};
 }
 
 formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal) {

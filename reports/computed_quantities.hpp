@@ -4,6 +4,7 @@
 #include "report.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
@@ -106,6 +107,10 @@ std::string command_of(const statements::PublishedCell& cell);
 
 formats::Comparison compare_number(const statements::PublishedCell& cell, const Enclosure& computed,
                                    const std::string& note = "");
+
+/// Of an exponent or a class, with the reason where it is open.
+formats::Comparison compare_smoothness(const statements::PublishedCell& cell, const std::string& specification,
+                                       const MultivariateRegularity& regularity);
 
 /// yes is a match, no a mismatch.
 formats::Comparison compare_text(const statements::PublishedCell& cell, const std::string& computed, Truth equal);

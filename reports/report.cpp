@@ -27,6 +27,7 @@ const SpecialReport* special_report(const std::string& paper) {
       {"families", {{"ranges"}, report_families}},
       {"daubechies", {{"published", "exponents"}, report_daubechies}},
       {"jsr", {{"published", "families"}, report_joint_spectral_radii}},
+      {"vectors", {{"published", "functions"}, report_vectors}},
   };
   const auto found = all.find(paper);
   return found == all.end() ? nullptr : &found->second;

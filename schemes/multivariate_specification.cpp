@@ -52,15 +52,6 @@ std::string fields_text(const Dilation& dilation) {
          (dilation == plain ? "" : ",digits=" + to_text(dilation.digits()));
 }
 
-}  // namespace specification_text
-
-namespace {
-
-using namespace specification_text;
-
-constexpr long max_coefficients = 100'000, max_mask = 2 * max_points;
-
-/// The specifications in `(A)x(B)` or `(A)x(B)x(C)`.
 std::vector<Piece> read_factors(const Piece& body) {
   const std::string expected = "two or three specifications in parentheses, as (primal:n=3)x(dual:n=2)";
   std::vector<Piece> factors;
@@ -82,6 +73,14 @@ std::vector<Piece> read_factors(const Piece& body) {
   if (factors.size() < 2 || factors.size() > 3) fail(body, expected);
   return factors;
 }
+
+}  // namespace specification_text
+
+namespace {
+
+using namespace specification_text;
+
+constexpr long max_coefficients = 100'000, max_mask = 2 * max_points;
 
 Scheme make_tensor(const Piece&, const Piece& body, const std::string&) {
   std::string specification = "tensor:";
@@ -323,8 +322,7 @@ Scheme linear_scheme_of(std::string_view specification) {
   for (const FamilyHelp& help : families())
     if (help.family == family.text) return make_scheme(specification);
   for (const FamilyHelp& help : vector_families())
-    if (help.family == family.text)
-      fail(family, "a scheme of numbers; of vectors 'subcert regularity', 'mask' and 'limit' tell what is known");
+    if (help.family == family.text) fail(family, numbers_only);
   if (is_l1_specification(specification))
     fail(family, "a linear scheme; l1 schemes only act on data, and 'subcert l1' tells what is proved of them");
   fail(family, unknown_family(family.text));

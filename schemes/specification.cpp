@@ -65,6 +65,7 @@ Scheme make_bspline(Fields& fields) {
   const long degree = read_integer(degree_piece, "degree", 1, 2000);
   const auto arity_piece = fields.optional("a");
   const long arity = arity_piece ? read_integer(*arity_piece, "a", 2, max_arity) : 2;
+  if (const auto multiplicity = fields.optional("multiplicity")) fail(*multiplicity, numbers_only);
   fields.finish();
   if (arity * degree > 8000) fail(degree_piece, "a * degree <= 8000");
   return {"bspline:degree=" + number(degree) + (arity == 2 ? "" : ",a=" + number(arity)),
@@ -242,6 +243,8 @@ Scheme scheme_of(std::string_view specification) {
     fail(family, "a linear scheme, one of " + known + "; l1 schemes only act on data");
   for (const FamilyHelp& other : multivariate_families())
     if (other.family == family.text) fail(family, "a linear scheme of one variable (" + known + ")");
+  for (const FamilyHelp& other : vector_families())
+    if (other.family == family.text) fail(family, numbers_only);
   fail(family, unknown_family(family.text));
 }
 

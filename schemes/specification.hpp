@@ -4,6 +4,7 @@
 #include "l1_scheme.hpp"
 #include "local_regression.hpp"
 
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/polynomials/term_text.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 
@@ -38,6 +39,8 @@ struct Scheme {
   std::optional<LocalRegression> rules = std::nullopt;
   std::optional<MaskRounding> rounding = std::nullopt;  ///< where the coefficients that are meant are not rational
   std::optional<VectorForm> form = std::nullopt;        ///< of a mask of matrices, always
+  /// What is meant where `mask` is one of matrices and rounded.
+  std::optional<QuadraticMask> quadratic = std::nullopt;
 };
 
 /// A data-dependent scheme of one to three variables. It has no mask and only acts on data.

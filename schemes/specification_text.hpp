@@ -218,6 +218,9 @@ auto checked(const Piece& piece, Make make) {
 std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::string& name, std::size_t variables,
                                               long bound);
 
+/// The specifications in `(A)x(B)` or `(A)x(B)x(C)`.
+std::vector<Piece> read_factors(const Piece& body);
+
 /// The fields arity, dilation and digits; 2 times the identity unless given.
 Dilation read_dilation(Fields& fields, std::size_t variables);
 /// The fields that read_dilation reads.
@@ -259,11 +262,18 @@ auto from_fields(Make make) {
   };
 }
 
+/// Of vectors of functions by name. Two of them also name families of numbers, which they make as well.
+const std::vector<Family>& named_vectors();
+
 inline std::vector<FamilyHelp> help_of(const std::vector<Family>& families) {
   std::vector<FamilyHelp> result;
   for (const Family& family : families) result.push_back(family.help);
   return result;
 }
+
+/// What is expected in the place of a vector of functions.
+constexpr const char* numbers_only =
+    "a scheme of numbers; of vectors 'subcert regularity', 'mask' and 'limit' tell what is known";
 
 /// `primal, dual, ...`
 inline std::string names_of(const std::vector<FamilyHelp>& families) {

@@ -79,15 +79,19 @@ Family of_matrices(VectorForm form, const std::string& name, const std::string& 
 }
 
 const std::vector<Family>& vector_table() {
-  static const std::vector<Family> families{
-      of_matrices(VectorForm::refinable, "refinable",
-                  "the functions phi(x) = sum over k of A_k phi(2x - k), A_k matrices, rows in brackets; optional "
-                  "arity=2 or dilation=[1,1;1,-1]"),
-      of_matrices(VectorForm::vector, "vector",
-                  "the scheme f'_i = sum over j of P_{i-2j} f_j on vectors, so that A_k is P_k transposed"),
-      of_matrices(VectorForm::hermite, "hermite",
-                  "the scheme D^(n+1) f'_i = sum over j of P_{i-2j} D^n f_j on values and derivatives, D = "
-                  "diag(1,1/2,1/4,...)")};
+  static const std::vector<Family> families = [] {
+    std::vector<Family> list{
+        of_matrices(VectorForm::refinable, "refinable",
+                    "the functions phi(x) = sum over k of A_k phi(2x - k), A_k matrices, rows in brackets; optional "
+                    "arity=2 or dilation=[1,1;1,-1]"),
+        of_matrices(VectorForm::vector, "vector",
+                    "the scheme f'_i = sum over j of P_{i-2j} f_j on vectors, so that A_k is P_k transposed"),
+        of_matrices(VectorForm::hermite, "hermite",
+                    "the scheme D^(n+1) f'_i = sum over j of P_{i-2j} D^n f_j on values and derivatives, D = "
+                    "diag(1,1/2,1/4,...)")};
+    list.insert(list.end(), named_vectors().begin(), named_vectors().end());
+    return list;
+  }();
   return families;
 }
 

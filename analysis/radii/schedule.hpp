@@ -102,6 +102,7 @@ inline constexpr double convergence_seconds = 5, convergence_grace = 0.5;  ///< 
 namespace vector {
 inline constexpr double spaces = 0.2;   ///< differences of ever higher orders
 inline constexpr double norms = 0.05;   ///< of each radius
+inline constexpr double blocks = 0.3;   ///< of a field
 inline constexpr double whole = 0.6;    ///< the worst function
 inline constexpr double sobolev = 0.2;  ///< its exponent in the mean of squares
 }  // namespace vector

@@ -337,7 +337,8 @@ Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const Re
     result.curve = holder_regularity(mask.curve(), options.levels, budget, options.proof, options.rounding,
                                      options.bits);
   else if (mask.components() > 1)
-    result.surface = vector_regularity(mask, budget, options.bits, options.component);
+    result.surface = options.quadratic ? vector_regularity(*options.quadratic, budget, options.bits, options.component)
+                                       : vector_regularity(mask, budget, options.bits, options.component);
   else
     result.surface = multivariate_regularity(mask, budget, options.bits);
   return result;

@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 
 namespace subcert {
 
@@ -32,6 +33,7 @@ struct FunctionVector {
   /// At most so many solutions are continuous and of compact support, up to linear combinations. Where it is more than
   /// one, all that is said is about all of them.
   std::size_t solutions = 0;
+  long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none
   std::vector<ComponentRegularity> components;
 };
@@ -63,6 +65,11 @@ struct MultivariateRegularity {
 /// rules nor stability are needed (docs/vectors.md). Domain: an isotropic dilation. Errors, error and cost: as below.
 /// With `component`, from 0, the exponent is that of this function alone, and no other is looked at.
 MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits = default_bits,
+                                         std::optional<std::size_t> component = std::nullopt);
+
+/// The same of matrices over a quadratic field. What is said of a radius, that it is of rounded matrices, is proved of
+/// those that are meant. Without a Sobolev exponent. Proof: docs/vectors.md.
+MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget, int bits = default_bits,
                                          std::optional<std::size_t> component = std::nullopt);
 
 /// By factors, whatever their arities, the smallest of their exponents, without space, radius and inner products. Else,

@@ -12,6 +12,7 @@ struct RegularityOptions {
   int levels = 16;
   HolderProof proof = HolderProof::shortest;
   std::optional<MaskRounding> rounding = {};
+  std::optional<QuadraticMask> quadratic = {};  ///< what is meant by a mask of matrices that is rounded
   std::optional<std::size_t> component = {};  ///< of a mask of matrices: the function, from 0, whose exponent is asked
 };
 

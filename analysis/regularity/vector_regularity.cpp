@@ -4,6 +4,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
+#include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -67,17 +68,150 @@ double rough_exponent(const MatrixFamily& family, std::size_t dimension) {
   return -(growth - classes) / 2 / (classes / static_cast<double>(dimension));
 }
 
+/// A vector of functions by the mask of its rational parts: where these are more than one each, the multiples of 1 and
+/// of the square root of a number (QuadraticMask).
+struct Parts {
+  const LatticeMask& mask;
+  long root = 0;  ///< that number, or 0
+  std::size_t components() const { return mask.components() / (root > 0 ? 2 : 1); }
+  /// Of a component, from 0.
+  std::vector<std::size_t> parts_of(std::size_t component) const {
+    return root > 0 ? std::vector{component, component + components()} : std::vector{component};
+  }
+};
+
+/// The transition operators on a rational space, digit by digit, and the product with the square root where there is
+/// one.
+struct Operators {
+  MatrixFamily family;
+  std::optional<RationalMatrix> root = std::nullopt;
+
+  /// All of them, the root last.
+  std::vector<RationalMatrix> matrices() const {
+    std::vector<RationalMatrix> result = family.matrices();
+    if (root) result.push_back(*root);
+    return result;
+  }
+};
+
+Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts) {
+  if (parts.root == 0) return {MatrixFamily(std::move(matrices))};
+  RationalMatrix root = std::move(matrices.back());
+  matrices.pop_back();
+  return {MatrixFamily(std::move(matrices)), std::move(root)};
+}
+
+Operators operators_of(const DifferenceSpace& space, const Parts& parts) {
+  if (parts.root == 0) return {space.family};
+  const auto half = static_cast<long>(parts.components());
+  RationalMatrix root(space.basis.size(), space.basis.size());
+  for (std::size_t k = 0; k < space.pivots.size(); ++k) {
+    LatticePoint from = space.pivots[k];
+    const bool is_first = from.back() < half;
+    from.back() += is_first ? half : -half;
+    for (std::size_t c = 0; c < space.basis.size(); ++c)
+      if (const auto found = space.basis[c].find(from); found != space.basis[c].end())
+        root(k, c) = is_first ? Rational(parts.root * found->second) : found->second;
+  }
+  return {space.family, std::move(root)};
+}
+
+/// The columns e of the identity that, with their images J e, are a basis. Domain: J J is a number that is no square.
+std::vector<std::size_t> half_basis(const RationalMatrix& root) {
+  const std::size_t size = root.rows();
+  RationalMatrix columns(size, 2 * size);
+  for (std::size_t c = 0; c < size; ++c) {
+    columns(c, 2 * c) = 1;
+    for (std::size_t r = 0; r < size; ++r) columns(r, 2 * c + 1) = root(r, c);
+  }
+  std::vector<std::size_t> result;
+  for (const std::size_t column : pivot_columns(columns))
+    if (column % 2 == 0) result.push_back(column / 2);
+  return result;
+}
+
+/// Matrices, and how far the entries of those that are meant may be from theirs.
+struct RealFamily {
+  MatrixFamily matrices;
+  Rational distance = 0;
+};
+
+/// On the functions themselves. In the basis e_1, J e_1, e_2, J e_2, ... of the rational space, J the product with the
+/// root, e_1, e_2, ... are a basis over the field of the root, with the entries X(2i, 2k) + sqrt(number) X(2i + 1, 2k).
+RealFamily on_functions(const Operators& operators, long number) {
+  if (!operators.root) return {operators.family};
+  constexpr long root_bits = 512;
+  const RationalMatrix& root = *operators.root;
+  const std::vector<std::size_t> chosen = half_basis(root);
+  RationalMatrix basis(root.rows(), root.rows());
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    basis(chosen[i], 2 * i) = 1;
+    for (std::size_t r = 0; r < root.rows(); ++r) basis(r, 2 * i + 1) = root(r, chosen[i]);
+  }
+  const Rational value = rounded_root(number, root_bits);
+  Rational largest = 0;
+  std::vector<RationalMatrix> result;
+  for (const RationalMatrix& matrix : operators.family) {
+    const RationalMatrix x = solve(basis, matrix * basis);
+    RationalMatrix& real = result.emplace_back(chosen.size(), chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      for (std::size_t k = 0; k < chosen.size(); ++k) {
+        real(i, k) = x(2 * i, 2 * k) + value * x(2 * i + 1, 2 * k);
+        largest = std::max(largest, abs(x(2 * i + 1, 2 * k)));
+      }
+  }
+  return {MatrixFamily(std::move(result)), largest * power(Rational(2), -root_bits)};
+}
+
+NormProof norms_of(const RealFamily& family, const Budget& budget) {
+  NormProof result = norm_of_products(family.matrices, budget);
+  if (family.distance > 0)
+    result.norm += radius::RoundedFamily(family.matrices, family.distance).change_of_products(result.level);
+  return result;
+}
+
+/// Of the diagonal blocks over the field of the root, each by itself.
+JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
+  const BlockTriangular triangular = block_triangularise(MatrixFamily(operators.matrices()),
+                                                         budget.deadline.after(shares::blocks));
+  JointSpectralRadius result;
+  BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
+  for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
+    std::vector<RationalMatrix> block = triangular.block(k).matrices();
+    RationalMatrix root = std::move(block.back());
+    block.pop_back();
+    const RealFamily family = on_functions({MatrixFamily(std::move(block)), std::move(root)}, number);
+    const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
+    const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
+    proof.triangular.sizes.push_back(family.matrices.size());
+    proof.blocks.push_back(family.distance > 0
+                               ? radius::RoundedFamily(family.matrices, family.distance).radius(norms, share)
+                               : joint_spectral_radius(family.matrices, share, norms));
+    const Enclosure& radius = proof.blocks.back().radius;
+    if (*radius.lower > *proof.blocks[proof.leading].radius.lower) proof.leading = k;
+    result.radius.upper = k == 0 ? *radius.upper : std::max(*result.radius.upper, *radius.upper);
+  }
+  const JointSpectralRadius& leader = proof.blocks[proof.leading];
+  result.product = leader.product;
+  result.radius.lower = *leader.radius.lower;
+  const bool is_number = leader.radius.is_exact() && *result.radius.upper == *result.radius.lower;
+  result.exact = is_number ? leader.exact : Decision{Truth::unknown, "the matrices are rounded"};
+  result.proof = std::move(proof);
+  return result;
+}
+
 /// The differences of the least order that is above the exponent, as far as can be told before it is known.
-std::optional<DifferenceSpace> space_above_exponent(const LatticeMask& mask,
-                                                    const std::vector<LatticeSequence>& solutions,
+std::optional<DifferenceSpace> space_above_exponent(const Parts& parts, const std::vector<LatticeSequence>& solutions,
                                                     const Deadline& deadline) {
+  const LatticeMask& mask = parts.mask;
   constexpr double clear = 1e-3;
   std::optional<DifferenceSpace> result;
   for (int order = 1; order <= most_orders; ++order) {
     auto space = value_space(mask, solutions, order);
     if (!space || space->family.size() > largest_space) break;
     result = std::move(space);
-    if (rough_exponent(result->family, mask.dilation().variables()) < order - clear || deadline.expired()) break;
+    const RealFamily family = on_functions(operators_of(*result, parts), parts.root);
+    if (rough_exponent(family.matrices, mask.dilation().variables()) < order - clear || deadline.expired()) break;
   }
   return result;
 }
@@ -88,11 +222,16 @@ struct Told {
   JointSpectralRadius radius;
   NormProof norms;
 };
-Told exponent_of(const MatrixFamily& family, int order, const Dilation& dilation, const Budget& budget, int bits) {
+Told exponent_of(const Operators& operators, long number, int order, const Dilation& dilation, const Budget& budget,
+                 int bits) {
   Told result;
-  result.norms = norm_of_products(family, {budget.deadline.after(shares::norms), budget.memory});
-  result.radius = joint_spectral_radius(family, budget, result.norms);
-  sharpen(result.radius, family, bits + bits_of_powers, budget.deadline);
+  result.norms = norms_of(on_functions(operators, number), {budget.deadline.after(shares::norms), budget.memory});
+  if (operators.root) {
+    result.radius = radius_over_field(operators, number, budget);
+  } else {
+    result.radius = joint_spectral_radius(operators.family, budget, result.norms);
+    sharpen(result.radius, operators.family, bits + bits_of_powers, budget.deadline);
+  }
   result.exponent = exponent_of_radius(result.radius.radius, dilation.classes(), dilation.variables(),
                                        bits + bits_of_powers);
   // Differences of an order say nothing about exponents from that order on.
@@ -104,12 +243,15 @@ Told exponent_of(const MatrixFamily& family, int order, const Dilation& dilation
 /// The transition operators on the space modulo its largest invariant subspace of sequences whose component is 0: by
 /// the span of all functionals u -> (T_w u)_k of this component. Nothing where its numbers are not recognised modulo a
 /// prime; an empty family where the component is 0.
-std::optional<std::vector<RationalMatrix>> family_of_component(const DifferenceSpace& space, std::size_t component) {
-  const MatrixFamily family = transposed(space.family);
+std::optional<std::vector<RationalMatrix>> operators_of_component(const DifferenceSpace& space, const Parts& parts,
+                                                                  std::size_t component) {
+  const std::vector<RationalMatrix> all = operators_of(space, parts).matrices();
+  const MatrixFamily family = transposed(MatrixFamily(all));
+  const std::vector<std::size_t> rational = parts.parts_of(component);
   std::map<LatticePoint, radius::Vector> functionals;
   for (std::size_t k = 0; k < space.basis.size(); ++k)
     for (const auto& [point, value] : space.basis[k])
-      if (static_cast<std::size_t>(point.back()) == component)
+      if (std::ranges::find(rational, static_cast<std::size_t>(point.back())) != rational.end())
         functionals.try_emplace(point, space.basis.size(), 0).first->second[k] = value;
   if (functionals.empty()) return std::vector<RationalMatrix>{};
   const auto modular = radius::modulo_prime(family);
@@ -119,7 +261,7 @@ std::optional<std::vector<RationalMatrix>> family_of_component(const DifferenceS
     starts.push_back(radius::modulo_prime(radius::primitive(functional)));
   const auto rows = span_of_words(*modular, starts).recognised();
   if (!rows) return std::nullopt;
-  if (rows->size() == space.basis.size()) return space.family.matrices();
+  if (rows->size() == space.basis.size()) return all;
   // The rows are reduced: what a vector of their span has in the first columns of rows are its coordinates.
   std::vector<std::size_t> pivots;
   for (const radius::Vector& row : *rows)
@@ -151,22 +293,23 @@ std::optional<std::vector<RationalMatrix>> family_of_component(const DifferenceS
 }
 
 /// By differences of higher orders, until one is above the exponent. `whole`: what the space tells of the worst.
-ComponentRegularity regularity_of_component(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+ComponentRegularity regularity_of_component(const Parts& parts, const std::vector<LatticeSequence>& solutions,
                                             const DifferenceSpace& first, const Told& whole, std::size_t component,
                                             const Budget& budget, int bits) {
   ComponentRegularity result{
       {}, {Truth::unknown, "its differences span no space that is small enough"}, false, component};
   std::optional<DifferenceSpace> space = first;
   while (space && space->family.size() <= largest_space) {
-    const auto family = family_of_component(*space, component);
-    if (!family) return result;
-    if (family->empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
-    const bool is_whole = space->order == first.order && family->front().rows() == first.family.size();
+    const auto found = operators_of_component(*space, parts, component);
+    if (!found) return result;
+    if (found->empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
+    const bool is_whole = space->order == first.order && found->front().rows() == first.family.size();
     const Told told = is_whole ? whole
-                               : exponent_of(MatrixFamily(*family), space->order, mask.dilation(), budget, bits);
+                               : exponent_of(operators_of(*found, parts), parts.root, space->order,
+                                             parts.mask.dilation(), budget, bits);
     result = {told.exponent, told.radius.exact, false, component};
     if (result.exponent.upper || budget.deadline.expired() || space->order >= most_orders) break;
-    space = value_space(mask, solutions, space->order + 1);
+    space = value_space(parts.mask, solutions, space->order + 1);
   }
   return result;
 }
@@ -194,42 +337,54 @@ Decision are_continuous(const Enclosure& exponent, std::size_t solutions) {
   return {Truth::unknown, "not decided within the budget"};
 }
 
-}  // namespace
-
-MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits,
-                                         std::optional<std::size_t> component) {
+MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& budget, int bits,
+                                           std::optional<std::size_t> component) {
+  const LatticeMask& mask = parts.mask;
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(),
           "regularity: need a dilation that is similar to a multiple of an orthogonal matrix for a mask of matrices, "
           "got {}",
           dilation.to_text());
-  require(!component || *component < mask.components(), "regularity: need a component from 1 to {}", mask.components());
+  require(!component || *component < parts.components(), "regularity: need a component from 1 to {}",
+          parts.components());
   MultivariateRegularity result;
   FunctionVector& vector = result.vector.emplace();
+  vector.root = parts.root;
   result.stable = {Truth::unknown, "not needed for the exponent, which is from values of phi"};
   result.converges = {Truth::unknown, "what is proved is about the solution of the refinement equation"};
   const std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);
-  vector.solutions = solutions.size();
+  vector.solutions = parts.root > 0 ? solutions.size() / 2 : solutions.size();
   if (solutions.empty()) {
     result.exact = {Truth::no, "there is no continuous solution"};
     vector.continuous = {Truth::no, "the refinement equation has no solution but 0 at lattice points"};
     return result;
   }
   result.exact = vector.continuous = {Truth::unknown, "the differences of the values span no space that is found"};
-  result.space = space_above_exponent(mask, solutions, budget.deadline.after(shares::spaces));
+  result.space = space_above_exponent(parts, solutions, budget.deadline.after(shares::spaces));
   if (!result.space) return result;
+  const Budget whole{budget.deadline.after(shares::whole), budget.memory};
+  const auto tell = [&](const DifferenceSpace& space) {
+    return exponent_of(operators_of(space, parts), parts.root, space.order, dilation, whole, bits);
+  };
+  Told told = tell(*result.space);
+  // What floating point took for an order above the exponent may be none.
+  while (!told.exponent.upper && result.space->order < most_orders && !whole.deadline.expired()) {
+    auto next = value_space(mask, solutions, result.space->order + 1);
+    if (!next || next->family.size() > largest_space) break;
+    result.space = std::move(next);
+    told = tell(*result.space);
+  }
   const DifferenceSpace& space = *result.space;
-  Told told = exponent_of(space.family, space.order, dilation, {budget.deadline.after(shares::whole), budget.memory},
-                          bits);
   result.exact = told.radius.exact;
-  vector.continuous = are_continuous(told.exponent, solutions.size());
+  vector.continuous = are_continuous(told.exponent, vector.solutions);
   if (vector.continuous.is_yes()) {
     result.exponent = told.exponent;
-    if (!component) result.sobolev = sobolev_exponent(space, budget.deadline.after(shares::sobolev), bits);
-    const std::size_t first = component.value_or(0), last = component.value_or(mask.components() - 1);
+    if (!component && parts.root == 0)
+      result.sobolev = sobolev_exponent(space, budget.deadline.after(shares::sobolev), bits);
+    const std::size_t first = component.value_or(0), last = component.value_or(parts.components() - 1);
     for (std::size_t c = first; c <= last; ++c) {
       const double share = 1.0 / static_cast<double>(last + 1 - c);
-      vector.components.push_back(regularity_of_component(mask, solutions, space, told, c,
+      vector.components.push_back(regularity_of_component(parts, solutions, space, told, c,
                                                           {budget.deadline.after(share), budget.memory}, bits));
     }
   }
@@ -242,6 +397,18 @@ MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& 
     result.exact = vector.components.front().exact;
   }
   return result;
+}
+
+}  // namespace
+
+MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits,
+                                         std::optional<std::size_t> component) {
+  return regularity_of_parts({mask}, budget, bits, component);
+}
+
+MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget, int bits,
+                                         std::optional<std::size_t> component) {
+  return regularity_of_parts({mask.doubled, mask.root}, budget, bits, component);
 }
 
 }  // namespace subcert

@@ -47,7 +47,7 @@ void add_mask(Command& app) {
     print(make_refinable_scheme(options->scheme), *options);
     return done;
   });
-  add_scheme(command, options->scheme, true);
+  add_scheme(command, options->scheme, true, true);
   add_paper_form(command, options->form, "Mask and symbol as formulas of LaTeX");
 }
 

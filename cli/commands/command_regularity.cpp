@@ -79,7 +79,7 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   if (curve && is_affine(mask.curve()) && !scheme.rounding)  // otherwise the exponent says so
     sobolev = sobolev_if_small(mask.curve(), budget.deadline.after(sobolev_share).later(1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  RegularityOptions how{wanted.bits, options.levels, proof, scheme.rounding};
+  RegularityOptions how{wanted.bits, options.levels, proof, scheme.rounding, scheme.quadratic};
   if (options.component > 0) {
     if (options.component > static_cast<int>(mask.components()) || mask.components() == 1)
       fail(ErrorKind::usage, "--component: need {}, got {}",
@@ -131,7 +131,7 @@ void add_regularity(Command& app) {
   command.option("--component", options->component, "Of a vector of functions the exponent of this one alone")
       .within(1, 64);
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
-  add_scheme(command, options->scheme, true);
+  add_scheme(command, options->scheme, true, true);
   add_paper_form(command, options->form, "The exponent as a formula of LaTeX", "All facts as a table in Markdown");
 }
 

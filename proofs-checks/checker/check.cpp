@@ -6,7 +6,6 @@
 #include "frequency.hpp"
 #include "graph.hpp"
 #include "product.hpp"
-#include "quadratic.hpp"
 #include "single.hpp"
 #include "subradius.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
-// Upper bounds by many words, checked with few digits: sections 4.13 and 4.14 of ../certificates/SPEC.md.
+// Upper bounds by quadratic forms, and by graphs of words that are checked with few digits: sections 4.8, 4.13 and
+// 4.14 of ../certificates/SPEC.md.
 
 #include "exact_radius.hpp"
 #include "scheme.hpp"
@@ -17,6 +18,10 @@ struct GraphBound {
 /// nullptr.
 GraphBound read_graph(const Family& family, const Fields& fields, const ExactRadius* exact, Reader& reader,
                       Arithmetic& arithmetic);
+
+/// What a section `quadratic` proves.
+GraphBound read_quadratic(const Family& family, const Fields& fields, const ExactRadius* exact, Reader& reader,
+                          Arithmetic& arithmetic);
 
 /// Of a state of a graph: the matrix of its norm, column by column, and its kept word, of one letter, if it has one.
 struct KeptState {

@@ -1,4 +1,4 @@
-#include "quadratic.hpp"
+#include "graph.hpp"
 
 #include "definite.hpp"
 #include "group.hpp"

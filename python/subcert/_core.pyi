@@ -148,6 +148,19 @@ def smooth(
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...
+def smooth_grid(
+    values: _Array,
+    scheme: str,
+    boundary: str,
+    constant: float,
+    level: int,
+    bands: float,
+    kind: str,
+    at: str,
+    noise: Optional[float],
+    jobs: int,
+    progress: _Progress,
+) -> dict[str, Any]: ...
 def all_cores() -> int: ...
 def check_file(text: str, file: str, program: str) -> tuple[bool, str]: ...
 def check_certificate(text: str, matrices: str, program: str) -> tuple[bool, str]: ...

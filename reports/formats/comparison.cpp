@@ -14,6 +14,12 @@ Truth bounded_by(const Rational& bound, const Enclosure& exponent) {
   return exponent.upper && *exponent.upper <= bound ? Truth::yes : Truth::unknown;
 }
 
+/// Whether it is at least this. No: it is smaller.
+Truth reaches(const Rational& bound, const Enclosure& exponent) {
+  if (exponent.upper && *exponent.upper < bound) return Truth::no;
+  return exponent.lower && *exponent.lower >= bound ? Truth::yes : Truth::unknown;
+}
+
 /// Exponents above k prove C^k, those below k refute it.
 Truth lies_in_class(const Rational& k, const Enclosure& exponent) {
   if (exponent.lower && *exponent.lower > k) return Truth::yes;
@@ -34,9 +40,8 @@ ValueVerdict compare(const std::string& printed, const Enclosure& computed) {
 ValueVerdict compare_exponent(const std::string& printed, const Enclosure& computed) {
   const auto after = [&](std::string_view head) { return read_decimal(std::string_view(printed).substr(head.size())); };
   if (printed.starts_with("C^")) return comparison_verdict(lies_in_class(after("C^").value, computed));
-  if (printed.starts_with("<= ")) {
-    return comparison_verdict(bounded_by(after("<= ").value, computed));
-  }
+  if (printed.starts_with("<= ")) return comparison_verdict(bounded_by(after("<= ").value, computed));
+  if (printed.starts_with(">= ")) return comparison_verdict(reaches(after(">= ").value, computed));
   const Decimal number = read_decimal(printed);
   return comparison_verdict(number.places() == 0 ? is_number(number.value, computed) : agrees(number, computed));
 }

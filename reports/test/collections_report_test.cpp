@@ -54,6 +54,23 @@ TEST_CASE("published ranges of a parameter") {
   }
 }
 
+TEST_CASE("published smoothness of vectors of functions") {
+  const Report report = recorded_report("vectors");
+  const formats::ComparisonTable& table = only_table(report);
+  CHECK(table.comparisons.size() >= 15);
+  CHECK(table.count(ValueVerdict::open) == 0);
+  // The ends of a range that computations showed, but not its middle, and one last digit.
+  CHECK(table.count(ValueVerdict::mismatch) == 3);
+  const formats::PlainTable& functions = report.sections.front().tables.front();
+  REQUIRE(functions.rows.size() >= 20);
+  for (const auto& row : functions.rows) {
+    CAPTURE(row.front());
+    CHECK(row.size() == functions.head.size());
+    CHECK(row.back() != "open");
+    CHECK(row[3].find(" ... ") == std::string::npos);
+  }
+}
+
 TEST_CASE("published joint spectral radii") {
   const Report report = recorded_report("jsr");
   CHECK(only_table(report).comparisons.size() >= 18);

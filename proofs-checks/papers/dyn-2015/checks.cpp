@@ -15,7 +15,8 @@
 
 namespace subcert::statements::dyn_2015 {
 Checks checks() {
-  return joined({section_2(), section_2_2(), section_3(), section_4(), section_4_3(), section_5(), appendix()});
+  return joined({section_2(), section_2_2(), section_2_2_theorem_5(), section_3(), section_4(), section_4_3(),
+                 section_5(), appendix()});
 }
 
 Mask s_n(long n) { return regression_mask(primal(static_cast<int>(n), 1)); }

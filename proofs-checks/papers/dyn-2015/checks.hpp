@@ -42,6 +42,7 @@ Outcome table_words(const Context& context, const std::string& id);
 /// Of one part of the paper each.
 Checks section_2();
 Checks section_2_2();
+Checks section_2_2_theorem_5();
 Checks section_3();
 Checks section_4();
 Checks section_4_3();

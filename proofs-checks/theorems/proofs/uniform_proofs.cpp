@@ -2,11 +2,11 @@
 // docs/theorems/variance-curves.tex.
 
 #include "proofs.hpp"
-#include "uniform_curve.hpp"
-#include "variance_ends.hpp"
 
 #include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/proofs-checks/theorems/uniform_curve.hpp>
+#include <subcert/proofs-checks/theorems/variance_ends.hpp>
 
 #include <algorithm>
 #include <map>

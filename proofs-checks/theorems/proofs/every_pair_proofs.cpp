@@ -2,14 +2,14 @@
 // ripple, for every n by the bound of single curves. The numbers of the checks are those of
 // docs/theorems/every-pair.tex.
 
+#include "every_pair.hpp"
+#include "proofs.hpp"
+
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
-
-#include "curve_bounds.hpp"
-#include "every_pair.hpp"
-#include "kernel.hpp"
-#include "proofs.hpp"
+#include <subcert/proofs-checks/theorems/curve_bounds.hpp>
+#include <subcert/proofs-checks/theorems/kernel.hpp>
 
 #include <algorithm>
 #include <vector>

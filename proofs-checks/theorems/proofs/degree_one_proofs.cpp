@@ -1,11 +1,11 @@
 // Conjectures 7 and 8 in n for degree 1 and every n. The numbers of the checks are those of docs/theorems/.
 
-#include "degree_one.hpp"
-#include "kernel.hpp"
 #include "proofs.hpp"
-#include "variance_ends.hpp"
 
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
+#include <subcert/proofs-checks/theorems/degree_one.hpp>
+#include <subcert/proofs-checks/theorems/kernel.hpp>
+#include <subcert/proofs-checks/theorems/variance_ends.hpp>
 
 #include <algorithm>
 

@@ -2,9 +2,8 @@
 /// Bounds of the symbols that the least squares schemes of any degree have, for the sources of this floor.
 /// Proofs: docs/theorems/every-smoothness.tex, Theorem X; its notation is used.
 
-#include "uniform_symbol.hpp"
-
 #include <subcert/analysis/symbol/numbers/balls.hpp>
+#include <subcert/proofs-checks/theorems/uniform_symbol.hpp>
 
 namespace subcert::theorems {
 

@@ -1,10 +1,10 @@
 // The limits C_d with 32 digits by two methods, and the second coefficient for degree 1 against exact means.
 
-#include <subcert/analysis/limit/limit_values.hpp>
-
-#include "degree_one.hpp"
-#include "limit_constant.hpp"
 #include "proofs.hpp"
+
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/proofs-checks/theorems/degree_one.hpp>
+#include <subcert/proofs-checks/theorems/limit_constant.hpp>
 
 #include <map>
 #include <mutex>

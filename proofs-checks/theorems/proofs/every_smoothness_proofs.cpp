@@ -2,8 +2,9 @@
 // docs/theorems/every-smoothness.tex.
 
 #include "every_smoothness.hpp"
-#include "kernel.hpp"
 #include "proofs.hpp"
+
+#include <subcert/proofs-checks/theorems/kernel.hpp>
 
 namespace subcert::theorems {
 namespace {

@@ -1,15 +1,15 @@
 // What holds for every degree: convergence, the order of the limits C_d, and Conjecture 8 in d from a low degree to all
 // higher ones. The numbers of the checks are those of docs/theorems/.
 
+#include "every_pair.hpp"
+#include "proofs.hpp"
+
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-
-#include "every_pair.hpp"
-#include "kernel.hpp"
-#include "kernel_coefficients.hpp"
-#include "limit_constant.hpp"
-#include "proofs.hpp"
-#include "variance_ends.hpp"
+#include <subcert/proofs-checks/theorems/kernel.hpp>
+#include <subcert/proofs-checks/theorems/kernel_coefficients.hpp>
+#include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include <subcert/proofs-checks/theorems/variance_ends.hpp>
 
 #if __has_include(<flint/arb_hypgeom.h>)
 #include <flint/arb_hypgeom.h>

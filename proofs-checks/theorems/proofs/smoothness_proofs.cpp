@@ -1,13 +1,13 @@
 // Theorems U and V: how smooth the schemes are, for every n. The numbers of the checks are those of
 // docs/theorems/smoothness.tex.
 
-#include "degree_one.hpp"
-#include "kept_by_scheme.hpp"
-#include "kernel.hpp"
 #include "proofs.hpp"
-#include "uniform_curve.hpp"
 
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
+#include <subcert/proofs-checks/theorems/degree_one.hpp>
+#include <subcert/proofs-checks/theorems/kept_by_scheme.hpp>
+#include <subcert/proofs-checks/theorems/kernel.hpp>
+#include <subcert/proofs-checks/theorems/uniform_curve.hpp>
 
 #include <algorithm>
 #include <cmath>

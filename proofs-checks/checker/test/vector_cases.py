@@ -9,7 +9,6 @@ DOUBLE_KNOTS = "[[[2,2],[0,1]],[[2,0],[2,4]],[[0,0],[2,1]]]/4@0"  # quadratic B-
 HAT_HAAR = "[[[1,0],[0,0]],[[2,0],[0,2]],[[1,0],[0,2]]]/2@-1"  # the characteristic function of [0, 1] is not continuous
 COURANT = ("[[[[1,0],[0,0]],[[1,0],[0,0]],[[0,0],[0,0]]],[[[1,0],[0,0]],[[2,0],[0,1]],[[1,0],[2,0]]],"
            "[[[0,0],[0,0]],[[1,0],[0,0]],[[1,0],[0,0]]]]/2@-1,-1")  # and h(2x - (1, 0)) + phi_1(2x)/2, with a kink at 0
-CUBIC = "[[[[[1]],[[2]],[[1]]]]]/2@-1,0,0"
 
 UNIT_3 = "basis 1 0 0; basis 0 1 0; basis 0 0 1; inverse 1 0 0; inverse 0 1 0; inverse 0 0 1"
 NORMS_3 = "block 0 norm 1; block 1 norm 1; block 2 norm 1; end"
@@ -57,6 +56,8 @@ ACCEPTED = [
              "inverse 0 0 1; inverse 0 1 0; inverse 1 4 -1; product 0 1/2 0 0; " + NORMS_3),
     # places at the ends of the support do not count
     accepted("vector-ends", HAT_HAAR, "1 1", HAT_SPACE),
+    # with M = -2 its two ends change places
+    accepted("vector-ends-minus-two", "[[[0,0],[0,2]],[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-2", "1 1", HAT_SPACE, "[-2]"),
     accepted("vector-hat", "[[[1]],[[2]],[[1]]]/2@-1", "1 1", HAT_SPACE),
     accepted("vector-shifted-hat", "[[[1]],[[2]],[[1]]]/2@0", "1 1", HAT_SPACE.replace("values 0", "values 1").replace(
         "-1.0:1 0.0:-2 1.0:1", "0.0:1 1.0:-2 2.0:1")),
@@ -91,6 +92,8 @@ EDITED = [
      [(HAT_BUBBLE, "[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1")]),
     ("vector-three-apart", "vector-hat", claim("[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3"), NOT_UNIQUE,
      [("[[[1]],[[2]],[[1]]]/2@-1", "[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3")]),
+    ("vector-three-apart-minus", "vector-ends-minus-two", claim("[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3", "[-2]"), NOT_UNIQUE,
+     [("[[[0,0],[0,2]],[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-2", "[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3")]),
     # a fixed vector with values at an end of the support
     ("vector-value-at-end", "vector-ends", claim(HAT_HAAR, ends="--lower 1/100"), "the bound does not prove the claim",
      [("differences 2", "differences 1"), ("values 0.0:1", "values 0.1:1"),

@@ -1,8 +1,8 @@
 #pragma once
 /// Sections of pages that tell of theorems, conjectures and variance curves.
 
-#include "computed_quantities.hpp"
-#include "report.hpp"
+#include <subcert/reports/computed_quantities.hpp>
+#include <subcert/reports/report.hpp>
 
 namespace subcert::reports {
 

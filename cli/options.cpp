@@ -103,6 +103,17 @@ Option& Option::within(double low, double high) {
   return *this;
 }
 
+Option& Option::share(double most) {
+  option_->check(CLI::Validator(
+      [most](const std::string& text) -> std::string {
+        const auto number = parse_number(text);
+        if (!number || *number <= 1 || *number > 100 * Rational(most)) return "";
+        return "expected a share of 1; " + text + " % are " + to_decimal(*number / 100, 9, Rounding::nearest);
+      },
+      ""));
+  return within(0.0, most);
+}
+
 Option& Option::exact_number() {
   option_->type_name("NUMBER");
   option_->check(CLI::Validator(

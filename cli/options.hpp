@@ -47,6 +47,8 @@ class Option {
   Option& required();
   Option& within(int low, int high);
   Option& within(double low, double high);
+  /// Of 1, from 0 to `most`. What is meant in percent is answered with the share.
+  Option& share(double most);
   /// Of a text: parse_number can read it. Help calls the value NUMBER.
   Option& exact_number();
   Option& one_of(const std::vector<std::string>& words);

@@ -16,7 +16,8 @@ namespace subcert::reports {
 
 struct GalleryScheme {
   std::string specification;
-  std::string key = {};  ///< of docs/references.md, without brackets; empty: a scheme of the reader's own
+  std::string key = {};            ///< of docs/references.md, without brackets; empty: a scheme of the reader's own
+  Truth convergence = Truth::yes;  ///< as expected
 };
 
 /// Forty schemes of the papers and of the literature.

@@ -33,7 +33,7 @@ const std::vector<GalleryScheme>& gallery_schemes() {
       {"bspline:degree=3", "CDM91"},
       {"bspline:degree=2,a=3", "CDM91"},
       {"four-point:w=1/16", "DLG87"},
-      {"four-point:w=1/2", "DLG87"},
+      {"four-point:w=1/2", "DLG87", Truth::no},
       {"dd:n=3", "DD89"},
       {"dd:n=2,a=3", "DD89"},
       {"six-point:w=1/100", "Wei90"},

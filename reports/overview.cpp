@@ -1,3 +1,4 @@
+#include "facts/screen_lines.hpp"
 #include "pages.hpp"
 
 #include <fmt/format.h>
@@ -8,31 +9,15 @@
 namespace subcert::reports {
 namespace {
 
-constexpr std::size_t screen_width = 100;
 constexpr std::size_t most_alarms = 10;
 
 std::string coloured(const std::string& text, const char* code, bool colours) {
   return colours ? fmt::format("\033[{}m{}\033[0m", code, text) : text;
 }
 
-/// The text in lines of the screen's width; the first follows `before`, the others are indented as far.
+/// The text in lines of the screen's width, behind `before`.
 std::string wrapped(const std::string& text, const std::string& before) {
-  std::string result = before;
-  std::size_t column = before.size();
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (column > before.size() && column + 1 + end - at > screen_width) {
-      result += "\n" + std::string(before.size(), ' ');
-      column = before.size();
-    } else if (column > before.size()) {
-      result += ' ';
-      ++column;
-    }
-    result += text.substr(at, end - at);
-    column += end - at;
-    at = end + 1;
-  }
-  return result + "\n";
+  return facts::wrapped(before + text, before.size()) + "\n";
 }
 
 /// `Authors: Title` of a citation that goes on with the journal.
@@ -163,7 +148,7 @@ std::string full_list(const Findings& findings) {
   std::string text;
   const std::vector<Result> all = results(findings);
   for (const Report& report : findings.reports) {
-    text += report.citation + "\n\n";
+    text += wrapped(report.citation, "") + "\n";
     if (report.listed) text += tables_text(report);
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
@@ -171,7 +156,7 @@ std::string full_list(const Findings& findings) {
       text += "  " + held + "\n";
     text += "\n";
   }
-  for (const std::string& line : deviations(all, false)) text += line + "\n";
+  for (const std::string& line : deviations(all, false)) text += facts::wrapped(line, 10) + "\n";
   return text;
 }
 

@@ -65,6 +65,9 @@ Scheme make_linear_scheme(std::string_view specification);
 /// make_scheme, of masks of matrices at most 20,000 numbers; nothing is asked of their sums.
 Scheme make_refinable_scheme(std::string_view specification);
 
+/// Whether the text names a family of vectors of functions or vector schemes.
+bool is_vector_specification(std::string_view specification);
+
 /// The scheme of a mask of matrices A_k with its canonical specification.
 Scheme vector_scheme(VectorForm form, const std::string& title, const LatticeMask& mask);
 

@@ -118,6 +118,12 @@ Scheme make_refinable_scheme(std::string_view specification) {
   return from_written(specification, refinable_scheme_of);
 }
 
+bool is_vector_specification(std::string_view specification) {
+  const std::string text = specification_as_written(specification);
+  const std::string_view family = family_of(text).text;
+  return std::ranges::any_of(vector_families(), [&](const FamilyHelp& help) { return help.family == family; });
+}
+
 const std::vector<FamilyHelp>& vector_families() {
   static const std::vector<FamilyHelp> help = help_of(vector_table());
   return help;

@@ -145,10 +145,26 @@ LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rationa
   return result;
 }
 
+/// Times a number, so that they sum to 1, or else that the first is 1.
+LatticeSequence normalised(LatticeSequence values) {
+  Rational sum = 0;
+  for (const auto& [point, value] : values) sum += value;
+  const Rational scale = sum == 0 ? values.begin()->second : sum;
+  for (auto& [point, value] : values) value /= scale;
+  return values;
+}
+
 /// phi(k) = sum over j of a_{Mk - j} phi(j). Domain: 0 is a digit. The level is that of the values which are wanted in
 /// the end.
 LatticeSequence values_at_lattice_points(const LatticeMask& mask, int level) {
-  const LatticeWindow window(mask, points_of_support(mask, level), most_points, digit_zero(mask.dilation()));
+  const std::vector<LatticePoint> points = points_of_support(mask, level);
+  if (mask.components() > 1) {
+    std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);
+    require(solutions.size() == 1, "limit_values: need a refinement equation with one solution up to a factor, got {}",
+            solutions.size());
+    return normalised(std::move(solutions.front()));
+  }
+  const LatticeWindow window(mask, points, most_points, digit_zero(mask.dilation()));
   const auto values = fixed_vector(operator_of_zero(mask, window));
   require(values.has_value(), "limit_values: need a scheme that converges, got several fixed vectors or none");
   return on_points(window, *values);
@@ -184,8 +200,7 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Lat
   const std::vector<LatticeSequence> differences = differences_of_delta(dilation.variables(), static_cast<int>(total));
   LatticeSequence start;
   for (std::size_t c = 0; c < all.size(); ++c)
-    for (const auto& [i, factor] : differences[c])
-      for (const auto& [k, value] : values) start[i + k] += chains(row, c) * factor * value;
+    for (const auto& [k, value] : convolution(differences[c], values)) start[k] += chains(row, c) * value;
   std::vector<LatticePoint> support;
   for (const auto& [point, value] : start) support.push_back(point);
   const auto window = LatticeWindow::closure(mask, support, most_points);

@@ -33,14 +33,15 @@ struct LimitValues {
 /// sec. 2.2].
 LimitValues limit_values(const Mask& mask, int level, int order = 0, const Deadline& deadline = {});
 
-/// i -> (D^orders phi)(M^-level i), where it is not 0; `orders` has the order of the derivative in each variable, and
-/// is empty for phi itself. Domain: a scheme that converges; level >= 0. By factors, whatever their arities: the
-/// divided difference scheme of the order in its variable converges for each; at most 10^6 values. Without factors: for
-/// derivatives an isotropic dilation, and all derivatives of that total order continuous. Errors: throws Error, of kind
-/// domain where the refinement equation does not determine the values, of kind size where more than 2000 lattice points
-/// lie in the support, 4*10^6 points M^-level i in its box, or more than 10^6 values are asked for. Cost: as that of
-/// the factors; without these a linear system as large as the number of lattice points in the support, for derivatives
-/// two more; then coefficients * values. Proof: docs/surfaces.md.
+/// Of a vector of functions the component is one more coordinate, and the values at lattice points sum to 1, or, where
+/// they sum to 0, the first is 1. i -> (D^orders phi)(M^-level i), where it is not 0; `orders` has the order of the
+/// derivative in each variable, and is empty for phi itself. Domain: a scheme that converges; level >= 0. By factors,
+/// whatever their arities: the divided difference scheme of the order in its variable converges for each; at most 10^6
+/// values. Without factors: for derivatives an isotropic dilation, and all derivatives of that total order continuous.
+/// Errors: throws Error, of kind domain where the refinement equation does not determine the values, of kind size where
+/// more than 2000 lattice points lie in the support, 4*10^6 points M^-level i in its box, or more than 10^6 values are
+/// asked for. Cost: as that of the factors; without these a linear system as large as the number of lattice points in
+/// the support, for derivatives two more; then coefficients * values. Proof: docs/surfaces.md.
 LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders = {});
 
 /// A basis of the sequences v on the lattice points strictly inside the box of the support with v = T_0 v: a continuous

@@ -33,6 +33,7 @@ struct FunctionVector {
   /// At most so many solutions are continuous and of compact support, up to linear combinations. Where it is more than
   /// one, all that is said is about all of them.
   std::size_t solutions = 0;
+  long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none
   std::vector<ComponentRegularity> components;
 };

@@ -349,6 +349,7 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
           parts.components());
   MultivariateRegularity result;
   FunctionVector& vector = result.vector.emplace();
+  vector.root = parts.root;
   result.stable = {Truth::unknown, "not needed for the exponent, which is from values of phi"};
   result.converges = {Truth::unknown, "what is proved is about the solution of the refinement equation"};
   const std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);
@@ -361,9 +362,19 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
   result.exact = vector.continuous = {Truth::unknown, "the differences of the values span no space that is found"};
   result.space = space_above_exponent(parts, solutions, budget.deadline.after(shares::spaces));
   if (!result.space) return result;
+  const Budget whole{budget.deadline.after(shares::whole), budget.memory};
+  const auto tell = [&](const DifferenceSpace& space) {
+    return exponent_of(operators_of(space, parts), parts.root, space.order, dilation, whole, bits);
+  };
+  Told told = tell(*result.space);
+  // What floating point took for an order above the exponent may be none.
+  while (!told.exponent.upper && result.space->order < most_orders && !whole.deadline.expired()) {
+    auto next = value_space(mask, solutions, result.space->order + 1);
+    if (!next || next->family.size() > largest_space) break;
+    result.space = std::move(next);
+    told = tell(*result.space);
+  }
   const DifferenceSpace& space = *result.space;
-  Told told = exponent_of(operators_of(space, parts), parts.root, space.order, dilation,
-                          {budget.deadline.after(shares::whole), budget.memory}, bits);
   result.exact = told.radius.exact;
   vector.continuous = are_continuous(told.exponent, vector.solutions);
   if (vector.continuous.is_yes()) {

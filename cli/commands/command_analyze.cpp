@@ -9,6 +9,7 @@
 #include <subcert/reports/explorer.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
 #include <subcert/reports/facts/l1_facts.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/reports/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -54,6 +55,24 @@ Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Dead
   return known.convergence;
 }
 
+/// What the values of a vector of functions tell, and a picture of all functions.
+ExitCode analyze_vector(const AnalyzeOptions& options) {
+  const Scheme scheme = make_refinable_scheme(options.scheme);
+  if (!options.html.empty()) fail(ErrorKind::usage, "--html: need a mask of numbers, got {}", options.scheme);
+  require_drawable(options.plot, scheme);
+  RegularityOptions how;
+  how.quadratic = scheme.quadratic;
+  const Stopwatch watch;
+  const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget), {}}, how);
+  const FunctionVector& vector = *found.surface->vector;
+  facts::Facts list = regularity_facts(scheme, found, {}, {watch.seconds(), 0, found.is_closed()});
+  if (vector.continuous.is_yes() && vector.solutions == 1 && !scheme.quadratic)
+    list.push_back(facts::values_fact(scheme.mask));
+  print(options, list, 13, options.form.latex ? "% " + scheme.specification + "\n" : "");
+  if (!options.plot.empty()) draw_vector(options.plot, scheme, vector);
+  return exit_code(vector.continuous.truth);
+}
+
 /// Of the exact rule behind a scheme that acts on data.
 ExitCode analyze_l1(const AnalyzeOptions& options) {
   if (!options.plot.empty() || !options.html.empty())
@@ -91,6 +110,7 @@ ExitCode run(const AnalyzeOptions& options) {
   if (has_parameter(options.scheme)) return analyze_family(options);
   if (!options.over.empty()) fail(ErrorKind::usage, "--over: {} has no parameter", options.scheme);
   if (is_l1_specification(options.scheme)) return analyze_l1(options);
+  if (is_vector_specification(options.scheme)) return analyze_vector(options);
   const Deadline deadline = Deadline::in(options.budget);
   const Scheme scheme = make_linear_scheme(options.scheme);
   require_drawable(options.plot, scheme);

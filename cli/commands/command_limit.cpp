@@ -2,10 +2,12 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/limit_page.hpp>
 
 #include <charconv>
+#include <numeric>
 #include <sstream>
 
 namespace subcert::cli {
@@ -42,14 +44,37 @@ LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
   return orders;
 }
 
+/// Refuses vectors of functions that are not proved to have continuous derivatives of this order.
+void require_vector(const Scheme& scheme, const LatticePoint& orders, const LimitCommandOptions& options) {
+  if (options.range || scheme.quadratic)
+    fail(ErrorKind::usage, "{}: need {}, got {}", options.range ? "--range" : "limit",
+         options.range ? "a mask of numbers" : "rational matrices", scheme.specification);
+  const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget), {}});
+  const FunctionVector& vector = *found.vector;
+  if (vector.continuous.is_no())
+    throw NoLimit(
+        fmt::format("{}: there is no continuous solution; {}", scheme.specification, vector.continuous.reason),
+        {vector.continuous});
+  if (vector.solutions > 1)
+    fail(ErrorKind::usage, "limit: need one continuous solution up to a factor, got up to {} for {}", vector.solutions,
+         scheme.specification);
+  const long total = std::accumulate(orders.begin(), orders.end(), 0L);
+  if (!vector.continuous.is_yes() || (total > 0 && !(*found.exponent.lower > total)))
+    fail(ErrorKind::undecided, "{}: continuous derivatives of order {} are not proved", scheme.specification, total);
+}
+
 ExitCode run(LimitCommandOptions options) {
   require_one_form(options, options.form);
-  const Scheme scheme = make_linear_scheme(options.scheme);
+  const Scheme scheme = make_refinable_scheme(options.scheme);
   const int dimension = scheme.mask.dimension();
   const LatticePoint orders = derivative_orders(options.derivative, static_cast<std::size_t>(dimension));
   if (options.range && (!options.derivative.empty() || options.level >= 0))
     fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
   if (options.level < 0) options.level = dimension > 1 ? usual_level_of_surfaces : usual_level;
+  if (scheme.form) {
+    require_vector(scheme, orders, options);
+    return print_vector_values(scheme, orders, options);
+  }
   const Deadline deadline = Deadline::in(options.budget);
   require_derivative(scheme.specification, scheme.mask, orders, {proof_levels, deadline});
   return options.range ? print_limit_range(scheme, options, deadline)

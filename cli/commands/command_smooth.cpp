@@ -9,6 +9,7 @@
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 
+#include <map>
 #include <set>
 
 namespace subcert::cli {
@@ -90,6 +91,19 @@ bool are_even(const std::vector<data::NamedSamples>& groups) {
       groups, [](const data::NamedSamples& samples) { return samples.uniform() && samples.weights.empty(); });
 }
 
+/// Why these samples cannot be smoothed.
+std::string reason(const SmoothOptions& options, const data::NamedSamples& samples, const Error& error) {
+  if (!samples.refused.empty()) return samples.refused;
+  return options.samples.name() + ": " + error.what();
+}
+
+/// One line for groups that are left out for the same reason.
+void remark_on_refused(const SmoothOptions& options, const RefusedGroups& refused) {
+  std::map<std::string, std::string> groups;
+  for (const auto& [group, why] : refused) groups[why] += (groups[why].empty() ? " " : ", ") + group;
+  for (const auto& [why, names] : groups) options.remark(options.samples.by + names + ", left out: " + why);
+}
+
 ExitCode run(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
@@ -120,27 +134,32 @@ ExitCode run(const SmoothOptions& options) {
       options.remark(line);
   std::vector<std::unique_ptr<SmoothPage>> pages;
   std::set<std::string> remarks;  // of several groups alike
+  RefusedGroups refused;
   for (data::NamedSamples& samples : groups) {
     for (const std::string& line : samples.remarks)
       if (remarks.insert(line).second) options.remark(line);
     if (noise) samples.noise = data::nearest_double(*noise);
     try {
+      if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
       data::SmoothedSamples result = smoothed(options, samples);
       remark_on_outliers(options, samples, result);
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::data) throw;
-      fail(ErrorKind::data, "{}{}: {}{}", options.samples.name(),
-           options.samples.by.empty() ? "" : ", " + options.samples.by + " " + samples.group, error.what(),
-           options.scheme.empty() ? "; name one with --scheme" : "");
+      refused.emplace_back(samples.group, reason(options, samples, error));
     }
   }
+  if (pages.empty())
+    fail(ErrorKind::data, "{}{}{}",
+         options.samples.by.empty() ? "" : options.samples.by + " " + refused[0].first + ": ", refused[0].second,
+         refused.size() > 1 ? "; nor can other groups be smoothed" : "");
+  remark_on_refused(options, refused);
   if (!options.plot.empty()) formats::draw_file(figure_of(pages), options.plot);
   if (options.json)
-    options.answer(smooth_json(pages));
+    options.answer(smooth_json(pages, refused));
   else
     options.answer([&](std::ostream& stream) { write(pages, stream); });
-  return done;
+  return refused.empty() ? done : bad_data;
 }
 
 }  // namespace
@@ -193,7 +212,7 @@ void add_smooth(Command& app) {
       .within(-1e300, 1e300)
       .with_default();
   command.option("--bands", options->requested_bands, "Level of the confidence bands, 0 for none (default 0.95)")
-      .within(0.0, 0.999999);
+      .share(0.999999);
   command
       .option("--bands-kind", options->bands_kind,
               "Bands for the expected value of the limit at each point by itself, or at all points at once; or for a "

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/reports/facts/statement_facts.hpp>
 #include <subcert/reports/results.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -45,8 +46,10 @@ ExitCode list(const StatementsOptions& options) {
       paper = statement->paper();
       text += (text.empty() ? "" : "\n") + paper + "\n";
     }
-    text += "  " + verdict_column(statement->recorded, statement->grade) + statement->id + "  " +
-            statement->paraphrase + "\n";
+    text += facts::wrapped("  " + verdict_column(statement->recorded, statement->grade) + statement->id + "  " +
+                               statement->paraphrase,
+                           25) +
+            "\n";
   }
   options.answer(text);
   return done;
@@ -54,9 +57,11 @@ ExitCode list(const StatementsOptions& options) {
 
 std::string outcome_text(const Statement& statement, const Outcome& outcome) {
   const std::optional<Grade> grade = grade_of(statement, outcome);
-  std::string text = verdict_column(outcome.verdict, grade) + statement.id + "  " + statement.paraphrase + "\n";
+  std::string text = facts::wrapped(verdict_column(outcome.verdict, grade) + statement.id + "  " + statement.paraphrase,
+                                    25) +
+                     "\n";
   const auto line = [&](const char* name, const std::string& content) {
-    if (!content.empty()) text += std::string(25, ' ') + name + content + "\n";
+    if (!content.empty()) text += facts::wrapped(std::string(25, ' ') + name + content, 27) + "\n";
   };
   if (grade) line("", verdict_in_words(statement, outcome));
   line("range: ", outcome.range);

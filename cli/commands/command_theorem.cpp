@@ -1,6 +1,7 @@
 // subcert theorem: computer-assisted theorems, every inequality of their proofs certified
 
 #include <subcert/cli/pages/theorem_page.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 
 #include <fmt/format.h>
 
@@ -27,8 +28,11 @@ Json list_json() {
 std::string list_text() {
   std::string text;
   for (const TheoremEntry& entry : theorems::theorem_list())
-    text += padded(entry.id, 23) + entry.title + "; " + entry.range +
-            (entry.degrees.empty() ? "" : fmt::format("; proved for --d {}", fmt::join(entry.degrees, ", "))) + "\n";
+    text += facts::wrapped(
+                padded(entry.id, 23) + entry.title + "; " + entry.range +
+                    (entry.degrees.empty() ? "" : fmt::format("; proved for --d {}", fmt::join(entry.degrees, ", "))),
+                23) +
+            "\n";
   return text;
 }
 

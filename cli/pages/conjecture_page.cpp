@@ -1,6 +1,7 @@
 #include "conjecture_page.hpp"
 
 #include <subcert/analysis/symbol/numbers/interval.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 
 #include <fmt/format.h>
 
@@ -143,9 +144,10 @@ std::string conjecture_text(const Conjecture7& answer, const ConjectureRange& ra
   std::string text = table_text(table) + "\n" + skipped_text(range.schemes);
   if (!range.shard.empty()) text += shard_note(range);
   for (const DegreeDecay& finding : answer.findings)
-    text += fmt::format("d = {}: {}\n", finding.d, finding.decay.sentence(finding.quantity));
+    text += facts::wrapped(fmt::format("d = {}: {}\n", finding.d, finding.decay.sentence(finding.quantity)), 2);
   if (range.shard.empty())
-    for (const auto& [degree, limit] : answer.limits) text += fmt::format("d = {}: {}\n", degree, limit.sentence());
+    for (const auto& [degree, limit] : answer.limits)
+      text += facts::wrapped(fmt::format("d = {}: {}\n", degree, limit.sentence()), 2);
   return text;
 }
 

@@ -5,7 +5,10 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
 
+#include <fmt/format.h>
+
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 namespace subcert::cli {
@@ -83,6 +86,56 @@ ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, co
     print_curve_values(scheme, static_cast<int>(orders.front()), options, deadline);
   else
     print_surface_values(scheme, orders, options);
+  return done;
+}
+
+ExitCode print_vector_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {
+  const std::size_t size = scheme.mask.components();
+  std::map<LatticePoint, std::vector<Rational>> values;  // component by component
+  for (const auto& [index, value] : limit_values(scheme.mask, options.level, orders)) {
+    const LatticePoint point(index.begin(), std::prev(index.end()));
+    values.try_emplace(point, size, 0).first->second[static_cast<std::size_t>(index.back())] = value;
+  }
+  if (options.json) {
+    Json points = Json::array(), numbers = Json::array();
+    for (const auto& [point, vector] : values) {
+      points.push_back(point);
+      numbers.push_back(numbers_json(vector));
+    }
+    options.answer(Json{{"scheme", scheme.specification},
+                        {"dilation", scheme.mask.dilation().rows()},
+                        {"level", options.level},
+                        {"derivative", orders},
+                        {"components", size},
+                        {"indices", std::move(points)},
+                        {"values", std::move(numbers)}});
+    return done;
+  }
+  formats::TableRows rows{{"x"}};
+  std::vector<std::size_t> formulas{0};
+  for (std::size_t c = 1; c <= size; ++c) {
+    rows.front().push_back(fmt::format("phi_{}", c));
+    formulas.push_back(c);
+  }
+  for (const auto& [index, vector] : values) {
+    std::vector<Rational> point(index.begin(), index.end());
+    for (int n = 0; n < options.level; ++n) point = scheme.mask.dilation().inverse_times(point);
+    rows.push_back({coordinates_text(point)});
+    for (const Rational& value : vector)
+      rows.back().push_back(options.form.asked_for() ? to_text(value) : to_decimal(value, 15, Rounding::nearest));
+  }
+  if (options.form.asked_for()) {
+    answer(options, options.form,
+           TableAnswer{"% " + scheme.specification + "\n", std::move(rows), std::move(formulas)});
+    return done;
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    text += fmt::format("{:>12}", row.front());
+    for (std::size_t c = 1; c < row.size(); ++c) text += fmt::format("  {:>20}", row[c]);
+    text += "\n";
+  }
+  options.answer(text);
   return done;
 }
 

@@ -3,7 +3,6 @@
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/reports/gallery.hpp>
 
-#include <algorithm>
 #include <mutex>
 #include <optional>
 
@@ -60,11 +59,15 @@ Json plates_json(const std::vector<reports::Plate>& plates) {
   return {{"schemes", std::move(all)}};
 }
 
-ExitCode exit_code(const std::vector<reports::Plate>& plates) {
-  const auto some = [&](Truth truth) {
-    return std::ranges::any_of(plates, [=](const reports::Plate& p) { return p.convergence.truth == truth; });
-  };
-  return exit_code(some(Truth::no) ? Truth::no : some(Truth::unknown) ? Truth::unknown : Truth::yes);
+ExitCode exit_code(const std::vector<reports::GalleryScheme>& schemes, const std::vector<reports::Plate>& plates) {
+  Truth as_expected = Truth::yes;
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    const Truth found = plates[i].convergence.truth;
+    if (found == schemes[i].convergence) continue;
+    if (found != Truth::unknown) return exit_code(Truth::no);
+    as_expected = Truth::unknown;
+  }
+  return exit_code(as_expected);
 }
 
 }  // namespace subcert::cli

@@ -15,7 +15,8 @@ std::vector<reports::Plate> make_plates(const std::vector<reports::GalleryScheme
 /// {"schemes": [...]}.
 Json plates_json(const std::vector<reports::Plate>& plates);
 
-/// undecided where the convergence of one of them is.
-ExitCode exit_code(const std::vector<reports::Plate>& plates);
+/// failed where one does not converge, or one does that is known to diverge, else undecided where one is. Domain: the
+/// plates of these schemes, in this order.
+ExitCode exit_code(const std::vector<reports::GalleryScheme>& schemes, const std::vector<reports::Plate>& plates);
 
 }  // namespace subcert::cli

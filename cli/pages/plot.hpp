@@ -1,6 +1,7 @@
 #pragma once
 /// Pictures that commands draw.
 
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/reports/formats/figure.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/refine/grid_data.hpp>
@@ -27,5 +28,9 @@ void require_drawable(const std::string& plot, const Scheme& scheme);
 /// The basic limit function by exact values, or, where convergence is not proved, the unit sequence after some steps.
 /// Domain: as require_drawable(). Errors: throws missing_file.
 void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& convergence);
+
+/// All functions of a vector. Domain: one variable, proved continuous, one solution up to a factor, rational matrices.
+/// Errors: throws an undecided error otherwise, or missing_file.
+void draw_vector(const std::string& plot, const Scheme& scheme, const FunctionVector& vector);
 
 }  // namespace subcert::cli

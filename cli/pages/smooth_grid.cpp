@@ -23,13 +23,10 @@ void refuse_options_of_columns(const SmoothOptions& options) {
   const data::SampleOptions& samples = options.samples;
   if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.by.empty() ||
       !samples.keep.empty() || samples.missing != "raise" || samples.irregular != "raise" || options.stream ||
-      !samples.spacing.empty() || options.derivative != 0)
+      !samples.spacing.empty() || options.derivative != 0 || options.select != "risk")
     fail(ErrorKind::usage,
          "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
-         "--stream");
-  if (options.scheme.empty()) fail(ErrorKind::usage, "--grid needs --scheme, as tensor:(primal:n=3)x(primal:n=3)");
-  if (options.kind() == data::BandKind::simultaneous)
-    fail(ErrorKind::usage, "--grid: expected pointwise or prediction bands; simultaneous ones are for curves");
+         "--select cv, --stream");
 }
 
 std::vector<std::string> names_of(const DataFile& file) {
@@ -75,6 +72,7 @@ void write_comments(std::ostream& stream, const SmoothOptions& options, const da
                     const std::vector<std::string>& names) {
   if (options.quiet) return;
   stream << "# scheme " << grid.method << " along each axis, boundary " << options.boundary << "\n";
+  if (grid.choice) stream << choice_text(*grid.choice, options);
   for (std::size_t c = 0; c < grid.columns.size(); ++c) stream << noise_line(names[c], *grid.columns[c].noise);
   if (options.bands() != 0)
     stream << fmt::format("# bands: {:.6g} % {}; the bias is not in them\n", 100 * options.bands(),
@@ -124,6 +122,8 @@ Json grid_json(const SmoothOptions& options, const data::SmoothedGrid& grid, con
     for (const GridColumn& column : columns) row.push_back(column.values[i]);
   }
   return {{"scheme", grid.method},
+          {"auto", grid.choice.has_value()},
+          {"choice", choice_json(grid.choice)},
           {"boundary", options.boundary},
           {"noise", noise},
           {"bands", options.bands()},
@@ -157,8 +157,9 @@ void smooth_grid_file(const SmoothOptions& options, const std::optional<double>&
   refuse_options_of_columns(options);
   const DataFile file = read_grid_file(options.samples.file);
   for (const std::string& line : file.remarks()) options.remark(options.samples.name() + ": " + line);
-  const data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, 0, options.constant,
-                                   options.at == "data"};
+  data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, 0, options.constant,
+                             options.at == "data"};
+  how.path = options.kind() == data::BandKind::simultaneous;
   const data::SmoothedGrid grid = smoothed(options, file, how, noise);
   if (!options.plot.empty()) draw(options, file, grid);
   const std::vector<std::string> names = names_of(file);

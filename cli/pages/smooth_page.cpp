@@ -24,6 +24,8 @@ std::string risk_line(const data::SmoothingCandidate& candidate) {
                      candidate.risk.total(), candidate.risk.bias_squared, candidate.risk.variance);
 }
 
+}  // namespace
+
 Json choice_json(const std::optional<data::MethodChoice>& choice) {
   if (!choice) return nullptr;
   Json candidates = Json::array();
@@ -31,7 +33,6 @@ Json choice_json(const std::optional<data::MethodChoice>& choice) {
   return {{"chosen", candidates.front()}, {"candidates", candidates}};
 }
 
-/// The method chosen, and the two best others.
 std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& options) {
   std::string text = fmt::format(
       "# chosen for the smallest estimated mean squared error{} at the data{}, of {} methods\n",
@@ -42,8 +43,6 @@ std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& o
   if (choice.widest_tried()) text += "#   more points were not tried for this degree\n";
   return text;
 }
-
-}  // namespace
 
 std::string covered_text(data::BandKind kind) {
   switch (kind) {
@@ -202,11 +201,13 @@ void SmoothPage::write_rows(std::ostream& stream) const {
   data::write_rows(stream, table, rows(), samples.separator, options.threads(), samples.decimal);
 }
 
-Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages) {
+Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages, const RefusedGroups& refused) {
   if (pages.front()->options.samples.by.empty()) return pages.front()->json();
   Json groups = Json::array();
   for (const auto& page : pages) groups.push_back(page->json());
-  return {{"by", pages.front()->options.samples.by}, {"groups", groups}};
+  Json left_out = Json::array();
+  for (const auto& [group, why] : refused) left_out.push_back({{"group", group}, {"reason", why}});
+  return {{"by", pages.front()->options.samples.by}, {"groups", groups}, {"refused", left_out}};
 }
 
 void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream) {

@@ -66,12 +66,20 @@ struct SmoothPage {
   void turn_to_order_of_rows();
 };
 
+/// The method chosen, and the two best others.
+std::string choice_text(const data::MethodChoice& choice, const SmoothOptions& options);
+/// All of them, or null.
+Json choice_json(const std::optional<data::MethodChoice>& choice);
+
 /// What a comment says of bands of this kind, and of the noise of a column.
 std::string covered_text(data::BandKind kind);
 std::string noise_line(const std::string& column, const data::NoiseEstimate& noise,
                        data::BandMethod method = data::BandMethod::linear);
 
+/// Groups that cannot be smoothed, and why.
+using RefusedGroups = std::vector<std::pair<std::string, std::string>>;
+
 /// The pages of all groups: one table.
-Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages);
+Json smooth_json(const std::vector<std::unique_ptr<SmoothPage>>& pages, const RefusedGroups& refused);
 void write(const std::vector<std::unique_ptr<SmoothPage>>& pages, std::ostream& stream);
 }  // namespace subcert::cli

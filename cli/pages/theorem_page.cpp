@@ -1,5 +1,7 @@
 #include "theorem_page.hpp"
 
+#include <subcert/reports/facts/screen_lines.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -115,7 +117,7 @@ std::string theorem_text(const Theorem& theorem, bool all) {
   std::ostringstream text;
   text << theorem.id << ", d = " << fmt::format("{}", fmt::join(theorem.degrees, ", ")) << ": " << theorem.title
        << "\n\n";
-  for (const std::string& sentence : theorem.statement) text << sentence << "\n";
+  for (const std::string& sentence : theorem.statement) text << facts::wrapped(sentence, 0) << "\n";
   if (!theorem.text.empty()) text << "Proof: " << theorem.text << "\n";
   for (const std::string& lack : theorem.missing) text << "missing: " << lack << "\n";
   if (!theorem.values.empty()) text << "\n";

@@ -25,6 +25,16 @@ TEST_CASE("gallery: one page in one file") {
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);  // no temporary file is left
 }
 
+TEST_CASE("gallery: what is on record as divergent, and nothing else, may diverge", "[long]") {
+  const Run forty = run("gallery --json");
+  CHECK(forty.code == 0);
+  CHECK(run("gallery four-point:w=1/2 --json").code == 1);
+  for (const auto& scheme : nlohmann::json::parse(forty.out).at("schemes")) {
+    CAPTURE(scheme.at("scheme"));
+    CHECK((scheme.at("converges").at("verdict") == "no") == (scheme.at("scheme") == "four-point:w=1/2"));
+  }
+}
+
 TEST_CASE("gallery: the data") {
   const auto data = run_json("gallery primal:n=1 bspline:degree=3 'mask:[1,1,2,2,1,1]/4' daubechies:n=2 --json")
                         .at("schemes");

@@ -141,3 +141,19 @@ TEST_CASE("regularity: surfaces") {
               "regularity: need a dilation without Jordan blocks whose conjugate eigenvalues have one modulus, or a "
               "tensor product, got the dilation [2,1;0,2]");
 }
+
+TEST_CASE("regularity: vectors of functions by name") {
+  const Folder folder;
+  const std::string file = folder / "vector.cert";
+  CHECK(run("regularity ghm --certificate " + file).code == 0);
+  CHECK(run("verify " + file + " --claim '1 <= ghm <= 1'").code == 0);
+  CHECK(run("regularity ghm --help").out.find("hermite-dd:points=4,order=2,a=2") != std::string::npos);
+  const auto rounded = run_json("regularity cl:2 --certificate " + folder / "no.cert");
+  CHECK(has_digits(rounded.at("holder"), "lower", "0.59632253897"));
+  CHECK(has_digits(rounded.at("holder"), "upper", "0.59632253897"));
+  CHECK(rounded.at("exact") == false);
+  CHECK(rounded.at("certificate").is_null());
+  check_fails(run("verify " + file + " --claim '0.5 <= cl:2'"), 64, "--claim: need rational coefficients, got cl:2");
+  check_fails(run("regularity bat:4"), 64, "expected the number of bat as an integer from 1 to 3");
+  check_fails(run("regularity hermit-dd:points=4,order=2"), 64, "did you mean 'hermite-dd'?");
+}

@@ -73,7 +73,7 @@ TEST_CASE("data are smoothed") {
   fails("0,1\n,2\n2,3\n", "", 65,
         data + ", line 2, column 1: expected a position; found a missing value (--missing drop leaves the row out)");
   fails("0,1,1\n1,2,-1\n2,3,1\n", "--weights 3", 65, data + ", line 2, column 3: expected a weight >= 0; found -1");
-  fails("0,1\n1,2\n", "", 65, data + ": expected at least 4 rows to choose a scheme; found 2; name one with --scheme");
+  fails("0,1\n1,2\n", "", 65, data + ": expected at least 4 rows to choose a scheme; found 2; name a scheme");
   fails(line, "--weights u", 64, "--weights u: expected a column from 1 to 3 or one of t, v, w");
   fails(line, "--y v --scheme primal:n=2 --derivative 3", 1,
         "primal:n=2,d=1: derivative 3 is not continuous; the mask has only 2 sum rules, and its shifts are stable");
@@ -332,6 +332,64 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
         "index,x,x_sd,y,y_sd\n0,5,0,1,0\n1,6,0,2,0\n2,7,0,3,0\n");
 }
 
+TEST_CASE("what a newcomer tries is answered with what would be right") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " " + arguments);
+  };
+  const std::string table = "x,x,value\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n";
+  check_fails(with(table, "--y x"), 64,
+              "--y x: expected the name of one column; columns 1 and 2 have it, and are known by number");
+  check_fails(with(table, "--y valeu"), 64,
+              "--y valeu: expected a column from 1 to 3 or one of x, x, value; did you mean 'value'?");
+  check_fails(with(table, "--bands 95"), 64,
+              "--bands: expected a share of 1; 95 % are 0.95; see 'subcert smooth --help'");
+  CHECK(with(table, "--y value --bands 0.95").code == 0);
+  check_fails(with("# vtk DataFile Version 3.0\n", ""), 65,
+              data + ": expected a table; found a volume (--grid smooths it)");
+  check_fails(with("ply\nformat ascii 1.0\n", ""), 65,
+              data + ": expected a table; found a mesh (subcert refine takes it)");
+  const Run spaced = with("0,1\n2,3\n4,5\n6,7\n", "--spacing 1 --level 0 --quiet");
+  CHECK(spaced.out.find("\n1,") == std::string::npos);
+  CHECK(with("0,1\n2,3\n4,5\n6,7\n", "--spacing 1")
+            .err.find("--spacing 1 is for irregular positions; these are uniform, 2 apart") != std::string::npos);
+  CHECK(with("0,1\n2,3\n4,5\n6,7\n", "--spacing 2").err.find("irregular") == std::string::npos);
+  // Data that are counted stand as far apart as is said, as in a stream.
+  const std::string counted = "--x none --spacing 1/2 --scheme primal:n=1 --level 0 --bands 0 --quiet";
+  CHECK(with("1\n2\n3\n", counted).out == "x,column 1,column 1_sd\n0,1,0\n0.5,2,0\n1,3,0\n");
+  CHECK(with("1\n2\n3\n", counted + " --noise 1").out == with("1\n2\n3\n", counted + " --noise 1 --stream").out);
+  // Squares that are no numbers any more.
+  check_fails(with("0,1e-170\n1,2e-170\n2,1e-170\n3,2e-170\n", ""), 65,
+              data +
+                  ": expected numbers whose squares are within double precision; the largest modulus is 2e-170 (take "
+                  "other units)");
+  CHECK(with("0,0\n1,0\n2,0\n3,0\n", "").code == 0);
+}
+
+TEST_CASE("a group that cannot be smoothed does not stop the others") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  std::ofstream(data) << "g,t,v\na,0,1\na,1,2\na,2,4\na,3,4\nb,0,1\nb,1,2\nc,0,1\nc,1,5\nd,0,2\nd,1,4\nd,5,3\n";
+  const Run found = run("smooth " + data + " --by g --level 0 --bands 0");
+  CHECK(found.code == 65);
+  CHECK(found.out.find("\na,3,4") != std::string::npos);
+  CHECK(found.out.find("\nb") == std::string::npos);
+  CHECK(found.err.find("g b, c, left out: " + data + ": expected at least 4 rows to choose a scheme; found 2") !=
+        std::string::npos);
+  CHECK(found.err.find("g d, left out: " + data + ", lines 10 and 11: expected a uniform grid") != std::string::npos);
+  const auto json = run_json("smooth " + data + " --by g --level 0 --quiet", 65);
+  CHECK(json.at("groups").size() == 1);
+  REQUIRE(json.at("refused").size() == 3);
+  CHECK(json.at("refused")[2].at("group") == "d");
+  std::ofstream(data) << "g,t,v\nb,0,1\nb,1,2\nc,0,1\nc,1,5\n";
+  check_fails(run("smooth " + data + " --by g"), 65,
+              "g b: " + data +
+                  ": expected at least 4 rows to choose a scheme; found 2; name a scheme; nor can other "
+                  "groups be smoothed");
+}
+
 TEST_CASE("a stream is smoothed as the whole is") {
   const Folder folder;
   const std::string data = folder / "data.csv";
@@ -392,16 +450,20 @@ TEST_CASE("heights and volumes are smoothed") {
                            "SCALARS d double 1\nLOOKUP_TABLE default\n0\n0.5\n1\n1.5\n2\n") != std::string::npos);
   CHECK(of_volume.out.find("FIELD FieldData 3\nd_sd 1 45 double\n") != std::string::npos);
   CHECK(run("smooth " + plane + " --grid --scheme primal:n=1 --plot " + folder / "p.svg").code == 0);
+  const auto chosen = run_json("smooth " + plane + " --grid --bands-kind simultaneous");
+  CHECK(chosen.at("auto") == true);
+  CHECK(chosen.at("choice").at("chosen").at("scheme") == chosen.at("scheme"));
+  CHECK(run("smooth " + plane + " --grid").out.find("# chosen for the smallest estimated") != std::string::npos);
   const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
     CAPTURE(arguments);
     check_fails(run("smooth " + plane + " --grid " + arguments), code, message);
   };
-  fails("", 64, "--grid needs --scheme, as tensor:(primal:n=3)x(primal:n=3)");
+  fails("--select cv", 64,
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+        "--select cv, --stream");
   fails("--scheme primal:n=1 --by x", 64,
         "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
-        "--stream");
-  fails("--scheme primal:n=1 --bands-kind simultaneous", 64,
-        "--grid: expected pointwise or prediction bands; simultaneous ones are for curves");
+        "--select cv, --stream");
   fails("--scheme l1:points=4 --bands 0", 64, "smoothing: l1:points=4,d=1,iterations=6,delta=1e-8 is not linear");
   check_fails(run("smooth " + folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n") +
                   " --grid --scheme primal:n=1"),

@@ -39,5 +39,5 @@ check "exponent     1.9901439593863" subcert regularity primal:n=5 --certificate
 check VERIFIED subcert verify /tmp/s5.cert
 check "usage: subcert-check" subcert-check --help
 awk 'BEGIN { srand(1); for (i = 0; i < 200; i++) print sin(i / 20) + rand() / 5 }' >"$work/root/tmp/data.csv"
-check "sd,lower,upper" subcert smooth /tmp/data.csv --x none
+check "x,column 1,column 1_sd,column 1_lower,column 1_upper" subcert smooth /tmp/data.csv --x none
 echo "made, unpacked elsewhere and run with the C library alone"

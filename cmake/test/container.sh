@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the image of cmake/Containerfile and runs it, by podman, docker or buildah. Usage: container.sh SOURCE. Exit
-# code: 0 all is well, 1 not, 77 there is no engine that runs, or no image of Debian. Where the engine cannot fetch one,
-# a small Debian is made from the mirror that this system has.
+# code: 0 all is well, 1 not, 77 there is no engine that runs, or no image of Debian. Where the engine neither has one
+# nor can fetch it, a small Debian is made from the mirror that this system has.
 set -eu
 cd "$1"
 . cmake/test/bare_root.sh
@@ -50,7 +50,7 @@ own_debian() {
     "$engine" tag debian:12 "$name"
   done
 }
-"$engine" pull debian:12 >/dev/null 2>&1 || own_debian
+"$engine" inspect --type image debian:12 >/dev/null 2>&1 || "$engine" pull debian:12 >/dev/null 2>&1 || own_debian
 build -f cmake/Containerfile -t subcert-test . >/dev/null
 [ "$engine" != buildah ] || container=$(buildah from subcert-test)
 check "exponent     1.9901439593863" regularity primal:n=5 --certificate s5.cert

@@ -178,6 +178,7 @@ Certificate frequency_certificate(const Mask& mask, const std::optional<Frequenc
 
 Certificate exponent_certificate(const LatticeMask& mask, const Regularity& regularity,
                                  const std::optional<MaskRounding>& rounding) {
+  require(regularity.curve || !rounding, "certificate: need matrices with rational entries");
   return regularity.curve ? exponent_certificate(mask.curve(), *regularity.curve, rounding)
                           : surface_certificate(mask, *regularity.surface);
 }

@@ -65,6 +65,9 @@ ClaimSubject stated_subject(const std::string& subject) {
   if (is_l1_specification(subject)) return l1_subject(subject);
   const Scheme scheme = make_refinable_scheme(subject);
   const bool is_refinable = scheme.mask.components() > 1;
+  if (scheme.quadratic)
+    fail(ErrorKind::usage, "--claim: need rational coefficients, got {}; there are no certificates for others",
+         subject);
   if (scheme.mask.dimension() > 1 || is_refinable)
     return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text(), is_refinable};
   if (scheme.rounding)

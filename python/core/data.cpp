@@ -4,8 +4,10 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
+#include <subcert/schemes/data/smooth/grid_smoothing.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 #include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
@@ -143,6 +145,59 @@ void restore_order(data::SmoothedSamples& smoothed, const data::PositionOrder& o
   }
 }
 
+void require_choices(int level, double bands, const std::optional<double>& noise, const std::string& kind_name,
+                     const std::string& at) {
+  require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
+  require(bands >= 0 && bands < 1, "smooth: need 0 <= bands < 1, got {}", bands);
+  require(!noise || (std::isfinite(*noise) && *noise > 0), "smooth: need noise > 0, got {}", noise.value_or(0));
+  if (!data::parse_band_kind(kind_name))
+    fail(ErrorKind::usage, "kind: expected {}, got '{}'", fmt::join(data::band_kind_names(), ", "), kind_name);
+  if (at != "grid" && at != "data") fail(ErrorKind::usage, "at: expected grid or data, got '{}'", at);
+}
+
+py::list candidates_of(const std::optional<data::MethodChoice>& choice) {
+  py::list candidates;
+  if (choice)
+    for (const data::SmoothingCandidate& one : choice->candidates)
+      candidates.append(py::make_tuple(one.specification, one.risk.total()));
+  return candidates;
+}
+
+/// The axes of a grid of heights or of a volume: the last index of numpy's runs along the first.
+data::GridData<double> grid_of(const DoubleArray& values) {
+  data::GridData<double> grid{numbers_of(values), 1, {}};
+  require_finite(grid.values, "smooth");
+  for (py::ssize_t k = values.ndim(); k-- > 0;)
+    grid.axes.push_back(data::Axis::of(static_cast<std::size_t>(values.shape(k))));
+  return grid;
+}
+
+/// Heights or a volume.
+py::dict smooth_grid(const DoubleArray& values, const std::string& scheme, const std::string& boundary, double constant,
+                     int level, double bands, const std::string& kind_name, const std::string& at,
+                     const std::optional<double>& noise, int jobs, const py::object& progress) {
+  require_choices(level, bands, noise, kind_name, at);
+  require(values.size() > 0, "smooth: need at least one number, got none");
+  const data::BandKind kind = *data::parse_band_kind(kind_name);
+  data::SmoothingOptions options{boundary_of(boundary), level, 0, constant, at == "data"};
+  options.path = kind == data::BandKind::simultaneous;
+  const data::GridData<double> grid = grid_of(values);
+  data::SmoothedGrid smoothed = interruptible(progress,
+                                              [&] { return data::smooth_grid(grid, scheme, options, noise, jobs); });
+  py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, kind);
+  py::list places;
+  for (const data::Axis& axis : smoothed.axes) {
+    std::vector<double> along;
+    for (std::size_t i = 0; i < axis.count; ++i) along.push_back(data::nearest_double(axis.parameter(i)));
+    places.insert(0, array_of(std::move(along)));
+  }
+  if (answer.contains("lower")) answer["bands_method"] = to_text(data::BandMethod::linear);
+  answer["x"] = py::tuple(places);
+  answer["scheme"] = smoothed.method;
+  answer["candidates"] = candidates_of(smoothed.choice);
+  return answer;
+}
+
 /// `scheme`: a specification, or empty for the choice by estimated error.
 py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const std::vector<Rational>& weights,
                 const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
@@ -150,14 +205,10 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
                 const std::string& kind_name, bool irregular, const std::string& at, const std::optional<double>& noise,
                 const std::string& select, int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
-  require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
+  require_choices(level, bands, noise, kind_name, at);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
-  require(bands >= 0 && bands < 1, "smooth: need 0 <= bands < 1, got {}", bands);
-  require(!noise || (std::isfinite(*noise) && *noise > 0), "smooth: need noise > 0, got {}", noise.value_or(0));
   require(!spacing || *spacing > 0, "smooth: need spacing > 0");
   const auto kind = data::parse_band_kind(kind_name);
-  if (!kind) fail(ErrorKind::usage, "kind: expected {}, got '{}'", fmt::join(data::band_kind_names(), ", "), kind_name);
-  if (at != "grid" && at != "data") fail(ErrorKind::usage, "at: expected grid or data, got '{}'", at);
   require(*kind != data::BandKind::prediction || derivative == 0, "smooth: a new datum has no derivative");
   data::Samples samples{{numbers_of(y)}, weights, origin, spacing.value_or(1)};
   require_finite(samples.columns.front(), "smooth");
@@ -191,11 +242,7 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
   if (answer.contains("lower")) answer["bands_method"] = to_text(smoothed.band_method);
   answer["x"] = array_of(std::move(smoothed.positions));
   answer["scheme"] = smoothed.method;
-  std::vector<std::pair<std::string, double>> candidates;
-  if (smoothed.choice)
-    for (const data::SmoothingCandidate& one : smoothed.choice->candidates)
-      candidates.emplace_back(one.specification, one.risk.total());
-  answer["candidates"] = candidates;
+  answer["candidates"] = candidates_of(smoothed.choice);
   return answer;
 }
 
@@ -204,6 +251,7 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
 void add_data(py::module_& module) {
   module.def("refine", &refine);
   module.def("smooth", &smooth);
+  module.def("smooth_grid", &smooth_grid);
   module.def("all_cores", &all_cores);
 }
 

@@ -42,10 +42,15 @@ struct HolderEvidence {
 
 /// `certificate`: of what a certificate can hold, of a tensor product as a whole.
 std::shared_ptr<HolderEvidence> holder(const Scheme& scheme, int levels, double seconds, std::size_t memory, int bits,
-                                       bool certificate, const py::object& progress) {
+                                       bool certificate, std::optional<std::size_t> component,
+                                       const py::object& progress) {
   return interruptible(progress, [&] {
-    const RegularityOptions options{bits, levels, certificate ? HolderProof::certificate : HolderProof::shortest,
-                                    scheme.rounding};
+    const RegularityOptions options{bits,
+                                    levels,
+                                    certificate ? HolderProof::certificate : HolderProof::shortest,
+                                    scheme.rounding,
+                                    scheme.quadratic,
+                                    component};
     const bool whole = certificate && scheme.mask.dimension() > 1;
     return std::make_shared<HolderEvidence>(HolderEvidence{
         scheme,

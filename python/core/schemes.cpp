@@ -35,9 +35,12 @@ LaurentPolynomial remaining_factor(const Scheme& scheme) {
   return *mask.symbol().exact_quotient(LaurentPolynomial::all_ones(mask.arity()).pow(sum_rules(mask)));
 }
 
-std::vector<std::pair<LatticePoint, Rational>> terms_of(const Scheme& scheme) {
-  std::vector<std::pair<LatticePoint, Rational>> result;
-  for (const Monomial& term : scheme.mask.symbol().terms()) result.emplace_back(term.exponents, term.coefficient);
+using Term = std::tuple<std::vector<long>, std::size_t, std::size_t, Rational>;  // row and column, 0 for numbers
+
+std::vector<Term> terms_of(const Scheme& scheme) {
+  std::vector<Term> result;
+  for (const LatticeMask::Term& term : scheme.mask.terms())
+    result.emplace_back(term.exponents, term.row, term.column, term.coefficient);
   return result;
 }
 
@@ -52,11 +55,12 @@ std::vector<std::tuple<std::string, std::string, std::string>> help_of(const std
 void add_schemes(py::module_& module) {
   py::class_<Scheme>(module, "Scheme")
       .def(py::pickle([](const Scheme& scheme) { return py::make_tuple(scheme.specification); },
-                      [](const py::tuple& state) { return make_linear_scheme(state[0].cast<std::string>()); }))
+                      [](const py::tuple& state) { return make_refinable_scheme(state[0].cast<std::string>()); }))
       .def_readonly("specification", &Scheme::specification)
       .def_readonly("title", &Scheme::title)
       .def_property_readonly("dimension", [](const Scheme& scheme) { return scheme.mask.dimension(); })
       .def_property_readonly("dilation", [](const Scheme& scheme) { return scheme.mask.dilation().rows(); })
+      .def_property_readonly("components", [](const Scheme& scheme) { return scheme.mask.components(); })
       .def_property_readonly("terms", &terms_of)
       .def_property_readonly("arity", [](const Scheme& scheme) { return scheme.mask.arity(); })
       .def_property_readonly("symbol", [](const Scheme& scheme) { return scheme.mask.curve().symbol(); })
@@ -67,7 +71,11 @@ void add_schemes(py::module_& module) {
       .def_readonly("specification", &DataDependentScheme::specification)
       .def_readonly("title", &DataDependentScheme::title)
       .def_property_readonly("dimension", [](const DataDependentScheme& scheme) { return scheme.rules.points.size(); });
-  module.def("make_any_scheme", [](const std::string& specification) { return make_any_scheme(specification); });
+  module.def("make_any_scheme", [](const std::string& specification) -> AnyScheme {
+    if (is_l1_specification(specification)) return make_any_scheme(specification);
+    return make_refinable_scheme(specification);
+  });
+  module.def("vector_families", [] { return help_of(vector_families()); });
   module.def("families", [] { return help_of(families()); });
   module.def("multivariate_families", [] { return help_of(multivariate_families()); });
   module.def("facts", &facts_of);

@@ -52,8 +52,10 @@ from ._schemes import (
     Scheme,
     Symbol,
     VarianceRange,
+    VectorScheme,
     families,
     mask,
+    refinable,
     scheme,
 )
 from ._tables import SchemeTable, compare

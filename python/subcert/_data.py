@@ -57,7 +57,8 @@ def refine(
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Smoothed:
-    """The limit of a scheme from samples, at the positions x. Deviations are standard deviations, lower and upper the
+    """The limit of a scheme from samples, at the positions x; of heights and volumes x has the positions along each axis
+    of the array. Deviations are standard deviations, lower and upper the
     ends of the confidence band for the expected value of the limit at each point; None where there are none."""
 
     x: Any
@@ -75,7 +76,9 @@ class Smoothed:
     """What the bands are computed from: linear, sandwich or bootstrap."""
 
     def plot(self, ax: Any = None) -> Any:
-        """Draws values and band, and returns the axes of matplotlib."""
+        """Draws values and band, of heights the values, and returns the axes of matplotlib."""
+        if isinstance(self.x, tuple):
+            return _plots.heights(ax, self.x, self.values, self.scheme)
         return _plots.bands(ax, self.x, self.values, self.lower, self.upper, self.scheme)
 
 
@@ -93,6 +96,19 @@ def _without_missing(array: Any, x: Any, weights: Any) -> tuple[Any, Any, Any]:
         prior = numpy.where(gaps, 0, 1 if prior is None else prior)
         array = numpy.where(gaps, 0, array)
     return array, x, None if prior is None else prior.tolist()
+
+
+def _smooth_grid(array: Any, options: tuple[Any, ...], refused: dict[str, Any]) -> Smoothed:
+    """Heights or a volume; `refused`: what only curves have, by the name of the argument."""
+    named = [name for name, given in refused.items() if given]
+    if named:
+        raise UsageError(f"smooth: heights and volumes have no {', '.join(named)}")
+    facts = _core.smooth_grid(array, *options)
+    for name in ("values", "deviation", "lower", "upper"):
+        if name in facts:
+            facts[name] = facts[name].reshape([len(along) for along in facts["x"]])
+    facts["candidates"] = tuple(facts["candidates"])
+    return Smoothed(**facts)
 
 
 def smooth(
@@ -124,7 +140,8 @@ def smooth(
 ) -> Any:
     """Smooths samples of a function by the limit of a scheme or by local polynomials.
 
-    `data`: an array of shape (n,) for an answer of the kind Smoothed; or a table: a frame of pandas, polars, pyarrow
+    `data`: an array of shape (n,) for an answer of the kind Smoothed, or of heights (n, m), or a volume (n, m, k), which
+    are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or a table: a frame of pandas, polars, pyarrow
     or others with the dataframe interchange protocol, a dict of arrays, a structured array, or the name of a file
     (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of the same kind. Of a table `x`, `y`,
     `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and `keep` also lists. Without `x` the
@@ -169,6 +186,12 @@ def smooth(
     if y is not None or by is not None or keep is not None:
         raise UsageError("smooth: y, by and keep are columns of a table; got an array")
     array = numpy.ascontiguousarray(data, dtype=numpy.float64)
+    if array.ndim in (2, 3):
+        grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, _jobs(jobs), progress)
+        curves: dict[str, Any] = {"x": x is not None, "weights": weights is not None, "missing": missing == "drop"}
+        curves.update(derivative=derivative, irregular=irregular, spacing=spacing is not None, origin=origin != 0)
+        curves.update({"select='cv'": select == "cv", "resamples": resamples})
+        return _smooth_grid(array, grid, curves)
     if missing == "drop" and array.ndim == 1:
         array, x, weights = _without_missing(array, x, weights)
     positions = None

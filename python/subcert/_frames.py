@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
+import warnings
 from collections.abc import Mapping
 from decimal import Decimal
 from numbers import Real
@@ -239,12 +240,20 @@ def smoothed(
         return table.make(_smoothed_rows(smooth, position, values, numpy.arange(count), prior, kept, options))
     keys = numpy.asarray(table.columns[group])
     parts = []
+    left_out: dict[str, str] = {}
     for key, rows in _groups(keys).items():
         try:
             part = _smoothed_rows(smooth, position, values, numpy.array(rows), prior, kept, options)
+        except DataError as error:
+            left_out[str(key)] = str(error)
         except Error as error:
             raise type(error)(f"{group} {key}: {error}") from None
-        parts.append({group: keys[[rows[0]] * len(next(iter(part.values())))], **part})
+        else:
+            parts.append({group: keys[[rows[0]] * len(next(iter(part.values())))], **part})
+    for key, why in left_out.items():
+        if not parts:
+            raise DataError(f"{group} {key}: {why}")
+        warnings.warn(f"{group} {key}, left out: {why}", stacklevel=3)
     return table.make(_joined(parts))
 
 

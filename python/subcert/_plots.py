@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ._errors import UsageError
+
 if TYPE_CHECKING:
     from ._families import ExponentCurve, PropertyRange
 
@@ -64,6 +66,15 @@ def pieces(ax: Any, found: PropertyRange, parameter: str) -> Any:
     ax.set_yticks([])
     ax.set_xlabel(parameter)
     ax.legend()
+    return ax
+
+
+def heights(ax: Any, places: Any, values: Any, title: str) -> Any:
+    if values.ndim != 2:
+        raise UsageError(f"plot: pictures are of curves and heights; got a volume of {values.shape}")
+    ax = axes(ax)
+    ax.pcolormesh(places[1], places[0], values, shading="nearest")
+    ax.set_title(title)
     return ax
 
 

@@ -144,6 +144,21 @@ class Named:
         return refine(self, data, levels, **options)
 
 
+def _exponent(
+    scheme: Named,
+    levels: int,
+    budget: float,
+    memory: int,
+    width: Optional[Exact],
+    certificate: bool,
+    component: Optional[int],
+    progress: Progress,
+) -> HolderExponent:
+    arguments = (scheme._handle, levels, budget, memory, bits_of(width))
+    again = Computation("holder", (*arguments, True, component, None))
+    return exponent_of(_core.holder(*arguments, certificate, component, progress), again)
+
+
 class LinearScheme(Named):
     """A scheme with a mask."""
 
@@ -168,9 +183,7 @@ class LinearScheme(Named):
     def _holder(
         self, levels: int, budget: float, memory: int, width: Optional[Exact], certificate: bool, progress: Progress
     ) -> HolderExponent:
-        arguments = (self._handle, levels, budget, memory, bits_of(width))
-        again = Computation("holder", (*arguments, True, None))
-        return exponent_of(_core.holder(*arguments, certificate, progress), again)
+        return _exponent(self, levels, budget, memory, width, certificate, None, progress)
 
 
 class Scheme(LinearScheme):
@@ -386,7 +399,7 @@ class MultivariateScheme(LinearScheme):
     @functools.cached_property
     def mask(self) -> dict[tuple[int, ...], Fraction]:
         """The coefficients by their multi-indices."""
-        return {tuple(index): value for index, value in self._handle.terms}
+        return {tuple(index): value for index, _, _, value in self._handle.terms}
 
     def holder(
         self,
@@ -452,6 +465,64 @@ class MultivariateScheme(LinearScheme):
         return _display.surface_html(self)
 
 
+class VectorScheme(Named):
+    """A vector of functions phi_1, phi_2, ... with phi(x) = sum over k of A_k phi(2x - k), A_k matrices: those of a
+    vector or Hermite scheme, of multiwavelets, of finite elements.
+
+    >>> import subcert
+    >>> s = subcert.scheme("merrien:lambda=-1/8,mu=1/2")
+    >>> s.components, s.matrices[(0,)]
+    (2, ((Fraction(1, 1), Fraction(0, 1)), (Fraction(0, 1), Fraction(1, 2))))
+    >>> print(subcert.scheme("ghm").holder())
+    1
+    """
+
+    @property
+    def dimension(self) -> int:
+        return self._handle.dimension
+
+    @property
+    def components(self) -> int:
+        """How many functions there are."""
+        return self._handle.components
+
+    @property
+    def dilation(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(tuple(row) for row in self._handle.dilation)
+
+    @functools.cached_property
+    def matrices(self) -> dict[tuple[int, ...], tuple[tuple[Fraction, ...], ...]]:
+        """The matrices A_k of phi's equation by their multi-indices k, where they are not 0."""
+        found: dict[tuple[int, ...], list[list[Fraction]]] = {}
+        for index, row, column, value in self._handle.terms:
+            empty = [[Fraction(0)] * self.components for _ in range(self.components)]
+            found.setdefault(tuple(index), empty)[row][column] = value
+        return {index: tuple(map(tuple, rows)) for index, rows in sorted(found.items())}
+
+    def holder(
+        self,
+        budget: float = 60,
+        *,
+        component: Optional[int] = None,
+        memory: int = 1024,
+        width: Optional[Exact] = None,
+        certificate: bool = False,
+        progress: Progress = None,
+    ) -> HolderExponent:
+        """The Hoelder exponent of the continuous solution phi, enclosed with proof: that of its worst function, or of
+        the one with this number, from 1. Its facts have the exponents of all functions.
+
+        >>> import subcert
+        >>> rough = subcert.refinable([[[1, 0], [2, 3 / 2]], [[2, 0], [0, 3 / 2]], [[1, 0], [0, 0]]], 2, first=0)
+        >>> print(rough.holder(component=1), rough.holder().enclosure.lower > 0.415)
+        1 True
+        """
+        if component is not None and not 1 <= component <= self.components:
+            raise DomainError(f"component: expected 1 to {self.components}, got {component}")
+        chosen = None if component is None else component - 1
+        return _exponent(self, 16, budget, memory, width, certificate, chosen, progress)
+
+
 class DataDependentScheme(Named):
     """A scheme without a mask, which only acts on data, as ``l1:points=6``."""
 
@@ -475,7 +546,7 @@ AnyScheme = Union[Scheme, MultivariateScheme, DataDependentScheme]
 
 
 def scheme(specification: Union[str, Named]) -> Any:
-    """The scheme of this specification: a Scheme, MultivariateScheme or DataDependentScheme.
+    """The scheme of this specification: a Scheme, MultivariateScheme, VectorScheme or DataDependentScheme.
 
     Raises UsageError for a text that names none; the line says which part, and what would be right.
 
@@ -494,6 +565,8 @@ def scheme(specification: Union[str, Named]) -> Any:
     core = _core.make_any_scheme(specification)
     if isinstance(core, _core.DataDependentScheme):
         return DataDependentScheme(core)
+    if core.components > 1:
+        return VectorScheme(core)
     return (Scheme if core.dimension == 1 else MultivariateScheme)(core)
 
 
@@ -516,27 +589,61 @@ def mask(
     >>> subcert.mask([[1, 1], [1, 1]], 1, first=(0, 0)).mask[1, 1]
     Fraction(1, 1)
     """
+    numbers, levels = _listed(coefficients, denominator)
+    family = f"mask{levels if levels > 1 else ''}"
+    return scheme(f"{family}:{numbers}{_fields(first, arity, dilation)}")
+
+
+def refinable(
+    matrices: Iterable[Any],
+    denominator: Exact = 1,
+    *,
+    first: Union[int, Sequence[int], None] = None,
+    arity: int = 2,
+    dilation: Optional[Sequence[Sequence[int]]] = None,
+) -> VectorScheme:
+    """The vector of functions with phi(x) = sum over k of A_k phi(2x - k), of matrices A_k over a common denominator
+    from the index `first` on; the rest as in mask().
+
+    >>> import subcert
+    >>> hats = subcert.refinable([[[1, 0], [2, 1]], [[2, 0], [0, 1]], [[1, 0], [0, 0]]], 2, first=0)
+    >>> hats.components, hats.specification
+    (2, 'refinable:[[[1,0],[2,1]],[[2,0],[0,1]],[[1,0],[0,0]]]/2@0')
+    """
+    return scheme(f"refinable:{_listed(matrices, denominator)[0]}{_fields(first, arity, dilation)}")
+
+
+def _listed(coefficients: Iterable[Any], denominator: Exact) -> tuple[str, int]:
+    """As specifications have them, and how deep they are nested."""
     below = fraction(denominator)
     if below == 0:
         raise ZeroDivisionError("mask: need a denominator other than 0")
-    if hasattr(coefficients, "tolist"):  # arrays of numpy
-        coefficients = coefficients.tolist()
 
     def listed(entries: Any) -> tuple[str, int]:
+        if hasattr(entries, "tolist"):  # arrays of numpy, matrices of sympy
+            entries = entries.tolist()
         if isinstance(entries, (list, tuple)):
             inner = [listed(entry) for entry in entries]
             return "[" + ",".join(text for text, _ in inner) + "]", 1 + max((depth for _, depth in inner), default=0)
         return str(fraction(entries) / below), 0
 
-    numbers, variables = listed(list(coefficients))
+    return listed(coefficients if hasattr(coefficients, "tolist") else list(coefficients))
+
+
+def _fields(
+    first: Union[int, Sequence[int], None], arity: int, dilation: Optional[Sequence[Sequence[int]]]
+) -> str:
     indices = [] if first is None else [first] if isinstance(first, int) else list(first)
-    text = f"mask{variables if variables > 1 else ''}:{numbers}"
-    text += "@" + ",".join(str(int(i)) for i in indices) if indices else ""
+    text = "@" + ",".join(str(int(i)) for i in indices) if indices else ""
     if dilation is not None:
-        return scheme(text + ",dilation=[" + ";".join(",".join(str(int(d)) for d in row) for row in dilation) + "]")
-    return scheme(text + ("" if arity == 2 else f",arity={int(arity)}"))
+        return text + ",dilation=[" + ";".join(",".join(str(int(d)) for d in row) for row in dilation) + "]"
+    return text + ("" if arity == 2 else f",arity={int(arity)}")
 
 
 def families() -> dict[str, str]:
     """How each named family of schemes is written, and what it is."""
-    return {usage: meaning for _, usage, meaning in [*_core.families(), *_core.multivariate_families()]}
+    return {usage: meaning for _, usage, meaning in [
+        *_core.families(),
+        *_core.multivariate_families(),
+        *_core.vector_families(),
+    ]}

@@ -182,7 +182,7 @@ def test_smoothing_refuses():
     with pytest.raises(subcert.UsageError):
         subcert.smooth(y, scheme="primal:q=1")
     with pytest.raises(subcert.DomainError):
-        subcert.smooth(y.reshape(5, 10))
+        subcert.smooth(y.reshape(5, 5, 2, 1))
 
 
 def test_outliers():
@@ -190,3 +190,32 @@ def test_outliers():
     y[12] = 500
     found = subcert.smooth(y, scheme="l1:points=8,iterations=30")
     assert abs(found.values[12] - 12) < 1 and found.deviation is None
+
+
+def test_heights_and_volumes():
+    y, x = numpy.mgrid[0:12, 0:17]
+    heights = 2.0 * x - y + 0.5 * x * y
+    found = subcert.smooth(heights, level=1, scheme="tensor:(primal:n=2)x(dual:n=3)", noise=2.0)
+    assert [len(along) for along in found.x] == [23, 33] and found.values.shape == (23, 33)
+    assert numpy.array_equal(found.x[0], numpy.arange(23) / 2)
+    b, a = numpy.meshgrid(found.x[0], found.x[1], indexing="ij")
+    assert abs(found.values - (2 * a - b + 0.5 * a * b)).max() < 1e-10
+    along_y = subcert.smooth(heights[:, 0], level=1, scheme="dual:n=3", noise=1.0)
+    along_x = subcert.smooth(heights[0], level=1, scheme="primal:n=2", noise=1.0)
+    assert numpy.allclose(found.deviation, 2 * numpy.outer(along_y.deviation, along_x.deviation), rtol=1e-12)
+    noisy = numpy.sin(x / 3.0) + numbers.normal(size=x.shape) / 5
+    chosen = subcert.smooth(noisy, kind="simultaneous")
+    pointwise = subcert.smooth(noisy)
+    assert chosen.scheme == chosen.candidates[0][0] and len(chosen.candidates) > 10
+    assert chosen.candidates[0][1] == min(error for _, error in chosen.candidates)
+    assert ((chosen.upper - chosen.lower) > 1.2 * (pointwise.upper - pointwise.lower)).all()
+    assert 0.15**2 < chosen.noise_variance < 0.25**2 and chosen.bands_method == "linear"
+    volume = numpy.arange(60.0).reshape(3, 4, 5)
+    assert numpy.allclose(subcert.smooth(volume, scheme="local:points=3", bands=0, at="data").values, volume)
+    for options, name in (({"x": x}, "x"), ({"derivative": 1}, "derivative"), ({"select": "cv"}, "select='cv'")):
+        with pytest.raises(subcert.UsageError, match=f"heights and volumes have no {name}"):
+            subcert.smooth(heights, **options)
+    with pytest.raises(subcert.DataError, match="finite"):
+        subcert.smooth(numpy.full((4, 4), numpy.nan), scheme="primal:n=1")
+    with pytest.raises(subcert.DomainError):
+        subcert.smooth(numpy.zeros((0, 4)))

@@ -71,6 +71,15 @@ def test_groups(kind):
         subcert.smooth(kind(data), x="x", y="y", by="name", irregular=True, scheme="local:points=21")
 
 
+def test_a_group_that_is_too_small_does_not_stop_the_others():
+    data = {"g": ["a"] * 6 + ["b"] * 2, "t": [0.0, 1, 2, 3, 4, 5, 0, 1], "v": numpy.arange(8.0)}
+    with pytest.warns(UserWarning, match="^g b, left out: expected at least 4 rows"):
+        found = subcert.smooth(data, by="g")
+    assert list(found["g"]) == ["a"] * 6 and abs(found["v"] - numpy.arange(6)).max() < 1e-9
+    with pytest.raises(subcert.DataError, match="^g b: expected at least 4 rows"):
+        subcert.smooth({name: values[6:] for name, values in data.items()}, by="g")
+
+
 @pytest.mark.parametrize("kind", list(kinds()))
 def test_missing_values_and_dates(kind):
     days = numpy.datetime64("2024-02-01") + numpy.arange(40)

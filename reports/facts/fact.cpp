@@ -1,6 +1,8 @@
 
 #include "fact.hpp"
 
+#include "screen_lines.hpp"
+
 #include <algorithm>
 #include <iterator>
 
@@ -32,7 +34,8 @@ std::string page_text(const Facts& list, std::size_t width) {
     std::string text = text_with_remark(fact);
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += width + 1)
       text.insert(at + 1, width, ' ');
-    page += fact.label + std::string(std::max(width, fact.label.size() + 1) - fact.label.size(), ' ') + text + "\n";
+    const std::size_t indent = std::max(width, fact.label.size() + 1);
+    page += wrapped(fact.label + std::string(indent - fact.label.size(), ' ') + text, indent) + "\n";
   }
   return page;
 }

@@ -59,7 +59,7 @@ void append(Facts& list, Facts more);
 /// `text  (remark)`; of an answer `yes: remark`.
 std::string text_with_remark(const Fact& fact);
 
-/// A line a fact, texts from the column `width` on.
+/// A line a fact, or several where it is long, texts from the column `width` on.
 std::string page_text(const Facts& list, std::size_t width);
 
 /// One object.

@@ -2,6 +2,7 @@
 
 #include "exponents.hpp"
 
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 
@@ -220,6 +221,18 @@ Facts dilation_facts(const LatticeMask& mask) {
 }
 
 }  // namespace
+
+Fact values_fact(const LatticeMask& mask) {
+  std::string text;
+  Json list = Json::array();
+  for (const auto& [index, value] : limit_values(mask, 0)) {
+    const LatticePoint point(index.begin(), std::prev(index.end()));
+    text += fmt::format("{}phi_{}({}) = {}", text.empty() ? "" : ", ", index.back() + 1, fmt::join(point, ","),
+                        to_text(value));
+    list.push_back({{"component", index.back() + 1}, {"point", point}, {"value", to_text(value)}});
+  }
+  return {"lattice_values", "values", text, "", list};
+}
 
 Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits) {
   if (regularity.curve) return exponent_fact(*regularity.curve, regularity.curve->proved_exponent(), digits);

@@ -23,6 +23,9 @@ struct RegularityForm {
 Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form);
 
+/// Of a vector of functions, the values that are not 0 at lattice points. Domain: as limit_values.
+Fact values_fact(const LatticeMask& mask);
+
 /// The line of the exponent alone. `digits`: at least.
 Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits);
 

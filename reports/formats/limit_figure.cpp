@@ -3,6 +3,7 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
@@ -121,6 +122,27 @@ Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what, i
   for (std::size_t i = 0; i < values.values.size(); ++i)
     curve.points.emplace_back(values.point(i).convert_to<double>(), values.values[i].convert_to<double>());
   return {title_of(title, what, level), "x", "", {curve}};
+}
+
+Panel vector_panel(const LatticeMask& mask, const std::string& title) {
+  const Interval support = limit_support(mask).front();
+  const int level = largest_level(support.width().convert_to<double>(), mask.arity(),
+                                  points_of_curve / static_cast<double>(mask.components()));
+  const double scale = std::pow(mask.arity(), -level);
+  Panel panel{verbatim(title), "x", "", {}};
+  for (std::size_t c = 0; c < mask.components(); ++c)
+    panel.curves.push_back({"phi_" + std::to_string(c + 1), {{support.lower.convert_to<double>(), 0}}});
+  long index = floor_index(support.lower * power(Rational(mask.arity()), level)) + 1;
+  const long last = ceil_index(support.upper * power(Rational(mask.arity()), level));
+  const LatticeSequence values = limit_values(mask, level);
+  for (; index < last; ++index)
+    for (std::size_t c = 0; c < mask.components(); ++c) {
+      const auto at = values.find({index, static_cast<long>(c)});
+      panel.curves[c].points.emplace_back(static_cast<double>(index) * scale,
+                                          at == values.end() ? 0 : at->second.convert_to<double>());
+    }
+  for (Curve& curve : panel.curves) curve.points.emplace_back(support.upper.convert_to<double>(), 0);
+  return panel;
 }
 
 Curve data_curve(const data::GridData<double>& data, const std::string& label, bool joined) {

@@ -22,6 +22,9 @@ DrawnSurface limit_surface(const LatticeMask& mask, const std::string& title, Dr
 /// The same for a curve, with some 2,000 points; or its derivative of this order, where that is continuous.
 Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what = DrawnLimit::values, int order = 0);
 
+/// All functions of a vector of one variable that is continuous and unique up to a factor.
+Panel vector_panel(const LatticeMask& mask, const std::string& title);
+
 /// Values over their parameters, or points in the plane by their first two coordinates; a closed curve in the plane
 /// that is `joined` ends where it begins. Domain: one axis.
 Curve data_curve(const data::GridData<double>& data, const std::string& label, bool joined);

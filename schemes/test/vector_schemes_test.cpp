@@ -262,6 +262,8 @@ TEST_CASE("exponents of vectors of functions by name") {
                        degree - multiplicity + 1));
   CHECK(is_exactly(exponent("bspline:degree=4,multiplicity=2,a=3"), 3));
   // 2 - log2(max(1, |1 + mu|))
+  // Where the order of differences that floating point proposes is not above the exponent.
+  CHECK(exponent("merrien:lambda=-1/8,mu=-23/8").is_bounded());
   const Enclosure merrien = exponent("merrien:lambda=-1/8,mu=1/2"), log = log_ratio(Rational(3, 2), 2);
   CHECK(*merrien.lower <= 2 - *log.lower);
   CHECK(*merrien.upper >= 2 - *log.upper);
@@ -275,6 +277,7 @@ TEST_CASE("exponents of vectors of functions by name") {
     const MultivariateRegularity found = quadratic(text);
     CHECK(found.vector->solutions == 1);
     CHECK(found.vector->components.size() == 2);
+    CHECK_FALSE(found.exact.is_yes());  // as the root is rounded
     CHECK(*found.exponent.lower <= 2 - *seven.lower / 2);
     CHECK(*found.exponent.upper >= 2 - *seven.upper / 2);
     CHECK(*found.exponent.upper - *found.exponent.lower < narrow);
@@ -292,6 +295,23 @@ TEST_CASE("exponents of vectors of functions by name") {
   const auto sobolev = regularity(mask_of("ghm")).sobolev;
   REQUIRE(sobolev);
   CHECK(is_closely(*sobolev, Rational(3, 2)));
+}
+
+TEST_CASE("each B-spline is as smooth as the multiplicities of its own knots let it be") {
+  for (const auto& [degree, multiplicity] : {std::pair{3, 2}, {4, 3}, {5, 4}, {4, 4}, {6, 4}}) {
+    CAPTURE(degree, multiplicity);
+    const auto found = regularity(multiple_knot_bspline_mask(degree, multiplicity)).vector->components;
+    REQUIRE(static_cast<int>(found.size()) == multiplicity);
+    for (int p = 0; p < multiplicity; ++p) {
+      int most = 0;  // of the knots p, ..., p + degree + 1, which are rounded down to multiples of the multiplicity
+      for (int first = 0; first <= degree + 1; ++first) {
+        int times = 0;
+        for (int k = p; k <= p + degree + 1; ++k) times += k / multiplicity == (p + first) / multiplicity ? 1 : 0;
+        most = std::max(most, times);
+      }
+      CHECK(is_exactly(found[static_cast<std::size_t>(p)].exponent, degree - most + 1));
+    }
+  }
 }
 
 TEST_CASE("the parts of a function are as smooth as it is") {

@@ -4,9 +4,13 @@
 #include <subcert/reports/facts/limit_facts.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <random>
 #include <set>
+#include <sstream>
 
 using namespace subcert;
 using namespace subcert::facts;
@@ -117,4 +121,37 @@ TEST_CASE("enclosures and intervals as JSON keep both ends, rounded outward or e
   CHECK(interval_json({Rational(1, 3), Rational(2, 3)}) == Json{{"lower", "1/3"}, {"upper", "2/3"}});
   CHECK(enclosure_json(std::nullopt).is_null());
   CHECK(numbers_json({Rational(1, 3), 2}) == Json{"1/3", "2"});
+}
+
+TEST_CASE("lines of the screen: broken at blanks, no word lost, words that are too long stay whole") {
+  CHECK(wrapped("label  one two three", 7, 14) == "label  one two\n       three");
+  CHECK(wrapped("label  one two  (three)", 7, 14) == "label  one two\n       (three)");
+  CHECK(wrapped("label  123456789", 7, 10) == "label  123456789");
+  CHECK(wrapped("label  123456789 and", 7, 10) == "label  123456789\n       and");
+  CHECK(wrapped("one\n  two three four\n", 2, 9) == "one\n  two\n  three\n  four\n");
+  for (const char* text : {"", " ", "\n", "\n\n", "            ", "one", "label  "}) CHECK(wrapped(text, 2, 5) == text);
+  Facts list{plain("", "label", std::string(40, 'x') + " " + std::string(60, 'y') + " z")};
+  CHECK(page_text(list, 10) == "label     " + std::string(40, 'x') + "\n          " + std::string(60, 'y') + " z\n");
+}
+
+TEST_CASE("lines of the screen: random texts") {
+  std::mt19937 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const std::size_t indent = random() % 4, width = indent + 1 + random() % 12;
+    std::string text;
+    for (std::size_t k = random() % 60; k > 0; --k) text += random() % 3 == 0 ? ' ' : random() % 20 == 0 ? '\n' : 'x';
+    CAPTURE(text, indent, width);
+    const std::string lines = wrapped(text, indent, width);
+    const auto words = [](const std::string& all) {
+      std::istringstream stream(all);
+      return std::vector<std::string>(std::istream_iterator<std::string>(stream), {});
+    };
+    CHECK(words(lines) == words(text));
+    std::istringstream stream(lines);
+    for (std::string line; std::getline(stream, line);) {
+      line = line.substr(0, line.find_last_not_of(' ') + 1);
+      const std::string tail = line.substr(std::min(line.find_first_not_of(' ', indent), line.size()));
+      CHECK((line.size() <= width || tail.find(' ') == std::string::npos));
+    }
+  }
 }

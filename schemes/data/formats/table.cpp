@@ -1,5 +1,7 @@
 #include "table.hpp"
 
+#include "other_formats.hpp"
+
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 
@@ -96,9 +98,9 @@ class TableReader::Lines {
     text_ = text;
     line_feed_ = nullptr;
     if (number_ == 0 && text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);
-    if (number_ == 0 && (text_.substr(0, 2) == "\xff\xfe" || text_.substr(0, 2) == "\xfe\xff"))
-      subcert::fail(ErrorKind::data, "{}: expected text in UTF-8; found UTF-16 (save it as UTF-8, or as CSV UTF-8)",
-                    file_);
+    if (number_ == 0)
+      if (const std::string other = other_format(text_); !other.empty())
+        subcert::fail(ErrorKind::data, "{}: expected text in UTF-8; found {}", file_, other);
     while (next_line()) {
       if (line_.find('\0') != std::string_view::npos) fail(0, "a text file; found a zero byte");
       if (trimmed(line_).empty()) {

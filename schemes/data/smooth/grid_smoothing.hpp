@@ -16,12 +16,14 @@ namespace subcert::data {
 /// point of the axes.
 struct SmoothedGrid {
   std::string method;
-  std::vector<Axis> axes;               ///< of the output
-  std::vector<SmoothedColumn> columns;  ///< without paths: bands at all positions at once are not known
+  std::vector<Axis> axes;                   ///< of the output
+  std::vector<SmoothedColumn> columns;      ///< with the length of one path through all outputs, if wanted
+  std::optional<MethodChoice> choice = {};  ///< where it was chosen; `points` are those of the widest window
 };
 
-/// Smooths along each axis: by the factors of a tensor product `tensor:(A)x(B)`, or by the same linear method of one
-/// variable, as `primal:n=4` or `local:points=7`. Values are combinations of the data whose coefficients are products
+/// Smooths along each axis: by the factors of a tensor product `tensor:(A)x(B)`, which may be local polynomials, or by
+/// the same linear method of one variable, as `primal:n=4` or `local:points=7`; with an empty specification by
+/// choose_grid_method(). Values are combinations of the data whose coefficients are products
 /// of those along the axes, and so are their variances. Noise is independent, of one variance; it is estimated from
 /// second differences along all axes that have three data, one after another, unless `noise`, its standard deviation,
 /// is known. Domain: uniform data without gaps, derivative 0. Errors: throws a usage error for other methods, a domain
@@ -29,6 +31,14 @@ struct SmoothedGrid {
 /// rows. Proof: docs/smoothing.md.
 SmoothedGrid smooth_grid(const GridData<double>& grid, std::string_view specification, const SmoothingOptions& options,
                          const std::optional<double>& noise, int threads = 1);
+
+/// Local polynomials of degree 1 or 3 along each axis, with windows of at most 64 data, by the smallest estimated
+/// expected squared error at the data, that of all numbers of the points added. First windows of one size along all
+/// axes, from the smallest until the error is four times the least; from the best of these on other sizes along one
+/// axis after another, until none is better. Domain: as many estimates as numbers. Errors: throws a data error where
+/// the noise has no estimate. Cost: some fifty times that of smooth_grid().
+MethodChoice choose_grid_method(const GridData<double>& grid, const SmoothingOptions& options,
+                                const std::vector<NoiseEstimate>& noise, int threads = 1);
 
 /// The noise of each number of the points. Without an axis of three data there is no estimate.
 std::vector<NoiseEstimate> estimate_noise(const GridData<double>& grid);

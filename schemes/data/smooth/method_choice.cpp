@@ -18,7 +18,18 @@ namespace {
 constexpr std::size_t many_data = 20'000;
 constexpr double least_rest = 1e-9;  // of 1 where a fit is taken to depend on more than its own datum
 
-/// Adds the candidate with its risk, where each of its windows has data for a fit.
+SmoothingOptions at_data(const SmoothingOptions& options) {
+  SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
+  there.selection = options.selection;
+  return there;
+}
+
+void require_data(const char* who, const Samples& samples) {
+  require(samples.count() >= 4, "{}: need at least 4 data, got {}", who, samples.count());
+}
+
+}  // namespace
+
 bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandidate candidate,
                    const std::function<RiskEstimate()>& risk) {
   try {
@@ -34,26 +45,18 @@ bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandida
 std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidates) {
   if (candidates.empty())
     fail(ErrorKind::data,
-         "no candidate has data at enough positions in every window; there are too few, or gaps are too wide");
+         "no candidate has data at enough positions in every window; there are too few, or gaps are too wide; name a "
+         "scheme");
   std::ranges::stable_sort(candidates, {},
                            [](const SmoothingCandidate& one) { return std::pair(one.risk.total(), one.points); });
   return candidates;
 }
 
-SmoothingOptions at_data(const SmoothingOptions& options) {
-  SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
-  there.selection = options.selection;
-  return there;
+void raise_biases(std::vector<SmoothingCandidate>& candidates) {
+  double least = 0;
+  for (const SmoothingCandidate& one : candidates) least = std::min(least, one.risk.bias_squared);
+  for (SmoothingCandidate& one : candidates) one.risk.bias_squared -= least;
 }
-
-/// A candidate of one number more in a list that grows by about a fifth.
-std::size_t next_points(std::size_t points) { return points + 1 + points / 5; }
-
-void require_data(const char* who, const Samples& samples) {
-  require(samples.count() >= 4, "{}: need at least 4 data, got {}", who, samples.count());
-}
-
-}  // namespace
 
 SmoothingMethod make_smoothing_method(std::string_view specification) {
   if (is_local_specification(specification)) return make_local_polynomial(specification);
@@ -440,13 +443,6 @@ std::vector<SmoothingCandidate> rank_all(const Samples& samples, const std::vect
   return ranked(std::move(candidates));
 }
 
-/// Takes the error that all estimates have in common out of them, as far as it shows.
-void raise_biases(std::vector<SmoothingCandidate>& candidates) {
-  double least = 0;
-  for (const SmoothingCandidate& one : candidates) least = std::min(least, one.risk.bias_squared);
-  for (SmoothingCandidate& one : candidates) one.risk.bias_squared -= least;
-}
-
 Samples without_outliers(const Samples& samples, const SmoothingOptions& options, LocalPolynomial pilot, int threads) {
   Samples cleaned = samples;
   pilot.points = std::min(pilot.points, samples.count());
@@ -460,7 +456,7 @@ Samples without_outliers(const Samples& samples, const SmoothingOptions& options
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
                            const std::optional<LocalPolynomial>& pattern, int threads) {
   if (samples.count() < 4)
-    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}", samples.count());
+    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name a scheme", samples.count());
   std::optional<Samples> cleaned;
   if (pattern && pattern->robust > 0) cleaned = without_outliers(samples, options, pseudodata_pilot, threads);
   const Samples& used = cleaned ? *cleaned : samples;

@@ -8,6 +8,7 @@
 
 #include <subcert/schemes/specification.hpp>
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -43,6 +44,21 @@ struct SmoothingCandidate {
   std::string specification;
   RiskEstimate risk;
 };
+
+/// The smallest expected squared error first, of equal ones that with fewer points. Errors: throws a data error for
+/// none.
+std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidates);
+
+/// Adds the candidate with its risk, where each of its windows has data for a fit; false where not.
+bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandidate candidate,
+                   const std::function<RiskEstimate()>& risk);
+
+/// Takes the error that all estimates have in common out of them, as far as it shows: the least bias^2 that is negative
+/// is subtracted from all.
+void raise_biases(std::vector<SmoothingCandidate>& candidates);
+
+/// A candidate of one number more in a list that grows by about a fifth.
+inline std::size_t next_points(std::size_t points) { return points + 1 + points / 5; }
 
 /// The primal least squares schemes of degree 1, 3 and 5 with 2n points, at most half as many as data and at most
 /// 2 max_n, with the estimated risks, the smallest first. n = (degree + 1) / 2 interpolates. Domain: at least 4 data,

@@ -37,13 +37,21 @@ std::string column_name(const Table& table, std::size_t column) {
 
 std::size_t find_column(const Table& table, const std::string& option, const std::string& text) {
   const auto named = std::find(table.header.begin(), table.header.end(), text);
-  if (named != table.header.end()) return static_cast<std::size_t>(named - table.header.begin());
+  if (named != table.header.end()) {
+    const auto first = static_cast<std::size_t>(named - table.header.begin());
+    if (const auto again = std::find(named + 1, table.header.end(), text); again != table.header.end())
+      fail(ErrorKind::usage,
+           "{} {}: expected the name of one column; columns {} and {} have it, and are known by number", option, text,
+           first + 1, again - table.header.begin() + 1);
+    return first;
+  }
   const auto number = parse_rational(text);
   if (number && denominator(*number) == 1 && *number >= 1 && *number <= Rational(table.columns))
     return numerator(*number).convert_to<std::size_t>() - 1;
   std::string known;
   for (const std::string& name : table.header) known += (known.empty() ? " or one of " : ", ") + name;
-  fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}", option, text, table.columns, known);
+  fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}{}", option, text, table.columns, known,
+       did_you_mean(text, table.header));
 }
 
 std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
@@ -147,7 +155,7 @@ std::vector<double> sort_rows(const SampleOptions& options, std::size_t column, 
 
 /// Puts the samples at the positions of these rows, or names the spacing that is farthest from the mean. Domain: rows
 /// sorted by position.
-void set_grid(const SampleOptions& options, const Table& table, std::vector<double> x, Samples& samples) {
+void set_grid(const SampleOptions& options, const Table& table, std::vector<double> x, NamedSamples& samples) {
   if (x.size() > 1 && x.front() == x.back())
     fail(ErrorKind::data, "{}: expected two different positions; found {} alone", options.name(),
          shown(decimal_value(x.front())));
@@ -161,7 +169,12 @@ void set_grid(const SampleOptions& options, const Table& table, std::vector<doub
          options.name(), table.lines[worst], table.lines[worst + 1], shown(grid.spacing),
          shown(decimal(worst + 1) - decimal(worst)), shown(decimal(worst)), shown(decimal(worst + 1)));
   }
-  if (const auto spacing = given_spacing(options); spacing && !samples.uniform()) samples.spacing = *spacing;
+  if (const auto spacing = given_spacing(options); spacing && !samples.uniform())
+    samples.spacing = *spacing;
+  else if (spacing && *spacing != grid.spacing)
+    samples.remarks.push_back(fmt::format(
+        "--spacing {} is for irregular positions; these are uniform, {} apart, and --level L sets those of the answer",
+        options.spacing, shown(grid.spacing)));
 }
 
 /// Prior weights, with 0 for rows that lack a value.
@@ -305,6 +318,8 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
   if (use.x) {
     std::vector<double> x = sort_rows(options, *use.x, table, samples);
     set_grid(options, table, std::move(x), samples);
+  } else if (const auto spacing = given_spacing(options)) {
+    samples.spacing = *spacing;
   }
   set_rows(options, table, use, samples);
   const auto counts = [&](std::size_t i) { return samples.weights.empty() || samples.weights[i] != 0; };
@@ -339,6 +354,10 @@ std::vector<std::size_t> columns_as_written(const SampleOptions& options, std::s
 
 std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   const std::string text = runtime::read_input(options.file);
+  if (text.starts_with("# vtk DataFile"))
+    fail(ErrorKind::data, "{}: expected a table; found a volume (--grid smooths it)", options.name());
+  if (text.starts_with("ply\n") || text.starts_with("ply\r"))
+    fail(ErrorKind::data, "{}: expected a table; found a mesh (subcert refine takes it)", options.name());
   TableForm form = options.form();
   form.kept = columns_as_written(options, text);
   Table table = parse_table(text, options.name(), form);
@@ -355,8 +374,18 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
     remarks.emplace_back("the positions are the column without a name, as of row numbers (--x COLUMN takes another)");
   std::vector<NamedSamples> result;
+  const auto samples_or_why = [&](Table rows) {
+    try {
+      return samples_of(options, std::move(rows), use, form.kept);
+    } catch (const Error& error) {
+      if (!use.by || error.kind() != ErrorKind::data) throw;
+      NamedSamples none;
+      none.refused = error.what();
+      return none;
+    }
+  };
   const auto add = [&](const std::string& group, Table rows) {
-    NamedSamples& samples = result.emplace_back(samples_of(options, std::move(rows), use, form.kept));
+    NamedSamples& samples = result.emplace_back(samples_or_why(std::move(rows)));
     samples.group = group;
     samples.dates = dates;
     std::ranges::move(samples.remarks, std::back_inserter(remarks));

@@ -51,6 +51,7 @@ struct NamedSamples : Samples {
   std::optional<DateForm> dates = {};     ///< how positions are written that are dates, in days or seconds
   std::vector<NamedTexts> kept = {};      ///< columns of the rows, in the order of the samples
   std::vector<std::string> remarks = {};  ///< what was done to the rows that the options do not say, a line each
+  std::string refused = {};               ///< of a group that has no samples: why not
 };
 
 /// The samples of each group, in the order of their first rows; one where there are no groups. Rows are sorted by their
@@ -58,7 +59,7 @@ struct NamedSamples : Samples {
 /// their decimal text: each within one unit of the finest decimal place in the column, and within a twentieth of the
 /// spacing, of its place on the grid; with irregular = `fit` others are kept, also several data at one position,
 /// without rows that miss a value. Errors: throws a usage error for unknown columns, a data error that names the line;
-/// for a grid that is not uniform the worst spacing.
+/// for a grid that is not uniform the worst spacing; of one group among several this is its `refused`.
 std::vector<NamedSamples> read_samples(const SampleOptions& options);
 
 /// Samples on a uniform grid that are read as they come. The spacing is that of the options or of the first two rows,

@@ -150,6 +150,27 @@ TEST_CASE("text beside numbers, other marks, headers that are said to be") {
           "f: expected text in UTF-8; found UTF-16 (save it as UTF-8, or as CSV UTF-8)");
 }
 
+TEST_CASE("files that are no tables are known by their first bytes") {
+  using namespace std::string_literals;
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"\x1f\x8b\b\0\0"s, "packed by gzip (gunzip unpacks it)"},
+      {"PK\3\4\x14\0\6\0[Content_Types].xml"s, "an Excel workbook"},
+      {"PK\3\4\x14\0mimetypeapplication/vnd.oasis.opendocument.spreadsheet"s, "an OpenDocument workbook"},
+      {"PK\3\4\x14\0a.csv"s, "a zip file (unzip unpacks it)"},
+      {"\xfd\x37zXZ\0\0"s, "packed by xz"},
+      {"\x28\xb5\x2f\xfd\0"s, "packed by zstd"},
+      {"BZh91AY&SY\0"s, "packed by bzip2"},
+      {"PAR1\x15\0"s, "a Parquet file"},
+      {"\x93NUMPY\1\0"s, "an array of NumPy"},
+      {"SQLite format 3\0"s, "a database of SQLite"}};
+  for (const auto& [content, meaning] : files) {
+    CAPTURE(meaning);
+    CHECK(error_of(content).find("f: expected text in UTF-8; found ") == 0);
+    CHECK(error_of(content).find(meaning) != std::string::npos);
+  }
+  CHECK(parse_table("PAR1,BZh\n1,2\n", "f").header == std::vector<std::string>{"PAR1", "BZh"});
+}
+
 TEST_CASE("dates are read and written as ISO 8601 has them") {
   CHECK(parse_date("1970-01-02")->value == 1);
   CHECK(parse_date("2024-02-29")->value - parse_date("2023-02-28")->value == 366);

@@ -111,11 +111,88 @@ TEST_CASE("the noise of a surface is found, and bands cover") {
   CHECK_FALSE(estimate_noise(GridData<double>{{1, 2, 3, 4}, 1, {Axis::of(2), Axis::of(2)}})[0].exists());
 }
 
+TEST_CASE("bands at all positions of a grid at once cover") {
+  std::mt19937 engine(8);
+  constexpr int draws = 300;
+  SmoothingOptions options{Boundary::regression, 1};
+  int covered = 0, covered_pointwise = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const GridData<double> grid{random_numbers(14 * 10, engine), 1, {Axis::of(14), Axis::of(10)}};
+    const SmoothedColumn column = smooth_grid(grid, "local:points=6", options, std::nullopt).columns[0];
+    const auto holds = [&](BandKind kind) {
+      const std::vector<double> widths = column.half_widths(0.9, kind);
+      for (std::size_t i = 0; i < widths.size(); ++i)
+        if (std::abs(column.values[i]) > widths[i]) return 0;
+      return 1;
+    };
+    covered += holds(BandKind::simultaneous);
+    covered_pointwise += holds(BandKind::pointwise);
+  }
+  CHECK(covered > 0.9 * draws - 3.5 * std::sqrt(draws * 0.9 * 0.1));
+  CHECK(covered_pointwise < 0.2 * draws);
+  // One row is a curve, whose path it has; with two rows alike there are two such, and the way from one to the other.
+  const std::vector<double> curve = random_numbers(20, engine);
+  Samples samples{{curve}};
+  const double path = smooth(samples, std::string_view("primal:n=2"), options).columns[0].path;
+  const auto path_of = [&](std::size_t rows, const std::string& along_y, const SmoothingOptions& how) {
+    GridData<double> grid{{}, 1, {Axis::of(20), Axis::of(rows)}};
+    for (std::size_t j = 0; j < rows; ++j) grid.values.insert(grid.values.end(), curve.begin(), curve.end());
+    return smooth_grid(grid, "tensor:(primal:n=2)x(" + along_y + ")", how, 1.0).columns[0].path;
+  };
+  CHECK(std::abs(path_of(1, "primal:n=1", options) - path) < 1e-12);
+  SmoothingOptions at_data = options;
+  at_data.at_data = true;  // interpolating rows are at right angles
+  const double at_data_path = smooth(samples, std::string_view("primal:n=2"), at_data).columns[0].path;
+  CHECK(std::abs(path_of(2, "dd:n=1", at_data) - (2 * at_data_path + std::acos(0.0))) < 1e-12);
+}
+
+TEST_CASE("the method for a grid is chosen for its expected squared error") {
+  std::mt19937 engine(9);
+  GridData<double> grid{random_numbers(60 * 40, engine), 1, {Axis::of(60), Axis::of(40)}};
+  std::vector<double> truth;
+  for (std::size_t i = 0; i < grid.values.size(); ++i) {
+    truth.push_back(std::sin(static_cast<double>(i % 60) / 4) + std::cos(static_cast<double>(i / 60) / 20));
+    grid.values[i] = truth.back() + 0.5 * grid.values[i];
+  }
+  const SmoothingOptions options{Boundary::regression, 0, 0, 0, true, false};
+  const auto error_of = [&](const std::string& method) {
+    const std::vector<double> values = smooth_grid(grid, method, options, std::nullopt).columns[0].values;
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) sum += (values[i] - truth[i]) * (values[i] - truth[i]);
+    return sum / static_cast<double>(values.size());
+  };
+  const SmoothedGrid chosen = smooth_grid(grid, "", options, std::nullopt, 2);
+  REQUIRE(chosen.choice);
+  const auto& candidates = chosen.choice->candidates;
+  CHECK(chosen.method == candidates.front().specification);
+  CHECK(chosen.method.starts_with("tensor:("));  // it bends more along x
+  double best = 1e9;
+  for (const SmoothingCandidate& one : candidates) {
+    best = std::min(best, error_of(one.specification));
+    CHECK(one.risk.bias_squared >= 0);
+    CHECK(candidates.front().risk.total() <= one.risk.total());
+  }
+  CHECK(error_of(chosen.method) < 1.1 * best);
+  CHECK(candidates.front().risk.total() < 2 * error_of(chosen.method));
+  CHECK(candidates.front().risk.total() > 0.5 * error_of(chosen.method));
+  // Short axes, one row, and numbers at each point; what has no noise to estimate.
+  for (const std::size_t rows : {1, 2, 3}) {
+    const GridData<double> small{random_numbers(2 * 9 * rows, engine), 2, {Axis::of(9), Axis::of(rows)}};
+    CHECK(smooth_grid(small, "", options, std::nullopt).columns[1].values.size() == 9 * rows);
+  }
+  const GridData<double> least{{1, 2, 3, 4}, 1, {Axis::of(2), Axis::of(2)}};
+  CHECK_THROWS_WITH(smooth_grid(least, "", options, std::nullopt), Catch::Matchers::Contains("name a scheme"));
+  CHECK(smooth_grid(least, "", options, 1.0).columns[0].values.size() == 4);
+}
+
 TEST_CASE("what does not smooth grids is refused") {
   const GridData<double> grid{std::vector<double>(64), 1, {Axis::of(8), Axis::of(8)}};
   CHECK_THROWS_AS(smooth_grid(grid, "l1:points=4", {}, std::nullopt), Error);
   CHECK_THROWS_AS(smooth_grid(grid, "tensor:(primal:n=1)x(primal:n=1)x(primal:n=1)", {}, std::nullopt), Error);
   CHECK_THROWS_AS(smooth_grid(grid, "mask:[1,0,0,1]", {}, std::nullopt), Error);
   CHECK_THROWS_AS(smooth_grid(grid, "grid:points=4x4", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "tensor:(local:points=3)x(l1:points=4)", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "tensor:(local:points=3)", {}, std::nullopt), Error);
+  CHECK_THROWS_AS(smooth_grid(grid, "tensor:(local:points=3", {}, std::nullopt), Error);
   CHECK_THROWS_AS(smooth_grid(grid, "primal:n=2", {Boundary::regression, 0, 1}, std::nullopt), Error);
 }

@@ -1,6 +1,6 @@
 #include "report.hpp"
 
-#include "collections/collections.hpp"
+#include "collections.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>

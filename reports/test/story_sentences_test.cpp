@@ -1,5 +1,5 @@
 #include <subcert/cmake/catch.hpp>
-#include <subcert/reports/collections/story_sentences.hpp>
+#include <subcert/reports/story_sentences.hpp>
 
 using namespace subcert;
 using namespace subcert::reports;

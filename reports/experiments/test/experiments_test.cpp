@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
-#include <subcert/reports/collections/collections.hpp>
+#include <subcert/reports/collections.hpp>
 #include <subcert/reports/experiments/dyn-2015/limit_trial.hpp>
 #include <subcert/reports/experiments/dyn-2015/mechanical_part.hpp>
 #include <subcert/reports/experiments/local_polynomial.hpp>

@@ -1,11 +1,12 @@
 #include "collections.hpp"
 
+#include "computed_quantities.hpp"
+
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
-#include <subcert/reports/computed_quantities.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>

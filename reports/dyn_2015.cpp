@@ -1,12 +1,12 @@
 #include "collections.hpp"
 
+#include "computed_quantities.hpp"
 #include "sections.hpp"
 #include "story_sentences.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/papers/registry.hpp>
-#include <subcert/reports/computed_quantities.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>

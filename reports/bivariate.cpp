@@ -1,9 +1,9 @@
 #include "collections.hpp"
 
+#include "computed_quantities.hpp"
 #include "surface_facts.hpp"
 
 #include <subcert/proofs-checks/papers/registry.hpp>
-#include <subcert/reports/computed_quantities.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Sections of pages that tell of theorems, conjectures and variance curves.
 
-#include <subcert/reports/computed_quantities.hpp>
-#include <subcert/reports/report.hpp>
+#include "computed_quantities.hpp"
+#include "report.hpp"
 
 namespace subcert::reports {
 

@@ -1,12 +1,12 @@
 #include "sections.hpp"
 
+#include "computed_quantities.hpp"
 #include "story_sentences.hpp"
 
 #include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/conjectures/conjecture_7.hpp>
 #include <subcert/proofs-checks/papers/dyn-2015/checks.hpp>
-#include <subcert/reports/computed_quantities.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>

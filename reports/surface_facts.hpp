@@ -1,8 +1,9 @@
 #pragma once
 /// What is proved about the smoothness of surface schemes, as rows of tables.
 
+#include "report.hpp"
+
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
-#include <subcert/reports/report.hpp>
 
 #include <limits>
 

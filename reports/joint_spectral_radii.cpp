@@ -1,10 +1,11 @@
 #include "collections.hpp"
 
+#include "computed_quantities.hpp"
+
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
-#include <subcert/reports/computed_quantities.hpp>
 
 #include <fmt/format.h>
 

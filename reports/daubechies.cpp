@@ -1,7 +1,8 @@
 #include "collections.hpp"
 
+#include "computed_quantities.hpp"
+
 #include <subcert/proofs-checks/certificates/certificate.hpp>
-#include <subcert/reports/computed_quantities.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>

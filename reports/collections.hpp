@@ -2,7 +2,7 @@
 /// Results of the literature beside what is proved of them: one report a paper or collection. Domain: options.only
 /// names items of the report.
 
-#include <subcert/reports/report.hpp>
+#include "report.hpp"
 
 namespace subcert::reports {
 

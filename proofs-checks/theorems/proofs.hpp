@@ -1,11 +1,11 @@
 #pragma once
 /// The proofs behind theorem.hpp, for the sources of this floor.
 
+#include <subcert/schemes/specification.hpp>
 #include "ledger.hpp"
 #include "scheme_family.hpp"
 #include "smoothness_rate.hpp"
 #include "theorem.hpp"
-#include <subcert/schemes/specification.hpp>
 
 #include <optional>
 #include <vector>

@@ -168,7 +168,7 @@ def made(subcert, folder):
     """The files that are made, by name."""
     found = list(groups(subcert))
     folder = folder.resolve()
-    files = (folder.parent.parent / "proofs-checks/theorems").rglob("*.cpp")
+    files = (folder.parent.parent / "proofs-checks/theorems").glob("*.cpp")
     sources = [(file, file.read_text(encoding="utf-8")) for file in sorted(files, key=lambda file: file.name)]
     return {"inequalities-first.tex": table(found, "I"), "inequalities.tex": table(found, "II"),
             "checklist.md": checklist(found, sources)}

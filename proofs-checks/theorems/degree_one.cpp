@@ -2,7 +2,7 @@
 
 #include "kernel.hpp"
 #include "limit_constant.hpp"
-#include "proofs/proofs.hpp"
+#include "proofs.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
 

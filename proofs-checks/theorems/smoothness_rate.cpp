@@ -1,6 +1,6 @@
 #include "smoothness_rate.hpp"
 
-#include "proofs/proofs.hpp"
+#include "proofs.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>

@@ -1,6 +1,6 @@
 #include "theorem.hpp"
 
-#include "proofs/describe.hpp"
+#include "describe.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
 

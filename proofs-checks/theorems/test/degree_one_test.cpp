@@ -4,7 +4,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/proofs-checks/theorems/degree_one.hpp>
-#include <subcert/proofs-checks/theorems/proofs/proofs.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>

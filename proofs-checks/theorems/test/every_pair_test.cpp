@@ -1,7 +1,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/cmake/catch.hpp>
-#include <subcert/proofs-checks/theorems/proofs/every_pair.hpp>
+#include <subcert/proofs-checks/theorems/every_pair.hpp>
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;

@@ -1,8 +1,8 @@
 #include "theorem_checks.hpp"
 
 #include <subcert/cmake/catch.hpp>
-#include <subcert/proofs-checks/theorems/proofs/every_smoothness.hpp>
-#include <subcert/proofs-checks/theorems/proofs/proofs.hpp>
+#include <subcert/proofs-checks/theorems/every_smoothness.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 
 #include <random>
 #include <tuple>

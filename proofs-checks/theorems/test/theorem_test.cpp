@@ -6,7 +6,7 @@
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/proofs-checks/theorems/ledger.hpp>
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
-#include <subcert/proofs-checks/theorems/proofs/proofs.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/specification.hpp>
 

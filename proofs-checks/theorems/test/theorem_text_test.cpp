@@ -1,7 +1,7 @@
 // The papers in docs/theorems against the program: numbered inequalities, stated constants, and sources that build.
 
 #include <subcert/cmake/catch.hpp>
-#include <subcert/proofs-checks/theorems/proofs/proofs.hpp>
+#include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
 
 #include <fstream>

@@ -6,10 +6,10 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include <subcert/proofs-checks/theorems/kernel.hpp>
-#include <subcert/proofs-checks/theorems/kernel_coefficients.hpp>
-#include <subcert/proofs-checks/theorems/limit_constant.hpp>
-#include <subcert/proofs-checks/theorems/variance_ends.hpp>
+#include "kernel.hpp"
+#include "kernel_coefficients.hpp"
+#include "limit_constant.hpp"
+#include "variance_ends.hpp"
 
 #if __has_include(<flint/arb_hypgeom.h>)
 #include <flint/arb_hypgeom.h>

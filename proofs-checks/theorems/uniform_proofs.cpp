@@ -5,8 +5,8 @@
 
 #include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/proofs-checks/theorems/uniform_curve.hpp>
-#include <subcert/proofs-checks/theorems/variance_ends.hpp>
+#include "uniform_curve.hpp"
+#include "variance_ends.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include "every_smoothness.hpp"
 #include "proofs.hpp"
 
-#include <subcert/proofs-checks/theorems/kernel.hpp>
+#include "kernel.hpp"
 
 namespace subcert::theorems {
 namespace {

@@ -8,8 +8,8 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
-#include <subcert/proofs-checks/theorems/curve_bounds.hpp>
-#include <subcert/proofs-checks/theorems/kernel.hpp>
+#include "curve_bounds.hpp"
+#include "kernel.hpp"
 
 #include <algorithm>
 #include <vector>

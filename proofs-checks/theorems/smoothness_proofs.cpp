@@ -4,10 +4,10 @@
 #include "proofs.hpp"
 
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
-#include <subcert/proofs-checks/theorems/degree_one.hpp>
-#include <subcert/proofs-checks/theorems/kept_by_scheme.hpp>
-#include <subcert/proofs-checks/theorems/kernel.hpp>
-#include <subcert/proofs-checks/theorems/uniform_curve.hpp>
+#include "degree_one.hpp"
+#include "kept_by_scheme.hpp"
+#include "kernel.hpp"
+#include "uniform_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

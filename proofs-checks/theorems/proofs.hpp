@@ -1,11 +1,11 @@
 #pragma once
 /// The proofs behind theorem.hpp, for the sources of this floor.
 
-#include <subcert/proofs-checks/theorems/ledger.hpp>
-#include <subcert/proofs-checks/theorems/scheme_family.hpp>
-#include <subcert/proofs-checks/theorems/smoothness_rate.hpp>
-#include <subcert/proofs-checks/theorems/theorem.hpp>
 #include <subcert/schemes/specification.hpp>
+#include "ledger.hpp"
+#include "scheme_family.hpp"
+#include "smoothness_rate.hpp"
+#include "theorem.hpp"
 
 #include <optional>
 #include <vector>

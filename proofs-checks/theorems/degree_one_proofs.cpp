@@ -3,9 +3,9 @@
 #include "proofs.hpp"
 
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
-#include <subcert/proofs-checks/theorems/degree_one.hpp>
-#include <subcert/proofs-checks/theorems/kernel.hpp>
-#include <subcert/proofs-checks/theorems/variance_ends.hpp>
+#include "degree_one.hpp"
+#include "kernel.hpp"
+#include "variance_ends.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include "proofs.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
-#include <subcert/proofs-checks/theorems/degree_one.hpp>
-#include <subcert/proofs-checks/theorems/limit_constant.hpp>
+#include "degree_one.hpp"
+#include "limit_constant.hpp"
 
 #include <map>
 #include <mutex>

@@ -57,9 +57,9 @@ def refine(
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Smoothed:
-    """The limit of a scheme from samples, at the positions x; of heights and volumes x has the positions along each axis
-    of the array. Deviations are standard deviations, lower and upper the
-    ends of the confidence band for the expected value of the limit at each point; None where there are none."""
+    """The limit of a scheme from samples, at the positions x; of heights and volumes x has the positions along each
+    axis of the array. Deviations are standard deviations, lower and upper the ends of the confidence band for the
+    expected value of the limit at each point; None where there are none."""
 
     x: Any
     values: Any
@@ -140,16 +140,16 @@ def smooth(
 ) -> Any:
     """Smooths samples of a function by the limit of a scheme or by local polynomials.
 
-    `data`: an array of shape (n,) for an answer of the kind Smoothed, or of heights (n, m), or a volume (n, m, k), which
-    are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or a table: a frame of pandas, polars, pyarrow
-    or others with the dataframe interchange protocol, a dict of arrays, a structured array, or the name of a file
-    (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of the same kind. Of a table `x`, `y`,
-    `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and `keep` also lists. Without `x` the
-    first of several columns of numbers or dates holds the positions ("none": 0, 1, 2, ...); without `y` all other
-    columns of numbers are smoothed. `by`: each group of rows by itself. `keep`: columns that the answer has, too, with
-    at="data". The columns of the answer are those of the command: for v also v_sd, v_lower, v_upper. Dates count in
-    days, or in seconds where one has a time. `missing`: "raise", or "drop" for samples that are NaN or missing and
-    rows without a position.
+    `data`: an array of shape (n,) for an answer of the kind Smoothed, or of heights (n, m), or a volume (n, m, k),
+    which are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or a
+    table: a frame of pandas, polars, pyarrow or others with the dataframe interchange protocol, a dict of arrays, a
+    structured array, or the name of a file (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of
+    the same kind. Of a table `x`, `y`, `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and
+    `keep` also lists. Without `x` the first of several columns of numbers or dates holds the positions ("none": 0, 1,
+    2, ...); without `y` all other columns of numbers are smoothed. `by`: each group of rows by itself. `keep`:
+    columns that the answer has, too, with at="data". The columns of the answer are those of the command: for v also
+    v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`: "raise", or "drop" for
+    samples that are NaN or missing and rows without a position.
 
     Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and
     `spacing`, 1 by default. With `irregular` other positions are taken as they are, also several data at one, and

@@ -169,14 +169,14 @@ class GridChoice {
   void try_degree(int degree) {
     std::vector<std::size_t> best;
     double least = std::numeric_limits<double>::infinity();
-    const std::size_t first = static_cast<std::size_t>(degree) + 2;  // the farthest datum does not count
-    for (std::size_t points = first; points < next_points(widest_along_any()); points = next_points(points)) {
+    const std::size_t first = static_cast<std::size_t>(degree) + 3;  // the farthest data do not count
+    for (std::size_t points = first;; points = next_points(points)) {
       std::vector<std::size_t> sizes;
       for (std::size_t k = 0; k < grid_.axes.size(); ++k) sizes.push_back(std::min(points, widest(k)));
       const double error = error_of(degree, sizes);
       if (error < least) best = sizes;
       least = std::min(least, error);
-      if (error > far_from_best * least) break;
+      if (points >= widest_along_any() || (least > 0 && error > far_from_best * least)) break;
     }
     for (bool better = true; better;) {
       better = false;
@@ -213,13 +213,15 @@ class GridChoice {
     return before;
   }
 
-  /// Of windows of these sizes, infinite where they leave no fit; axes that are too short for the degree have one that
-  /// fits.
+  /// Of windows of these sizes, infinite where they leave no fit; along axes of one or two data these are
+  /// interpolated.
   double error_of(int degree, const std::vector<std::size_t>& sizes) {
     std::vector<SmoothingMethod> methods;
     for (const std::size_t size : sizes)
-      methods.emplace_back(
-          LocalPolynomial{std::clamp(static_cast<int>(size) - 2, 0, degree), LocalWeight::tricube, size});
+      if (size < 3)
+        methods.push_back(make_smoothing_method("primal:n=1"));
+      else
+        methods.emplace_back(LocalPolynomial{std::min(degree, static_cast<int>(size) - 3), LocalWeight::tricube, size});
     const std::string text = text_of(methods);
     if (const auto before = tried_.find(text); before != tried_.end()) return before->second.risk.total();
     std::vector<SmoothingCandidate> one;

@@ -148,7 +148,7 @@ std::string full_list(const Findings& findings) {
   std::string text;
   const std::vector<Result> all = results(findings);
   for (const Report& report : findings.reports) {
-    text += wrapped(report.citation, "") + "\n";
+    text += report.citation + "\n\n";
     if (report.listed) text += tables_text(report);
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
@@ -156,7 +156,7 @@ std::string full_list(const Findings& findings) {
       text += "  " + held + "\n";
     text += "\n";
   }
-  for (const std::string& line : deviations(all, false)) text += facts::wrapped(line, 10) + "\n";
+  for (const std::string& line : deviations(all, false)) text += line + "\n";
   return text;
 }
 

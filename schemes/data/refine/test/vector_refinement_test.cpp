@@ -197,8 +197,8 @@ TEST_CASE("vectors are refined as the rule is defined") {
 
 TEST_CASE("components without a link are refined as numbers are") {
   const LatticeMask both = make_refinable_scheme(
-                               "vector:[[[-1,0],[0,0]],[[0,0],[0,1]],[[9,0],[0,4]],[[16,0],[0,6]],[[9,0],[0,4]],[[0,0],"
-                               "[0,1]],[[-1,0],[0,0]]]/16@-3")
+                               "vector:[[[-1,0],[0,0]],[[0,0],[0,2]],[[9,0],[0,8]],[[16,0],[0,12]],"
+                               "[[9,0],[0,8]],[[0,0],[0,2]],[[-1,0],[0,0]]]/16@-3")
                                .mask;
   Random random;
   GridData<Rational> data{{}, 2, {Axis::of(9, true)}};
@@ -207,7 +207,7 @@ TEST_CASE("components without a link are refined as numbers are") {
   for (std::size_t c = 0; c < 2; ++c) {
     GridData<Rational> one{{}, 1, data.axes};
     for (std::size_t i = 0; i < 9; ++i) one.values.push_back(data.values[2 * i + c]);
-    const auto alone = refine(one, make_linear_scheme(c == 0 ? "dd:n=2" : "mask:[1,4,6,4,1]/16").mask, {3}).values;
+    const auto alone = refine(one, make_linear_scheme(c == 0 ? "dd:n=2" : "mask:[1,4,6,4,1]/8").mask, {3}).values;
     for (std::size_t i = 0; i < alone.size(); ++i) CHECK(refined[2 * i + c] == alone[i]);
   }
 }

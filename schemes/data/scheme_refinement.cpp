@@ -43,7 +43,7 @@ GridData<double> with_positions(const GridData<double>& data, const UniformGrid&
   return result;
 }
 
-GridData<double> refine_vectors(const GridData<double>& data, const Scheme& scheme, const RefineOptions& options) {
+GridData<double> refined_columns(const GridData<double>& data, const Scheme& scheme, const RefineOptions& options) {
   require_columns(scheme, data, [](std::optional<std::size_t> i) {
     return i ? "refine, point " + std::to_string(*i + 1) : std::string("refine");
   });
@@ -62,7 +62,7 @@ AnyScheme make_data_scheme(std::string_view specification) {
 
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
-  if (const Scheme* vectors = vectors_of(scheme)) return refine_vectors(data, *vectors, options);
+  if (const Scheme* vectors = vectors_of(scheme)) return refined_columns(data, *vectors, options);
   return refine(data, std::get<Scheme>(scheme).mask, options);
 }
 

@@ -99,8 +99,8 @@ void rescale(AxisRefinement<Rational>& rows, const Rational& from, const Rationa
 void require_boundary(VectorForm form, const Axis& axis, Boundary boundary) {
   if (axis.closed || boundary == Boundary::shrink || boundary == Boundary::periodic) return;
   require(form == VectorForm::hermite && boundary == Boundary::regression,
-          "refine: need {}boundary shrink or periodic, or closed data, for {}, got {}",
-          form == VectorForm::hermite ? "boundary regression, " : "",
+          "refine: need boundary {}shrink or periodic, or closed data, for {}, got {}",
+          form == VectorForm::hermite ? "regression, " : "",
           form == VectorForm::hermite ? "a Hermite scheme" : "vectors", to_text(boundary));
 }
 

@@ -1,11 +1,12 @@
-// Exponents of surfaces: the largest block of the transition operators with and without its symmetry group. Ratios are
-// read within one run.
+// Exponents of vectors of functions, and of surfaces: the largest block of the transition operators with and without
+// its symmetry group. Ratios are read within one run.
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
 #include <subcert/analysis/radii/quadratic/quadratic_proof.hpp>
 #include <subcert/analysis/regularity/gram_function.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -54,7 +55,21 @@ void BM_surface_stability(benchmark::State& state, const std::string& scheme) {
   for (auto _ : state) benchmark::DoNotOptimize(has_stable_shifts(*gram_function(mask)));
 }
 
+/// Of a vector of functions: the space of its values, and what its radius tells.
+void BM_vector_regularity(benchmark::State& state, const std::string& scheme) {
+  const LatticeMask mask = make_refinable_scheme(scheme).mask;
+  Regularity found;
+  for (auto _ : state) found = regularity_of(mask, {Deadline::in(120)});
+  state.counters["dimension"] = static_cast<double>(found.surface->space->family.size());
+  state.counters["exact"] = found.exact().is_yes() ? 1 : 0;
+}
+
 const bool surface_benchmarks = [] {
+  for (const std::string scheme : {"ghm", "merrien:lambda=-1/8,mu=1/2", "hermite-dd:points=4,order=2",
+                                   "hermite-dd:points=6,order=2", "hermite-dd:points=4,order=3"})
+    benchmark::RegisterBenchmark(("BM_vector_regularity/" + scheme).c_str(), BM_vector_regularity, scheme)
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(1);
   for (const std::string scheme : {"quincunx:", "butterfly:w=1/16", "grid:points=3x3,d=2", "grid:points=4x4,d=2",
                                    "grid:points=4x4,d=3", "grid:points=5x5,d=2"}) {
     for (const bool symmetric : {true, false}) {

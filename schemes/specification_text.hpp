@@ -273,7 +273,8 @@ inline std::vector<FamilyHelp> help_of(const std::vector<Family>& families) {
 
 /// What is expected in the place of a vector of functions.
 constexpr const char* numbers_only =
-    "a scheme of numbers; of vectors 'subcert regularity', 'mask' and 'limit' tell what is known";
+    "a scheme of numbers; of vectors 'subcert regularity', 'mask' and 'limit' tell what is known, and 'refine' takes "
+    "data";
 
 /// `primal, dual, ...`
 inline std::string names_of(const std::vector<FamilyHelp>& families) {

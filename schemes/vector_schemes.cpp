@@ -1,6 +1,5 @@
 #include "vector_schemes.hpp"
 
-#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
@@ -31,19 +30,20 @@ Rational factorial_ratio(int above, int below) {
   return result;
 }
 
-/// What the data weigh in the first Taylor coefficients, `order` of them, at x of the polynomial with these data at the
-/// integers from `first` to `last`: a column for each coefficient, the data in the order of points and derivatives.
-RationalMatrix hermite_weights(int first, int last, int order, const Rational& x) {
-  const int count = (last - first + 1) * order;
-  RationalMatrix data(static_cast<std::size_t>(count), static_cast<std::size_t>(count)),
-      wanted(static_cast<std::size_t>(count), static_cast<std::size_t>(order));
-  for (int n = 0; n < count; ++n)
-    for (int i = 0; i < count; ++i)
-      if (const int k = i % order; n >= k)
+/// What the data weigh in the coefficients of the polynomial, as of HermiteFit.
+RationalMatrix fit_coefficients(long first, long last, int order, int degree) {
+  const long count = (last - first + 1) * order;
+  require(order >= 1 && degree >= 0 && degree < count, "HermiteFit: need order >= 1 and 0 <= degree < {}, got {}, {}",
+          count, order, degree);
+  const auto size = static_cast<std::size_t>(degree) + 1;
+  RationalMatrix data(size, static_cast<std::size_t>(count));  // of the powers of x, a row for each
+  for (int n = 0; n <= degree; ++n)
+    for (long i = 0; i < count; ++i)
+      if (const int k = static_cast<int>(i % order); n >= k)
         data(static_cast<std::size_t>(n), static_cast<std::size_t>(i)) = factorial_ratio(n, n - k) *
-                                                                         power(Rational(first + i / order) - x, n - k);
-  for (int m = 0; m < order; ++m) wanted(static_cast<std::size_t>(m), static_cast<std::size_t>(m)) = 1;
-  return solve(data, wanted);
+                                                                         power(Rational(first + i / order), n - k);
+  const RationalMatrix rows = transposed(data);
+  return size == rows.rows() ? solve(rows, RationalMatrix::identity(size)) : solve(data * rows, data);
 }
 
 /// Of B-splines of this degree with knots[k] = k / multiplicity, rounded down: what those that begin at the knots 0, 1,
@@ -72,6 +72,18 @@ std::vector<Rational> knot_insertion(int degree, int multiplicity, int arity, lo
 
 }  // namespace
 
+HermiteFit::HermiteFit(long first, long last, int order, int degree)
+    : coefficients_(fit_coefficients(first, last, order, degree)), order_(order) {}
+
+RationalMatrix HermiteFit::weights(const Rational& x, int arity) const {
+  RationalMatrix powers(static_cast<std::size_t>(order_), coefficients_.rows());
+  for (int m = 0; m < order_; ++m)
+    for (int n = m; n < static_cast<int>(coefficients_.rows()); ++n)
+      powers(static_cast<std::size_t>(m), static_cast<std::size_t>(n)) = factorial_ratio(n, n - m) * power(x, n - m) *
+                                                                         power(Rational(arity), -m);
+  return powers * coefficients_;
+}
+
 LatticeMask merrien_mask(const Rational& lambda, const Rational& mu) {
   const Rational half(1, 2), slope = (1 - mu) / 2;
   return mask_of({{-1, matrix_of(2, {half, slope, lambda, mu / 4})},
@@ -88,15 +100,13 @@ LatticeMask hermite_interpolation_mask(int n, int order, int arity) {
   RationalMatrix& scaling = matrices.emplace(0, RationalMatrix(size, size)).first->second;
   for (int m = 0; m < order; ++m)
     scaling(static_cast<std::size_t>(m), static_cast<std::size_t>(m)) = power(Rational(arity), -m);
+  const HermiteFit fit(1 - n, n, order, 2 * n * order - 1);
   for (int j = 1; j < arity; ++j) {
-    const RationalMatrix weights = hermite_weights(1 - n, n, order, Rational(j, arity));
+    const RationalMatrix weights = fit.weights(Rational(j, arity), arity);
     for (int i = 0; i < 2 * n; ++i) {
       RationalMatrix& matrix = matrices.emplace(j - arity * (1 - n + i), RationalMatrix(size, size)).first->second;
       for (std::size_t k = 0; k < size; ++k)
-        for (int m = 0; m < order; ++m)
-          matrix(k, static_cast<std::size_t>(m)) = factorial_ratio(m, 0) * power(Rational(arity), -m) *
-                                                   weights(static_cast<std::size_t>(i) * size + k,
-                                                           static_cast<std::size_t>(m));
+        for (std::size_t m = 0; m < size; ++m) matrix(k, m) = weights(m, static_cast<std::size_t>(i) * size + k);
     }
   }
   return mask_of(matrices, arity);

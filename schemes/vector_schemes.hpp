@@ -3,10 +3,28 @@
 /// All masks are those of the equation phi(x) = sum over k of A_k phi(ax - k).
 
 #include <subcert/analysis/symbol/masks/matrix_masks.hpp>
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
 #include <vector>
 
 namespace subcert {
+
+/// The polynomial of at most this degree that is nearest to values and derivatives, `order` data at each integer from
+/// `first` to `last`: it has them where its coefficients are as many, and else the sum of all squares is least.
+class HermiteFit {
+ public:
+  /// Domain: order >= 1, 0 <= degree < the number of data. Errors: throws Error. Cost: a linear system of as many rows
+  /// as coefficients.
+  HermiteFit(long first, long last, int order, int degree);
+
+  /// What the data weigh in value and derivatives at x, `order` of them, per unit of a spacing of 1/arity: a row for
+  /// each of these, the data in the order of points and derivatives. Cost: coefficients times data times order.
+  RationalMatrix weights(const Rational& x, int arity) const;
+
+ private:
+  RationalMatrix coefficients_;  // a row for each, from the constant on; a column for each datum
+  int order_;
+};
 
 /// Merrien's interpolatory 2-point scheme on values and slopes: between data at 0 and 1 it sets f(1/2) = (f0 + f1)/2 +
 /// lambda (f1' - f0') and f'(1/2) = (1 - mu)(f1 - f0) + mu (f0' + f1')/2. Cubic for lambda = -1/8, mu = -1/2; quadratic

@@ -30,7 +30,7 @@ struct RefineCommand : CommonOptions {
 LatticeMask mask_with_limits(const AnyScheme& scheme) {
   const std::optional<LatticeMask> mask = mask_with_factors(scheme);
   if (!mask)
-    fail(ErrorKind::usage, "--limit: {}: limits are of schemes of one variable and their tensor products",
+    fail(ErrorKind::usage, "--limit: {}: limits are of schemes of numbers in one variable and their tensor products",
          specification_of(scheme));
   require_derivative(specification_of(scheme), *mask, LatticePoint(mask->factors().size(), 0));
   return *mask;
@@ -90,7 +90,7 @@ const LatticeMask* mask_for_slabs(const RefineCommand& options, const AnyScheme&
 
 ExitCode run(const RefineCommand& options) {
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
-  const AnyScheme scheme = make_any_scheme(options.scheme);
+  const AnyScheme scheme = data::make_data_scheme(options.scheme);
   const std::string& name = specification_of(scheme);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
@@ -100,7 +100,10 @@ ExitCode run(const RefineCommand& options) {
   if (boundary == data::Boundary::periodic)
     for (data::Axis& axis : file.data.axes) axis.close();
   check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
-  require_drawable(options.plot, file.data);
+  require_columns(scheme, file.data, [&](std::optional<std::size_t> row) {
+    return input_name(options.data) + (row ? ", line " + std::to_string(file.table.lines[*row]) : "");
+  });
+  if (!options.plot.empty()) require_drawable(options.plot, without_derivatives(scheme, file.data));
   for (const std::string& line : file.remarks()) options.remark(input_name(options.data) + ": " + line);
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
@@ -114,7 +117,9 @@ ExitCode run(const RefineCommand& options) {
     return done;
   }
   const data::GridData<double> refined = mask ? limit_of_data(file.data, *mask, how) : refine(file.data, scheme, how);
-  if (!options.plot.empty()) draw_refined(options.plot, name, file.table, file.data, refined);
+  if (!options.plot.empty())
+    draw_refined(options.plot, name, file.table, without_derivatives(scheme, file.data),
+                 without_derivatives(scheme, refined));
   if (options.json)
     options.answer(result_json(options, name, file,
                                fewest.size() == 1 && file.data.axes[0].closed ? data::Boundary::periodic : boundary,
@@ -134,10 +139,11 @@ void add_refine(Command& app) {
   Command command = add_command(app, "refine", "Applies a scheme to data",
                                 "subcert refine primal:n=3 samples.csv --levels 4", options,
                                 [=] { return run(*options); });
-  add_scheme(command, options->scheme, true);
+  add_scheme(command, options->scheme, true, true);
   command
       .option("DATA", options->data,
-              "CSV: points in rows, or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
+              "CSV: points in rows, for Hermite schemes values, then derivatives, also after one column of positions; "
+              "or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
               "quadrilaterals; .vtk: a regular volume; - is standard input, read as CSV")
       .required();
   command.option("--levels", options->levels, "How often the scheme is applied").within(0, 1000000000).with_default();

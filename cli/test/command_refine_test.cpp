@@ -154,3 +154,47 @@ TEST_CASE("data are refined by l1 regression") {
   }
   CHECK(run("mask l1:points=6").code == 64);
 }
+
+TEST_CASE("values and derivatives are refined") {
+  const Folder folder;
+  const std::string data = folder / "data.csv", hermite = "hermite-dd:points=2,order=2 " + data;
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("refine " + arguments);
+  };
+  // x^3 at 0, 1, 2; the same at 0, 1/2, 1; a curve in the plane, closed.
+  CHECK(with("f;slope\n0;0\n1;3\n8;12\n", hermite + " --levels 1").out ==
+        "f;slope\n0;0\n0.125;0.75\n1;3\n3.375;6.75\n8;12\n");
+  const std::string cubic = "x,y,dy\n0,0,0\n0.5,0.125,0.75\n1,1,3\n";
+  CHECK(with(cubic, hermite + " --levels 1 --plot " + folder / "y.svg").out ==
+        "x,y,dy\n0,0,0\n0.25,0.015625,0.1875\n0.5,0.125,0.75\n0.75,0.421875,1.6875\n1,1,3\n");
+  CHECK(content(folder / "y.svg").find("<svg") != std::string::npos);
+  CHECK(with("0,0,1,0\n1,1,0,1\n", hermite + " --closed --levels 1").out ==
+        "0,0,1,0\n0.625,0.375,1.25,1.25\n1,1,0,1\n0.375,0.625,-1.75,-1.75\n");
+  CHECK(with("1,0\n0,1\n", "'vector:[[[1,0],[0,1]],[[0,1],[1,0]]]@0' --closed --levels 1 " + data).out ==
+        "1,0\n0,1\n0,1\n1,0\n");
+  const auto json = run_json("refine hermite-dd:points=2,order=2 --closed --levels 1 " + data);
+  CHECK(json.at("scheme") == "hermite-dd:points=2,order=2");
+  CHECK(json.at("count") == 4);
+  CHECK(json.at("points").at(1).size() == 2);
+  const auto fails = [&](const std::string& content, const std::string& arguments, int code,
+                         const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(with(content, arguments), code, message);
+  };
+  fails("1\n2\n", hermite, 65,
+        data +
+            ": expected a multiple of 2 columns for hermite-dd:points=2,order=2, values, then their first "
+            "derivatives and so on, or one column of positions before them; found 1");
+  fails("x,y,dy\n0,0,0\n1,0,0\n3,0,0\n", hermite, 65,
+        data + ", line 3: expected positions in equal steps, in the mean 1.5; found the step 1");
+  fails("2,0,0\n1,0,0\n", hermite, 65, data + ", line 2: expected a position above 2 in the first column; found 1");
+  fails("1,2\n3,4\n", "ghm " + data, 64,
+        "refine: need boundary shrink or periodic, or closed data, for vectors, got "
+        "regression");
+  fails("1,2\n3,4\n", hermite + " --limit", 64,
+        "--limit: hermite-dd:points=2,order=2: limits are of schemes of numbers in one variable and their tensor "
+        "products");
+  fails("1,2\n3,4\n", hermite + " --boundary reflect", 64,
+        "refine: need boundary regression, shrink or periodic, or closed data, for a Hermite scheme, got reflect");
+}

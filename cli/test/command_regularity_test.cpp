@@ -153,7 +153,9 @@ TEST_CASE("regularity: vectors of functions by name") {
   CHECK(has_digits(rounded.at("holder"), "upper", "0.59632253897"));
   CHECK(rounded.at("exact") == false);
   CHECK(rounded.at("certificate").is_null());
-  check_fails(run("verify " + file + " --claim '0.5 <= cl:2'"), 64, "--claim: need rational coefficients, got cl:2");
-  check_fails(run("regularity bat:4"), 64, "expected the number of bat as an integer from 1 to 3");
-  check_fails(run("regularity hermit-dd:points=4,order=2"), 64, "did you mean 'hermite-dd'?");
+  check_fails(run("verify " + file + " --claim '0.5 <= cl:2'"), 64,
+              "--claim: need rational coefficients, got cl:2; there are no certificates for others");
+  check_fails(run("regularity bat:4"), 64,
+              "scheme specification, position 5: '4'; expected the number of bat as an integer from 1 to 3");
+  CHECK(run("regularity hermit-dd:points=4,order=2").err.ends_with("did you mean 'hermite-dd'?\n"));
 }

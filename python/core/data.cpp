@@ -36,7 +36,7 @@ void require_finite(const std::vector<double>& numbers, const char* what) {
 /// Points in the order of numpy's rows: the last index of the points runs along the first axis of the scheme.
 py::tuple refine(const std::string& specification, const DoubleArray& values, const std::vector<bool>& closed,
                  int levels, const std::string& boundary_name, bool limit, int jobs, const py::object& progress) {
-  const AnyScheme scheme = make_any_scheme(specification);
+  const AnyScheme scheme = data::make_data_scheme(specification);
   const data::Boundary boundary = boundary_of(boundary_name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary),
                                  fewest_closed = fewest_points(scheme, data::Boundary::periodic);

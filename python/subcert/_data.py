@@ -34,10 +34,10 @@ def refine(
 
     `data`: shape (n,) or (n, coordinates) for curves, (n, m) or (n, m, coordinates) for schemes of two variables, and
     so on. `closed`: the first point follows the last, for all axes or one by one. `boundary`: what rules at the ends
-    read: regression, reflect, periodic or shrink. `limit`: the values of the limit at the new parameters. The new
-    array owns what the library computed. With `parameters` also the pair (first, step) of each axis, in spacings of
-    the data. Raises DomainError for arrays of other shapes or with too few points, DataError for numbers that are not
-    finite.
+    read: regression, reflect, periodic or shrink. Coordinates for Hermite schemes are values, then derivatives, also
+    after one of positions. `limit`: the values of the limit at the new parameters. The new array owns what the library
+    computed. With `parameters` also the pair (first, step) of each axis, in spacings of the data. Raises DomainError
+    for arrays of other shapes or with too few points, DataError for numbers that are not finite and other columns.
 
     >>> import numpy, subcert
     >>> subcert.refine("four-point:w=1/16", numpy.arange(5.0) ** 3)

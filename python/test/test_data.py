@@ -24,6 +24,18 @@ def test_polynomials_are_reproduced():
     assert numpy.allclose(refined, at**3 - at, rtol=1e-12, atol=1e-9)
 
 
+def test_values_and_slopes_are_refined():
+    x = numpy.arange(6.0) / 4
+    data = numpy.stack([x, x**3, 3 * x**2], axis=1)  # the slopes are by the positions in front
+    refined = subcert.refine("hermite-dd:points=2,order=2", data, 2)
+    at = numpy.arange(21) / 16
+    assert numpy.allclose(refined, numpy.stack([at, at**3, 3 * at**2], axis=1), rtol=0, atol=1e-14)
+    by_parameter = subcert.refine("hermite-dd:points=2,order=2", data[:, 1:] * [1, 1 / 4], 2)
+    assert numpy.allclose(by_parameter, refined[:, 1:] * [1, 1 / 4], rtol=0, atol=1e-14)
+    with pytest.raises(subcert.DataError, match="a multiple of 2 columns"):
+        subcert.refine("hermite-dd:points=2,order=2", x)
+
+
 def test_surfaces_run_along_the_axes_of_the_array():
     heights = numbers.normal(size=(9, 13))
     tensor = subcert.scheme("tensor:(dd:n=2)x(bspline:degree=3)")

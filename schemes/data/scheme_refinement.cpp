@@ -1,17 +1,112 @@
 #include "scheme_refinement.hpp"
 
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/as_written.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
+#include <subcert/schemes/data/refine/vector_refinement.hpp>
+#include <subcert/schemes/data/smooth/uniform_grid.hpp>
 
 namespace subcert::data {
+namespace {
+
+/// Of a scheme of vectors, else nothing.
+const Scheme* vectors_of(const AnyScheme& scheme) {
+  const auto* linear = std::get_if<Scheme>(&scheme);
+  return linear && linear->mask.components() > 1 ? linear : nullptr;
+}
+
+/// Whether points of so many coordinates begin with their position.
+bool has_positions(const Scheme& scheme, std::size_t dimension) {
+  const std::size_t size = scheme.mask.components();
+  return scheme.form == VectorForm::hermite && dimension > size && dimension % size == 1;
+}
+
+/// The coordinates from `first` to before `last`.
+GridData<double> part(const GridData<double>& data, std::size_t first, std::size_t last) {
+  GridData<double> result{{}, last - first, data.axes};
+  result.values.reserve(data.points() * result.dimension);
+  for (std::size_t i = 0; i < data.points(); ++i)
+    for (std::size_t c = first; c < last; ++c) result.values.push_back(data.values[i * data.dimension + c]);
+  return result;
+}
+
+/// With the position in front of each point.
+GridData<double> with_positions(const GridData<double>& data, const UniformGrid& grid) {
+  const Axis& axis = data.axes[0];
+  const GridPositions positions(grid.origin + grid.spacing * axis.first, grid.spacing * axis.step, 1);
+  GridData<double> result{{}, data.dimension + 1, data.axes};
+  result.values.reserve(data.points() * result.dimension);
+  for (std::size_t i = 0; i < data.points(); ++i) {
+    result.values.push_back(positions.at(i));
+    for (std::size_t c = 0; c < data.dimension; ++c) result.values.push_back(data.values[i * data.dimension + c]);
+  }
+  return result;
+}
+
+GridData<double> refined_columns(const GridData<double>& data, const Scheme& scheme, const RefineOptions& options) {
+  require_columns(scheme, data, [](std::optional<std::size_t> i) {
+    return i ? "refine, point " + std::to_string(*i + 1) : std::string("refine");
+  });
+  if (!has_positions(scheme, data.dimension)) return refine_vectors(data, scheme.mask, *scheme.form, options);
+  const UniformGrid grid = uniform_grid(part(data, 0, 1).values);
+  return with_positions(refine_vectors(part(data, 1, data.dimension), scheme.mask, *scheme.form, options, grid.spacing),
+                        grid);
+}
+
+}  // namespace
+
+AnyScheme make_data_scheme(std::string_view specification) {
+  if (is_l1_specification(specification_as_written(specification))) return make_any_scheme(specification);
+  return make_refinable_scheme(specification);
+}
 
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
+  if (const Scheme* vectors = vectors_of(scheme)) return refined_columns(data, *vectors, options);
   return refine(data, std::get<Scheme>(scheme).mask, options);
+}
+
+void require_columns(const AnyScheme& scheme, const GridData<double>& data,
+                     const std::function<std::string(std::optional<std::size_t>)>& place) {
+  const Scheme* const vectors = vectors_of(scheme);
+  if (!vectors) return;
+  const std::size_t size = vectors->mask.components(), columns = data.dimension;
+  const bool hermite = vectors->form == VectorForm::hermite;
+  if (!has_positions(*vectors, columns)) {
+    if (columns % size != 0)
+      fail(ErrorKind::data, "{}: expected a multiple of {} columns for {}, {}; found {}", place({}), size,
+           vectors->specification,
+           hermite ? "values, then their first derivatives and so on, or one column of positions before them"
+                   : "the first numbers of all vectors, then the second and so on",
+           columns);
+    return;
+  }
+  const std::vector<double> positions = part(data, 0, 1).values;
+  if (positions.size() == 1)
+    fail(ErrorKind::data, "{}: expected two positions or more in the first column; found one", place({}));
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    if (positions[i] <= positions[i - 1])
+      fail(ErrorKind::data, "{}: expected a position above {} in the first column; found {}", place(i),
+           positions[i - 1], positions[i]);
+  if (const UniformGrid grid = uniform_grid(positions); !grid.uniform)
+    fail(ErrorKind::data, "{}: expected positions in equal steps, in the mean {:g}; found the step {:g}",
+         place(grid.worst + 1), nearest_double(grid.spacing), positions[grid.worst + 1] - positions[grid.worst]);
+}
+
+GridData<double> without_derivatives(const AnyScheme& scheme, const GridData<double>& data) {
+  const Scheme* const vectors = vectors_of(scheme);
+  if (!vectors) return data;
+  const std::size_t first = has_positions(*vectors, data.dimension) ? 1 : 0;
+  return part(data, 0, first + (data.dimension - first) / vectors->mask.components());
 }
 
 std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     return {l1->rules.points.begin(), l1->rules.points.end()};
+  if (const Scheme* vectors = vectors_of(scheme)) {
+    const std::size_t window = AxisRefiner(axis_rule(vectors->mask, *vectors->form), boundary).window();
+    return {boundary == Boundary::periodic ? 1 : window};
+  }
   return fewest_points(std::get<Scheme>(scheme).mask, boundary);
 }
 

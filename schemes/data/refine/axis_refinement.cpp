@@ -24,37 +24,59 @@ AxisStencils axis_stencils(const Mask& mask) {
           polynomials.reproduction_degree};
 }
 
-AxisRefiner::AxisRefiner(const Mask& mask, Boundary boundary) : boundary_(boundary), stencils_(axis_stencils(mask)) {
+AxisRefiner::AxisRefiner(const Mask& mask, Boundary boundary) : boundary_(boundary), rule_{axis_stencils(mask), {}} {
   for (long residue = 0; residue < mask.arity(); ++residue) {
-    weights_.push_back(mask.symbol().coset(mask.arity(), residue).coefficients());
-    std::reverse(weights_.back().begin(), weights_.back().end());
+    rule_.weights.push_back(mask.symbol().coset(mask.arity(), residue).coefficients());
+    std::reverse(rule_.weights.back().begin(), rule_.weights.back().end());
   }
 }
 
-const std::vector<Rational>& AxisRefiner::fit(const Rational& position) {
-  auto found = fits_.find(position);
-  if (found == fits_.end()) {
+const std::vector<std::vector<Rational>>& AxisRefiner::fit(const Rational& position) {
+  if (const auto found = fits_.find(position); found != fits_.end()) return found->second;
+  const int degree = rule_.stencils.degree();
+  std::vector<std::vector<Rational>>& result = fits_[position];
+  if (rule_.components == 1) {
     std::vector<Rational> nodes;
     for (std::size_t i = 0; i < window(); ++i) nodes.emplace_back(i);
-    found = fits_.emplace(position, regression_weights(nodes, {}, stencils_.degree(), position)).first;
+    result.push_back(regression_weights(nodes, {}, degree, position));
+    return result;
   }
-  return found->second;
+  if (!hermite_) hermite_.emplace(0, static_cast<long>(window()) - 1, rule_.components, degree);
+  const RationalMatrix weights = hermite_->weights(position, static_cast<int>(rule_.stencils.arity()));
+  for (std::size_t k = 0; k < weights.rows(); ++k) {
+    result.emplace_back();
+    for (std::size_t i = 0; i < weights.columns(); ++i) result.back().push_back(weights(k, i));
+  }
+  return result;
 }
 
-WeightRow<Rational> AxisRefiner::row(long output, const Axis& axis) {
-  const long count = static_cast<long>(axis.count), first = stencils_.first_read(output),
-             last = stencils_.last_read(output);
+const std::vector<Rational>& AxisRefiner::weights(long output, std::size_t component) const {
+  return rule_.weights[rule_.stencils.residue(output) * static_cast<std::size_t>(rule_.components) + component];
+}
+
+WeightRow<Rational> AxisRefiner::row(long output, std::size_t component, const Axis& axis) {
+  const AxisStencils& stencils = rule_.stencils;
+  const auto components = static_cast<std::size_t>(rule_.components);
+  const long count = static_cast<long>(axis.count), first = stencils.first_read(output),
+             last = stencils.last_read(output);
   WeightRow<Rational> result;
   if ((first < 0 || last >= count) && !axis.closed && boundary_ == Boundary::regression) {
     const long shift = first < 0 ? 0 : count - static_cast<long>(window());
-    result.weights = fit(stencils_.position(output) - shift);
-    for (std::size_t k = 0; k < window(); ++k) result.at.push_back(static_cast<std::size_t>(shift) + k);
+    result.weights = fit(stencils.position(output) - shift)[component];
+    for (std::size_t k = 0; k < result.weights.size(); ++k)
+      result.at.push_back(static_cast<std::size_t>(shift) * components + k);
     return result;
   }
   std::map<std::size_t, Rational> sums;
-  const std::vector<Rational>& weights = weights_[stencils_.residue(output)];
-  for (long j = first; j <= last; ++j) sums[source(j, axis, boundary_)] += weights[static_cast<std::size_t>(j - first)];
+  auto weight = weights(output, component).begin();
+  for (long j = first; j <= last; ++j)
+    for (std::size_t l = 0; l < components; ++l) sums[source(j, axis, boundary_) * components + l] += *weight++;
   return collected(sums);
+}
+
+void AxisRefiner::append_rows(std::vector<WeightRow<Rational>>& rows, long begin, long end, const Axis& axis) {
+  for (long i = begin; i < end; ++i)
+    for (int k = 0; k < rule_.components; ++k) rows.push_back(row(i, static_cast<std::size_t>(k), axis));
 }
 
 WeightRow<Rational> collected(const std::map<std::size_t, Rational>& weights) {
@@ -67,17 +89,20 @@ WeightRow<Rational> collected(const std::map<std::size_t, Rational>& weights) {
 }
 
 AxisRefinement<Rational> AxisRefiner::step(const Axis& axis) {
-  const OutputRange range = stencils_.outputs(axis, boundary_);
-  const long arity = stencils_.arity();
-  AxisRefinement<Rational> result{range.input, range.output, {}, {}, 0, {}};
+  const AxisStencils& stencils = rule_.stencils;
+  const OutputRange range = stencils.outputs(axis, boundary_);
+  const auto components = static_cast<std::size_t>(rule_.components);
+  const long arity = stencils.arity();
+  AxisRefinement<Rational> result{range.input, range.output, {}, {}, 0, {}, components, components};
   const long groups = std::max(0L, (range.complete_end - range.complete_begin) / arity);
   const long begin = groups > 0 ? range.complete_begin : range.begin;
   result.groups = static_cast<std::size_t>(groups);
-  for (long i = range.begin; i < begin; ++i) result.head.push_back(row(i, range.input));
+  append_rows(result.head, range.begin, begin, range.input);
   if (groups > 0)
     for (long i = begin; i < begin + arity; ++i)
-      result.phases.push_back({static_cast<std::size_t>(stencils_.first_read(i)), weights_[stencils_.residue(i)]});
-  for (long i = begin + arity * groups; i < range.end; ++i) result.tail.push_back(row(i, range.input));
+      for (std::size_t k = 0; k < components; ++k)
+        result.phases.push_back({static_cast<std::size_t>(stencils.first_read(i)) * components, weights(i, k)});
+  append_rows(result.tail, begin + arity * groups, range.end, range.input);
   return result;
 }
 
@@ -167,7 +192,7 @@ void apply_groups(const AxisRefinement<double>& rows, const double* in, double* 
 
 template <class Number>
 AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows) {
-  AxisRefinement<Number> result{rows.input, rows.output, {}, {}, rows.groups, {}, rows.stride};
+  AxisRefinement<Number> result{rows.input, rows.output, {}, {}, rows.groups, {}, rows.stride, rows.components};
   for (const auto& row : rows.head) result.head.push_back({row.at, converted<Number>(row.weights)});
   for (const auto& phase : rows.phases) result.phases.push_back({phase.first, converted<Number>(phase.weights)});
   for (const auto& row : rows.tail) result.tail.push_back({row.at, converted<Number>(row.weights)});
@@ -179,7 +204,7 @@ void apply(const AxisRefinement<Number>& rows, const Number* in, Number* out, st
            int threads) {
   const std::size_t numbers = outer * rows.outputs() * inner;
   const auto piece = [&](std::size_t o, std::size_t begin, std::size_t end) {
-    const Number* const source = in + o * rows.input.count * inner;
+    const Number* const source = in + o * rows.input.count * rows.components * inner;
     Number* const target = out + o * rows.outputs() * inner;
     if (begin == 0)
       for (std::size_t i = 0; i < rows.head.size(); ++i) apply_row(rows.head[i], source, target + i * inner, inner);
@@ -203,7 +228,7 @@ GridData<Number> apply_along(const GridData<Number>& data, std::size_t k, const 
                              int threads) {
   GridData<Number> result{{}, data.dimension, data.axes};
   result.axes[k] = rows.output;
-  std::size_t inner = data.dimension, outer = 1;
+  std::size_t inner = data.dimension / rows.components, outer = 1;
   for (std::size_t l = 0; l < k; ++l) inner *= data.axes[l].count;
   for (std::size_t l = k + 1; l < data.axes.size(); ++l) outer *= data.axes[l].count;
   result.values.resize(outer * rows.outputs() * inner);

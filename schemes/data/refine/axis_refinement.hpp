@@ -4,12 +4,15 @@
 #include "axis_stencils.hpp"
 
 #include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/schemes/vector_schemes.hpp>
 
 #include <map>
+#include <optional>
 
 namespace subcert::data {
 
-/// new value = sum of weights[k] * value[at[k]].
+/// new value = sum of weights[k] * value[at[k]]. Numbers of a datum that has several count as values, one after
+/// another.
 template <class Number>
 struct WeightRow {
   std::vector<std::size_t> at;
@@ -25,7 +28,7 @@ struct Phase {
 };
 
 /// Outputs, in this order: head.size() single rows, `groups` groups with one output of each phase, tail.size() single
-/// rows. Canonical: as many phases as the arity where groups > 0.
+/// rows. Canonical: as many phases as the arity times the components where groups > 0.
 template <class Number>
 struct AxisRefinement {
   Axis input;
@@ -35,30 +38,44 @@ struct AxisRefinement {
   std::size_t groups = 0;
   std::vector<WeightRow<Number>> tail;
   std::size_t stride = 1;
+  std::size_t components = 1;  ///< numbers of each datum and output that rows tell apart; several only of curves
 
   std::size_t outputs() const { return head.size() + groups * phases.size() + tail.size(); }
 };
 
-/// Writes the step of `mask` as rows, for as many axes and levels as are asked for; fits at the ends are kept for the
+/// The rule of one variable with numbers or r x r matrices as weights.
+struct AxisRule {
+  AxisStencils stencils;
+  /// [r * residue class + number of the output], in the order of the data, the numbers of each one after another.
+  std::vector<std::vector<Rational>> weights;
+  int components = 1;  ///< r; several are values and derivatives where a polynomial is fitted to them
+};
+
+/// Writes the step of a rule as rows, for as many axes and levels as are asked for; fits at the ends are kept for the
 /// next question.
 class AxisRefiner {
  public:
   /// Domain: coset sums 1. Errors: throws a domain error.
   AxisRefiner(const Mask& mask, Boundary boundary);
+  /// Domain: `reflect` asks for numbers as weights, `regression` for a degree of 0 or more.
+  AxisRefiner(AxisRule rule, Boundary boundary) : boundary_(boundary), rule_(std::move(rule)) {}
 
-  std::size_t window() const { return stencils_.window(); }
+  std::size_t window() const { return rule_.stencils.window(); }
 
   /// Domain and errors: as AxisStencils::outputs. Cost: exact arithmetic for the outputs near the ends.
   AxisRefinement<Rational> step(const Axis& axis);
 
  private:
-  const std::vector<Rational>& fit(const Rational& position);
-  WeightRow<Rational> row(long output, const Axis& axis);
+  /// A list of weights for each component.
+  const std::vector<std::vector<Rational>>& fit(const Rational& position);
+  WeightRow<Rational> row(long output, std::size_t component, const Axis& axis);
+  void append_rows(std::vector<WeightRow<Rational>>& rows, long begin, long end, const Axis& axis);
+  const std::vector<Rational>& weights(long output, std::size_t component) const;
 
   Boundary boundary_;
-  AxisStencils stencils_;
-  std::vector<std::vector<Rational>> weights_;  // of each residue class, in the order of the data
-  std::map<Rational, std::vector<Rational>> fits_;
+  AxisRule rule_;
+  std::optional<HermiteFit> hermite_;
+  std::map<Rational, std::vector<std::vector<Rational>>> fits_;
 };
 
 /// The stencils of a mask of one variable. Domain: coset sums 1. Errors: throws a domain error.

@@ -8,9 +8,9 @@
 
 namespace subcert::data {
 
-AxisStencils::AxisStencils(std::vector<Class> classes, const Rational& centre, int degree)
+AxisStencils::AxisStencils(std::vector<Class> classes, const Rational& centre, int degree, int components)
     : classes_(std::move(classes)), centre_(centre), degree_(degree) {
-  window_ = std::max<std::size_t>(2, static_cast<std::size_t>(degree) + 1);
+  window_ = std::max<std::size_t>(2, static_cast<std::size_t>((degree + components) / components));
   for (const Class& one : classes_)
     window_ = std::max(window_, static_cast<std::size_t>((one.highest - one.lowest) / arity()) + 1);
 }

@@ -28,8 +28,9 @@ class AxisStencils {
   };
 
   /// `classes[r]` has exponents congruent to r modulo the arity, which is classes.size(). `centre` is tau, the
-  /// derivative of the symbol at 1 over its value, `degree` what the scheme reproduces.
-  AxisStencils(std::vector<Class> classes, const Rational& centre, int degree);
+  /// derivative of the symbol at 1 over its value, `degree` what the scheme reproduces; each datum has `components`
+  /// numbers.
+  AxisStencils(std::vector<Class> classes, const Rational& centre, int degree, int components = 1);
 
   long arity() const { return static_cast<long>(classes_.size()); }
   int degree() const { return degree_; }

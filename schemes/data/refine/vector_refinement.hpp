@@ -1,0 +1,29 @@
+#pragma once
+/// Refinement of vectors: values and derivatives by Hermite schemes, coefficients of vectors of functions.
+
+#include "axis_refinement.hpp"
+#include "refine.hpp"
+
+#include <subcert/schemes/specification.hpp>
+
+namespace subcert::data {
+
+/// The rule P_k, A_k transposed, of a mask of matrices A_k. With `hermite` it acts on values and derivatives per unit
+/// of the spacing of its data; its centre and degree are those with which polynomials and their derivatives are kept,
+/// D^(n+1) p((i - tau)/a) = sum over j of P_{i-aj} D^n p(j). Otherwise the centre is 0 and the degree -1: nothing is
+/// known of what the numbers are. Domain: one variable, r >= 2 components; of `hermite` one that keeps constants.
+/// Errors: throws a domain error. Cost: the entries times the degree.
+AxisRule axis_rule(const LatticeMask& mask, VectorForm form);
+
+/// Applies the rule of the mask `levels` times to points of r blocks of numbers, as many in each: block k has the k-th
+/// derivatives of all coordinates, per unit of a parameter in which data are `spacing` apart, or the k-th coefficients.
+/// Points are made as by refine(); with `regression` the values and derivatives beyond complete stencils are those of
+/// the polynomial of HermiteFit with the degree of the rule. Domain: as axis_rule; r divides data.dimension; one axis;
+/// open axes with `regression` (Hermite schemes alone) or `shrink`; spacing > 0. Errors: throws a domain error; a size
+/// error where the result is too long, or beyond the range of doubles. Cost: linear in the output times the entries of
+/// the stencils.
+template <class Number>
+GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask& mask, VectorForm form,
+                                const RefineOptions& options, const Rational& spacing = 1);
+
+}  // namespace subcert::data

@@ -89,6 +89,7 @@ Scheme make_tensor(const Piece&, const Piece& body, const std::string&) {
   for (const Piece& factor : read_factors(body)) {
     try {
       const Scheme scheme = make_scheme(factor.text);
+      if (scheme.rounding) fail(factor, "factors with rational coefficients");  // what is proved would be of others
       specification += (factors.empty() ? "(" : "x(") + scheme.specification + ")";
       factors.push_back(scheme.mask.curve());
     } catch (const SpecificationError& error) {

@@ -77,23 +77,28 @@ Scheme make_multiple_knot_bspline(const Piece& family, const Piece& body, const 
 
 /// Where no factor is a vector a scheme of numbers.
 Scheme make_vector_tensor(const Piece& family, const Piece& body, const std::string&) {
+  const std::vector<Piece> pieces = read_factors(body);
+  std::vector<Scheme> schemes;
+  for (const Piece& factor : pieces)
+    schemes.push_back(placed(factor, [&factor] { return make_refinable_scheme(factor.text); }));
+  if (std::ranges::none_of(schemes, [](const Scheme& scheme) { return scheme.form.has_value(); }))
+    return make_linear_scheme(fmt::format("{}:{}", family.text, body.text));
   std::vector<LatticeMask> factors;
   std::string specification = "tensor:";
   std::size_t components = 1, variables = 0, entries = 1;
-  for (const Piece& factor : read_factors(body)) {
-    const Scheme scheme = placed(factor, [&factor] { return make_refinable_scheme(factor.text); });
-    if (scheme.quadratic) fail(factor, "factors with rational coefficients");
-    specification += (factors.empty() ? "(" : "x(") + scheme.specification + ")";
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Scheme& scheme = schemes[k];
+    if (scheme.quadratic || scheme.rounding) fail(pieces[k], "factors with rational coefficients");
+    specification += (k == 0 ? "(" : "x(") + scheme.specification + ")";
     factors.push_back(scheme.mask);
     components *= scheme.mask.components();
     variables += scheme.mask.dilation().variables();
     entries *= scheme.mask.terms().size();
     if (components > max_components)
-      fail(factor, fmt::format("factors with at most {} components in all", max_components));
-    if (variables > 3) fail(factor, "factors of three variables in all at most");
-    require_entries(factor, static_cast<long>(entries));
+      fail(pieces[k], fmt::format("factors with at most {} components in all", max_components));
+    if (variables > 3) fail(pieces[k], "factors of three variables in all at most");
+    require_entries(pieces[k], static_cast<long>(entries));
   }
-  if (components == 1) return make_linear_scheme(fmt::format("{}:{}", family.text, body.text));
   return {specification,        "tensor product", checked(body, [&] { return vector_tensor_product(factors); }), {}, {},
           VectorForm::refinable};
 }

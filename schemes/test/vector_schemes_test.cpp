@@ -344,6 +344,10 @@ TEST_CASE("names of vectors of functions that cannot be read") {
   CHECK(refusal("ghm:1").find("nothing after ghm") != std::string::npos);
   CHECK(refusal("tensor:(ghm)x(gmh)").find("15 'gmh'") == 0);
   CHECK(refusal("tensor:(ghm)x(tensor:(ghm)x(ghm))x(ghm)").find("three variables") != std::string::npos);
+  // What is rounded is no factor; tensor products of numbers alone are as they were.
+  for (const char* other : {"ghm", "primal:n=2"})
+    CHECK(refusal(std::string("tensor:(daubechies:n=2)x(") + other + ")").find("rational") != std::string::npos);
+  CHECK(make_refinable_scheme("tensor:(primal:n=40)x(primal:n=40)").mask.factors().size() == 2);
   for (const char* text : {"bspline:degree=3,multiplicity=2", "tensor:(ghm)x(ghm)", "ghm", "merrien:lambda=0,mu=0"}) {
     CAPTURE(text);
     CHECK_THROWS_WITH(make_linear_scheme(text),

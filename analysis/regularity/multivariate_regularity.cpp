@@ -84,9 +84,9 @@ DifferenceSpace space_of_differences(const LatticeMask& mask, const Multivariate
   return difference_space(mask, result.sum_rules);
 }
 
-/// Differences of the first order, or of that of the sum rules.
-std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mask, int sum_rules,
-                                                          const Budget& budget) {
+/// Differences of the first order, or of that of the sum rules. `briefly`: by norms alone.
+std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mask, int sum_rules, const Budget& budget,
+                                                          bool briefly) {
   const Rational target = 1 - power(Rational(2), -20);
   for (const int order : sum_rules > 1 ? std::vector{1, sum_rules} : std::vector{1}) {
     DifferenceSpace space = difference_space(mask, order);
@@ -97,6 +97,8 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
     if (norms.norm < 1) {
       radius.radius = Enclosure{std::nullopt, norms.bound()};
       radius.proof = norms;
+    } else if (briefly) {
+      continue;
     } else {
       radius = joint_spectral_radius(space.family, share, norms, target);
     }
@@ -108,12 +110,13 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
 Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
+  const bool in_grace = budget.deadline.expired();
   const Deadline end = budget.deadline.later(shares::convergence_grace);
   Decision decision = converges(mask, {levels, end.after(shares::convergence)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
     const Deadline searching = shrinking ? end : end.at_most(shares::convergence_seconds);
-    auto found = shrinking_differences(mask, sum_rules, {searching, budget.memory});
+    auto found = shrinking_differences(mask, sum_rules, {searching, budget.memory}, in_grace);
     if (found && !decision.is_yes())
       decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
                                                       : "the differences of the scheme shrink"};

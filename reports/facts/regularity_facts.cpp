@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace subcert::facts {
 namespace {
@@ -169,12 +170,18 @@ Fact surface_bound_fact(const std::optional<HolderBound>& bound) {
 
 std::string function_name(std::size_t component) { return fmt::format("phi_{}", component + 1); }
 
+std::size_t count_of_matrices(const LatticeMask& mask) {
+  std::set<LatticePoint> exponents;
+  for (const LatticeMask::Term& term : mask.terms()) exponents.insert(term.exponents);
+  return exponents.size();
+}
+
 /// What the refinement equation is and how many solutions it has.
 Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
   std::string text = to_mask_text(mask);
   constexpr std::size_t most_text = 400;
   if (text.size() > most_text)
-    text = fmt::format("{} matrices of {} rows, see subcert mask", mask.terms().size(), mask.components());
+    text = fmt::format("{} matrices of {} rows, see subcert mask", count_of_matrices(mask), mask.components());
   std::vector<std::string> sides;
   for (const Interval& side : limit_support(mask))
     sides.push_back(fmt::format("[{}, {}]", to_text(side.lower), to_text(side.upper)));

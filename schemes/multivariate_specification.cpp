@@ -28,6 +28,24 @@ std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::str
   return points;
 }
 
+std::vector<LatticeMask::Term> terms_of(const text::MaskText& mask, text::Entries entries) {
+  const bool matrices = entries == text::Entries::matrices;
+  const std::size_t skipped = matrices ? 2 : 0, columns = matrices ? mask.sizes[0] : 1,
+                    block = matrices ? columns * mask.sizes[1] : 1;
+  std::vector<LatticeMask::Term> terms;
+  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
+    if (mask.coefficients[i] == 0) continue;
+    LatticeMask::Term term{{}, i % block / columns, i % columns, mask.coefficients[i]};
+    std::size_t rest = i / block;
+    for (std::size_t v = skipped; v < mask.sizes.size(); rest /= mask.sizes[v++]) {
+      const long first = mask.first ? (*mask.first)[v - skipped] : -static_cast<long>(mask.sizes[v] / 2);
+      term.exponents.push_back(first + static_cast<long>(rest % mask.sizes[v]));
+    }
+    terms.push_back(std::move(term));
+  }
+  return terms;
+}
+
 Dilation read_dilation(Fields& fields, std::size_t variables) {
   const auto arity = fields.optional("arity"), matrix = fields.optional("dilation"), digits = fields.optional("digits");
   if (arity && matrix) fail(*matrix, "arity or dilation, not both");
@@ -155,14 +173,8 @@ void require_affine(const Piece& body, const LatticeMask& mask) {
 
 MultivariatePolynomial symbol_of(const text::MaskText& mask) {
   std::vector<Monomial> terms;
-  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
-    terms.push_back({mask.coefficients[i], {}});
-    std::size_t rest = i;
-    for (std::size_t v = 0; v < mask.sizes.size(); rest /= mask.sizes[v++]) {
-      const long first = mask.first ? (*mask.first)[v] : -static_cast<long>(mask.sizes[v] / 2);
-      terms.back().exponents.push_back(first + static_cast<long>(rest % mask.sizes[v]));
-    }
-  }
+  for (LatticeMask::Term& term : terms_of(mask, text::Entries::numbers))
+    terms.push_back({std::move(term.coefficient), std::move(term.exponents)});
   return {static_cast<int>(mask.sizes.size()), terms};
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_entries = 20'000, max_components = 64, max_data = 64, max_degree = 64;
+constexpr long max_data = 64, max_degree = 64;
 
 std::string arity_text(long arity) { return arity == 2 ? "" : fmt::format(",a={}", arity); }
 

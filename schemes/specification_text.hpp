@@ -24,7 +24,8 @@ constexpr long max_points = 4096;
 constexpr long max_work = 200'000;         // points * degree: keeps every accepted mask within seconds
 constexpr long max_long_work = 1'000'000;  // points * degree^2 * digits, for weighted fits and long positions
 constexpr long max_arity = 64;
-constexpr long max_entry = 64;  // of a dilation matrix
+constexpr long max_entry = 64;                             // of a dilation matrix
+constexpr long max_entries = 20'000, max_components = 64;  // of masks of matrices
 
 /// A piece of the specification and where it begins (0-based).
 struct Piece {
@@ -220,6 +221,9 @@ std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::str
 
 /// The specifications in `(A)x(B)` or `(A)x(B)x(C)`.
 std::vector<Piece> read_factors(const Piece& body);
+
+/// The coefficients that are not 0 with their places, of matrices with rows and columns.
+std::vector<LatticeMask::Term> terms_of(const text::MaskText& mask, text::Entries entries);
 
 /// The fields arity, dilation and digits; 2 times the identity unless given.
 Dilation read_dilation(Fields& fields, std::size_t variables);

@@ -11,35 +11,12 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_entries = 20'000, max_components = 64;
 constexpr std::size_t max_nesting = 5;  // three variables, rows and columns
 
-/// The sums over k of (A_k)_{ij} z^k, row by row.
-std::vector<MultivariatePolynomial> entries_of(const text::MaskText& mask, bool transposed) {
-  const std::size_t size = mask.sizes[0], variables = mask.sizes.size() - 2;
-  std::vector<std::vector<Monomial>> terms(size * size);
-  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
-    if (mask.coefficients[i] == 0) continue;
-    const std::size_t column = i % size, row = i / size % size;
-    Monomial term{mask.coefficients[i], {}};
-    std::size_t rest = i / (size * size);
-    for (std::size_t v = 0; v < variables; rest /= mask.sizes[2 + v++]) {
-      const long first = mask.first ? (*mask.first)[v] : -static_cast<long>(mask.sizes[2 + v] / 2);
-      term.exponents.push_back(first + static_cast<long>(rest % mask.sizes[2 + v]));
-    }
-    terms[transposed ? column * size + row : row * size + column].push_back(std::move(term));
-  }
-  std::vector<MultivariatePolynomial> result;
-  for (const auto& entry : terms) result.emplace_back(static_cast<int>(variables), entry);
-  return result;
-}
-
 LatticeMask transposed(const LatticeMask& mask) {
-  std::vector<MultivariatePolynomial> entries;
-  const std::size_t size = mask.components();
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) entries.push_back(mask.entries()[j * size + i]);
-  return {std::move(entries), mask.dilation()};
+  std::vector<LatticeMask::Term> terms = mask.terms();
+  for (LatticeMask::Term& term : terms) std::swap(term.row, term.column);
+  return matrix_mask(terms, mask.components(), mask.dilation());
 }
 
 /// Lists that are nested as deep as the text begins, the innermost two being matrices.
@@ -58,17 +35,16 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
   if (parts.sizes[0] != parts.sizes[1] || parts.sizes[0] > max_components)
     fail(mask, fmt::format("square matrices of at most {} rows, got {} rows and {} columns", max_components,
                            parts.sizes[1], parts.sizes[0]));
-  const bool is_of_scheme = form != VectorForm::refinable;
   const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(variables));
   fields.finish();
-  const LatticeMask result = checked(mask, [&mask = mask, &parts = parts, &dilation, is_of_scheme] {
-    return LatticeMask(entries_of(parts, is_of_scheme), dilation);
+  const LatticeMask given = checked(mask, [&parts = parts, &dilation] {
+    return matrix_mask(terms_of(parts, text::Entries::matrices), parts.sizes[0], dilation);
   });
   return vector_scheme(form,
                        std::string(form == VectorForm::refinable ? "function vector given by its matrices"
                                    : form == VectorForm::vector  ? "vector scheme given by its matrices"
                                                                  : "Hermite scheme given by its matrices"),
-                       result);
+                       form == VectorForm::refinable ? given : transposed(given));
 }
 
 Family of_matrices(VectorForm form, const std::string& name, const std::string& meaning) {

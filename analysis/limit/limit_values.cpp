@@ -56,17 +56,8 @@ std::vector<LatticePoint> points_of_support(const LatticeMask& mask, int level) 
 /// V(z) -> a(z) a(z^M) ... a(z^(M^(level-1))) V(z): values of a function at lattice points become those at M^-level i.
 LatticeSequence refined(const LatticeMask& mask, LatticeSequence values, int level) {
   std::vector<LatticeMask::Term> terms = mask.terms();
-  const bool has_components = mask.components() > 1;
   for (int n = 0; n < level; ++n) {
-    LatticeSequence finer;
-    for (const auto& term : terms)
-      for (const auto& [point, value] : values) {
-        if (has_components && static_cast<std::size_t>(point.back()) != term.column) continue;
-        LatticePoint sum = point;
-        for (std::size_t v = 0; v < term.exponents.size(); ++v) sum[v] += term.exponents[v];
-        if (has_components) sum.back() = static_cast<long>(term.row);
-        finer[std::move(sum)] += term.coefficient * value;
-      }
+    LatticeSequence finer = convolution(terms, mask.components(), values);
     require_few(static_cast<double>(finer.size()), n + 1);
     std::erase_if(finer, [](const auto& entry) { return entry.second == 0; });
     values = std::move(finer);

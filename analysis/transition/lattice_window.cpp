@@ -135,19 +135,29 @@ std::size_t LatticeWindow::place(const LatticePoint& point) const {
   return at != points_.end() && *at == point ? static_cast<std::size_t>(at - points_.begin()) : size();
 }
 
+LatticeSequence convolution(const std::vector<LatticeMask::Term>& terms, std::size_t components,
+                            const LatticeSequence& x) {
+  const bool has_components = components > 1;
+  LatticeSequence result;
+  for (const LatticeMask::Term& term : terms)
+    for (const auto& [k, value] : x) {
+      if (has_components && static_cast<std::size_t>(k.back()) != term.column) continue;
+      LatticePoint sum = k;
+      for (std::size_t v = 0; v < term.exponents.size(); ++v) sum[v] += term.exponents[v];
+      if (has_components) sum.back() = static_cast<long>(term.row);
+      result[std::move(sum)] += term.coefficient * value;
+    }
+  return result;
+}
+
 std::vector<LatticeSequence> transitions(const LatticeMask& mask, const LatticeSequence& v) {
   const Lattice lattice(mask);
-  const Dilation& dilation = mask.dilation();
-  std::vector<LatticeSequence> result(dilation.digits().size());
-  for (const LatticeMask::Term& term : mask.terms())
-    for (const auto& [k, value] : v) {
-      if (lattice.component(k) != term.column) continue;
-      FixedPoint sum = lattice.fixed(term.exponents, term.row);
-      for (std::size_t c = 0; c < dilation.variables(); ++c) sum[c] += k[c];
-      Dilation::Division at = lattice.divide(dilation, sum);
-      result[at.digit][std::move(at.quotient)] += term.coefficient * value;
-    }
-  for (LatticeSequence& sequence : result) std::erase_if(sequence, [](const auto& entry) { return entry.second == 0; });
+  std::vector<LatticeSequence> result(mask.dilation().digits().size());
+  for (const auto& [point, value] : convolution(mask.terms(), mask.components(), v)) {
+    if (value == 0) continue;
+    Dilation::Division at = lattice.divide(mask.dilation(), lattice.fixed(point));
+    result[at.digit].emplace(std::move(at.quotient), value);
+  }
   return result;
 }
 

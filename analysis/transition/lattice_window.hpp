@@ -40,6 +40,10 @@ class LatticeWindow {
   int steps_ = 0;
 };
 
+/// sum over k of a_k x_{i - k}, for the terms of a mask with so many components; sums that are 0 stay.
+LatticeSequence convolution(const std::vector<LatticeMask::Term>& terms, std::size_t components,
+                            const LatticeSequence& x);
+
 /// T_d v for every digit d. Cost: the length of v times the number of coefficients.
 std::vector<LatticeSequence> transitions(const LatticeMask& mask, const LatticeSequence& v);
 

@@ -53,6 +53,13 @@ void print_curve_values(const Scheme& scheme, int order, const LimitPageOptions&
   print_points(scheme, points, 12, options);
 }
 
+/// The coordinates of M^-level index.
+std::string point_text(const Scheme& scheme, const LatticePoint& index, int level) {
+  std::vector<Rational> point(index.begin(), index.end());
+  for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
+  return coordinates_text(point);
+}
+
 void print_surface_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {
   const LatticeSequence values = limit_values(scheme.mask, options.level, orders);
   if (options.json) {
@@ -71,9 +78,7 @@ void print_surface_values(const Scheme& scheme, const LatticePoint& orders, cons
   }
   std::vector<std::pair<std::string, Rational>> points;
   for (const auto& [index, value] : values) {
-    std::vector<Rational> point(index.begin(), index.end());
-    for (int n = 0; n < options.level; ++n) point = scheme.mask.dilation().inverse_times(point);
-    points.emplace_back(coordinates_text(point), value);
+    points.emplace_back(point_text(scheme, index, options.level), value);
   }
   print_points(scheme, points, 20, options);
 }
@@ -118,9 +123,7 @@ ExitCode print_vector_values(const Scheme& scheme, const LatticePoint& orders, c
     formulas.push_back(c);
   }
   for (const auto& [index, vector] : values) {
-    std::vector<Rational> point(index.begin(), index.end());
-    for (int n = 0; n < options.level; ++n) point = scheme.mask.dilation().inverse_times(point);
-    rows.push_back({coordinates_text(point)});
+    rows.push_back({point_text(scheme, index, options.level)});
     for (const Rational& value : vector)
       rows.back().push_back(options.form.asked_for() ? to_text(value) : to_decimal(value, 15, Rounding::nearest));
   }

@@ -377,7 +377,19 @@ def _ends(value: Any) -> Any:
     return Enclosure(*value) if isinstance(value, tuple) else value
 
 
-class MultivariateScheme(LinearScheme):
+class _OnLattice(Named):
+    """What schemes on Z^s with a dilation matrix share."""
+
+    @property
+    def dimension(self) -> int:
+        return self._handle.dimension
+
+    @property
+    def dilation(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(tuple(row) for row in self._handle.dilation)
+
+
+class MultivariateScheme(LinearScheme, _OnLattice):
     """A linear scheme of two or three variables.
 
     >>> import subcert
@@ -387,14 +399,6 @@ class MultivariateScheme(LinearScheme):
     >>> print(loop.holder())
     3
     """
-
-    @property
-    def dimension(self) -> int:
-        return self._handle.dimension
-
-    @property
-    def dilation(self) -> tuple[tuple[int, ...], ...]:
-        return tuple(tuple(row) for row in self._handle.dilation)
 
     @functools.cached_property
     def mask(self) -> dict[tuple[int, ...], Fraction]:
@@ -465,7 +469,7 @@ class MultivariateScheme(LinearScheme):
         return _display.surface_html(self)
 
 
-class VectorScheme(Named):
+class VectorScheme(_OnLattice):
     """A vector of functions phi_1, phi_2, ... with phi(x) = sum over k of A_k phi(2x - k), A_k matrices: those of a
     vector or Hermite scheme, of multiwavelets, of finite elements.
 
@@ -478,17 +482,9 @@ class VectorScheme(Named):
     """
 
     @property
-    def dimension(self) -> int:
-        return self._handle.dimension
-
-    @property
     def components(self) -> int:
         """How many functions there are."""
         return self._handle.components
-
-    @property
-    def dilation(self) -> tuple[tuple[int, ...], ...]:
-        return tuple(tuple(row) for row in self._handle.dilation)
 
     @functools.cached_property
     def matrices(self) -> dict[tuple[int, ...], tuple[tuple[Fraction, ...], ...]]:

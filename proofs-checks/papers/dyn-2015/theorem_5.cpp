@@ -10,16 +10,21 @@
 namespace subcert::statements::dyn_2015 {
 namespace {
 
+/// Each bound over the rate lies between two positive numbers for large n.
+void require_rate(Trial& trial, const std::vector<Formula>& bounds, const Formula& rate) {
+  for (const Formula& bound : bounds) {
+    const Degrees degrees = (bound / rate).degrees("n");
+    trial.require(degrees.numerator == degrees.denominator,
+                  "the ratio of a bound and the rate is not bounded from both sides");
+  }
+}
+
 Outcome theorem_5(const Context& context) {
   const Formula rate = context.formula("theorem-5-rate");
   const Formula lower = context.formula("eq-10-lower"), upper = context.formula("eq-11");
   const int most = context.reach(6, 12);
   Trial trial;
-  for (const Formula& bound : {lower, upper}) {
-    const Degrees degrees = (bound / rate).degrees("n");
-    trial.require(degrees.numerator == degrees.denominator,
-                  "the ratio of a bound and the rate is not bounded from both sides");
-  }
+  require_rate(trial, {lower, upper}, rate);
   for (int n = 2; n <= most; ++n) {
     const Enclosure& sup = limit_range_of(specification("primal", n)).sup_norm;
     trial.require(lower({{"n", n}}) <= *sup.lower && *sup.upper <= upper({{"n", n}}),
@@ -35,11 +40,7 @@ Outcome theorem_5_slope(const Context& context) {
   const Formula lower = context.formula("eq-10-lower") * f("1/(2*n - 1)"), upper = f("2/n^2");
   const int most = context.reach(6, 12);
   Trial trial;
-  for (const Formula& bound : {lower, upper}) {
-    const Degrees degrees = (bound / rate).degrees("n");
-    trial.require(degrees.numerator == degrees.denominator,
-                  "the ratio of a bound and the rate is not bounded from both sides");
-  }
+  require_rate(trial, {lower, upper}, rate);
   // Second power of the difference scheme: weights that sum to 1 times at most 1/(n(2n-1)), and one summand of at most
   // 1/n times 1/n.
   trial.follow(positive(upper - f("1/(n*(2*n - 1)) + 1/n^2"), {{"n", "2 + x"}}));

@@ -11,7 +11,7 @@
 #include <subcert/reports/facts/l1_facts.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
-#include <subcert/reports/gallery.hpp>
+#include <subcert/reports/gallery/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 namespace subcert::cli {

@@ -6,7 +6,7 @@
 #include <subcert/cli/pages/plates.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
-#include <subcert/reports/gallery.hpp>
+#include <subcert/reports/gallery/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>
-#include <subcert/reports/gallery.hpp>
+#include <subcert/reports/gallery/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <iostream>

@@ -1,7 +1,7 @@
 #include "plates.hpp"
 
 #include <subcert/analysis/symbol/support/parallel.hpp>
-#include <subcert/reports/gallery.hpp>
+#include <subcert/reports/gallery/gallery.hpp>
 
 #include <mutex>
 #include <optional>

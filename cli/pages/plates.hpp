@@ -2,7 +2,7 @@
 /// Schemes with what is known of each, as pages and as JSON.
 
 #include <subcert/cli/command.hpp>
-#include <subcert/reports/gallery.hpp>
+#include <subcert/reports/gallery/gallery.hpp>
 
 #include <vector>
 

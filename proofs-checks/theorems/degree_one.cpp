@@ -1,6 +1,6 @@
 #include "degree_one.hpp"
 
-#include "kernel.hpp"
+#include "kernel/kernel.hpp"
 #include "limit_constant.hpp"
 #include "proofs.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 #include "degree_one.hpp"
-#include "kernel.hpp"
+#include "kernel/kernel.hpp"
 #include "variance_ends.hpp"
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/variance/variance.hpp>
-#include "kernel.hpp"
-#include "kernel_coefficients.hpp"
+#include "kernel/kernel.hpp"
+#include "kernel/kernel_coefficients.hpp"
 #include "limit_constant.hpp"
 #include "variance_ends.hpp"
 

@@ -9,7 +9,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include "curve_bounds.hpp"
-#include "kernel.hpp"
+#include "kernel/kernel.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -3,7 +3,7 @@
 /// Proofs: docs/theorems/every-smoothness.tex, Theorem X; its notation is used.
 
 #include <subcert/analysis/symbol/numbers/balls.hpp>
-#include "uniform_symbol.hpp"
+#include "kernel/uniform_symbol.hpp"
 
 namespace subcert::theorems {
 

@@ -4,7 +4,7 @@
 #include "every_smoothness.hpp"
 #include "proofs.hpp"
 
-#include "kernel.hpp"
+#include "kernel/kernel.hpp"
 
 namespace subcert::theorems {
 namespace {

@@ -1,6 +1,6 @@
 #include "limit_constant.hpp"
 
-#include "kernel.hpp"
+#include "kernel/kernel.hpp"
 
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>

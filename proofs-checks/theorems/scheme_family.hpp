@@ -1,7 +1,7 @@
 #pragma once
 /// The families of binary least squares schemes, for the sources of this floor.
 
-#include "uniform_symbol.hpp"
+#include "kernel/uniform_symbol.hpp"
 
 #include <string>
 #include <vector>

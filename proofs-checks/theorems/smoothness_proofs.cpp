@@ -6,7 +6,7 @@
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include "degree_one.hpp"
 #include "kept_by_scheme.hpp"
-#include "kernel.hpp"
+#include "kernel/kernel.hpp"
 #include "uniform_curve.hpp"
 
 #include <algorithm>

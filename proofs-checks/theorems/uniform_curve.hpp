@@ -2,7 +2,7 @@
 /// Bounds of mean, ripple and slope of the variance curves of one degree for all sizes N >= N_1, for the sources of
 /// this floor. Proofs: docs/theorems/variance-curves.tex, section 7; its notation is used.
 
-#include "uniform_symbol.hpp"
+#include "kernel/uniform_symbol.hpp"
 
 #include <vector>
 

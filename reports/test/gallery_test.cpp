@@ -1,7 +1,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/reports/formats/svg.hpp>
-#include <subcert/reports/gallery.hpp>
+#include <subcert/reports/gallery/gallery.hpp>
 
 #include <algorithm>
 #include <set>

@@ -104,14 +104,21 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
   return result;
 }
 
+/// The better polytope and, where it is not exact, the larger product of both.
+Attempt better_of(Attempt first, Attempt second) {
+  if (second.is_better_than(first)) std::swap(first, second);
+  if (!first.exact.is_yes() && *second.product.radius.lower > *first.product.radius.lower)
+    first.product = std::move(second.product);
+  return first;
+}
+
 /// Cones need fewer vertices, but an image that lies only a little below a vertex is beyond them; other polytopes may
 /// have extra vertices.
-Attempt best_attempt(const MatrixFamily& family, const Budget& searching, const Budget& budget,
-                     const std::optional<Rational>& target) {
+Attempt best_attempt(const MatrixFamily& family, const Budget& budget, const std::optional<Rational>& target) {
+  const Budget searching{budget.deadline.after(shares::polytopes), budget.memory};
   Attempt first = attempt(family, searching, budget, target, true);
   if (first.candidate.kind != PolytopeKind::nonnegative || first.exact.is_yes() || first.reaches(target)) return first;
-  Attempt second = attempt(family, searching, budget, target, false);
-  return second.is_better_than(first) ? std::move(second) : std::move(first);
+  return better_of(std::move(first), attempt(family, searching, budget, target, false));
 }
 
 /// The search for quadratic forms, and the product that they are to keep.
@@ -149,7 +156,7 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   const auto seek_polytopes = [&] {
     const StopScope scope(&polytopes_end);
     const Deadline end = budget.deadline.after(1);
-    result.polytopes = best_attempt(family, {end.after(shares::polytopes), memory}, {end, memory}, target);
+    result.polytopes = best_attempt(family, {end, memory}, target);
     const Attempt& found = result.polytopes;
     const double radius = found.product.radius.lower->convert_to<double>(), other = radius_of_forms;
     if ((found.candidate.closed && found.polytope) || *found.product.radius.lower >= known || found.reaches(target) ||

@@ -153,7 +153,7 @@ expect 66 --subradius none.mat --lower 1 slow-pair.cert
 # theorem CLAIM NAME: as it is checked in
 theorem() {
   # shellcheck disable=SC2046
-  "$program" $(grep "^$1 " claims.txt | cut -d ' ' -f 2-) --theorem "$2" "$1.cert" | diff - "$here/../theory/$2.v"
+  "$program" $(grep "^$1 " claims.txt | cut -d ' ' -f 2-) --theorem "$2" "$1.cert" | diff - "$here/../examples/$2.v"
 }
 theorem primal-5 S5
 theorem primal-5-exact S5Exact

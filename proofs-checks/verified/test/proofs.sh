@@ -11,7 +11,7 @@ fi
 here=$(cd "$(dirname "$0")/.." && pwd)
 rm -rf "$1"
 mkdir -p "$1"
-cp "$here"/theory/* "$1"
+cp "$here"/theory/* "$here"/examples/* "$1"
 cd "$1"
 if grep -nE '\b(Admitted|admit|Axiom|Parameter|Conjecture)\b' ./*.v; then
   echo "a proof is missing"

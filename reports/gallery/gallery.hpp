@@ -1,11 +1,10 @@
 #pragma once
 /// What the gallery knows of a scheme, and its pages.
 
-#include "facts/fact.hpp"
-#include "formats/figure.hpp"
-#include "formats/surface_figure.hpp"
-#include "row_proof.hpp"
-
+#include <subcert/reports/facts/fact.hpp>
+#include <subcert/reports/formats/figure.hpp>
+#include <subcert/reports/formats/surface_figure.hpp>
+#include <subcert/reports/row_proof.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <optional>

@@ -1,8 +1,5 @@
 #include "gallery.hpp"
 
-#include "formats/html.hpp"
-#include "formats/limit_figure.hpp"
-
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -12,6 +9,8 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/formats/html.hpp>
+#include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 

@@ -1,11 +1,11 @@
-#include "formats/comparison.hpp"
-#include "formats/html.hpp"
-#include "formats/section.hpp"
-#include "formats/surface_figure.hpp"
-#include "formats/svg.hpp"
 #include "gallery.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/reports/formats/comparison.hpp>
+#include <subcert/reports/formats/html.hpp>
+#include <subcert/reports/formats/section.hpp>
+#include <subcert/reports/formats/surface_figure.hpp>
+#include <subcert/reports/formats/svg.hpp>
 
 #include <fmt/format.h>
 

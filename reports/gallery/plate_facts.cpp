@@ -1,9 +1,8 @@
 #include "gallery.hpp"
 
-#include "facts/scheme_facts.hpp"
-#include "formats/comparison.hpp"
-
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/reports/facts/scheme_facts.hpp>
+#include <subcert/reports/formats/comparison.hpp>
 
 #include <fmt/format.h>
 

@@ -121,6 +121,7 @@ void add_range(Command& app);
 void add_curve(Command& app);
 void add_gallery(Command& app);
 void add_compare(Command& app);
+void add_levels(Command& app);
 void add_map(Command& app);
 void add_jsr(Command& app);
 void add_l1(Command& app);

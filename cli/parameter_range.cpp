@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -32,6 +33,20 @@ std::pair<Rational, Rational> read_over(const std::string& written, const std::s
     fail(ErrorKind::usage, "--over: expected {}LOW..HIGH with exact numbers LOW < HIGH, as {}-1..1, got {}", head, head,
          in_quotes(written));
   return {*low, *high};
+}
+
+std::vector<std::string> read_names(const std::vector<std::string>& over) {
+  std::vector<std::string> names;
+  for (const std::string& range : over) {
+    const std::string name = plain_text(range.substr(0, range.find('=')));
+    const bool letters = !name.empty() &&
+                         std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (letters && name.size() < range.size() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  if (over.size() < 2 || over.size() > 3 || names.size() != over.size())
+    fail(ErrorKind::usage,
+         "--over: expected two or three ranges with different letters, --over v=LOW..HIGH --over w=LOW..HIGH");
+  return names;
 }
 
 std::string number_text(const Rational& value, Rounding rounding) {

@@ -14,6 +14,9 @@ namespace subcert::cli {
 /// `w=-1..1` for this name. Errors: throws a usage error.
 std::pair<Rational, Rational> read_over(const std::string& text, const std::string& name);
 
+/// The names of two or three parameters, in the order of --over. Errors: throws a usage error.
+std::vector<std::string> read_names(const std::vector<std::string>& over);
+
 /// Exact where that is short, else rounded to 12 digits.
 std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest);
 std::string number_text(const Enclosure& value);

@@ -93,21 +93,6 @@ void draw(const PropertyMap& map, const MapCommandOptions& options, const std::v
   formats::draw_file({"map", options.scheme, "", 1, {panel}}, options.plot);
 }
 
-/// The names of the parameters, in the order of --over.
-std::vector<std::string> read_names(const std::vector<std::string>& over) {
-  std::vector<std::string> names;
-  for (const std::string& range : over) {
-    const std::string name = plain_text(range.substr(0, range.find('=')));
-    const bool letters = !name.empty() &&
-                         std::ranges::all_of(name, [](unsigned char c) { return std::isalpha(c) != 0; });
-    if (letters && name.size() < range.size() && std::ranges::find(names, name) == names.end()) names.push_back(name);
-  }
-  if (over.size() < 2 || over.size() > 3 || names.size() != over.size())
-    fail(ErrorKind::usage,
-         "--over: expected two or three ranges with different letters, --over v=LOW..HIGH --over w=LOW..HIGH");
-  return names;
-}
-
 /// `v and w`
 std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());

@@ -4,6 +4,7 @@
 #include <subcert/cli/command.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/reports/facts/statement_facts.hpp>
+#include <subcert/reports/pages.hpp>
 #include <subcert/reports/results.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 

@@ -4,6 +4,7 @@
 #include "claim.hpp"
 
 #include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
@@ -67,6 +68,11 @@ struct RangeCertificate {
 /// Domain: `range` is that of the mask and the property; margin > 0.
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
                                                  const PropertyRange& range, const Rational& margin);
+
+/// That the property holds for every sequence of values of the box, one for each level; nothing where that is not
+/// proved. Domain: one letter; `levels` is that of the mask, the property and the box.
+std::optional<Certificate> levels_certificate(const ParametricMask& mask, char letter, const RangeProperty& property,
+                                              const Box& box, const PropertyOfLevels& levels);
 
 /// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence.
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve);

@@ -20,6 +20,7 @@ constexpr std::size_t longest_head = 2'000'000;  // characters in which the firs
 constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
+constexpr std::string_view levels = "levels", all_levels = "all levels ";
 
 /// The parts between `<=`.
 std::vector<std::string> parts_of(const std::string& claim) {
@@ -35,7 +36,8 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'FAMILY for w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "scheme, 'FAMILY for w=LOW..HIGH', 'FAMILY for all levels w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or "
+       "NUMBER <= l1:points=N,d=D [<= NUMBER], "
        "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
@@ -59,8 +61,11 @@ ClaimSubject stated_subject(const std::string& subject) {
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (const std::size_t at = subject.find(range); at != std::string::npos) {
     const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
+    std::string values = trimmed(subject.substr(at + range.size()));
+    const bool is_levels = values.starts_with(all_levels);
+    if (is_levels) values = trimmed(values.substr(all_levels.size()));
     return MaskSubject{family.mask.to_text(family.letter), std::to_string(family.mask.arity()),
-                       with_letter(family, trimmed(subject.substr(at + range.size())))};
+                       with_letter(family, values), is_levels};
   }
   if (is_l1_specification(subject)) return l1_subject(subject);
   const Scheme scheme = make_refinable_scheme(subject);
@@ -102,7 +107,8 @@ std::optional<int> read_power(std::string_view text) {
 struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
-    return fmt::format("exponent {} {}{}{}", of.mask, of.arity, more.empty() ? "" : " ", more);
+    return fmt::format("{} {} {}{}{}", of.is_levels ? levels : "exponent", of.mask, of.arity, more.empty() ? "" : " ",
+                       more);
   }
   std::string operator()(const SurfaceSubject& of) const {
     return fmt::format("{} {} {}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation);
@@ -121,12 +127,12 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   words >> kind >> first >> second >> more;
   if (second.empty()) fail(ErrorKind::data, "{}: not a certificate", file);
   const bool rounded = more.starts_with(within);
-  if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, more.substr(within.size())};
-  if (kind == "exponent") return MaskSubject{first, second, more};
+  if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
+  if (kind == "exponent" || kind == levels) return MaskSubject{first, second, more, kind == levels};
   if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
-  fail(ErrorKind::data, "{}, line 2: expected exponent, surface, refinable, radius, subradius or l1", file);
+  fail(ErrorKind::data, "{}, line 2: expected exponent, levels, surface, refinable, radius, subradius or l1", file);
 }
 
 /// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of
@@ -144,7 +150,7 @@ struct SubjectArguments {
   std::vector<std::string> operator()(const MaskSubject& of) const {
     std::vector<std::string> arguments{"--mask", of.mask, "--arity", of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
-    if (!of.range.empty()) arguments.insert(arguments.end(), {"--for", of.range});
+    if (!of.range.empty()) arguments.insert(arguments.end(), {of.is_levels ? "--levels" : "--for", of.range});
     return arguments;
   }
   std::vector<std::string> operator()(const SurfaceSubject& of) const {

@@ -12,6 +12,7 @@ namespace subcert {
 struct MaskSubject {
   std::string mask, arity;
   std::string range = {};   ///< w=LOW..HIGH, or empty
+  bool is_levels = false;   ///< with a range: of all sequences of its values, one for each level
   std::string within = {};  ///< EPS,M of a mask with rounded coefficients, or empty; not with a range
 };
 struct SurfaceSubject {
@@ -56,11 +57,12 @@ CertificateClaim read_claim(const std::string& text, const std::string& file);
 
 /// A claim in words: `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, blanks around the signs. EXACT is a
 /// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, whose exponent is meant; a family
-/// with a parameter, as `four-point:w for w=1/100..19/100`; or `radius FILE` or `subradius FILE`, of the matrices in
-/// that file. LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer
-/// shifts are stable. Of `l1:points=6,d=1` the rule of least absolute deviations is meant; `LOWER <= SUBJECT [<=
-/// UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT <= UPPER` about differences. Errors: throws a usage
-/// error for another text, and for a scheme with rounded coefficients, of which a claim needs the distance.
+/// with a parameter, as `four-point:w for w=1/100..19/100`, or `for all levels w=...`, where each level has a value; or
+/// `radius FILE` or `subradius FILE`, of the matrices in that file. LOWER and UPPER are exact numbers, UPPER also `C2`,
+/// for limits that are not C^2; without both the integer shifts are stable. Of `l1:points=6,d=1` the rule of least
+/// absolute deviations is meant; `LOWER <= SUBJECT [<= UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT
+/// <= UPPER` about differences. Errors: throws a usage error for another text, and for a scheme with rounded
+/// coefficients, of which a claim needs the distance.
 CertificateClaim stated_claim(const std::string& words);
 
 /// The command line of a checker, without its name, that asks whether the file proves the claim. The matrices of a

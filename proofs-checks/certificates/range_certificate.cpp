@@ -12,9 +12,10 @@ using namespace certificate_text;
 /// What the proofs of intervals that follow each other say of all values from low to high; without proofs, that the
 /// shifts are stable.
 Certificate interval_certificate(const ParametricMask& mask, char letter, const Rational& low, const Rational& high,
-                                 const ClaimedEnds& ends, const std::vector<IntervalProof>& proofs) {
+                                 const ClaimedEnds& ends, const std::vector<IntervalProof>& proofs,
+                                 bool is_levels = false) {
   const MaskSubject subject{mask.to_text(letter), std::to_string(mask.arity()),
-                            fmt::format("{}={}..{}", letter, to_text(low), to_text(high))};
+                            fmt::format("{}={}..{}", letter, to_text(low), to_text(high)), is_levels};
   Certificate certificate{{ends, subject}, {}, ends};
   const bool stable = proofs.empty() || (ends.upper && *ends.upper != "0");
   certificate.sections.push_back(
@@ -115,6 +116,14 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
     add_run();
   }
   return certificates;
+}
+
+std::optional<Certificate> levels_certificate(const ParametricMask& mask, char letter, const RangeProperty& property,
+                                              const Box& box, const PropertyOfLevels& levels) {
+  if (levels.holds != Truth::yes) return std::nullopt;
+  const Rational &low = box.low[0], &high = box.high[0];
+  return interval_certificate(mask, letter, low, high, {to_text(property.order), {}},
+                              {{low, high, levels.above, std::nullopt}}, true);
 }
 
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve) {

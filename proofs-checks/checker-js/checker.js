@@ -1765,7 +1765,7 @@ var check_certificate = (() => {
         demand(interval ? !less(radius, 1n) : less(1n, radius), no_exponent);
         reached(radius, length);
       };
-    if (interval) return goal.below || goal.above ? check_intervals(reader, symbol, goal, interval) : undefined;
+    if (interval) return goal.below || goal.above ? check_intervals(reader, symbol, goal, claim) : undefined;
     const family = control_family(symbol, null), rounding = within && rounding_of(curve, within, family);
     const sections = prove(reader, family, goal, {first_column: true, rounding, exact});
     const with_log = exact && reader.peek() === 'logarithm';
@@ -1801,10 +1801,11 @@ var check_certificate = (() => {
     demand(P === order_of_pole(Q, r(), number) - 1, other_power);
     return P;
   }
-  function check_intervals(reader, symbol, goal, {low, high}) {
+  function check_intervals(reader, symbol, goal, {levels, interval: {low, high}}) {
     for (let from = low; less(from, high);) {
       const to = rational(reader.read('to', 1)[0]);
       demand(less(from, to) && !less(high, to), 'an interval ends outside of the rest of the range');
+      demand(!levels || !less(to, high), 'a claim about sequences of values has one interval');
       const product = (lines, blocks) => read_range_product(lines, blocks, symbol.arity);
       prove(reader, control_family(symbol, {low: from, high: to}), goal, {product});
       from = to;
@@ -2516,6 +2517,8 @@ var check_certificate = (() => {
   const usage = `usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE
        subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'
                      [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)
+       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --levels 'w=LOW..HIGH' --lower P/Q FILE
+                     (for all sequences of these w, one for each level; <, not <=)
        subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)
        subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks
                      within EPS of MASK that have M sum rules)
@@ -2536,8 +2539,8 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'within', 'surface', 'refinable', 'dilation', 'matrices', 'subradius', 'l1',
-                   'contraction', 'lower', 'upper', 'exact', 'logarithm'];
+    const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'matrices',
+                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2550,13 +2553,14 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const curve = has('mask', 'arity') && none('surface', 'refinable', 'dilation', 'matrices', 'subradius') &&
-      !(has('for') && has('within')) &&
+      ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
+      (none('levels') || (has('lower') && none('upper'))) &&
       (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'within')) && !(has('logarithm') && none('exact'));
+      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'matrices', 'subradius', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
@@ -2581,10 +2585,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.head = `${kind_of} ${text} ${options.dilation}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
-      const letter = options.for === undefined ? null : read_range(options.for, claim);
+      claim.levels = options.levels !== undefined;
+      const range = claim.levels ? options.levels : options.for;
+      const letter = range === undefined ? null : read_range(range, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
       claim.curve = read_curve(options.mask, arity, letter);
-      claim.head = `exponent ${options.mask} ${options.arity}` + (letter ? ` ${options.for}` : '') +
+      claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
         (claim.within ? ` within=${options.within}` : '');
     }
     return claim;
@@ -2619,7 +2625,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
             contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
       ` of least absolute deviations ${options.l1}`;
   }
-  function text_of({options, of_family, lower, upper, rough, interval}) {
+  function text_of({options, of_family, lower, upper, rough, interval, levels}) {
     const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
     const exact = options.exact !== undefined, power =
@@ -2633,7 +2639,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const mask = options.refinable === undefined ? options.surface : `the refinable functions of ${options.refinable}`;
     const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}`
       : `${options.mask} with arity ${options.arity}`;
-    return `${ends} of ${subject}` + (interval ? ` for all ${options.for}` : '') +
+    return `${ends} of ${subject}` +
+      (levels ? ` for all sequences of levels with ${options.levels}` : interval ? ` for all ${options.for}` : '') +
       (options.within ? ` for all masks within=${options.within}` : '');
   }
   function read_matrices(reader) {

@@ -129,12 +129,13 @@ class Checker {
     read_bounds(family, first_columns);
   }
 
-  /// Section 6.1: intervals that cover the range, one after another.
+  /// Sections 6.1 and 6.5: intervals that cover the range, one after another; one where values change.
   void read_intervals(const Family& powers) {
     const mpq_class& high = claim_.range->high;
     for (mpq_class reached = claim_.range->low; (lower_ || upper_) && reached < high;) {
       const mpq_class next = parse_rational(reader_.take("to", 1, 1)[0]);
       require(reached < next && next <= high, "an interval ends outside of the rest of the range");
+      require(!claim_.levels || next == high, "a claim about sequences of values has one interval");
       const Range interval{claim_.range->letter, reached, next};
       Controls controls = control_family(powers, claim_.mask->divisor, interval, arithmetic_);
       weights_ = std::move(controls.weights);

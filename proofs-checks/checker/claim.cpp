@@ -10,6 +10,8 @@ const char* const usage =
     "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
     "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
     "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
+    "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --levels 'w=LOW..HIGH' --lower P/Q FILE\n"
+    "                     (for all sequences of these w, one for each level; <, not <=)\n"
     "       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)\n"
     "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
     "                     within EPS of MASK that have M sum rules)\n"
@@ -39,8 +41,8 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask", "--arity", "--for", "--within", "--surface", "--refinable", "--dilation", "--matrices", "--subradius",
-        "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+       {"--mask", "--arity", "--for", "--levels", "--within", "--surface", "--refinable", "--dilation", "--matrices",
+        "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -66,7 +68,8 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
     require(claim.dilation->variables == claim.mask->sizes.size(),
             "mask and dilation have different numbers of variables");
   }
-  claim.head = (of_matrices ? "refinable " : kind == "arity" ? "exponent " : "surface ") + mask + " " + scale;
+  const std::string curve = claim.levels ? "levels " : "exponent ";
+  claim.head = (of_matrices ? "refinable " : kind == "arity" ? curve : "surface ") + mask + " " + scale;
   claim.text = "Hoelder exponent";
   claim.subject = (of_matrices ? "the refinable functions of " : "") + mask + " with " + kind + " " + scale;
 }
@@ -114,8 +117,9 @@ std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool expo
 
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
-  const auto &mask = given["--mask"], &arity = given["--arity"], &range = given["--for"], &rounding = given["--within"],
-             &scheme = given["--surface"], &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
+  const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
+             &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
+             &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
              &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
              &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
              &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
@@ -126,7 +130,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
                        subradius.has_value();
   require(file && subjects == 1 && mask.has_value() == arity.has_value() &&
               surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
-              !(exact && (range || rounding)) &&
+              !(values && levels) && !(levels && (upper || !lower)) && !(exact && (range || rounding)) &&
               (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
               (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
           usage);
@@ -141,6 +145,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   }
   if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
   if (range) claim.range = parse_range(*range);
+  claim.levels = levels.has_value();
   if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
@@ -173,7 +178,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
                (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
   if (range) {
     claim.head += " " + *range;
-    claim.text += " for all " + *range;
+    claim.text += (levels ? " for all sequences of levels with " : " for all ") + *range;
   }
   if (rounding) {
     claim.head += " within=" + *rounding;

@@ -17,13 +17,15 @@ namespace subcert_check {
 extern const char* const usage;
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
-/// family or its subradius. For a range of a parameter the inequalities are strict. Or that limits are not C^k for k =
+/// family or its subradius. For a range of a parameter the inequalities are strict; `levels` is about all sequences of
+/// its values, one for each level. Or that limits are not C^k for k =
 /// `rough`. Without any of them: the shifts are stable. Or about fits of least absolute deviations: that differences
 /// contract, or that limits have an exponent.
 struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
   std::optional<Range> range;
+  bool levels = false;
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   Family family;

@@ -474,14 +474,14 @@ def main(out):
     by_form(case, "four-point-quadratic", ["0", "1"], "4131/1000", unit_form, lower="39/20")
 
     # a parameter: sections of intervals, and the order of the sum rules
-    def over(name, mask, parameter, m, lower, upper, stable, *sections):
+    def over(name, mask, parameter, m, lower, upper, stable, *sections, kind="exponent", option="--for"):
         bounds = [f"--{end} {value}" for end, value in (("lower", lower), ("upper", upper)) if value is not None]
-        write(name, (["--mask", mask, "--arity", "2", "--for", parameter, *bounds], [
-            "subcert-certificate 3", f"exponent {mask} 2 {parameter}",
+        write(name, (["--mask", mask, "--arity", "2", option, parameter, *bounds], [
+            "subcert-certificate 3", f"{kind} {mask} 2 {parameter}",
             f"bounds {'-' if lower is None else lower} {'-' if upper is None else upper}", f"sum-rules {m}",
             *(["stability"] if stable else []), *(line for section in sections for line in section), "end"]))
 
-    corner = "[w,1-w,1-w,w]"  # SPEC.md, section 6.5
+    corner = "[w,1-w,1-w,w]"  # SPEC.md, section 6.6
     over("corner-converges", corner, "w=1/100..49/100", 1, 0, None, False, ["to 49/100", "block 0 norm 1"])
     over("corner-not-smooth", corner, "w=1/10..1/5", 1, None, 1, True, ["to 1/5", "product 0 11/10 0 0"])
     over("corner-diverges", corner, "w=-2..-1/10", 1, None, 0, False, ["to -1", "product 0 5 0 0"],
@@ -512,6 +512,12 @@ def main(out):
     over("four-point-range", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", f"w={ends[0]}..{ends[-1]}", 2, 1, None, False, *(
         [f"to {high}", f"block 0 norm {level(four, 2, low, high, 2)}"] for low, high in zip(ends, ends[1:])))
     over("four-point-diverges", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", "w=3/5..1", 2, None, 0, False, ["to 1", "product 0 41/10 0 0"])
+    # a value for each level: SPEC.md, section 6.5
+    levels = {"kind": "levels", "option": "--levels"}
+    over("corner-levels", corner, "w=1/100..49/100", 1, 0, None, False, ["to 49/100", "block 0 norm 1"], **levels)
+    over("corner-levels-half", corner, "w=1/5..3/10", 1, "1/2", None, True, ["to 3/10", "block 0 norm 1"], **levels)
+    over("four-point-levels", "[-w,0,1/2+w,1,1/2+w,0,-w]@-3", "w=1/50..1/10", 2, 1, None, False,
+         ["to 1/10", f"block 0 norm {level(four, 2, ends[0], Q(1, 10), 2)}"], **levels)
     square = [[Q(0), Q(0), Q(1)], [Q(1, 2)], [Q(1), Q(0), Q(-2)], [Q(1, 2)], [Q(0), Q(0), Q(1)]]
     over("square-range", "[w^2,1/2,1-2*w^2,1/2,w^2]@-2", "w=1/5..2/5", 2, 1, None, True, *(
         [f"to {high}", f"block 0 norm {level(square, 2, low, high, 2)}"]

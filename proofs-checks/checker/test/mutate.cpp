@@ -106,7 +106,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     bool exponent = false, is_range = false, is_l1 = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
-      is_range = is_range || option == "--for";
+      is_range = is_range || option == "--for" || option == "--levels";
       if (option == "--upper" && value[0] == 'C')
         rough = std::stoi(value.substr(1));
       else if (option == "--upper")

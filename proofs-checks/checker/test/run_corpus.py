@@ -64,6 +64,12 @@ if mode == "usage":
             (64, "--mask [w,1] --arity 2 --for w=0.1 golden.cert"), (64, "--mask [w,1] --arity 2 --for 1=0..1 golden.cert"),
             (64, "--mask [w,1] --arity 2 --for w= golden.cert"), (64, "--mask [w,1] --arity 2 --for w=..1 golden.cert"),
             (64, "--matrices golden.mat --for w=0..1 --upper 2 golden.cert"),
+            (64, "--matrices golden.mat --levels w=0..1 --upper 2 golden.cert"),
+            *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 {more}golden.cert") for more in (
+                "", "--upper 1 ", "--lower 0 --upper 1 ", "--upper C1 ", "--lower 0 --for w=0..1 ", "--lower 0 --within 1/9,1 ",
+                "--lower 0 --levels w=0..1 ", "--lower 0 --exact 1-log|[-1,1]@1,0,1|^1/1 ")),
+            (64, "--mask [w,1-w,1-w,w] --arity 2 --levels w=1..1 --lower 0 golden.cert"),
+            (64, "--mask [w,1-w,1-w,w] --arity 2 --levels v=0..1 --lower 0 golden.cert"),
             (64, "--matrices golden.mat --within 1/9,1 --upper 2 golden.cert"),
             (64, "--mask [1,1] --arity 2 --within 0,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within 1/9 golden.cert"),
             (64, "--mask [1,1] --arity 2 --within 1/9,0 golden.cert"), (64, "--mask [1,1] --arity 2 --within -1,1 golden.cert"),
@@ -134,7 +140,8 @@ if mode == "usage":
             (64, "--subradius golden.mat --mask [1,1] --arity 2 --lower 1 golden.cert"),
             (64, "--subradius golden.mat --surface [1,1] --dilation [2] --lower 1 golden.cert"),
             *((64, f"--subradius golden.mat --lower 1 {option} golden.cert") for option in (
-                "--exact 1-log|[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--within 1/9,1", "--arity 2", "--dilation [2]")),
+                "--exact 1-log|[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--levels w=0..1", "--within 1/9,1",
+                "--arity 2", "--dilation [2]")),
             (64, "--subradius golden.mat --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
             (64, "--subradius golden.mat --exact |[-1,1]@1,0,0|^1/1 golden.cert"), (64, "--subradius golden.mat --lower 1"),
             (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
@@ -171,7 +178,9 @@ else:
         count += 1
         if mode == "accept":
             values = dict(zip(arguments[::2], arguments[1::2]))
-            lower, upper, range_, within = (values.get(f"--{option}") for option in ("lower", "upper", "for", "within"))
+            lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
+            levels = values.pop("--levels", None)
+            range_ = levels or values.get("--for")
             exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
             what = "joint spectral subradius" if "--subradius" in values else what
@@ -188,7 +197,7 @@ else:
             text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
             text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
             text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
-            text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {range_}" if range_ else "")
+            text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else "")
             text += f" for all masks within={within}" if within else ""
             if "--l1" in values:
                 steps, order, bound = values.get("--contraction", "0,0,0").split(",")

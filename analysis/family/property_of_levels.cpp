@@ -1,0 +1,170 @@
+#include "property_of_levels.hpp"
+
+#include "between_zeros.hpp"
+#include "box_search.hpp"
+
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+using Kind = RangeProperty::Kind;
+
+constexpr double bounding = 0.7;      // of the time: the rest is for sequences without the property
+constexpr double excess = 1e-6;       // of a radius that only bounds an exponent
+constexpr double clearly = 1 + 1e-9;  // above the threshold in doubles
+constexpr int norm_levels = 8;
+
+void require_levels(const ParametricMask& mask, const Box& box) {
+  require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",
+          mask.letters(), box.letters());
+  family::require_box("levels", mask, box);
+}
+
+/// The corners, and then the middle.
+std::vector<Values> some_values(const Box& box) {
+  std::vector<Values> values;
+  for (unsigned corner = 0; corner < box.corners(); ++corner) values.push_back(box.corner(corner));
+  values.push_back(box.middle());
+  return values;
+}
+
+/// The scheme of two levels at a time, of the first mask and then of the second; nothing where they have no masks.
+std::optional<Mask> in_turn(const ParametricMask& mask, const Values& first, const Values& second) {
+  try {
+    const Mask a = mask.at(first), b = mask.at(second);
+    return Mask(b.symbol() * a.symbol().dilated(mask.arity()), mask.arity() * mask.arity());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+class Levels {
+ public:
+  Levels(const ParametricMask& mask, const RangeProperty& property, const Box& box, const Budget& budget)
+      : mask_(mask), property_(property), box_(box), budget_(budget), search_(mask, property, box, budget) {}
+
+  PropertyOfLevels decide() {
+    result_.sum_rules = sum_rules(mask_);
+    const std::vector<Values> values = some_values(box_);
+    for (const Values& w : values)
+      if (is_too_large(w) && fails({w})) return result_;
+    if (search_.threshold().is_reachable()) result_.above = bound();
+    if (result_.above) {
+      result_.holds = Truth::yes;
+      return result_;
+    }
+    for (std::size_t k = 0; k + 1 < values.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (fails({values[l], values[k]})) return result_;
+    result_.reason = budget_.deadline.expired() ? family::spent
+                     : search_.threshold().is_reachable()
+                         ? "the radius of the control matrices of the box was not proved to be below the threshold"
+                         : "only orders below the number of sum rules are proved";
+    return result_;
+  }
+
+ private:
+  bool is_too_large(const Values& w) const {
+    return !search_.threshold().is_reachable() ||
+           search_.look_if_possible(w).radius > search_.threshold().value() * clearly;
+  }
+
+  std::optional<JointSpectralRadius> bound() {
+    try {
+      return search_.radius().from_above(box_, search_.threshold().below(), false,
+                                         {budget_.deadline.after(bounding), budget_.memory});
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Whether the sequence of that period is proved not to have the property.
+  bool fails(std::vector<Values> period) {
+    if (budget_.deadline.expired()) return false;
+    const std::optional<Mask> scheme = period.size() == 1 ? constant(period[0]) : in_turn(mask_, period[0], period[1]);
+    if (!scheme || family::holds_at(*scheme, property_, budget_.deadline) != Truth::no) return false;
+    result_.holds = Truth::no;
+    result_.period = std::move(period);
+    return true;
+  }
+
+  std::optional<Mask> constant(const Values& w) const {
+    try {
+      return mask_.at(w);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+
+  const ParametricMask& mask_;
+  RangeProperty property_;
+  const Box& box_;
+  Budget budget_;
+  family::BoxSearch search_;
+  PropertyOfLevels result_;
+};
+
+/// No ends where nothing is proved.
+Enclosure exponent_at(const ParametricMask& mask, const Values& w, const Budget& budget) {
+  try {
+    return holder_regularity(mask.at(w), norm_levels, budget).proved_exponent();
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+/// Part of a box, about a point.
+Box shrunk(const Box& box, const Values& about, const Rational& share) {
+  Box result = box;
+  for (std::size_t v = 0; v < box.letters(); ++v) {
+    result.low[v] = about[v] + share * (box.low[v] - about[v]);
+    result.high[v] = about[v] + share * (box.high[v] - about[v]);
+  }
+  return result;
+}
+
+}  // namespace
+
+PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangeProperty& property, const Box& box,
+                                    const Budget& budget) {
+  require_levels(mask, box);
+  require(property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::holder,
+          "levels: need 'convergent', 'C1', 'C2', ... or 'holder>=P/Q'");
+  return Levels(mask, property, box, budget).decide();
+}
+
+std::vector<ExponentOfLevels> exponents_of_levels(const ParametricMask& mask, const Box& box, const Values& about,
+                                                  const LevelsCurveOptions& options) {
+  require_levels(mask, box);
+  require(options.boxes >= 1 && options.boxes <= 1000, "levels: need 1 to 1000 boxes, got {}", options.boxes);
+  for (std::size_t v = 0; v < box.letters(); ++v)
+    require(about.size() == box.letters() && box.low[v] <= about[v] && about[v] <= box.high[v],
+            "levels: need a point of the box");
+  const int rules = sum_rules(mask);
+  const family::FamilyRadius radius(transition_matrices(divided_difference_scheme(mask, rules)));
+  const auto count = static_cast<std::size_t>(options.boxes);
+  std::vector<ExponentOfLevels> result(count);
+  const Deadline all = options.budget.deadline;
+  parallel_tasks(count, options.jobs, [&](std::size_t k) {
+    ExponentOfLevels& one = result[k];
+    one.box = shrunk(box, about, Rational(static_cast<long>(k) + 1, options.boxes));
+    if (all.expired()) return;
+    const Budget share{all.after(1.0 / static_cast<double>(count - k + 1)), options.budget.memory};
+    try {
+      if (const auto above = radius.from_above(one.box, excess, share))
+        one.exponent.lower = Rational(rules) - *log_ratio(above->proved_upper(), mask.arity()).upper;
+    } catch (const Error&) {  // nothing is proved there
+    }
+    for (unsigned corner = 0; corner < one.box.corners(); ++corner)
+      if (const auto upper = exponent_at(mask, one.box.corner(corner), share).upper)
+        one.exponent.upper = one.exponent.upper ? std::min(*one.exponent.upper, *upper) : *upper;
+  });
+  return result;
+}
+
+}  // namespace subcert

@@ -1,0 +1,216 @@
+// subcert levels SCHEME --over w=LOW..HIGH [--over ...] --property PROPERTY [--certificate DIR] [--plot FILE]
+
+#include <subcert/analysis/family/property_of_levels.hpp>
+#include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/paper_form.hpp>
+#include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/width.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/facts/exponents.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace subcert::cli {
+namespace {
+
+/// A family of one letter, or of several.
+struct LetteredScheme {
+  std::string specification;
+  std::vector<std::string> names;  ///< of the letters, as they are written
+  std::optional<char> letter;      ///< of one, as in certificates
+  ParametricMask mask;
+};
+
+LetteredScheme make_lettered_scheme(const std::string& text, const std::vector<std::string>& over) {
+  if (over.size() == 1) {
+    ParametricScheme scheme = make_parametric_scheme(text);
+    return {scheme.specification, {scheme.name}, scheme.letter, std::move(scheme.mask)};
+  }
+  const std::vector<std::string> names = read_names(over);
+  const auto [specification, letters] = in_letters(text, names);
+  return {text, names, std::nullopt, make_parametric_mask(specification, letters)};
+}
+
+struct LevelsCommandOptions : SearchOptions {
+  std::string scheme;
+  std::vector<std::string> over;
+  std::string property;
+  std::string certificate;
+  std::string plot;
+  int boxes = 0;
+  PaperForm form;
+};
+
+/// `w = 1/16`, `v = 0 and w = 1`.
+std::string values_text(const Values& values, const LetteredScheme& scheme) {
+  std::vector<std::string> parts;
+  for (std::size_t v = 0; v < values.size(); ++v)
+    parts.push_back(fmt::format("{} = {}", scheme.names[v], number_text(values[v])));
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+/// `w from 1/1000 to 19/100`
+std::string box_text(const Box& box, const LetteredScheme& scheme) {
+  std::vector<std::string> parts;
+  for (std::size_t v = 0; v < box.letters(); ++v)
+    parts.push_back(
+        fmt::format("{} from {} to {}", scheme.names[v], number_text(box.low[v]), number_text(box.high[v])));
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+/// A number of one letter, a list of several.
+Json values_json(const Values& values) {
+  if (values.size() == 1) return to_text(values[0]);
+  Json list = Json::array();
+  for (const Rational& value : values) list.push_back(to_text(value));
+  return list;
+}
+
+/// `C1 for every sequence of w from 1/1000 to 19/100, one for each level`
+std::string answer_text(const PropertyOfLevels& levels, const LevelsCommandOptions& options, const Box& box,
+                        const LetteredScheme& scheme) {
+  const std::string all = fmt::format("every sequence of {}, one value for each level", box_text(box, scheme));
+  if (levels.holds == Truth::yes) return fmt::format("{} for {}", options.property, all);
+  if (levels.holds == Truth::unknown) return fmt::format("not decided for {}", all);
+  const std::string last = levels.period.size() == 1
+                               ? values_text(levels.period[0], scheme) + " at all levels"
+                               : fmt::format("{} and {} in turn", values_text(levels.period[0], scheme),
+                                             values_text(levels.period[1], scheme));
+  return fmt::format("not {} for every sequence: not for {}", options.property, last);
+}
+
+Json json_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
+             const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme) {
+  Json period = Json::array(), boxes = Json::array();
+  for (const Values& values : levels.period) period.push_back(values_json(values));
+  for (const ExponentOfLevels& one : growing)
+    boxes.push_back({{"from", values_json(one.box.low)},
+                     {"to", values_json(one.box.high)},
+                     {"holder", enclosure_json(positive_part(one.exponent))}});
+  return {{"family", scheme.specification},
+          {"property", options.property},
+          {"sum_rules", levels.sum_rules},
+          {"summary", answer_text(levels, options, box, scheme)},
+          {"pieces", Json::array({{{"from", values_json(box.low)},
+                                   {"to", values_json(box.high)},
+                                   {"verdict", verdict_text(levels.holds)},
+                                   {"reason", levels.reason}}})},
+          {"period", period},
+          {"growing", boxes}};
+}
+
+std::string text_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
+                    const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme) {
+  std::string text = fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nsum rules    {} for all {}\n",
+                                 scheme.specification, answer_text(levels, options, box, scheme), options.property,
+                                 levels.sum_rules, fmt::join(scheme.names, " and "));
+  if (!levels.reason.empty()) text += "open         " + levels.reason + "\n";
+  for (const ExponentOfLevels& one : growing) {
+    const Enclosure exponent = positive_part(one.exponent);
+    text += fmt::format("exponent     {}: {}\n", box_text(one.box, scheme),
+                        exponent.lower ? "at least " + exponent.lower_text(8) + " for all sequences" : "not bounded");
+    if (exponent.upper)
+      text.insert(text.size() - 1, fmt::format(", at most {} for all of them", exponent.upper_text(8)));
+  }
+  return text;
+}
+
+formats::TableRows rows_of(const std::vector<ExponentOfLevels>& growing, const LetteredScheme& scheme) {
+  formats::TableRows rows{{"values", "at least", "at most"}};
+  for (const ExponentOfLevels& one : growing) {
+    const Enclosure exponent = positive_part(one.exponent);
+    rows.push_back({box_text(one.box, scheme), exponent.lower ? exponent.lower_text(8) : "-",
+                    exponent.upper ? exponent.upper_text(8) : "-"});
+  }
+  return rows;
+}
+
+/// Over the width of the boxes, as a share of the last one.
+void draw(const std::vector<ExponentOfLevels>& growing, const LetteredScheme& scheme, const std::string& file) {
+  formats::Panel panel{scheme.specification, "width of the values, as a share", "Hoelder exponent", {}};
+  formats::Curve lower{"all sequences have at least", {}, false, true, "#0b559f"},
+      upper{"one of them has at most", {}, false, true, "#c0392b"};
+  const Box& last = growing.back().box;
+  for (const ExponentOfLevels& one : growing) {
+    const Enclosure exponent = positive_part(one.exponent);
+    const double share = Rational(one.box.width() / last.width()).convert_to<double>();
+    if (exponent.lower) lower.points.emplace_back(share, exponent.lower->convert_to<double>());
+    if (exponent.upper) upper.points.emplace_back(share, exponent.upper->convert_to<double>());
+  }
+  for (formats::Curve* curve : {&lower, &upper})
+    if (!curve->points.empty()) panel.curves.push_back(std::move(*curve));
+  if (panel.curves.empty())
+    fail(ErrorKind::domain, "--plot {}: there is no exponent to draw, as no box is proved to converge", file);
+  formats::draw_file({"levels", scheme.specification, "", 1, {panel}}, file);
+}
+
+ExitCode run(const LevelsCommandOptions& options) {
+  require_one_form(options, options.form);
+  require_picture_name(options.plot);
+  const LetteredScheme scheme = make_lettered_scheme(options.scheme, options.over);
+  Box box;
+  for (std::size_t v = 0; v < scheme.names.size(); ++v) {
+    auto [low, high] = read_over(options.over[v], scheme.names[v]);
+    box.low.push_back(std::move(low));
+    box.high.push_back(std::move(high));
+  }
+  const auto property = parse_range_property(options.property);
+  using Kind = RangeProperty::Kind;
+  if (!property ||
+      (property->kind != Kind::convergent && property->kind != Kind::smooth && property->kind != Kind::holder))
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
+  if (!options.certificate.empty() && !scheme.letter)
+    fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter", box.letters());
+  if (!options.certificate.empty()) require_folder(options.certificate);
+  options.progress("values");
+  const Budget budget = options.limits();
+  const bool growing = options.boxes > 0 || !options.plot.empty();
+  const PropertyOfLevels levels = property_of_levels(
+      scheme.mask, *property, box, growing ? Budget{budget.deadline.after(0.5), budget.memory} : budget);
+  std::vector<ExponentOfLevels> exponents;
+  if (growing)
+    exponents = exponents_of_levels(scheme.mask, box, box.middle(),
+                                    {options.boxes > 0 ? options.boxes : 24, options.threads(), budget});
+  options.end_progress();
+  Json json = json_of(levels, exponents, options, box, scheme);
+  WrittenCertificates written;
+  if (!options.certificate.empty()) {
+    std::vector<NamedCertificate> certificates;
+    if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, *property, box, levels))
+      certificates.push_back({"01-proved", std::move(*certificate)});
+    written = write_certificates(options.certificate, certificates, {"-proved"}, json);
+  }
+  if (!options.plot.empty()) draw(exponents, scheme, options.plot);
+  if (options.form.asked_for())
+    answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", rows_of(exponents, scheme), {0}});
+  else
+    options.answer(json, text_of(levels, exponents, options, box, scheme) + written.text);
+  written.failure.raise();
+  return levels.holds == Truth::no ? failed : exit_code(levels.holds, !budget.deadline.expired());
+}
+
+}  // namespace
+
+void add_levels(Command& app) {
+  auto options = std::make_shared<LevelsCommandOptions>();
+  Command command = add_command(
+      app, "levels", "Whether a property holds for every sequence of parameters, one for each level, with proof",
+      "subcert levels four-point:w --over w=1/1000..19/100 --property C1 --certificate proofs", options,
+      [=] { return run(*options); });
+  command.option("SCHEME", options->scheme, "mask:[...] with letters in its coefficients, four-point:w, other families")
+      .required()
+      .suggest(suggested_schemes);
+  command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH").required().one_each();
+  command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
+  command.option("--boxes", options->boxes, "Exponents over so many ranges, which grow from the middle to the whole")
+      .within(1, 1000);
+  command.option("--certificate", options->certificate, "Write the certificate into this folder");
+  command.option("--plot", options->plot, "Draw these exponents, as .svg, .png, .pdf, .tex or .html");
+  add_limits(command, *options);
+  add_paper_form(command, options->form, "The exponents as a table in LaTeX", "The same in Markdown");
+}
+
+}  // namespace subcert::cli

@@ -1,6 +1,8 @@
 // subcert levels SCHEME --over w=LOW..HIGH [--over ...] --property PROPERTY [--certificate DIR] [--plot FILE]
 
 #include <subcert/analysis/family/property_of_levels.hpp>
+#include <subcert/analysis/family/recurrence.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
@@ -8,6 +10,7 @@
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/facts/exponents.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
+#include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/ranges.h>
 
@@ -40,9 +43,56 @@ struct LevelsCommandOptions : SearchOptions {
   std::string property;
   std::string certificate;
   std::string plot;
+  std::string recurrence;
+  std::string start;
   int boxes = 0;
   PaperForm form;
 };
+
+constexpr int most_levels = 1000;  // until a recurrence is to be in the range
+
+/// Values of which each follows from the one before, and the level from which on they are in the range.
+struct Followed {
+  std::string step;  ///< as it is written
+  ClosedInterval start;
+  std::optional<int> first_level;
+};
+
+/// `v0=1/2` or `v0=-1..1000`.
+ClosedInterval read_start(const std::string& written, const std::string& name) {
+  const std::string text = plain_text(written);
+  const std::string heads[] = {name + "0=", name + "="};
+  for (const std::string& head : heads) {
+    if (!text.starts_with(head)) continue;
+    if (text.find("..") == std::string::npos)
+      if (const auto value = parse_number(text.substr(head.size()))) return {*value, *value};
+    if (text.find("..") == std::string::npos) break;
+    const auto [low, high] = read_over(name + "=" + text.substr(head.size()), name);
+    return {low, high};
+  }
+  fail(ErrorKind::usage, "--start: expected {0}VALUE or {0}LOW..HIGH, got {1}", heads[0], in_quotes(written));
+}
+
+std::optional<Followed> follow(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box) {
+  if (options.recurrence.empty() != options.start.empty())
+    fail(ErrorKind::usage, "--recurrence and --start: expected both or none");
+  if (options.recurrence.empty()) return std::nullopt;
+  if (!scheme.letter) fail(ErrorKind::usage, "--recurrence: expected one range, got {}", box.letters());
+  const std::string &name = scheme.names[0], head = name + "=", text = plain_text(options.recurrence);
+  Followed result{text.starts_with(head) ? text.substr(head.size()) : "", read_start(options.start, name), {}};
+  std::string step = result.step;
+  for (std::size_t at = 0; name.size() > 1 && (at = step.find(name, at)) != std::string::npos; ++at)
+    step.replace(at, name.size(), 1, *scheme.letter);
+  try {
+    result.first_level = Recurrence::parse(step, *scheme.letter)
+                             .first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
+  } catch (const ParseError&) {
+    fail(ErrorKind::usage,
+         "--recurrence: expected {0}EXPRESSION or {0}sqrt(EXPRESSION), as {0}sqrt((1+{1})/2), got {2}", head, name,
+         in_quotes(options.recurrence));
+  }
+  return result;
+}
 
 /// `w = 1/16`, `v = 0 and w = 1`.
 std::string values_text(const Values& values, const LetteredScheme& scheme) {
@@ -71,7 +121,16 @@ Json values_json(const Values& values) {
 
 /// `C1 for every sequence of w from 1/1000 to 19/100, one for each level`
 std::string answer_text(const PropertyOfLevels& levels, const LevelsCommandOptions& options, const Box& box,
-                        const LetteredScheme& scheme) {
+                        const LetteredScheme& scheme, const std::optional<Followed>& followed) {
+  if (followed && followed->first_level && levels.holds == Truth::yes) {
+    const auto& [low, high] = followed->start;
+    return fmt::format(
+        "{} for {} = {} from level to level, {}", options.property, scheme.names[0], followed->step,
+        low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
+                    : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low), number_text(high)));
+  }
+  if (followed && levels.holds == Truth::no)
+    return fmt::format("not decided: {} does not hold for every sequence in the range", options.property);
   const std::string all = fmt::format("every sequence of {}, one value for each level", box_text(box, scheme));
   if (levels.holds == Truth::yes) return fmt::format("{} for {}", options.property, all);
   if (levels.holds == Truth::unknown) return fmt::format("not decided for {}", all);
@@ -83,17 +142,25 @@ std::string answer_text(const PropertyOfLevels& levels, const LevelsCommandOptio
 }
 
 Json json_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
-             const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme) {
+             const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme,
+             const std::optional<Followed>& followed) {
   Json period = Json::array(), boxes = Json::array();
   for (const Values& values : levels.period) period.push_back(values_json(values));
   for (const ExponentOfLevels& one : growing)
     boxes.push_back({{"from", values_json(one.box.low)},
                      {"to", values_json(one.box.high)},
                      {"holder", enclosure_json(positive_part(one.exponent))}});
+  Json recurrence;
+  if (followed)
+    recurrence = {{"step", followed->step},
+                  {"from", to_text(followed->start.low)},
+                  {"to", to_text(followed->start.high)},
+                  {"first_level", followed->first_level ? Json(*followed->first_level) : Json()}};
   return {{"family", scheme.specification},
+          {"recurrence", recurrence},
           {"property", options.property},
           {"sum_rules", levels.sum_rules},
-          {"summary", answer_text(levels, options, box, scheme)},
+          {"summary", answer_text(levels, options, box, scheme, followed)},
           {"pieces", Json::array({{{"from", values_json(box.low)},
                                    {"to", values_json(box.high)},
                                    {"verdict", verdict_text(levels.holds)},
@@ -103,10 +170,17 @@ Json json_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>
 }
 
 std::string text_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
-                    const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme) {
+                    const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme,
+                    const std::optional<Followed>& followed) {
   std::string text = fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nsum rules    {} for all {}\n",
-                                 scheme.specification, answer_text(levels, options, box, scheme), options.property,
-                                 levels.sum_rules, fmt::join(scheme.names, " and "));
+                                 scheme.specification, answer_text(levels, options, box, scheme, followed),
+                                 options.property, levels.sum_rules, fmt::join(scheme.names, " and "));
+  if (followed)
+    text += followed->first_level
+                ? fmt::format("levels       {} is {} from level {} on\n", scheme.names[0],
+                              box_text(box, scheme).substr(scheme.names[0].size() + 1), *followed->first_level)
+                : fmt::format("levels       {} = {} was not proved to lead into the range and to stay in it\n",
+                              scheme.names[0], followed->step);
   if (!levels.reason.empty()) text += "open         " + levels.reason + "\n";
   for (const ExponentOfLevels& one : growing) {
     const Enclosure exponent = positive_part(one.exponent);
@@ -118,7 +192,12 @@ std::string text_of(const PropertyOfLevels& levels, const std::vector<ExponentOf
   return text;
 }
 
-formats::TableRows rows_of(const std::vector<ExponentOfLevels>& growing, const LetteredScheme& scheme) {
+/// The exponents, or else the answer.
+formats::TableRows rows_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
+                           const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme) {
+  if (growing.empty())
+    return {{"values", "property", "for all sequences"},
+            {box_text(box, scheme), options.property, verdict_text(levels.holds)}};
   formats::TableRows rows{{"values", "at least", "at most"}};
   for (const ExponentOfLevels& one : growing) {
     const Enclosure exponent = positive_part(one.exponent);
@@ -165,6 +244,7 @@ ExitCode run(const LevelsCommandOptions& options) {
   if (!options.certificate.empty() && !scheme.letter)
     fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter", box.letters());
   if (!options.certificate.empty()) require_folder(options.certificate);
+  const std::optional<Followed> followed = follow(options, scheme, box);
   options.progress("values");
   const Budget budget = options.limits();
   const bool growing = options.boxes > 0 || !options.plot.empty();
@@ -175,7 +255,7 @@ ExitCode run(const LevelsCommandOptions& options) {
     exponents = exponents_of_levels(scheme.mask, box, box.middle(),
                                     {options.boxes > 0 ? options.boxes : 24, options.threads(), budget});
   options.end_progress();
-  Json json = json_of(levels, exponents, options, box, scheme);
+  Json json = json_of(levels, exponents, options, box, scheme, followed);
   WrittenCertificates written;
   if (!options.certificate.empty()) {
     std::vector<NamedCertificate> certificates;
@@ -185,11 +265,16 @@ ExitCode run(const LevelsCommandOptions& options) {
   }
   if (!options.plot.empty()) draw(exponents, scheme, options.plot);
   if (options.form.asked_for())
-    answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", rows_of(exponents, scheme), {0}});
+    answer(options, options.form,
+           TableAnswer{"% " + scheme.specification + "\n", rows_of(levels, exponents, options, box, scheme), {0}});
   else
-    options.answer(json, text_of(levels, exponents, options, box, scheme) + written.text);
+    options.answer(json, text_of(levels, exponents, options, box, scheme, followed) + written.text);
   written.failure.raise();
-  return levels.holds == Truth::no ? failed : exit_code(levels.holds, !budget.deadline.expired());
+  // What fails for some sequence may hold for those of a recurrence.
+  const Truth answer = !followed                                             ? levels.holds
+                       : followed->first_level && levels.holds == Truth::yes ? Truth::yes
+                                                                             : Truth::unknown;
+  return answer == Truth::no ? failed : exit_code(answer, followed || !budget.deadline.expired());
 }
 
 }  // namespace
@@ -205,6 +290,9 @@ void add_levels(Command& app) {
       .suggest(suggested_schemes);
   command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH").required().one_each();
   command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
+  command.option("--recurrence", options->recurrence,
+                 "How each level has its value from the one before: v=sqrt((1+v)/2)");
+  command.option("--start", options->start, "With it, the first value or all of them: v0=1/2 or v0=-1..1000");
   command.option("--boxes", options->boxes, "Exponents over so many ranges, which grow from the middle to the whole")
       .within(1, 1000);
   command.option("--certificate", options->certificate, "Write the certificate into this folder");

@@ -68,7 +68,9 @@ TEST_CASE("for papers: every command that answers by a table") {
         std::string("limit loop --level 1"), std::string("limit chaikin --range"), std::string("variance dd:n=2"),
         std::string("curve four-point:w --over w=-1..1 --pieces 12"),
         std::string("map 'mask:[v,w,1-v,1-w]' --over v=0..1 --over w=0..1 --property convergent --resolution 4"),
-        "jsr " + matrices, "jsr --p 2 " + matrices, "jsr --subradius " + matrices, std::string("l1 l1:points=6,d=1"),
+        std::string("levels four-point:w --over w=1/20..1/10 --property C1"),
+        std::string("levels four-point:w --over w=1/20..1/10 --property C1 --boxes 2"), "jsr " + matrices,
+        "jsr --p 2 " + matrices, "jsr --subradius " + matrices, std::string("l1 l1:points=6,d=1"),
         std::string("compare chaikin dd4")}) {
     CAPTURE(command);
     const Run plain = run(command + " --quiet"), latex = run(command + " --latex --quiet"),

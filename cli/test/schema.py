@@ -47,6 +47,9 @@ variance primal:n=2
 range four-point:w --over w=-1..1 --property C1
 range mask:[w,1/2,1/2-w,1/2-w,1/2,w] --over w=0..1 --property convergent --budget 0.5
 curve four-point:w --over w=-1..1 --pieces 20
+levels four-point:w --over w=1/20..1/10 --property C1 --boxes 2
+levels four-point:w --over w=0..1/2 --property C1
+levels four-point:w --over w=1/20..1/10 --property C1 --recurrence w=w/2+1/32 --start w0=5
 l1 l1:points=6,d=1
 l1 l1:points=5,d=1 --budget 0.2
 statements check dyn-2015/eq-1

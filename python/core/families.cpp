@@ -1,6 +1,7 @@
 #include "work.hpp"
 
 #include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
@@ -66,6 +67,31 @@ std::shared_ptr<RangeEvidence> range(const ParametricScheme& scheme, const std::
   });
 }
 
+struct LevelsEvidence {
+  ParametricScheme scheme;
+  RangeProperty property;
+  Box box;
+  PropertyOfLevels levels;
+};
+
+py::dict levels_dict(const LevelsEvidence& evidence) {
+  std::vector<Rational> period;
+  for (const Values& values : evidence.levels.period) period.push_back(values.front());
+  return py::dict("holds"_a = evidence.levels.holds, "reason"_a = evidence.levels.reason,
+                  "sum_rules"_a = evidence.levels.sum_rules, "period"_a = period);
+}
+
+std::shared_ptr<LevelsEvidence> levels(const ParametricScheme& scheme, const std::string& text, const Rational& low,
+                                       const Rational& high, double seconds, const py::object& progress) {
+  const auto property = parse_range_property(text);
+  if (!property) fail(ErrorKind::usage, "property: expected convergent, C1 or holder>=3/2, got '{}'", text);
+  return interruptible(progress, [&] {
+    const Box box{{low}, {high}};
+    return std::make_shared<LevelsEvidence>(LevelsEvidence{
+        scheme, *property, box, property_of_levels(scheme.mask, *property, box, {Deadline::in(seconds)})});
+  });
+}
+
 struct CurveEvidence {
   ParametricScheme scheme;
   ExponentCurve curve;
@@ -105,6 +131,16 @@ void add_families(py::module_& module) {
                                                     evidence.range, evidence.width));
       });
   module.def("property_range", &range);
+  py::class_<LevelsEvidence, std::shared_ptr<LevelsEvidence>>(module, "LevelsEvidence")
+      .def_property_readonly("facts", &levels_dict)
+      .def("certificates", [](const LevelsEvidence& evidence) {
+        std::vector<RangeCertificate> certificates;
+        if (auto one = levels_certificate(evidence.scheme.mask, evidence.scheme.letter, evidence.property, evidence.box,
+                                          evidence.levels))
+          certificates.push_back({evidence.box.low[0], evidence.box.high[0], Truth::yes, std::move(*one)});
+        return certificates_list(certificates);
+      });
+  module.def("property_of_levels", &levels);
   py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
       .def_property_readonly("facts", &curve_dict)
       .def("certificates", [](const CurveEvidence& evidence) {

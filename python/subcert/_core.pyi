@@ -60,6 +60,10 @@ class RangeEvidence:
     facts: dict[str, Any]
     def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
 
+class LevelsEvidence:
+    facts: dict[str, Any]
+    def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
+
 class CurveEvidence:
     facts: dict[str, Any]
     def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
@@ -116,6 +120,9 @@ def property_range(
     jobs: int,
     progress: _Progress,
 ) -> RangeEvidence: ...
+def property_of_levels(
+    scheme: ParametricScheme, property: str, low: Fraction, high: Fraction, budget: float, progress: _Progress
+) -> LevelsEvidence: ...
 def exponent_curve(
     scheme: ParametricScheme, low: Fraction, high: Fraction, pieces: int, budget: float, jobs: int, progress: _Progress
 ) -> CurveEvidence: ...

@@ -115,6 +115,23 @@ class PropertyRange:
 
 
 @dataclasses.dataclass(frozen=True)
+class Levels:
+    """Whether all sequences of values, one for each level, have a property (yes), or one does not (no)."""
+
+    holds: Truth
+    reason: str
+    """Why it is not decided."""
+    period: tuple[Fraction, ...]
+    """Of a sequence without the property: these values again and again."""
+    sum_rules: int
+    _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def certificates(self) -> list[IntervalCertificate]:
+        """One where it is proved, else none."""
+        return _certificates(self._evidence)
+
+
+@dataclasses.dataclass(frozen=True)
 class CurvePiece:
     """For all values from low to high the exponent lies in the enclosure."""
 
@@ -202,6 +219,28 @@ class Family(Named):
             sum_rules=facts["sum_rules"],
             complete=facts["complete"],
             parameter=self.parameter,
+            _evidence=evidence,
+        )
+
+    def levels(
+        self, property: str, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None
+    ) -> Levels:
+        """Whether a property holds for all sequences of values between low and high, one for each level: convergent,
+        C1, C2, ... or holder>=3/2.
+
+        >>> import subcert
+        >>> subcert.family("four-point:w").levels("C1", "1/1000", "19/100").holds.value
+        'yes'
+        """
+        evidence = _core.property_of_levels(
+            self._handle, property, fraction(low), fraction(high), budget, progress
+        )
+        facts = evidence.facts
+        return Levels(
+            holds=Truth(facts["holds"]),
+            reason=facts["reason"],
+            period=tuple(facts["period"]),
+            sum_rules=facts["sum_rules"],
             _evidence=evidence,
         )
 

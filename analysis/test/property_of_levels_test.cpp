@@ -1,0 +1,149 @@
+#include <subcert/analysis/family/property_of_levels.hpp>
+#include <subcert/analysis/family/recurrence.hpp>
+#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
+#include <subcert/cmake/random.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+using namespace subcert;
+
+namespace {
+
+constexpr const char* conic = "mask:[-1,0,1+4*v+4*v^2,8*v+8*v^2,1+4*v+4*v^2,0,-1]/(8*v+8*v^2)";
+// With w = 0 and with w = 1, its mirror image, it converges; in turn they do not.
+constexpr const char* mirrored = "mask:[-1/2+7/5*w,1/10+7/5*w,3/2-7/5*w,9/10-7/5*w]";
+
+PropertyOfLevels levels_of(const char* scheme, const char* property, const Rational& low, const Rational& high) {
+  return property_of_levels(make_parametric_scheme(scheme).mask, *parse_range_property(property), {{low}, {high}},
+                            {Deadline::in(30)});
+}
+
+ClosedInterval interval(const Rational& low, const Rational& high) { return {low, high}; }
+
+}  // namespace
+
+TEST_CASE("levels: intervals all of whose sequences have a property") {
+  struct Known {
+    const char *scheme, *property;
+    Rational low, high;
+  };
+  for (const Known& known : {Known{"four-point:w", "C1", Rational(1, 1000), Rational(19, 100)},
+                             {"ternary-four-point:w", "C2", Rational(67, 1000), Rational(111, 1000)},
+                             {"dual-four-point:w", "C2", Rational(1, 1000), Rational(21, 1000)},
+                             {"six-point:w", "C2", Rational(1, 200), Rational(44, 1000)},
+                             {conic, "C1", Rational(9, 20), 1000}}) {
+    INFO(known.scheme);
+    const PropertyOfLevels levels = levels_of(known.scheme, known.property, known.low, known.high);
+    CHECK(levels.holds == Truth::yes);
+    REQUIRE(levels.above);
+    CHECK(levels.period.empty());
+    CHECK(levels.reason.empty());
+  }
+  // Each half has the property, the whole is not proved to have it.
+  const PropertyOfLevels open = levels_of("six-point:w", "C3", Rational(13, 1000), Rational(16, 1000));
+  CHECK(open.holds == Truth::unknown);
+  CHECK_FALSE(open.reason.empty());
+  CHECK_FALSE(open.above);
+}
+
+TEST_CASE("levels: a sequence without the property") {
+  const PropertyOfLevels constant = levels_of("four-point:w", "C1", Rational(1, 100), Rational(1, 4));
+  CHECK(constant.holds == Truth::no);
+  CHECK(constant.period == std::vector<Values>{{Rational(1, 4)}});
+  const PropertyOfLevels in_turn = levels_of(mirrored, "convergent", 0, 1);
+  CHECK(in_turn.holds == Truth::no);
+  CHECK(in_turn.period == std::vector<Values>{{0}, {1}});
+  CHECK(levels_of(mirrored, "convergent", 0, Rational(1, 10)).holds == Truth::yes);
+  // As many derivatives as sum rules: none of the masks has them.
+  CHECK(levels_of("four-point:w", "C2", Rational(1, 32), Rational(1, 16)).holds == Truth::no);
+  CHECK(levels_of("four-point:w", "C4", Rational(1, 32), Rational(3, 32)).holds == Truth::no);
+}
+
+TEST_CASE("levels: each value has what all sequences have") {
+  Random random;
+  int proved = 0;
+  for (int round = 0; round < 12; ++round) {
+    const Rational low(random.integer(-20, 30), 100), high = low + Rational(random.integer(1, 12), 100);
+    const PropertyOfLevels levels = levels_of("four-point:w", "C1", low, high);
+    const ParametricMask mask = make_parametric_scheme("four-point:w").mask;
+    for (const Rational& share : {Rational(0), Rational(2, 7), Rational(1)}) {
+      const auto at = holder_regularity(mask.at(low + share * (high - low)), 8, {Deadline::in(10)});
+      if (levels.holds == Truth::yes) CHECK(*at.proved_exponent().lower > 1);
+    }
+    if (levels.holds == Truth::no)
+      CHECK(*holder_regularity(mask.at(levels.period.front()), 8, {Deadline::in(10)}).exponent.upper <= 1);
+    proved += levels.holds == Truth::yes;
+  }
+  CHECK(proved > 0);
+}
+
+TEST_CASE("levels: exponents over boxes that grow") {
+  const ParametricMask mask = make_parametric_scheme("four-point:w").mask;
+  const auto growing = exponents_of_levels(mask, {{Rational(1, 32)}, {Rational(1, 8)}}, {Rational(5, 64)}, {4, 2, {}});
+  REQUIRE(growing.size() == 4);
+  CHECK(growing.back().box.low[0] == Rational(1, 32));
+  for (std::size_t k = 0; k < growing.size(); ++k) {
+    const Enclosure& exponent = growing[k].exponent;
+    REQUIRE(exponent.is_bounded());
+    CHECK(*exponent.lower <= *exponent.upper);
+    CHECK(*exponent.upper - *exponent.lower < Rational(1, 100));
+    if (k > 0) CHECK(*exponent.upper < *growing[k - 1].exponent.upper);
+  }
+  // No box with a point where the scheme diverges is said to converge.
+  for (const auto& one : exponents_of_levels(mask, {{0}, {2}}, {Rational(1, 16)}, {3, 1, {}}))
+    CHECK((*one.box.high.begin() < Rational(1, 2) || !one.exponent.lower || *one.exponent.lower <= 0));
+}
+
+TEST_CASE("levels: what is refused") {
+  const ParametricMask mask = make_parametric_scheme("four-point:w").mask;
+  const auto ask = [&](const char* property, const Box& box) {
+    return property_of_levels(mask, *parse_range_property(property), box, {Deadline::in(1)});
+  };
+  CHECK_THROWS_AS(ask("stable", {{0}, {1}}), Error);
+  CHECK_THROWS_AS(ask("sobolev>=1", {{0}, {1}}), Error);
+  CHECK_THROWS_AS(ask("C1", {{1}, {1}}), Error);
+  CHECK_THROWS_AS(ask("C1", {{0, 0}, {1, 1}}), Error);
+  CHECK_THROWS_AS(exponents_of_levels(mask, {{0}, {1}}, {2}, {}), Error);
+  CHECK_THROWS_AS(exponents_of_levels(mask, {{0}, {1}}, {0}, {0, 1, {}}), Error);
+  // Where the denominator vanishes nothing is proved.
+  CHECK(levels_of(conic, "C1", Rational(-1, 2), 1).holds != Truth::yes);
+}
+
+TEST_CASE("recurrences: images") {
+  const Recurrence halves = Recurrence::parse("w/2+1", 'w'), square = Recurrence::parse("2*w^2-1", 'w'),
+                   root = Recurrence::parse("sqrt((1+w)/2)", 'w'), quotient = Recurrence::parse("1/w", 'w');
+  const auto is = [](const std::optional<ClosedInterval>& found, const Rational& low, const Rational& high) {
+    return found && found->low == low && found->high == high;
+  };
+  CHECK(is(halves.image(interval(-2, 4)), 0, 3));
+  CHECK(is(halves.image(interval(5, 5)), Rational(7, 2), Rational(7, 2)));
+  CHECK(is(root.image(interval(-1, 7)), 0, 2));
+  CHECK_FALSE(root.image(interval(-2, 7)));
+  CHECK(is(quotient.image(interval(2, 4)), Rational(1, 4), Rational(1, 2)));
+  CHECK_FALSE(quotient.image(interval(-1, 4)));
+  CHECK_FALSE(quotient.image(interval(0, 0)));
+  const auto parabola = square.image(interval(-1, 1));
+  REQUIRE(parabola);
+  CHECK(parabola->low <= -1);
+  CHECK(parabola->low > Rational(-101, 100));
+  CHECK(parabola->high == 1);
+  for (const char* bad : {"", "sqrt(", "sqrt()", "sin(w)", "w+v", "sqrt(sqrt(w))"})
+    CHECK_THROWS_AS(Recurrence::parse(bad, 'w'), ParseError);
+}
+
+TEST_CASE("recurrences: the level from which on values stay") {
+  const Recurrence root = Recurrence::parse("sqrt((1+w)/2)", 'w');
+  const ClosedInterval kept{Rational(9, 20), 1000};
+  CHECK(root.first_level_in(kept, interval(-1, 1000000), 100) == 2);
+  CHECK(root.first_level_in(kept, interval(1, 1), 0) == 0);
+  CHECK(root.first_level_in(kept, interval(0, 0), 100) == 1);
+  CHECK_FALSE(root.first_level_in(kept, interval(0, 0), 0));
+  CHECK_FALSE(root.first_level_in(kept, interval(-2, 1), 100));
+  // It leads out of the interval, or never into it.
+  CHECK_FALSE(Recurrence::parse("2*w^2-1", 'w').first_level_in(kept, interval(1, 2), 100));
+  CHECK_FALSE(Recurrence::parse("w", 'w').first_level_in(kept, interval(0, 1), 100));
+  CHECK(Recurrence::parse("w", 'w').first_level_in(kept, interval(1, 2), 100) == 0);
+}

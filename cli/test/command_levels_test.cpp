@@ -1,0 +1,105 @@
+#include "program.hpp"
+
+#include <filesystem>
+
+using namespace subcert::testing;
+
+namespace {
+
+const std::string conic = "'mask:[-1,0,1+4*v+4*v^2,8*v+8*v^2,1+4*v+4*v^2,0,-1]/(8*v+8*v^2)'";
+const std::string mirrored = "'mask:[-1/2+7/5*w,1/10+7/5*w,3/2-7/5*w,9/10-7/5*w]'";
+
+bool says(const Run& run, const std::string& text) { return run.out.find(text) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("levels: all sequences of an interval, with a certificate") {
+  const Folder folder;
+  const std::string certificates = folder / "proofs";
+  const Run page = run("levels four-point:w --over w=1/1000..19/100 --property C1 --certificate " + certificates);
+  CHECK(page.code == 0);
+  CHECK(says(page, "answer       C1 for every sequence of w from 1/1000 to 19/100, one value for each level\n"));
+  const Run verified = run("verify " + certificates + "/01-proved.cert");
+  CHECK(verified.code == 0);
+  CHECK(says(verified, "VERIFIED 1 < Hoelder exponent of"));
+  CHECK(says(verified, "for all sequences of levels with w=1/1000..19/100"));
+  CHECK(run("verify " + certificates + "/01-proved.cert --claim '1 <= four-point:w for all levels w=1/1000..19/100'")
+            .code == 0);
+  // The claim about each w alone is another one.
+  CHECK(run("verify " + certificates + "/01-proved.cert --claim '1 <= four-point:w for w=1/1000..19/100'").code == 1);
+  const auto json = run_json("levels four-point:w --over w=1/1000..19/100 --property C1");
+  CHECK(json.at("family") == "four-point:w");
+  CHECK(json.at("property") == "C1");
+  REQUIRE(json.at("pieces").size() == 1);
+  CHECK(json.at("pieces")[0].at("verdict") == "proved");
+  CHECK(json.at("pieces")[0].at("from") == "1/1000");
+}
+
+TEST_CASE("levels: sequences without the property") {
+  const Run in_turn = run("levels " + mirrored + " --over w=0..1 --property convergent");
+  CHECK(in_turn.code == 1);
+  CHECK(says(in_turn, "not convergent for every sequence: not for w = 0 and w = 1 in turn\n"));
+  // Though each value alone converges.
+  CHECK(run("range " + mirrored + " --over w=0..1 --property convergent").code == 0);
+  const Run constant = run("levels four-point:w --over w=0..1/4 --property C1");
+  CHECK(constant.code == 1);
+  CHECK(says(constant, " at all levels\n"));
+  CHECK(run("levels six-point:w --over w=13/1000..16/1000 --property C3").code == 3);
+}
+
+TEST_CASE("levels: several letters") {
+  const std::string six =
+      "levels 'mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]' --over w=1/32..1/16 --over "
+      "t=0..1/100 --property C1";
+  const Run page = run(six);
+  CHECK(page.code == 0);
+  CHECK(says(page, "every sequence of w from 1/32 to 1/16 and t from 0 to 1/100"));
+  CHECK(run_json(six).at("pieces")[0].at("to")[1] == "1/100");
+  check_fails(run(six + " --certificate proofs"), 64,
+              "--certificate: expected one range, got 2; certificates know one letter");
+}
+
+TEST_CASE("levels: a recurrence") {
+  const std::string family = "levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=sqrt((1+v)/2)' ";
+  const Run all = run(family + "--start v0=-1..1000000");
+  CHECK(all.code == 0);
+  CHECK(says(all, "answer       C1 for v = sqrt((1+v)/2) from level to level, for all v0 from -1 to 1000000\n"));
+  CHECK(says(all, "from level 2 on\n"));
+  CHECK(run(family + "--start v=0.54").code == 0);
+  CHECK(run_json(family + "--start v0=1").at("recurrence").at("first_level") == 0);
+  // Values below -1 have no next one; what leads out of the range proves nothing.
+  CHECK(run(family + "--start v0=-2..1").code == 3);
+  CHECK(run("levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=2*v^2-1' --start v0=1").code == 3);
+  // The property fails for some sequence of the range, which this one need not be.
+  CHECK(run("levels four-point:w --over w=0..1/4 --property C1 --recurrence 'w=w/2+1/32' --start w0=1/8").code == 3);
+  CHECK(run("levels four-point:omega --over omega=1/32..1/8 --property C1 --recurrence 'omega=omega/2+1/32' --start "
+            "omega=-100..1000")
+            .code == 0);
+}
+
+TEST_CASE("levels: exponents over ranges that grow, as text and picture") {
+  const Folder folder;
+  const std::string picture = folder / "levels.svg";
+  const Run page = run("levels four-point:w --over w=1/32..1/8 --property C1 --boxes 3 --plot " + picture);
+  CHECK(page.code == 0);
+  CHECK(says(page, "exponent     w from 1/32 to 1/8: at least 1.22844"));
+  CHECK(std::filesystem::file_size(picture) > 1000);
+  CHECK(run_json("levels four-point:w --over w=1/32..1/8 --property C1 --boxes 3").at("growing").size() == 3);
+}
+
+TEST_CASE("levels: wrong usage") {
+  const std::string family = "levels four-point:w --over w=1/32..1/8 ", smooth = family + "--property C1 ";
+  const std::string both = "--recurrence and --start: expected both or none",
+                    step = "--recurrence: expected w=EXPRESSION or w=sqrt(EXPRESSION), as w=sqrt((1+w)/2), got ";
+  check_fails(run(family + "--property stable"), 64,
+              "--property: expected convergent, C1, C2, ... or holder>=3/2, got 'stable'");
+  check_fails(run(smooth + "--recurrence 'w=w/2'"), 64, both);
+  check_fails(run(smooth + "--start w0=1"), 64, both);
+  check_fails(run(smooth + "--recurrence 'v=w/2' --start w0=1"), 64, step + "'v=w/2'");
+  check_fails(run(smooth + "--recurrence 'w=sin(w)' --start w0=1"), 64, step + "'w=sin(w)'");
+  check_fails(run(smooth + "--recurrence 'w=w/2' --start v0=1"), 64,
+              "--start: expected w0=VALUE or w0=LOW..HIGH, got 'v0=1'");
+  CHECK(run("levels four-point:w --over v=0..1 --property C1").code == 64);
+  CHECK(run("levels chaikin --over w=0..1 --property C1").code == 64);
+  CHECK(run("levels four-point:w --over w=1..0 --property C1").code == 64);
+}

@@ -2,8 +2,7 @@
 
 #include "computed_quantities.hpp"
 
-#include <subcert/analysis/regularity/regularity.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
 
 #include <fmt/format.h>
 
@@ -45,9 +44,7 @@ struct Facts {
 Facts facts_of(const std::string& specification, const ReportOptions& options) {
   Scheme scheme = make_refinable_scheme(specification);
   const double seconds = options.budget.value_or(seconds_of_one);
-  RegularityOptions how;
-  how.quadratic = scheme.quadratic;
-  MultivariateRegularity regularity = *regularity_of(scheme.mask, {Deadline::in(seconds)}, how).surface;
+  MultivariateRegularity regularity = *regularity_of(scheme.mask, {Deadline::in(seconds)}, of_scheme(scheme)).surface;
   return {std::move(scheme), std::move(regularity)};
 }
 

@@ -156,6 +156,16 @@ std::optional<std::vector<RationalMatrix>> operators_of_component(const Differen
   return result;
 }
 
+/// Whether the product that attains the radius of the whole space attains it on this quotient, too.
+bool has_radius_of(const Told& whole, const MatrixFamily& space, const MatrixFamily& quotient,
+                   const Deadline& deadline) {
+  if (!whole.radius.exact.is_yes()) return false;
+  const ProductEvidence& product = whole.radius.product;
+  const ProductEvidence here = prove_product(quotient, product.word, deadline);
+  return here.exact && product.exact ? *here.exact == *product.exact
+                                     : radius::is_dominated(quotient, here, space, product, deadline);
+}
+
 /// By differences of higher orders, until one is above the exponent. `whole`: what the space tells of the worst.
 ComponentRegularity regularity_of_component(const Parts& parts, const std::vector<LatticeSequence>& solutions,
                                             const DifferenceSpace& first, const Told& whole, std::size_t component,
@@ -167,10 +177,14 @@ ComponentRegularity regularity_of_component(const Parts& parts, const std::vecto
     const auto found = operators_of_component(*space, parts, component);
     if (!found) return result;
     if (found->empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
-    const bool is_whole = space->order == first.order && found->front().rows() == first.family.size();
-    const Told told = is_whole ? whole
-                               : exponent_of(operators_of(*found, parts), parts.root, space->order,
-                                             parts.mask.dilation(), budget, bits);
+    const bool is_whole = space->order == first.order &&
+                          (found->front().rows() == first.family.size() ||
+                           (parts.root == 0 && has_radius_of(whole, first.family, *found, budget.deadline)));
+    Told told = is_whole ? whole
+                         : exponent_of(operators_of(*found, parts), parts.root, space->order, parts.mask.dilation(),
+                                       budget, bits);
+    if (told.exponent.lower && whole.exponent.lower && *told.exponent.lower < *whole.exponent.lower)
+      told.exponent.lower = whole.exponent.lower;  // that of the worst function
     result = {told.exponent, told.radius.exact, false, component};
     if (result.exponent.upper || budget.deadline.expired() || space->order >= most_orders) break;
     space = value_space(parts.mask, solutions, space->order + 1);

@@ -180,7 +180,6 @@ Decision sobolev_of_vector(const Scheme& scheme, const Expectation& expectation,
 Decision hermite(const Scheme& scheme, const Expectation& expectation, double seconds) {
   const Regularity regularity = regularity_of(scheme, seconds);
   const auto& known = vector_of(regularity).hermite;
-  if (!known) return decided(false, "it is no Hermite scheme");
   if (known->order < 0) return {known->next.truth, known->next.reason};
   const std::string found = fmt::format("HC^{} is proved", known->order);
   if (expectation.number <= known->order) return decided(true, found);
@@ -270,11 +269,15 @@ const std::vector<Property>& known_properties() {
 }
 
 Property::Decides Property::decides(const Scheme& of) const {
+  if (of_vector == &hermite && of.form != VectorForm::hermite) return nullptr;
   return of.form ? of_vector : of.mask.dimension() == 1 ? of_curve : of_surface;
 }
 
 std::string kind_of(const Scheme& scheme) {
-  return scheme.form ? "vectors of functions" : scheme.mask.dimension() == 1 ? "schemes of one variable" : "surfaces";
+  return scheme.form == VectorForm::hermite ? "Hermite schemes"
+         : scheme.form                      ? "vectors of functions"
+         : scheme.mask.dimension() == 1     ? "schemes of one variable"
+                                            : "surfaces";
 }
 
 const Property* find_property(std::string_view name) {

@@ -124,9 +124,9 @@ ExpectedScheme read_scheme(const toml::table& table) {
   } catch (const Error& error) {
     throw FileError(place_of(*mask), error.what());
   }
-  const auto* single = std::get_if<Scheme>(&*scheme);
-  const bool range = !single;
   ExpectedScheme result{printable(specification), std::visit(SpecificationOf{}, *scheme), std::move(*scheme), {}};
+  const auto* single = std::get_if<Scheme>(&result.scheme);
+  const bool range = !single;
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
     if (key.str() == "mask" || key.str() == "for") continue;

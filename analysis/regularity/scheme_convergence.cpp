@@ -71,7 +71,7 @@ Decision contracts(const DifferenceSpace& space, const Parts& parts, const Ratio
     return {Truth::yes, fmt::format("products of {} matrices are small", norms.level)};
   const Rational target = bound * (1 - power(Rational(2), -20));
   const JointSpectralRadius radius = radius_of(operators, parts.root, budget, norms, target);
-  if (radius.proved_upper() < bound) return {Truth::yes, "their joint spectral radius is small"};
+  if (radius.radius.upper && *radius.radius.upper < bound) return {Truth::yes, "their joint spectral radius is small"};
   if (radius.radius.lower && *radius.radius.lower >= bound)
     return {Truth::no, fmt::format("by the product {}", fmt::join(radius.product.word, ""))};
   return {Truth::unknown, "not decided within the budget"};

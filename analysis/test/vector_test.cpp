@@ -162,6 +162,10 @@ TEST_CASE("Merrien's scheme is HC^1 for -3 < mu < 1 and lambda = -1/8") {
   CHECK(found.converges().is_yes());
   CHECK(found.surface->vector->hermite->order == 1);
   CHECK(found.surface->vector->hermite->next.is_no());
+  // Cubic splines: their exponent is 2, which no function with two continuous derivatives has.
+  const Regularity cubic = regularity_of(merrien(q(-1, 8), q(-1, 2)), budget, {.hermite = true});
+  CHECK(cubic.surface->vector->hermite->order == 1);
+  CHECK(cubic.surface->vector->hermite->next.is_no());
 }
 
 TEST_CASE("The limit of the slopes has to be the slope of the limit") {
@@ -201,6 +205,13 @@ TEST_CASE("A scheme may diverge though the solution of its equation is continuou
   CHECK(vector_regularity(mask, budget).vector->continuous.is_yes());
   CHECK(vector_scheme_converges(mask, budget).is_no());
   CHECK(vector_scheme_converges(beside(hat, hat), budget).is_yes());
+  // Differences that shrink beside values that grow, or change their sign.
+  const auto times_hat = [](const Rational& c) { return of_matrices({{{c / 2}}, {{c}}, {{c / 2}}}, -1); };
+  for (const Rational& c : {q(3, 2), q(-1)}) CHECK(vector_scheme_converges(beside(hat, times_hat(c)), budget).is_no());
+  CHECK(vector_scheme_converges(beside(hat, times_hat(q(-1, 2))), budget).is_yes());
+  // A rotation that keeps lengths: its eigenvalues are not real.
+  const LatticeMask turned = of_matrices({{{0, -1}, {1, 0}}}, -1);
+  CHECK(vector_scheme_converges(beside(hat, turned), budget).is_no());
   const Matrix s{{2, 1}, {1, 1}}, inverse{{1, -1}, {-1, 2}};
   CHECK(vector_scheme_converges(in_basis(mask, s, inverse), budget).is_no());
   CHECK(vector_scheme_converges(in_basis(beside(hat, hat), s, inverse), budget).is_yes());

@@ -279,10 +279,10 @@ def refinable_text(family, matrices, first, arity):
 
 def named_vector(rng):
     order = rng.randint(2, 4)
-    degree = rng.randint(2, 6)
+    degree, mu = rng.randint(2, 6), rational(rng, Fraction(-4), Fraction(2))
     return rng.choice((
-        f"merrien:lambda={rational(rng, Fraction(-1, 2), Fraction(1, 4))},mu={rational(rng, Fraction(-4), Fraction(2))}",
-        f"merrien:lambda=-1/8,mu={rational(rng, Fraction(-4), Fraction(2))}",
+        f"merrien:lambda={rational(rng, Fraction(-1, 2), Fraction(1, 4))},mu={mu}",
+        f"merrien:lambda=-1/8,mu={mu}",
         f"hermite-dd:points={rng.choice((2, 2, 4))},order={order},a={rng.randint(2, 4)}",
         f"bspline:degree={degree},multiplicity={rng.randint(2, degree)},a={rng.randint(2, 4)}",
         rng.choice(("ghm", "cl:2", "cl:3", "sa4", "bat:1", "bat:2")),
@@ -349,9 +349,9 @@ def twins(rng):
 
 def two_variables(rng):
     size = rng.choice((2, 2, 3))
-    lists = [[[[[entry(rng, "plain") / 4 for _ in range(size)] for _ in range(size)] for _ in range(2)] for _ in range(2)]]
-    return "refinable:" + str([[[list(map(str, row)) for row in m] for m in line] for line in lists[0]]).replace(
-        "'", "").replace(" ", "")
+    row = lambda: "[" + ",".join(str(entry(rng, "plain") / 4) for _ in range(size)) + "]"
+    several = lambda part, count: "[" + ",".join(part() for _ in range(count)) + "]"
+    return "refinable:" + several(lambda: several(lambda: several(row, size), 2), 2)
 
 
 def vector_case(rng, low, high):

@@ -153,8 +153,8 @@ class DifferenceScheme:
 
 
 class VectorEquation:
-    """phi(x) = sum over k of A_k phi(ax - k) in one variable, by its operators on finite sequences of vectors: (T_d u)_j
-    = sum over k of A_(aj+d-k) u_k. Sequences are dictionaries {(j, component): number}."""
+    """phi(x) = sum over k of A_k phi(ax - k) in one variable, by its operators on finite sequences of vectors:
+    (T_d u)_j = sum over k of A_(aj+d-k) u_k. Sequences are dictionaries {(j, component): number}."""
 
     LARGEST = 24  # spaces
 

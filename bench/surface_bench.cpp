@@ -65,8 +65,9 @@ void BM_vector_regularity(benchmark::State& state, const std::string& scheme) {
 }
 
 const bool surface_benchmarks = [] {
-  for (const std::string scheme : {"ghm", "merrien:lambda=-1/8,mu=1/2", "hermite-dd:points=4,order=2",
-                                   "hermite-dd:points=6,order=2", "hermite-dd:points=4,order=3"})
+  for (const std::string scheme :
+       {"ghm", "merrien:lambda=-1/8,mu=1/2", "hermite-dd:points=4,order=2", "hermite-dd:points=6,order=2",
+        "hermite-dd:points=4,order=3", "tensor:(hermite-dd:points=2,order=3)x(hermite-dd:points=2,order=3)"})
     benchmark::RegisterBenchmark(("BM_vector_regularity/" + scheme).c_str(), BM_vector_regularity, scheme)
         ->Unit(benchmark::kMillisecond)
         ->Iterations(1);

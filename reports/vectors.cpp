@@ -2,8 +2,7 @@
 
 #include "computed_quantities.hpp"
 
-#include <subcert/analysis/regularity/regularity.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
 
 #include <fmt/format.h>
 
@@ -45,10 +44,15 @@ struct Facts {
 Facts facts_of(const std::string& specification, const ReportOptions& options) {
   Scheme scheme = make_refinable_scheme(specification);
   const double seconds = options.budget.value_or(seconds_of_one);
-  RegularityOptions how;
-  how.quadratic = scheme.quadratic;
-  MultivariateRegularity regularity = *regularity_of(scheme.mask, {Deadline::in(seconds)}, how).surface;
+  MultivariateRegularity regularity = *regularity_of(scheme.mask, {Deadline::in(seconds)}, of_scheme(scheme)).surface;
   return {std::move(scheme), std::move(regularity)};
+}
+
+/// Of the scheme itself.
+std::string convergence_text(const MultivariateRegularity& found) {
+  if (const auto& hermite = found.vector->hermite; hermite && hermite->order >= 0)
+    return fmt::format("HC^{}", hermite->order);
+  return to_text(found.converges.truth);
 }
 
 std::vector<std::string> row_of(const Facts& facts) {
@@ -57,6 +61,7 @@ std::vector<std::string> row_of(const Facts& facts) {
           facts.scheme.title,
           std::to_string(facts.scheme.mask.components()),
           formats::fixed_text(found.exponent, 10),
+          convergence_text(found),
           found.sobolev ? formats::fixed_text(*found.sobolev, 10) : "not computed",
           found.space ? std::to_string(found.space->basis.size() / (facts.scheme.quadratic ? 2 : 1)) : "",
           found.radius ? fmt::format("{}", fmt::join(found.radius->product.word, "")) : "",
@@ -88,8 +93,8 @@ Report report_vectors(const ReportOptions& options) {
   if (options.wants("functions")) {
     formats::PlainTable table{"functions",
                               "Vectors of functions by name; no source was read for these numbers",
-                              {"specification", "functions", "number", "exponent", "Sobolev exponent", "dimension",
-                               "leading product", "radius"},
+                              {"specification", "functions", "number", "exponent", "scheme converges",
+                               "Sobolev exponent", "dimension", "leading product", "radius"},
                               {}};
     for (const char* name : named) table.rows.push_back(row_of(*facts.at(name)));
     section.tables.push_back(std::move(table));

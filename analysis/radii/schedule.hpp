@@ -100,6 +100,7 @@ inline constexpr double convergence_seconds = 5, convergence_grace = 0.5;  ///< 
 
 /// An exponent of a vector of functions: vector_regularity.cpp.
 namespace vector {
+inline constexpr double scheme = 0.2;   ///< whether the scheme converges itself
 inline constexpr double spaces = 0.2;   ///< differences of ever higher orders
 inline constexpr double norms = 0.05;   ///< of each radius
 inline constexpr double blocks = 0.3;   ///< of a field

@@ -1,6 +1,7 @@
 #include "multivariate_regularity.hpp"
 
 #include "regularity.hpp"
+#include "scheme_convergence.hpp"
 #include "sobolev.hpp"
 #include "value_space.hpp"
 
@@ -334,6 +335,26 @@ MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Bu
                             : regularity_of_whole(mask, budget, bits);
 }
 
+namespace {
+
+/// Of the solutions of the refinement equation, and whether the scheme itself converges.
+MultivariateRegularity vector_scheme_regularity(const LatticeMask& mask, const Budget& budget,
+                                                const RegularityOptions& options) {
+  const Budget share{budget.deadline.after(schedule::vector::scheme), budget.memory};
+  const Decision converges = options.quadratic ? vector_scheme_converges(*options.quadratic, share)
+                             : options.hermite ? hermite_scheme_converges(mask, share)
+                                               : vector_scheme_converges(mask, share);
+  MultivariateRegularity result = options.quadratic
+                                      ? vector_regularity(*options.quadratic, budget, options.bits, options.component)
+                                      : vector_regularity(mask, budget, options.bits, options.component);
+  result.converges = converges;
+  if (options.hermite && !options.component)
+    result.vector->hermite = hermite_order(result, converges, mask.components());
+  return result;
+}
+
+}  // namespace
+
 Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const RegularityOptions& options) {
   Regularity result;
   if (mask.factors().size() == 1)
@@ -341,8 +362,7 @@ Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const Re
                                      options.bits);
   else if (mask.components() > 1) {
     require(!options.rounding || options.quadratic, "regularity: need the matrices that are meant, not rounded ones");
-    result.surface = options.quadratic ? vector_regularity(*options.quadratic, budget, options.bits, options.component)
-                                       : vector_regularity(mask, budget, options.bits, options.component);
+    result.surface = vector_scheme_regularity(mask, budget, options);
   } else
     result.surface = multivariate_regularity(mask, budget, options.bits);
   return result;

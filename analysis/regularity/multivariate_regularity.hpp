@@ -28,6 +28,13 @@ struct ComponentRegularity {
   std::size_t component = 0;
 };
 
+/// HC^order of a Hermite scheme on r data: values and derivatives of data converge to those of a function that has
+/// `order` >= r - 1 continuous derivatives.
+struct HermiteOrder {
+  int order = -1;  ///< the largest that is proved; -1 where convergence with r - 1 derivatives is not
+  Decision next;   ///< whether it is one more
+};
+
 /// What is known of a vector of functions beside its exponent, that of the worst function in it.
 struct FunctionVector {
   /// At most so many solutions are continuous and of compact support, up to linear combinations. Where it is more than
@@ -36,6 +43,7 @@ struct FunctionVector {
   long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none
   std::vector<ComponentRegularity> components;
+  std::optional<HermiteOrder> hermite = std::nullopt;  ///< of a Hermite scheme
 };
 
 struct MultivariateRegularity {

@@ -81,44 +81,16 @@ bool leads_into(const LatticeMask& mask, const SequenceSpace& space, const std::
   return rest.is_empty();
 }
 
-/// Digits among which 0 is the first: those of the dilation, if 0 is one of them.
-Dilation with_zero_first(const Dilation& dilation) {
-  const LatticePoint zero(dilation.variables(), 0);
-  std::vector<LatticePoint> digits = dilation.digits();
-  if (std::find(digits.begin(), digits.end(), zero) == digits.end()) digits = Dilation(dilation.rows()).digits();
-  std::stable_partition(digits.begin(), digits.end(), [&zero](const LatticePoint& digit) { return digit == zero; });
-  return Dilation(dilation.rows(), digits);
-}
-
 /// That of the solutions. Domain: the first digit is 0.
-std::optional<DifferenceSpace> space_of_words(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
-                                              int order, const std::vector<LatticePoint>& directions,
-                                              std::size_t most_points) {
+std::optional<DifferenceSpace> space_of_values(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                               int order, const std::vector<LatticePoint>& directions,
+                                               std::size_t most_points) {
   std::vector<LatticeSequence> starts;
-  std::vector<LatticePoint> support;
   for (const LatticeSequence& difference : differences_of_delta(directions, order))
-    for (const LatticeSequence& values : solutions) {
-      starts.push_back(convolution(difference, values));
-      for (const auto& [point, value] : starts.back()) support.push_back(point);
-    }
-  const auto space = recognised_space(mask, starts, support, most_points);
-  if (!space || space->is_empty() || !leads_into(mask, *space, starts)) return std::nullopt;
-  std::vector<LatticeSequence> basis;
-  std::vector<LatticePoint> pivots;
-  for (const auto& [pivot, row] : space->rows()) {
-    for (const LatticeSequence& image : transitions(mask, row))
-      if (!space->holds(image)) return std::nullopt;
-    pivots.push_back(pivot);
-    basis.push_back(row);
-  }
-  MatrixFamily family = transition_family(mask, basis, pivots);
-  return DifferenceSpace{order,
-                         mask.dilation(),
-                         LatticeWindow(mask, support, most_points),
-                         std::move(basis),
-                         std::move(pivots),
-                         std::move(family),
-                         solutions.front()};
+    for (const LatticeSequence& values : solutions) starts.push_back(convolution(difference, values));
+  auto result = space_of_long_words(mask, starts, order, most_points);
+  if (result) result->values = solutions.front();
+  return result;
 }
 
 }  // namespace
@@ -137,13 +109,51 @@ std::optional<DifferenceSpace> value_space(const LatticeMask& original, int orde
     if (error.kind() == ErrorKind::size) throw;
     return std::nullopt;  // several fixed vectors or none
   }
-  return space_of_words(mask, {std::move(values)}, order, directions, most_points);
+  return space_of_values(mask, {std::move(values)}, order, directions, most_points);
 }
 
 std::optional<DifferenceSpace> value_space(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
                                            int order, std::size_t most_points) {
-  return space_of_words(mask.with_dilation(with_zero_first(mask.dilation())), solutions, order,
-                        exponents_of_degree(mask.dilation().variables(), 1), most_points);
+  return space_of_values(mask.with_dilation(with_zero_first(mask.dilation())), solutions, order,
+                         exponents_of_degree(mask.dilation().variables(), 1), most_points);
+}
+
+std::optional<DifferenceSpace> space_of_long_words(const LatticeMask& mask, const std::vector<LatticeSequence>& starts,
+                                                   int order, std::size_t most_points) {
+  std::vector<LatticePoint> support;
+  for (const LatticeSequence& start : starts)
+    for (const auto& [point, value] : start) support.push_back(point);
+  if (support.empty()) return std::nullopt;
+  const auto space = recognised_space(mask, starts, support, most_points);
+  if (!space || space->is_empty() || !leads_into(mask, *space, starts)) return std::nullopt;
+  std::vector<LatticeSequence> basis;
+  std::vector<LatticePoint> pivots;
+  for (const auto& [pivot, row] : space->rows()) {
+    for (const LatticeSequence& image : transitions(mask, row))
+      if (!space->holds(image)) return std::nullopt;
+    pivots.push_back(pivot);
+    basis.push_back(row);
+  }
+  MatrixFamily family = transition_family(mask, basis, pivots);
+  return DifferenceSpace{order,
+                         mask.dilation(),
+                         LatticeWindow(mask, support, most_points),
+                         std::move(basis),
+                         std::move(pivots),
+                         std::move(family)};
+}
+
+bool vanish_under_long_words(const LatticeMask& mask, const std::vector<LatticeSequence>& starts) {
+  return leads_into(mask, {}, starts);
+}
+
+/// Digits among which 0 is the first: those of the dilation, if 0 is one of them.
+Dilation with_zero_first(const Dilation& dilation) {
+  const LatticePoint zero(dilation.variables(), 0);
+  std::vector<LatticePoint> digits = dilation.digits();
+  if (std::find(digits.begin(), digits.end(), zero) == digits.end()) digits = Dilation(dilation.rows()).digits();
+  std::stable_partition(digits.begin(), digits.end(), [&zero](const LatticePoint& digit) { return digit == zero; });
+  return Dilation(dilation.rows(), digits);
 }
 
 }  // namespace subcert

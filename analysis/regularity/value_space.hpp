@@ -23,4 +23,15 @@ std::optional<DifferenceSpace> value_space(const LatticeMask& mask, int order,
 std::optional<DifferenceSpace> value_space(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
                                            int order, std::size_t most_points = 1024);
 
+/// The space of T_w x for all x of `starts` and all long words w; `order` is noted in it alone. Nothing where its
+/// numbers are not recognised modulo a prime, or where it is 0. Errors and cost: as above.
+std::optional<DifferenceSpace> space_of_long_words(const LatticeMask& mask, const std::vector<LatticeSequence>& starts,
+                                                   int order, std::size_t most_points = 1024);
+
+/// Whether T_w x = 0 for all x of `starts` and all words w of some length up to 64.
+bool vanish_under_long_words(const LatticeMask& mask, const std::vector<LatticeSequence>& starts);
+
+/// Digits among which 0 is the first: those of the dilation, if 0 is one of them.
+Dilation with_zero_first(const Dilation& dilation);
+
 }  // namespace subcert

@@ -1,10 +1,10 @@
 #include "multivariate_regularity.hpp"
 #include "value_space.hpp"
+#include "vector_operators.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/radii/joint/modular_meataxe.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
-#include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -14,11 +14,11 @@
 namespace subcert {
 namespace {
 
+using namespace vectors;
 namespace shares = schedule::vector;
 
 constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
 constexpr int most_orders = 24;    // of differences
-constexpr std::size_t largest_space = 256;
 
 using Doubles = std::vector<double>;  // row by row
 
@@ -68,138 +68,6 @@ double rough_exponent(const MatrixFamily& family, std::size_t dimension) {
   return -(growth - classes) / 2 / (classes / static_cast<double>(dimension));
 }
 
-/// A vector of functions by the mask of its rational parts: where these are more than one each, the multiples of 1 and
-/// of the square root of a number (QuadraticMask).
-struct Parts {
-  const LatticeMask& mask;
-  long root = 0;  ///< that number, or 0
-  std::size_t components() const { return mask.components() / (root > 0 ? 2 : 1); }
-  /// Of a component, from 0.
-  std::vector<std::size_t> parts_of(std::size_t component) const {
-    return root > 0 ? std::vector{component, component + components()} : std::vector{component};
-  }
-};
-
-/// The transition operators on a rational space, digit by digit, and the product with the square root where there is
-/// one.
-struct Operators {
-  MatrixFamily family;
-  std::optional<RationalMatrix> root = std::nullopt;
-
-  /// All of them, the root last.
-  std::vector<RationalMatrix> matrices() const {
-    std::vector<RationalMatrix> result = family.matrices();
-    if (root) result.push_back(*root);
-    return result;
-  }
-};
-
-Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts) {
-  if (parts.root == 0) return {MatrixFamily(std::move(matrices))};
-  RationalMatrix root = std::move(matrices.back());
-  matrices.pop_back();
-  return {MatrixFamily(std::move(matrices)), std::move(root)};
-}
-
-Operators operators_of(const DifferenceSpace& space, const Parts& parts) {
-  if (parts.root == 0) return {space.family};
-  const auto half = static_cast<long>(parts.components());
-  RationalMatrix root(space.basis.size(), space.basis.size());
-  for (std::size_t k = 0; k < space.pivots.size(); ++k) {
-    LatticePoint from = space.pivots[k];
-    const bool is_first = from.back() < half;
-    from.back() += is_first ? half : -half;
-    for (std::size_t c = 0; c < space.basis.size(); ++c)
-      if (const auto found = space.basis[c].find(from); found != space.basis[c].end())
-        root(k, c) = is_first ? Rational(parts.root * found->second) : found->second;
-  }
-  return {space.family, std::move(root)};
-}
-
-/// The columns e of the identity that, with their images J e, are a basis. Domain: J J is a number that is no square.
-std::vector<std::size_t> half_basis(const RationalMatrix& root) {
-  const std::size_t size = root.rows();
-  RationalMatrix columns(size, 2 * size);
-  for (std::size_t c = 0; c < size; ++c) {
-    columns(c, 2 * c) = 1;
-    for (std::size_t r = 0; r < size; ++r) columns(r, 2 * c + 1) = root(r, c);
-  }
-  std::vector<std::size_t> result;
-  for (const std::size_t column : pivot_columns(columns))
-    if (column % 2 == 0) result.push_back(column / 2);
-  return result;
-}
-
-/// Matrices, and how far the entries of those that are meant may be from theirs.
-struct RealFamily {
-  MatrixFamily matrices;
-  Rational distance = 0;
-};
-
-/// On the functions themselves. In the basis e_1, J e_1, e_2, J e_2, ... of the rational space, J the product with the
-/// root, e_1, e_2, ... are a basis over the field of the root, with the entries X(2i, 2k) + sqrt(number) X(2i + 1, 2k).
-RealFamily on_functions(const Operators& operators, long number) {
-  if (!operators.root) return {operators.family};
-  constexpr long root_bits = 512;
-  const RationalMatrix& root = *operators.root;
-  const std::vector<std::size_t> chosen = half_basis(root);
-  RationalMatrix basis(root.rows(), root.rows());
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    basis(chosen[i], 2 * i) = 1;
-    for (std::size_t r = 0; r < root.rows(); ++r) basis(r, 2 * i + 1) = root(r, chosen[i]);
-  }
-  const Rational value = rounded_root(number, root_bits);
-  Rational largest = 0;
-  std::vector<RationalMatrix> result;
-  for (const RationalMatrix& matrix : operators.family) {
-    const RationalMatrix x = solve(basis, matrix * basis);
-    RationalMatrix& real = result.emplace_back(chosen.size(), chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-      for (std::size_t k = 0; k < chosen.size(); ++k) {
-        real(i, k) = x(2 * i, 2 * k) + value * x(2 * i + 1, 2 * k);
-        largest = std::max(largest, abs(x(2 * i + 1, 2 * k)));
-      }
-  }
-  return {MatrixFamily(std::move(result)), largest * power(Rational(2), -root_bits)};
-}
-
-NormProof norms_of(const RealFamily& family, const Budget& budget) {
-  NormProof result = norm_of_products(family.matrices, budget);
-  if (family.distance > 0)
-    result.norm += radius::RoundedFamily(family.matrices, family.distance).change_of_products(result.level);
-  return result;
-}
-
-/// Of the diagonal blocks over the field of the root, each by itself.
-JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
-  const BlockTriangular triangular = block_triangularise(MatrixFamily(operators.matrices()),
-                                                         budget.deadline.after(shares::blocks));
-  JointSpectralRadius result;
-  BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
-  for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
-    std::vector<RationalMatrix> block = triangular.block(k).matrices();
-    RationalMatrix root = std::move(block.back());
-    block.pop_back();
-    const RealFamily family = on_functions({MatrixFamily(std::move(block)), std::move(root)}, number);
-    const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
-    const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
-    proof.triangular.sizes.push_back(family.matrices.size());
-    proof.blocks.push_back(family.distance > 0
-                               ? radius::RoundedFamily(family.matrices, family.distance).radius(norms, share)
-                               : joint_spectral_radius(family.matrices, share, norms));
-    const Enclosure& radius = proof.blocks.back().radius;
-    if (*radius.lower > *proof.blocks[proof.leading].radius.lower) proof.leading = k;
-    result.radius.upper = k == 0 ? *radius.upper : std::max(*result.radius.upper, *radius.upper);
-  }
-  const JointSpectralRadius& leader = proof.blocks[proof.leading];
-  result.product = leader.product;
-  result.radius.lower = *leader.radius.lower;
-  const bool is_number = leader.radius.is_exact() && *result.radius.upper == *result.radius.lower;
-  result.exact = is_number ? leader.exact : Decision{Truth::unknown, "the matrices are rounded"};
-  result.proof = std::move(proof);
-  return result;
-}
-
 /// The differences of the least order that is above the exponent, as far as can be told before it is known.
 std::optional<DifferenceSpace> space_above_exponent(const Parts& parts, const std::vector<LatticeSequence>& solutions,
                                                     const Deadline& deadline) {
@@ -226,12 +94,8 @@ Told exponent_of(const Operators& operators, long number, int order, const Dilat
                  int bits) {
   Told result;
   result.norms = norms_of(on_functions(operators, number), {budget.deadline.after(shares::norms), budget.memory});
-  if (operators.root) {
-    result.radius = radius_over_field(operators, number, budget);
-  } else {
-    result.radius = joint_spectral_radius(operators.family, budget, result.norms);
-    sharpen(result.radius, operators.family, bits + bits_of_powers, budget.deadline);
-  }
+  result.radius = radius_of(operators, number, budget, result.norms);
+  if (!operators.root) sharpen(result.radius, operators.family, bits + bits_of_powers, budget.deadline);
   result.exponent = exponent_of_radius(result.radius.radius, dilation.classes(), dilation.variables(),
                                        bits + bits_of_powers);
   // Differences of an order say nothing about exponents from that order on.
@@ -292,6 +156,16 @@ std::optional<std::vector<RationalMatrix>> operators_of_component(const Differen
   return result;
 }
 
+/// Whether the product that attains the radius of the whole space attains it on this quotient, too.
+bool has_radius_of(const Told& whole, const MatrixFamily& space, const MatrixFamily& quotient,
+                   const Deadline& deadline) {
+  if (!whole.radius.exact.is_yes()) return false;
+  const ProductEvidence& product = whole.radius.product;
+  const ProductEvidence here = prove_product(quotient, product.word, deadline);
+  return here.exact && product.exact ? *here.exact == *product.exact
+                                     : radius::is_dominated(quotient, here, space, product, deadline);
+}
+
 /// By differences of higher orders, until one is above the exponent. `whole`: what the space tells of the worst.
 ComponentRegularity regularity_of_component(const Parts& parts, const std::vector<LatticeSequence>& solutions,
                                             const DifferenceSpace& first, const Told& whole, std::size_t component,
@@ -303,10 +177,14 @@ ComponentRegularity regularity_of_component(const Parts& parts, const std::vecto
     const auto found = operators_of_component(*space, parts, component);
     if (!found) return result;
     if (found->empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
-    const bool is_whole = space->order == first.order && found->front().rows() == first.family.size();
-    const Told told = is_whole ? whole
-                               : exponent_of(operators_of(*found, parts), parts.root, space->order,
-                                             parts.mask.dilation(), budget, bits);
+    const bool is_whole = space->order == first.order &&
+                          (found->front().rows() == first.family.size() ||
+                           (parts.root == 0 && has_radius_of(whole, first.family, *found, budget.deadline)));
+    Told told = is_whole ? whole
+                         : exponent_of(operators_of(*found, parts), parts.root, space->order, parts.mask.dilation(),
+                                       budget, bits);
+    if (told.exponent.lower && whole.exponent.lower && *told.exponent.lower < *whole.exponent.lower)
+      told.exponent.lower = whole.exponent.lower;  // that of the worst function
     result = {told.exponent, told.radius.exact, false, component};
     if (result.exponent.upper || budget.deadline.expired() || space->order >= most_orders) break;
     space = value_space(parts.mask, solutions, space->order + 1);
@@ -351,7 +229,7 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
   FunctionVector& vector = result.vector.emplace();
   vector.root = parts.root;
   result.stable = {Truth::unknown, "not needed for the exponent, which is from values of phi"};
-  result.converges = {Truth::unknown, "what is proved is about the solution of the refinement equation"};
+  result.converges = {Truth::unknown, "this is about the solutions of the refinement equation"};
   const std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);
   vector.solutions = parts.root > 0 ? solutions.size() / 2 : solutions.size();
   if (solutions.empty()) {

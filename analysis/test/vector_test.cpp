@@ -3,6 +3,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
+#include <subcert/analysis/regularity/scheme_convergence.hpp>
 #include <subcert/analysis/regularity/value_space.hpp>
 #include <subcert/analysis/transition/lattice_window.hpp>
 
@@ -119,6 +120,113 @@ TEST_CASE("What has no continuous solution") {
   const MultivariateRegularity found = vector_regularity(rough, budget);
   CHECK(found.vector->solutions == 1);
   CHECK(found.vector->continuous.is_no());
+}
+
+/// Beside each other, without a link.
+LatticeMask beside(const LatticeMask& a, const LatticeMask& b) {
+  std::vector<LatticeMask::Term> terms = a.terms();
+  for (LatticeMask::Term term : b.terms()) {
+    term.row += a.components();
+    term.column += a.components();
+    terms.push_back(term);
+  }
+  return matrix_mask(terms, a.components() + b.components(), a.dilation());
+}
+
+/// S A_k S^-1.
+LatticeMask in_basis(const LatticeMask& mask, const Matrix& s, const Matrix& inverse) {
+  std::vector<LatticeMask::Term> terms;
+  for (const LatticeMask::Term& term : mask.terms())
+    for (std::size_t i = 0; i < s.size(); ++i)
+      for (std::size_t j = 0; j < s.size(); ++j)
+        terms.push_back({term.exponents, i, j, s[i][term.row] * term.coefficient * inverse[term.column][j]});
+  return matrix_mask(terms, s.size(), mask.dilation());
+}
+
+TEST_CASE("Components that attain the radius of the whole are as exact as the whole") {
+  // Quadratic splines with a knot at the midpoint: of the second function alone a smaller space tells.
+  const MultivariateRegularity found = vector_regularity(merrien(q(-1, 8), q(-1)), budget);
+  REQUIRE(found.vector->components.size() == 2);
+  for (const ComponentRegularity& one : found.vector->components) {
+    CHECK(is_exactly(one.exponent, 2));
+    CHECK(one.exact.is_yes());
+  }
+}
+
+TEST_CASE("Merrien's scheme is HC^1 for -3 < mu < 1 and lambda = -1/8") {
+  const auto truth = [](const Rational& mu) { return hermite_scheme_converges(merrien(q(-1, 8), mu), budget).truth; };
+  for (const Rational& mu : {q(-299, 100), q(-1), q(-1, 2), q(0), q(1, 2), q(99, 100)}) CHECK(truth(mu) == Truth::yes);
+  for (const Rational& mu : {q(-3), q(-4), q(1), q(101, 100), q(5)}) CHECK(truth(mu) == Truth::no);
+  const Regularity found = regularity_of(merrien(q(-1, 8), q(1, 2)), budget, {.hermite = true});
+  REQUIRE(found.surface->vector->hermite);
+  CHECK(found.converges().is_yes());
+  CHECK(found.surface->vector->hermite->order == 1);
+  CHECK(found.surface->vector->hermite->next.is_no());
+  // Cubic splines: their exponent is 2, which no function with two continuous derivatives has.
+  const Regularity cubic = regularity_of(merrien(q(-1, 8), q(-1, 2)), budget, {.hermite = true});
+  CHECK(cubic.surface->vector->hermite->order == 1);
+  CHECK(cubic.surface->vector->hermite->next.is_no());
+}
+
+TEST_CASE("The limit of the slopes has to be the slope of the limit") {
+  // Slopes are refined by themselves, values by themselves.
+  const LatticeMask apart = of_matrices(
+      {{{q(1, 2), 0}, {0, q(1, 4)}}, {{1, 0}, {0, q(1, 2)}}, {{q(1, 2), 0}, {0, q(1, 4)}}}, -1);
+  const Decision decision = hermite_scheme_converges(apart, budget);
+  CHECK(decision.is_no());
+  CHECK(decision.reason == "limit 1 is not the derivative of limit 0");
+  CHECK(vector_scheme_converges(apart, budget).is_yes());  // the second number tends to 0
+  const LatticeMask zero = of_matrices({{{q(1, 4), 0}, {0, q(1, 16)}}}, 0);
+  CHECK(hermite_scheme_converges(zero, budget).is_no());
+  CHECK(vector_scheme_converges(zero, budget).is_no());
+}
+
+TEST_CASE("A Hermite scheme that keeps no parabolas: coefficients of splines and their differences") {
+  // f_i = (c_i, c_i - c_{i-1}, c_i - 2 c_{i-1} + c_{i-2}) of the scheme of the splines of degree 4.
+  const LaurentPolynomial a = LaurentPolynomial::parse_mask("[1,5,10,10,5,1]/16@0");
+  const LaurentPolynomial difference = LaurentPolynomial::parse_mask("[1,-1]@0");
+  std::vector<MultivariatePolynomial> entries(9, MultivariatePolynomial(1));
+  for (int k = 0; k < 3; ++k)
+    entries[static_cast<std::size_t>(k)] = MultivariatePolynomial::in_variable(1, 0, a * difference.pow(k));
+  const LatticeMask splines(entries, Dilation::multiple(1, 2));
+  const Regularity found = regularity_of(splines, budget, {.hermite = true});
+  CHECK(found.converges().is_yes());
+  REQUIRE(found.surface->vector->hermite);
+  CHECK(found.surface->vector->hermite->order == 3);
+  CHECK(found.surface->vector->hermite->next.is_no());
+  // With half the first differences these are no derivatives.
+  entries[1] = MultivariatePolynomial::in_variable(1, 0, q(1, 2) * (a * difference));
+  CHECK(hermite_scheme_converges({entries, Dilation::multiple(1, 2)}, budget).is_no());
+}
+
+TEST_CASE("A scheme may diverge though the solution of its equation is continuous") {
+  const LatticeMask hat = of_matrices({{{q(1, 2)}}, {{1}}, {{q(1, 2)}}}, -1), kept = of_matrices({{{1}}}, -1);
+  const LatticeMask mask = beside(hat, kept);
+  CHECK(vector_regularity(mask, budget).vector->continuous.is_yes());
+  CHECK(vector_scheme_converges(mask, budget).is_no());
+  CHECK(vector_scheme_converges(beside(hat, hat), budget).is_yes());
+  // Differences that shrink beside values that grow, or change their sign.
+  const auto times_hat = [](const Rational& c) { return of_matrices({{{c / 2}}, {{c}}, {{c / 2}}}, -1); };
+  for (const Rational& c : {q(3, 2), q(-1)}) CHECK(vector_scheme_converges(beside(hat, times_hat(c)), budget).is_no());
+  CHECK(vector_scheme_converges(beside(hat, times_hat(q(-1, 2))), budget).is_yes());
+  // A rotation that keeps lengths: its eigenvalues are not real.
+  const LatticeMask turned = of_matrices({{{0, -1}, {1, 0}}}, -1);
+  CHECK(vector_scheme_converges(beside(hat, turned), budget).is_no());
+  const Matrix s{{2, 1}, {1, 1}}, inverse{{1, -1}, {-1, 2}};
+  CHECK(vector_scheme_converges(in_basis(mask, s, inverse), budget).is_no());
+  CHECK(vector_scheme_converges(in_basis(beside(hat, hat), s, inverse), budget).is_yes());
+  // The hat function of three times the width: its data on three lattices never meet.
+  const LatticeMask wide = of_matrices({{{q(1, 2)}}, {{0}}, {{0}}, {{1}}, {{0}}, {{0}}, {{q(1, 2)}}}, -3);
+  CHECK(vector_scheme_converges(beside(wide, hat), budget).is_no());
+}
+
+TEST_CASE("Convergence of a mask of numbers is that of a vector of one function") {
+  for (const char* text :
+       {"[1,3,3,1]/4@0", "[-1,0,9,16,9,0,-1]/16@-3", "[1,1]@0", "[1,1,0,0,1,1]/2@0", "[-1,0,3,3,0,-1]/2@0"}) {
+    const LatticeMask numbers(Mask(LaurentPolynomial::parse_mask(text), 2));
+    CHECK(vector_scheme_converges(numbers.without_factors(), budget).truth ==
+          regularity_of(numbers, budget).converges().truth);
+  }
 }
 
 TEST_CASE("A mask of numbers as a vector of two halves has the same exponent") {

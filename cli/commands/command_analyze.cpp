@@ -6,6 +6,7 @@
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
 #include <subcert/reports/explorer.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
 #include <subcert/reports/facts/l1_facts.hpp>
@@ -57,12 +58,8 @@ Decision analyze(const Scheme& scheme, const AnalyzeOptions& options, const Dead
 
 /// What the values of a vector of functions tell, and a picture of all functions.
 ExitCode analyze_vector(const Scheme& scheme, const AnalyzeOptions& options) {
-  if (!options.html.empty()) fail(ErrorKind::usage, "--html: need a mask of numbers, got {}", options.scheme);
-  require_drawable(options.plot, scheme);
-  RegularityOptions how;
-  how.quadratic = scheme.quadratic;
   const Stopwatch watch;
-  const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget)}, how);
+  const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget)}, of_scheme(scheme));
   const FunctionVector& vector = *found.surface->vector;
   facts::Facts list = regularity_facts(scheme, found, {}, {watch.seconds(), 0, found.is_closed()});
   if (vector.continuous.is_yes() && vector.solutions == 1 && !scheme.quadratic)
@@ -111,11 +108,11 @@ ExitCode run(const AnalyzeOptions& options) {
   if (is_l1_specification(options.scheme)) return analyze_l1(options);
   const Deadline deadline = Deadline::in(options.budget);
   const Scheme scheme = make_refinable_scheme(options.scheme);
-  if (scheme.form) return analyze_vector(scheme, options);
   require_drawable(options.plot, scheme);
   if (!options.html.empty())
     runtime::write_file(options.html, reports::gallery_html({reports::make_plate(
                                           {options.scheme}, {.budget = options.budget, .verified = verified})}));
+  if (scheme.form) return analyze_vector(scheme, options);
   const Decision convergence = analyze(scheme, options, deadline);
   if (!options.plot.empty()) {
     if (convergence.is_no()) require_convergence(scheme.specification, convergence);

@@ -103,7 +103,7 @@ ExitCode run(const CompareOptions& options) {
     fail(ErrorKind::usage, "compare: needs two schemes or more, got '{}'", options.schemes.front());
   std::vector<reports::GalleryScheme> schemes;
   for (const std::string& scheme : options.schemes) {
-    static_cast<void>(make_linear_scheme(scheme));  // errors before work
+    static_cast<void>(make_refinable_scheme(scheme));  // errors before work
     schemes.push_back({scheme});
   }
   reports::PlateOptions plate_options{options.budget, options.memory << 20};

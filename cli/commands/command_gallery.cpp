@@ -24,7 +24,7 @@ std::vector<reports::GalleryScheme> wanted(const GalleryOptions& options) {
   if (options.all) fail(ErrorKind::usage, "--all: takes no schemes, got '{}'", options.schemes.front());
   std::vector<reports::GalleryScheme> result;
   for (const std::string& scheme : options.schemes) {
-    static_cast<void>(make_linear_scheme(scheme));  // errors before work
+    static_cast<void>(make_refinable_scheme(scheme));  // errors before work
     result.push_back({scheme});
   }
   return result;

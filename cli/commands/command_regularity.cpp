@@ -4,6 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/width.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   if (curve && is_affine(mask.curve()) && !scheme.rounding)  // otherwise the exponent says so
     sobolev = sobolev_if_small(mask.curve(), budget.deadline.after(sobolev_share).later(1));
   const HolderProof proof = options.certificate.empty() ? HolderProof::shortest : HolderProof::certificate;
-  RegularityOptions how{wanted.bits, options.levels, proof, scheme.rounding, scheme.quadratic};
+  RegularityOptions how = of_scheme(scheme, {wanted.bits, options.levels, proof});
   if (options.component > 0) {
     if (options.component > static_cast<int>(mask.components()) || mask.components() == 1)
       fail(ErrorKind::usage, "--component: need {}, got {}",

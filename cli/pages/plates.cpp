@@ -18,7 +18,7 @@ Json curves_json(const reports::Plate& plate) {
 }
 
 Json mask_json(const Scheme& scheme) {
-  if (scheme.mask.dimension() > 1)
+  if (scheme.form || scheme.mask.dimension() > 1)
     return {{"dilation", scheme.mask.dilation().rows()}, {"mask", to_mask_text(scheme.mask)}};
   const Mask& mask = scheme.mask.curve();
   return {{"arity", mask.arity()},

@@ -114,7 +114,6 @@ TEST_CASE("analyze: vectors of functions, their values and a picture") {
   CHECK(json.at("components").size() == 2);
   CHECK(json.at("holder").at("lower") == "1");
   CHECK(run("analyze 'refinable:[[[1,0],[0,1]],[[1,0],[0,1]]]@0'").code == 1);
-  CHECK(run("analyze ghm --html " + (folder / "x.html")).code == 64);
   // Tensor products of numbers are none.
   CHECK(run("analyze 'tensor:(primal:n=2)x(dd:n=2)' --budget 2").out.find("sum rules") != std::string::npos);
 }

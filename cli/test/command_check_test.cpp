@@ -57,6 +57,35 @@ TEST_CASE("one question that cannot be answered leaves the others alone") {
   CHECK(content(folder / "answer") == fails.out);
 }
 
+TEST_CASE("properties of vectors of functions and Hermite schemes") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml",
+                                        "[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1/2'\nconvergent = true\n"
+                                        "interpolatory = true\nHC = '>= 1'\nholder = '> 1.415'\nsmoothness = '>= 1'\n"
+                                        "sobolev = '> 1.4'\n[[scheme]]\nmask = 'ghm'\nconvergent = true\n"
+                                        "interpolatory = false\nholder = '>= 1'\n");
+  CHECK(run("check " + file).out.find("\n9 properties: 9 hold, 0 fail, 0 undecided.\n") != std::string::npos);
+  folder.write(
+      "file.toml",
+      "[[scheme]]\nmask = 'hermite-dd:points=4,order=2'\nHC = '>= 3'\nsmoothness = '>= 3'\nholder = '> 3'\n"
+      "[[scheme]]\nmask = 'refinable:[[[1,0],[0,0]],[[0,0],[1,0]]]'\nsmoothness = '>= 0'\nconvergent = true\n");
+  const Run fails = run("check " + file);
+  CHECK(fails.code == 1);
+  CHECK(contains(fails.out, "\n5 properties: 0 hold, 5 fail, 0 undecided.\n"));
+  CHECK(contains(fails.out, ":3: hermite-dd:points=4,order=2: HC >= 3 (HC^2 is proved, HC^3 refuted)"));
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"mask = 'ghm'\nvariance = '<= 1'\n",
+            ", line 2, column 1: 'variance' is no property of vectors of functions"},
+           {"mask = 'ghm'\nHC = '>= 1'\n", ", line 2, column 1: 'HC' is no property of vectors of functions"},
+           {"mask = 'chaikin'\nHC = '>= 1'\n", ", line 2, column 1: 'HC' is no property of schemes of one variable"},
+           {"mask = 'loop'\nsupport = [0, 1]\n", ", line 2, column 1: 'support' is no property of surfaces"}}) {
+    folder.write("file.toml", text);
+    const Run refused = run("check " + file);
+    CHECK(refused.code == 65);
+    CHECK(contains(refused.err, message));
+  }
+}
+
 TEST_CASE("lines are there before the last question is answered") {
   const Folder folder;
   const std::string file = folder.write("file.toml",

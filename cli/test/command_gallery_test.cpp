@@ -57,6 +57,30 @@ TEST_CASE("gallery: the data") {
   CHECK(open.back().at("points").front() != open.back().at("points").back());
 }
 
+TEST_CASE("gallery and compare: vectors of functions") {
+  const Folder folder;
+  const std::string page = (folder.path / "page.html").string();
+  const Run made = run("gallery ghm cl:2 'tensor:(ghm)x(ghm)' chaikin --out " + page);
+  CHECK(made.code == 0);
+  const std::string text = content(page);
+  CHECK(text.find("id=\"ghm-limit\"") != std::string::npos);
+  CHECK(text.find("id=\"cl-2-limit\"") == std::string::npos);
+  CHECK(text.find("Functions of matrices with square roots are not drawn.") != std::string::npos);
+  CHECK(text.find("Functions of several variables are not drawn.") != std::string::npos);
+  const auto data = run_json("compare merrien:lambda=-1/8,mu=1/2 chaikin --json").at("schemes");
+  CHECK(data[0].at("hermite").at("order") == 1);
+  CHECK(data[0].at("components").size() == 2);
+  CHECK(data[0].at("convergence").at("verdict") == "yes");
+  CHECK(!data[0].contains("variance_sup"));
+  const Run beside = run("compare ghm chaikin");
+  CHECK(beside.code == 0);
+  CHECK(contains(beside.out, "components"));
+  // The scheme diverges, and its functions are continuous.
+  CHECK(run("compare chaikin 'vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1'").code == 1);
+  CHECK(run("analyze ghm --html " + page).code == 0);
+  CHECK(content(page).find("id=\"ghm-limit\"") != std::string::npos);
+}
+
 TEST_CASE("gallery: wrong usage") {
   check_fails(run("gallery loop: primal:n=0"), 64,
               "scheme specification, position 10: '0'; expected n as an integer from 1 to 2047");

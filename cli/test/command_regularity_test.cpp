@@ -142,6 +142,24 @@ TEST_CASE("regularity: surfaces") {
               "tensor product, got the dilation [2,1;0,2]");
 }
 
+TEST_CASE("regularity: whether the scheme of a vector converges itself") {
+  const auto merrien = run_json("regularity merrien:lambda=-1/8,mu=1/2");
+  CHECK(merrien.at("converges") == "yes");
+  CHECK(merrien.at("hermite").at("order") == 1);
+  CHECK(merrien.at("hermite").at("next") == "no");
+  const auto rough = run_json("regularity merrien:lambda=-1/8,mu=1");
+  CHECK(rough.at("continuous") == "yes");
+  CHECK(rough.at("converges") == "no");
+  CHECK(rough.at("hermite").at("order").is_null());
+  // Six points: HC^3, as the exponent is 3.617.
+  CHECK(run_json("regularity hermite-dd:points=6,order=2").at("hermite").at("order") == 3);
+  CHECK(run_json("regularity ghm").at("hermite").is_null());
+  const Run kept = run("regularity 'vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1'");
+  CHECK(kept.code == 0);  // of the functions all is known
+  CHECK(contains(kept.out, "\nconverges    no: the differences of its data do not shrink"));
+  CHECK(run_json("analyze cl:2").at("converges") == "yes");
+}
+
 TEST_CASE("regularity: vectors of functions by name") {
   const Folder folder;
   const std::string file = folder / "vector.cert";

@@ -9,6 +9,9 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -35,7 +38,7 @@ Decision rounded_coefficients() { return {Truth::unknown, "the coefficients are 
 
 /// For all masks that are meant.
 Regularity regularity_of(const Scheme& scheme, double seconds) {
-  return subcert::regularity_of(scheme.mask, {Deadline::in(seconds)}, {.levels = levels, .rounding = scheme.rounding});
+  return subcert::regularity_of(scheme.mask, {Deadline::in(seconds)}, of_scheme(scheme, {.levels = levels}));
 }
 
 Decision convergent(const Scheme& scheme, const Expectation& expectation, double seconds) {
@@ -146,6 +149,64 @@ Decision sobolev_of_surface(const Scheme& scheme, const Expectation& expectation
   return compare(*found, expectation, "the exponent");
 }
 
+/// What is known of a vector of functions. Exponents are those of the worst function and solution.
+const FunctionVector& vector_of(const Regularity& regularity) { return *regularity.surface->vector; }
+
+Decision smoothness_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const Regularity regularity = regularity_of(scheme, seconds);
+  const FunctionVector& vector = vector_of(regularity);
+  if (!vector.continuous.is_yes() || expectation.number == 0) return vector.continuous;
+  const Enclosure exponent = regularity.exponent();
+  const std::string found = lies_in("the Hoelder exponent", exponent);
+  if (*exponent.lower > expectation.number) return decided(true, found);
+  // docs/vectors.md, theorem 3
+  if (exponent.upper && *exponent.upper <= expectation.number) return decided(false, found);
+  return {Truth::unknown, found};
+}
+
+Decision holder_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const Regularity regularity = regularity_of(scheme, seconds);
+  const FunctionVector& vector = vector_of(regularity);
+  if (vector.continuous.is_no()) return decided(false, "no continuous solution: " + vector.continuous.reason);
+  return compare(regularity.exponent(), expectation, "the exponent");
+}
+
+Decision sobolev_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const auto found = regularity_of(scheme, seconds).surface->sobolev;
+  return found ? compare(*found, expectation, "the exponent")
+               : Decision{Truth::unknown, "the exponent was not computed"};
+}
+
+Decision hermite(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const Regularity regularity = regularity_of(scheme, seconds);
+  const auto& known = vector_of(regularity).hermite;
+  if (known->order < 0) return {known->next.truth, known->next.reason};
+  const std::string found = fmt::format("HC^{} is proved", known->order);
+  if (expectation.number <= known->order) return decided(true, found);
+  if (known->next.is_no()) return decided(false, fmt::format("{}, HC^{} refuted", found, known->order + 1));
+  return {Truth::unknown, found};
+}
+
+/// Whether the data are kept at the old places, derivatives per unit of the finer spacing.
+bool keeps_vectors(const Scheme& scheme) {
+  const LatticeMask& mask = scheme.mask;
+  const LatticePoint zero(mask.dilation().variables(), 0);
+  const std::size_t digit = mask.dilation().divide(zero).digit;
+  std::size_t kept = 0;
+  for (const LatticeMask::Term& term : mask.terms()) {
+    if (mask.dilation().divide(term.exponents).digit != digit) continue;
+    if (term.exponents != zero || term.row != term.column) return false;
+    const long derivative = scheme.form == VectorForm::hermite ? static_cast<long>(term.row) : 0;
+    if (term.coefficient != (derivative == 0 ? Rational(1) : power(Rational(mask.arity()), -derivative))) return false;
+    ++kept;
+  }
+  return kept == mask.components();
+}
+
+Decision interpolatory_vector(const Scheme& scheme, const Expectation& expectation, double) {
+  return matches({keeps_vectors(scheme) ? Truth::yes : Truth::no, ""}, expectation.yes);
+}
+
 }  // namespace
 
 const std::vector<Property>& known_properties() {
@@ -167,11 +228,23 @@ const std::vector<Property>& known_properties() {
   };
   static const std::vector<Property> all{
       {"convergent", answer, "uniform convergence for all bounded data", Expects::answer, convergent,
-       [](S s, E e, double time) { return matches(regularity_of(s, time).converges(), e.yes); }, Kind::convergent},
+       [](S s, E e, double time) { return matches(regularity_of(s, time).converges(), e.yes); }, Kind::convergent,
+       [](S s, E e, double time) { return matches(regularity_of(s, time).converges(), e.yes); }},
       {"smoothness", "\">= K\"", "C^K limits", Expects::order, smoothness,
-       [](S s, E e, double time) { return smoothness(*regularity_of(s, time).surface, e); }, Kind::smooth},
-      {"holder", comparison, "the Hoelder exponent", Expects::comparison, holder, holder_of_surface, Kind::holder},
-      {"sobolev", comparison, "the Sobolev exponent", Expects::comparison, sobolev, sobolev_of_surface, Kind::sobolev},
+       [](S s, E e, double time) { return smoothness(*regularity_of(s, time).surface, e); }, Kind::smooth,
+       smoothness_of_vector},
+      {"holder", comparison, "the Hoelder exponent", Expects::comparison, holder, holder_of_surface, Kind::holder,
+       holder_of_vector},
+      {"sobolev", comparison, "the Sobolev exponent", Expects::comparison, sobolev, sobolev_of_surface, Kind::sobolev,
+       sobolev_of_vector},
+      {"HC",
+       "\">= K\"",
+       "HC^K: data of a Hermite scheme converge to a C^K function and its derivatives",
+       Expects::order,
+       nullptr,
+       nullptr,
+       {},
+       hermite},
       {"sum_rules", whole, "the number of sum rules", Expects::whole_number, rules, rules},
       {"generates", whole, "the largest degree of polynomials that are limits", Expects::whole_number, generates,
        generates},
@@ -182,10 +255,29 @@ const std::vector<Property>& known_properties() {
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
       {"stable", answer, "stability of the integer shifts", Expects::answer, stable,
        [](S s, E e, double time) { return matches(regularity_of(s, time).stable(), e.yes); }, Kind::stable},
-      {"interpolatory", answer, "whether old values are kept", Expects::answer, interpolatory, interpolatory},
+      {"interpolatory",
+       answer,
+       "whether old values are kept",
+       Expects::answer,
+       interpolatory,
+       interpolatory,
+       {},
+       interpolatory_vector},
       {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", Expects::comparison,
        variance, nullptr}};
   return all;
+}
+
+Property::Decides Property::decides(const Scheme& of) const {
+  if (of_vector == &hermite && of.form != VectorForm::hermite) return nullptr;
+  return of.form ? of_vector : of.mask.dimension() == 1 ? of_curve : of_surface;
+}
+
+std::string kind_of(const Scheme& scheme) {
+  return scheme.form == VectorForm::hermite ? "Hermite schemes"
+         : scheme.form                      ? "vectors of functions"
+         : scheme.mask.dimension() == 1     ? "schemes of one variable"
+                                            : "surfaces";
 }
 
 const Property* find_property(std::string_view name) {
@@ -197,10 +289,9 @@ const Property* find_property(std::string_view name) {
 namespace {
 
 Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation, double seconds) {
-  if (scheme.mask.dimension() == 1) return property.of_curve(scheme, expectation, seconds);
-  if (!property.of_surface)
-    fail(ErrorKind::domain, "has_property: need a property of surfaces, got '{}'", property.name);
-  return property.of_surface(scheme, expectation, seconds);
+  const auto decide = property.decides(scheme);
+  if (!decide) fail(ErrorKind::domain, "has_property: need a property of {}, got '{}'", kind_of(scheme), property.name);
+  return decide(scheme, expectation, seconds);
 }
 
 /// For all values: every piece is proved, single values of gaps included.

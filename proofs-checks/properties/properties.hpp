@@ -50,10 +50,18 @@ struct Property {
   std::string values;  ///< that it takes, for messages
   std::string meaning;
   Expects expects;
-  Decision (*of_curve)(const Scheme& scheme, const Expectation& expectation, double seconds);
-  Decision (*of_surface)(const Scheme& scheme, const Expectation& expectation, double seconds);
+  using Decides = Decision (*)(const Scheme& scheme, const Expectation& expectation, double seconds);
+  Decides of_curve;
+  Decides of_surface;
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
+  Decides of_vector = nullptr;                        ///< of masks of matrices
+
+  /// The one for this scheme, or null.
+  Decides decides(const Scheme& of) const;
 };
+/// Which schemes it is one of, for messages.
+std::string kind_of(const Scheme& scheme);
+
 const std::vector<Property>& known_properties();
 /// The one of this name, or null.
 const Property* find_property(std::string_view name);
@@ -63,7 +71,8 @@ const Property* find_property(std::string_view name);
 std::vector<ExpectedScheme> read_expectations(std::string_view text);
 
 /// Whether the scheme has the property, of a range: for all values of the parameter. The reason says what was found.
-/// Domain: a property of surfaces for schemes of two and three variables, of ranges for ranges. Cost: as the analysis
+/// Domain: a property of surfaces for schemes of two and three variables, of vectors for masks of matrices, of ranges
+/// for ranges. Cost: as the analysis
 /// that it needs, with about this many seconds for each search.
 Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds);
 

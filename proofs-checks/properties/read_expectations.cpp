@@ -98,7 +98,7 @@ SchemeRange read_range(const toml::node& node, ParametricScheme family) {
 
 std::variant<Scheme, SchemeRange> read_subject(const toml::table& table, const std::string& specification) {
   if (const toml::node* range = table.get("for")) return read_range(*range, make_parametric_scheme(specification));
-  return make_linear_scheme(specification);
+  return make_refinable_scheme(specification);
 }
 
 struct SpecificationOf {
@@ -124,9 +124,9 @@ ExpectedScheme read_scheme(const toml::table& table) {
   } catch (const Error& error) {
     throw FileError(place_of(*mask), error.what());
   }
-  const auto* single = std::get_if<Scheme>(&*scheme);
-  const bool surface = single && single->mask.dimension() > 1, range = !single;
   ExpectedScheme result{printable(specification), std::visit(SpecificationOf{}, *scheme), std::move(*scheme), {}};
+  const auto* single = std::get_if<Scheme>(&result.scheme);
+  const bool range = !single;
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
     if (key.str() == "mask" || key.str() == "for") continue;
@@ -136,9 +136,9 @@ ExpectedScheme read_scheme(const toml::table& table) {
       continue;
     }
     const Property* property = find_property(key.str());
-    if (surface && !property->of_surface)
-      throw FileError(
-          place, "'" + property->name + "' is a property of schemes of one variable, got " + printable(specification));
+    if (single && !property->decides(*single))
+      throw FileError(place, "'" + property->name + "' is no property of " + kind_of(*single) + ", got " +
+                                 printable(specification));
     if (range && !property->of_ranges)
       throw FileError(place, "'" + property->name + "' is a property of single schemes, got a range of a parameter");
     result.expectations.push_back(read_expectation(*property, node, place));

@@ -4,10 +4,13 @@
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
+
+#include <map>
 
 namespace subcert::python {
 namespace {
@@ -38,6 +41,31 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_val
   return result;
 }
 
+/// The same of all functions of a vector, each value a list.
+std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>> vector_values_of(const Scheme& scheme,
+                                                                                                   int level,
+                                                                                                   double budget) {
+  require(level >= 0, "limit: need level >= 0, got {}", level);
+  require(!scheme.quadratic, "limit: need rational matrices, got {}", scheme.specification);
+  const FunctionVector vector = *vector_regularity(scheme.mask, {Deadline::in(budget)}).vector;
+  require_convergence(scheme.specification, vector.continuous);
+  require(vector.solutions == 1, "limit: need one continuous solution up to a factor, got up to {} for {}",
+          vector.solutions, scheme.specification);
+  std::map<LatticePoint, std::vector<Rational>> values;
+  for (const auto& [index, value] : limit_values(scheme.mask, level)) {
+    const LatticePoint point(index.begin(), std::prev(index.end()));
+    values.try_emplace(point, scheme.mask.components(), 0)
+        .first->second[static_cast<std::size_t>(index.back())] = value;
+  }
+  std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>> result;
+  for (auto& [index, list] : values) {
+    std::vector<Rational>& point = result.first.emplace_back(index.begin(), index.end());
+    for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
+    result.second.push_back(std::move(list));
+  }
+  return result;
+}
+
 }  // namespace
 
 void add_limits(py::module_& module) {
@@ -56,6 +84,9 @@ void add_limits(py::module_& module) {
   });
   module.def("surface_limit_values", [](const Scheme& scheme, int level, double budget, const py::object& progress) {
     return interruptible(progress, [&] { return surface_values_of(scheme, level, budget); });
+  });
+  module.def("vector_limit_values", [](const Scheme& scheme, int level, double budget, const py::object& progress) {
+    return interruptible(progress, [&] { return vector_values_of(scheme, level, budget); });
   });
   module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
     const LimitRange range = interruptible(progress, [&] {

@@ -6,6 +6,7 @@
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -45,12 +46,9 @@ std::shared_ptr<HolderEvidence> holder(const Scheme& scheme, int levels, double 
                                        bool certificate, std::optional<std::size_t> component,
                                        const py::object& progress) {
   return interruptible(progress, [&] {
-    const RegularityOptions options{bits,
-                                    levels,
-                                    certificate ? HolderProof::certificate : HolderProof::shortest,
-                                    scheme.rounding,
-                                    scheme.quadratic,
-                                    component};
+    RegularityOptions options = of_scheme(scheme, {.bits = bits, .levels = levels});
+    options.proof = certificate ? HolderProof::certificate : HolderProof::shortest;
+    options.component = component;
     const bool whole = certificate && scheme.mask.dimension() > 1;
     return std::make_shared<HolderEvidence>(HolderEvidence{
         scheme,

@@ -518,6 +518,49 @@ class VectorScheme(_OnLattice):
         chosen = None if component is None else component - 1
         return _exponent(self, 16, budget, memory, width, certificate, chosen, progress)
 
+    def converges(self, budget: float = 60, progress: Progress = None) -> Decision:
+        """Whether the scheme f'_i = sum over j of A_(i-2j)^T f_j converges for all bounded data; of a Hermite scheme
+        to a function and its derivatives. The functions may be smooth where it does not.
+
+        >>> import subcert
+        >>> subcert.scheme("merrien:lambda=-1/8,mu=1").converges().reason
+        'limit 1 is not the derivative of limit 0'
+        >>> subcert.scheme("hermite-dd:points=4,order=2").holder().facts["hermite"]["order"]
+        2
+        """
+        return self.holder(budget, progress=progress).converges
+
+    def limit(
+        self, level: int = 2, *, exact: bool = False, budget: float = 60, progress: Progress = None
+    ) -> tuple[Any, Any]:
+        """The points M^-level i, i with integer coordinates, at which not all functions are 0, and their values there:
+        arrays of numpy of shape (n, dimension) and (n, components), or with `exact` lists of tuples of Fractions. The
+        factor that the equation leaves open is such that the values at integers sum to 1, or that the first is 1.
+        Raises DomainError where there is no continuous solution, or not one alone.
+
+        >>> import subcert
+        >>> points, values = subcert.scheme("merrien:lambda=-1/8,mu=-1/2").limit(1, exact=True)
+        >>> points[2], values[2]
+        ((Fraction(1, 2),), (Fraction(1, 2), Fraction(1, 8)))
+        """
+        points, values = _core.vector_limit_values(self._handle, level, budget, progress)
+        if exact:
+            return [tuple(point) for point in points], [tuple(numbers) for numbers in values]
+        import numpy
+
+        return numpy.array(points, dtype=float), numpy.array(values, dtype=float)
+
+    def plot(self, ax: Any = None, *, level: int = 7) -> Any:
+        """Draws all functions of a vector of one variable, and returns the axes of matplotlib. Errors: as limit."""
+        if self.dimension != 1:
+            raise DomainError(f"plot: need functions of one variable, got {self.dimension}")
+        points, values = self.limit(level)
+        for component in range(self.components):
+            label = f"phi_{component + 1}"
+            ax = _plots.line(ax, points[:, 0], values[:, component], label, self.specification)
+        ax.legend()
+        return ax
+
 
 class DataDependentScheme(Named):
     """A scheme without a mask, which only acts on data, as ``l1:points=6``."""

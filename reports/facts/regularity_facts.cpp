@@ -176,7 +176,15 @@ std::size_t count_of_matrices(const LatticeMask& mask) {
   return exponents.size();
 }
 
-/// What the refinement equation is and how many solutions it has.
+Facts dilation_facts(const LatticeMask& mask) {
+  const Dilation& dilation = mask.dilation();
+  return {member("variables", mask.dimension()),
+          {"dilation", "dilation", dilation.to_text() + ", digits " + to_text(dilation.digits()), "", dilation.rows()},
+          member("digits", dilation.digits())};
+}
+
+}  // namespace
+
 Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
   std::string text = to_mask_text(mask);
   constexpr std::size_t most_text = 400;
@@ -205,7 +213,19 @@ Fact continuous_fact(const Decision& continuous) {
   return fact;
 }
 
-/// The exponent of each function.
+Fact hermite_fact(const std::optional<HermiteOrder>& hermite) {
+  if (!hermite) return member("hermite", nullptr);
+  const auto& [order, next] = *hermite;
+  const std::string after = fmt::format("HC^{}", order + 1);
+  std::string text = order < 0 ? next.is_no() ? "none" : "unknown" : fmt::format("HC^{}", order);
+  if (order >= 0) text += next.is_no() ? fmt::format(", not {}", after) : fmt::format("; {} is open", after);
+  return {"hermite",
+          "Hermite",
+          std::move(text),
+          next.reason,
+          {{"order", order < 0 ? Json() : Json(order)}, {"next", to_text(next.truth)}, {"reason", next.reason}}};
+}
+
 Fact components_fact(const FunctionVector& vector, int digits) {
   Json list = Json::array();
   std::string text;
@@ -219,15 +239,6 @@ Fact components_fact(const FunctionVector& vector, int digits) {
   if (list.empty()) return member("components", list);
   return {"components", "components", text, "", list};
 }
-
-Facts dilation_facts(const LatticeMask& mask) {
-  const Dilation& dilation = mask.dilation();
-  return {member("variables", mask.dimension()),
-          {"dilation", "dilation", dilation.to_text() + ", digits " + to_text(dilation.digits()), "", dilation.rows()},
-          member("digits", dilation.digits())};
-}
-
-}  // namespace
 
 Fact values_fact(const LatticeMask& mask) {
   std::string text;
@@ -280,6 +291,7 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   append(list, curve ? Facts{rounding_fact(scheme.rounding)} : dilation_facts(scheme.mask));
   list.push_back(vector ? member("sum_rules", nullptr) : plain("sum_rules", "sum rules", regularity.sum_rules()));
   list.push_back(converges_fact(regularity.converges()));
+  if (vector) list.push_back(hermite_fact(vector->hermite));
   if (curve)
     append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});
   else

@@ -23,6 +23,13 @@ struct RegularityForm {
 Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form);
 
+/// Of a vector of functions: its equation, its support and how many solutions there can be; the exponent of each, HC^l
+/// of a Hermite scheme, and whether all are continuous.
+Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector);
+Fact components_fact(const FunctionVector& vector, int digits = 0);
+Fact hermite_fact(const std::optional<HermiteOrder>& hermite);
+Fact continuous_fact(const Decision& continuous);
+
 /// Of a vector of functions, the values that are not 0 at lattice points. Domain: as limit_values.
 Fact values_fact(const LatticeMask& mask);
 

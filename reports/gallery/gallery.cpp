@@ -9,6 +9,7 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
 #include <subcert/reports/formats/html.hpp>
 #include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
@@ -101,13 +102,13 @@ void add_regularity(Plate& plate, const PlateOptions& options, const Budget& bud
   std::optional<Regularity> regularity;
   try_part(plate, {}, "Hölder exponent", [&] {
     const HolderProof proof = options.verified ? HolderProof::certificate : HolderProof::shortest;
-    regularity = regularity_of(scheme.mask, budget,
-                               {.levels = levels_of_norms, .proof = proof, .rounding = scheme.rounding});
+    regularity = regularity_of(scheme.mask, budget, of_scheme(scheme, {.levels = levels_of_norms, .proof = proof}));
     plate.sum_rules = regularity->sum_rules();
     if (regularity->converges().truth != Truth::unknown) plate.convergence = regularity->converges();
     plate.stable = regularity->stable();
     plate.exact = regularity->exact();
-    if (!plate.convergence.is_yes()) return;
+    if (regularity->surface) plate.vector = regularity->surface->vector;
+    if (!(plate.vector ? plate.vector->continuous : plate.convergence).is_yes()) return;
     plate.holder = regularity->exponent();
     if (regularity->surface) plate.sobolev = regularity->surface->sobolev;
   });
@@ -212,11 +213,30 @@ void fill_surface(Plate& plate, const PlateOptions& options) {
              [&] { plate.surface = formats::limit_surface(plate.scheme.mask, "The basic limit function"); });
 }
 
+void fill_vector(Plate& plate, const PlateOptions& options) {
+  const Scheme& scheme = plate.scheme;
+  add_regularity(plate, options, {Deadline::in(options.budget), options.memory});
+  plate.notes.emplace_back(
+      "Sum rules, stability, variance and refined polygons are of masks of numbers, and left out here.");
+  if (!plate.vector || !plate.vector->continuous.is_yes())
+    plate.notes.emplace_back("Continuous functions are not proved to exist: nothing is drawn.");
+  else if (plate.vector->solutions != 1)
+    plate.notes.emplace_back("There may be several solutions of the refinement equation: none is drawn.");
+  else if (scheme.quadratic || scheme.mask.dimension() > 1)
+    plate.notes.push_back(fmt::format("Functions {} are not drawn.",
+                                      scheme.quadratic ? "of matrices with square roots" : "of several variables"));
+  else
+    try_part(plate, {}, "picture of the functions", [&] {
+      plate.pictures.push_back(
+          {"limit", "<i>φ</i>, up to a factor", formats::vector_panel(scheme.mask, "The functions of the vector")});
+    });
+}
+
 }  // namespace
 
 Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options) {
   Plate plate(scheme);
-  (plate.scheme.mask.dimension() == 1 ? fill_curve : fill_surface)(plate, options);
+  (plate.scheme.form ? fill_vector : plate.scheme.mask.dimension() == 1 ? fill_curve : fill_surface)(plate, options);
   return plate;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What the gallery knows of a scheme, and its pages.
 
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/reports/facts/fact.hpp>
 #include <subcert/reports/formats/figure.hpp>
 #include <subcert/reports/formats/surface_figure.hpp>
@@ -42,7 +43,7 @@ struct PlatePicture {
 /// A scheme, what is proved about it, and its pictures. What does not exist, or is not proved to, is absent, and a note
 /// says why.
 struct Plate {
-  explicit Plate(const GalleryScheme& drawn) : scheme(make_linear_scheme(drawn.specification)), key(drawn.key) {}
+  explicit Plate(const GalleryScheme& drawn) : scheme(make_refinable_scheme(drawn.specification)), key(drawn.key) {}
 
   Scheme scheme;
   std::string key;  ///< of the reference, or empty
@@ -52,6 +53,7 @@ struct Plate {
   Enclosure holder;
   Decision exact;  ///< whether a product attains the radius behind the exponent
   std::optional<Enclosure> sobolev;
+  std::optional<FunctionVector> vector;  ///< of a mask of matrices: `convergence` is that of the scheme itself
   int derivatives = -1;  ///< continuous ones that are proved, without the budget of the exponent; -1: not asked
   std::optional<Enclosure> largest_variance;
   std::optional<Rational> mean_variance;
@@ -65,8 +67,8 @@ struct Plate {
   const std::string& title() const { return scheme.title; }
 };
 
-/// Domain: a scheme of one variable, or of two or three. Errors: throws SpecificationError for what is no linear
-/// scheme; what a proof or a picture cannot have becomes a note. Cost: the
+/// Domain: a scheme of one variable, or of two or three; a vector of functions. Errors: throws SpecificationError for
+/// what is no linear scheme and no vector of functions; what a proof or a picture cannot have becomes a note. Cost: the
 /// budget, the budget once more for pictures, and for long masks the first picture beside.
 Plate make_plate(const GalleryScheme& scheme, const PlateOptions& options);
 

@@ -146,7 +146,10 @@ std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates) {
       for (const PlatePicture& picture : plate.pictures) {
         if (picture.name != name) continue;
         if (all.panel.curves.empty()) all = {name, picture.caption, {picture.panel.title, "x", "", {}}};
-        all.panel.curves.push_back({plate.specification(), picture.panel.curves.front().points});
+        for (const formats::Curve& curve : picture.panel.curves)
+          if (!curve.marked)
+            all.panel.curves.push_back(
+                {plate.specification() + (curve.label.empty() ? "" : " " + curve.label), curve.points});
       }
     if (all.panel.curves.size() > 1) pictures.push_back(std::move(all));
   }

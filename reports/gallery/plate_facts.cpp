@@ -1,6 +1,7 @@
 #include "gallery.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/reports/formats/comparison.hpp>
 
@@ -46,7 +47,7 @@ Facts known_of_mask(const Scheme& scheme) {
 
 Fact holder_fact(const Plate& plate) {
   Fact fact{"holder", "Hoelder exponent", "none"};
-  if (plate.convergence.is_no()) return fact;
+  if ((plate.vector ? plate.vector->continuous : plate.convergence).is_no()) return fact;
   fact.text = "not proved";
   if (!plate.holder.lower) return fact;
   return {"holder", "Hoelder exponent", number_text(plate.holder, places),
@@ -54,6 +55,21 @@ Fact holder_fact(const Plate& plate) {
           : plate.exact.is_yes() ? "enclosed with proof; a product attains the radius"
                                  : "enclosed with proof",
           facts::enclosure_json(plate.holder)};
+}
+
+/// Of a vector of functions what the equation says; else what the mask does.
+Facts vector_facts(const Plate& plate) {
+  if (!plate.vector) return {decided("convergence", "convergence", plate.convergence)};  // a note says why
+  const FunctionVector& vector = *plate.vector;
+  Facts list = facts::equation_facts(plate.scheme.mask, vector);
+  append(list, {facts::plain("functions", "functions", plate.scheme.mask.components()),
+                decided("convergence", "convergence", plate.convergence), facts::continuous_fact(vector.continuous),
+                holder_fact(plate), facts::components_fact(vector), member("exact", plate.exact.is_yes())});
+  if (plate.sobolev)
+    list.push_back(
+        {"sobolev", "Sobolev exponent", number_text(*plate.sobolev, places), "", facts::enclosure_json(plate.sobolev)});
+  list.push_back(facts::hermite_fact(vector.hermite));
+  return list;
 }
 
 Fact mean_fact(const Rational& mean) {
@@ -69,6 +85,10 @@ Fact mean_fact(const Rational& mean) {
 Facts plate_facts(const Plate& plate) {
   const bool converges = plate.convergence.is_yes();
   Facts list{member("scheme", plate.specification())};
+  if (plate.scheme.form) {
+    append(list, vector_facts(plate));
+    return list;
+  }
   append(list, known_of_mask(plate.scheme));
   list.push_back(decided("convergence", "convergence", plate.convergence));
   list.push_back(holder_fact(plate));

@@ -266,6 +266,107 @@ def edges(rng, letters):
             for _ in range(rng.randint(1, 2 * nodes + 1))]
 
 
+# ---- vectors of functions
+
+def times(a, b):
+    return [[sum(x * y for x, y in zip(row, column)) for column in zip(*b)] for row in a]
+
+
+def refinable_text(family, matrices, first, arity):
+    listed = ",".join("[" + ",".join("[" + ",".join(map(str, row)) + "]" for row in m) + "]" for m in matrices)
+    return f"{family}:[{listed}]@{first}" + ("" if arity == 2 else f",arity={arity}")
+
+
+def named_vector(rng):
+    order = rng.randint(2, 4)
+    degree, mu = rng.randint(2, 6), rational(rng, Fraction(-4), Fraction(2))
+    return rng.choice((
+        f"merrien:lambda={rational(rng, Fraction(-1, 2), Fraction(1, 4))},mu={mu}",
+        f"merrien:lambda=-1/8,mu={mu}",
+        f"hermite-dd:points={rng.choice((2, 2, 4))},order={order},a={rng.randint(2, 4)}",
+        f"bspline:degree={degree},multiplicity={rng.randint(2, degree)},a={rng.randint(2, 4)}",
+        rng.choice(("ghm", "cl:2", "cl:3", "sa4", "bat:1", "bat:2")),
+        f"tensor:({rng.choice(('ghm', 'bspline:degree=2,multiplicity=2'))})x(bspline:degree={rng.randint(1, 3)})",
+    ))
+
+
+def vector_basis(rng, size):
+    """An invertible matrix of small integers and its inverse."""
+    there = back = identity(size)
+    for _ in range(rng.randint(1, 3)):
+        i, j = rng.sample(range(size), 2)
+        step, inverse = elementary(size, i, j, rng.choice((-2, -1, 1, 3)))
+        there, back = times(step, there), times(back, inverse)
+    return there, back
+
+
+def random_vector(rng):
+    """Any matrices; of some the sums over classes keep a vector."""
+    size, arity, numbers = rng.choice((2, 2, 2, 3, 4)), rng.choice((2, 2, 2, 3, 4)), rng.choice(SIZES)
+    count = rng.randint(1, rng.choice((3, 5)))
+    scale = rng.choice((1, 1, 2, 4, 8))
+    matrices = [[[entry(rng, numbers) / scale for _ in range(size)] for _ in range(size)] for _ in range(count)]
+    if rng.random() < 0.6 and count >= arity:  # in each class the first column of the sum becomes that of 1
+        for k in range(arity):
+            for i in range(size):
+                matrices[k][i][0] += int(i == 0) - sum(m[i][0] for m in matrices[k::arity])
+        matrices = [[list(row) for row in zip(*m)] for m in matrices] if rng.random() < 0.5 else matrices
+        there, back = vector_basis(rng, size)
+        matrices = [times(times(there, m), back) for m in matrices]
+    return refinable_text(rng.choice(("refinable", "vector", "hermite")), matrices, rng.randint(-2, 1), arity)
+
+
+def merrien_matrices(rng):
+    l, mu = rational(rng, Fraction(-1, 2), Fraction(1, 4)), rational(rng, Fraction(-4), Fraction(2))
+    h = Fraction(1, 2)
+    return [[[h, (1 - mu) / 2], [l, mu / 4]], [[1, 0], [0, h]], [[h, (mu - 1) / 2], [-l, mu / 4]]]
+
+
+def polyphase_matrices(rng):
+    """Of the two functions phi(2x), phi(2x - 1) of a mask of numbers."""
+    c = [rng.randint(-3, 6) for _ in range(rng.randint(3, 7))]
+    for k in range(2):
+        c[k] += 1 - sum(c[k::2])
+    matrices = [[[0, 0], [0, 0]] for _ in range((len(c) + 3) // 2)]
+    for i in range(2):
+        for k, v in enumerate(c):
+            matrices[(2 * i + k) // 2][i][(2 * i + k) % 2] += v
+    return matrices
+
+
+def twins(rng):
+    """Two specifications of functions that span the same space."""
+    matrices = rng.choice((merrien_matrices, polyphase_matrices))(rng)
+    there, back = vector_basis(rng, 2)
+    family = rng.choice(("refinable", "vector"))
+    if rng.random() < 0.3:  # two of the same beside each other: several solutions
+        matrices = [[[*row, 0, 0] for row in m] + [[0, 0, *row] for row in m] for m in matrices]
+        there, back = vector_basis(rng, 4)
+    first = rng.randint(-2, 1)
+    return (refinable_text(family, [times(times(there, m), back) for m in matrices], first, 2),
+            refinable_text(family, matrices, first, 2))
+
+
+def two_variables(rng):
+    size = rng.choice((2, 2, 3))
+    row = lambda: "[" + ",".join(str(entry(rng, "plain") / 4) for _ in range(size)) + "]"
+    several = lambda part, count: "[" + ",".join(part() for _ in range(count)) + "]"
+    return "refinable:" + several(lambda: several(lambda: several(row, size), 2), 2)
+
+
+def vector_case(rng, low, high):
+    scheme = rng.choice((named_vector, named_vector, random_vector, random_vector, random_vector, two_variables))(rng)
+    case = Case("vector", ["regularity", scheme], budget(rng, low, high), facts={"scheme": scheme})
+    if rng.random() < 0.2:
+        scheme, case.facts["twin"] = twins(rng)
+        case.arguments[1] = case.facts["scheme"] = scheme
+    if rng.random() < 0.4:
+        case.arguments += ["--certificate", "proof.cert"]
+    elif rng.random() < 0.1:
+        case.arguments += ["--component", "2"]
+    return case
+
+
 # ---- cases
 
 def budget(rng, low, high):
@@ -333,4 +434,5 @@ def page_case(rng, low, high):
 
 
 def any_case(rng, low, high):
-    return rng.choices((regularity_case, jsr_case, range_case, page_case), (45, 30, 10, 15))[0](rng, low, high)
+    kinds = (regularity_case, vector_case, jsr_case, range_case, page_case)
+    return rng.choices(kinds, (40, 15, 25, 8, 12))[0](rng, low, high)

@@ -4,14 +4,17 @@ import os
 from decimal import Decimal
 from fractions import Fraction
 
-from oracles import DifferenceScheme, Words
+from oracles import DifferenceScheme, VectorEquation, Words
 
 ENDINGS = {0, 1, 2, 3}  # of what is well formed
-# Reasons for no certificate: the mask's own bounds, not those of its factors; more time; tensor products have none.
-NO_CLAIM = ("need a positive lower bound", "with a longer budget a proof may be found", "certify the factors")
+# Reasons for no certificate: the mask's own bounds, not those of its factors; more time; tensor products and several
+# solutions have none.
+NO_CLAIM = ("need a positive lower bound", "the only one up to a factor", "with a longer budget a proof may be found",
+            "certify the factors")
 LONG_CHECK = "more work than"  # says the checker, after some ten seconds
 MEMORY_BESIDE = 160  # MiB beside those of --memory: the program and what it has read
 MOST_SAMPLES = 7  # of a range
+ROUNDED = 2**200  # denominators beyond are of rounded square roots
 GUARD = 1e-9  # of logarithms in double precision, relative to 1
 
 
@@ -132,6 +135,58 @@ def exponent(case, run):
 def mask_of(run, scheme):
     mask = run.ask("mask", scheme, "--json")
     return mask and DifferenceScheme([Fraction(c) for c in mask["coefficients"]], mask["arity"])
+
+
+def vector(case, run):
+    """Exponent and convergence against products and norms of operators that are made here."""
+    answer = run.answer or {}
+    mask = run.ask("mask", case.facts["scheme"], "--json") if answer else None
+    if not mask or not isinstance(mask["first_index"], int):
+        return
+    matrices = [[[Fraction(v) for v in row] for row in m] for m in mask["coefficients"]]
+    if any(v.denominator > ROUNDED for m in matrices for row in m for v in row):
+        return
+    equation = VectorEquation(matrices, mask["first_index"], mask["arity"])
+    if answer["solutions"] == 1 and "--component" not in case.arguments:
+        for order in (1, 3):
+            yield from vector_exponent(answer["holder"], equation.of_values(order), mask["arity"], order)
+    words = equation.of_differences()
+    if not words or answer["hermite"]:
+        return
+    words = Words(words)
+    at_least, at_most = words.bounds()
+    if answer["converges"] == "yes" and not (words.is_at_least(1, at_least) and equation.keeps_constants()):
+        yield "wrong", "convergence proved, but a product of differences grows, or no constants are kept"
+    if answer["converges"] == "no" and equation.keeps_constants() and not words.is_at_most(1, at_most):
+        yield "wrong", "convergence refuted, but products of differences shrink"
+
+
+def twin(case, run):
+    """The same functions in another basis have the same exponent, and the same data converge."""
+    other = "twin" in case.facts and run.answer and run.ask("regularity", case.facts["twin"], *case.limits)
+    if not other or "--component" in case.arguments:
+        return
+    for key in ("converges", "continuous"):
+        if {run.answer[key], other[key]} == {"yes", "no"}:
+            yield "wrong", f"{key} is {run.answer[key]}, and {other[key]} in another basis"
+    for one, two in ((run.answer, other), (other, run.answer)):
+        low, high = end(one["holder"], "lower"), end(two["holder"], "upper")
+        if low is not None and high is not None and low > high:
+            yield "wrong", f"an exponent at least {float(low)} and at most {float(high)} in another basis"
+
+
+def vector_exponent(found, family, arity, order):
+    """The radius of differences of this order of the values is arity^-s for an exponent s below the order."""
+    if not family:
+        return
+    words = Words(family)
+    at_least, at_most = words.bounds()
+    low, high = end(found, "lower"), end(found, "upper")
+    radius = lambda exponent: Fraction(float(arity) ** -float(exponent))
+    if low is not None and not words.is_at_least(radius(min(low, order) - Fraction(GUARD)), at_least):
+        yield "wrong", f"lower end {found['lower']}, but a product of differences of order {order} is too large"
+    if high is not None and high < order and not words.is_at_most(radius(high + Fraction(GUARD)), at_most):
+        yield "wrong", f"upper end {found['upper']}, but products of differences of order {order} are small"
 
 
 def pieces(case, run):
@@ -262,8 +317,9 @@ def middle(enclosures_of_runs, side):
 
 
 OF_ALL = (ending, resources, not_empty)
-OF_COMMAND = {"regularity": (exponent, certificate), "jsr": (radius, certificate), "range": (pieces,),
-              "limit": (values,), "variance": (curve,), "mask": (coefficients,)}
+OF_COMMAND = {"regularity": (exponent, certificate), "vector": (vector, twin, certificate),
+              "jsr": (radius, certificate), "range": (pieces,), "limit": (values,), "variance": (curve,),
+              "mask": (coefficients,)}
 
 
 def findings(case, run, with_longer):

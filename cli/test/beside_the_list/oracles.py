@@ -150,3 +150,116 @@ class DifferenceScheme:
 
     def exponent_at_most(self):
         return -self.growth_at_least() / math.log(self.arity)
+
+
+class VectorEquation:
+    """phi(x) = sum over k of A_k phi(ax - k) in one variable, by its operators on finite sequences of vectors:
+    (T_d u)_j = sum over k of A_(aj+d-k) u_k. Sequences are dictionaries {(j, component): number}."""
+
+    LARGEST = 24  # spaces
+
+    def __init__(self, matrices, first, arity):
+        self.arity, self.size = arity, len(matrices[0])
+        self.entries = [(first + k, i, j, m[i][j]) for k, m in enumerate(matrices) for i in range(self.size)
+                        for j in range(self.size) if m[i][j]]
+
+    def images(self, u):
+        """T_d u for every d."""
+        result = [{} for _ in range(self.arity)]
+        for (k, c), value in u.items():
+            for n, i, j, entry in self.entries:
+                if j == c:
+                    at, d = divmod(n + k, self.arity)
+                    result[d][at, i] = result[d].get((at, i), 0) + entry * value
+        return [{key: v for key, v in image.items() if v} for image in result]
+
+    def spun(self, starts):
+        """The matrices of T_d on the span of all words on the sequences; None where it is too large."""
+        rows = []  # (pivot, sequence), reduced one by one
+
+        def reduced(u):
+            u, coordinates = dict(u), []
+            for pivot, row in rows:
+                factor = u.get(pivot, 0)
+                coordinates.append(factor)
+                if factor:
+                    for key, v in row.items():
+                        u[key] = u.get(key, 0) - factor * v
+            return {key: v for key, v in u.items() if v}, coordinates
+
+        waiting = list(starts)
+        while waiting:
+            rest, _ = reduced(waiting.pop())
+            if rest:
+                pivot = min(rest)
+                rows.append((pivot, {key: Fraction(v) / rest[pivot] for key, v in rest.items()}))
+                waiting.extend(self.images(rows[-1][1]))
+                if len(rows) > self.LARGEST:
+                    return None
+        columns = [[reduced(image)[1] for image in self.images(row)] for _, row in rows]
+        return [[[columns[c][d][r] for c in range(len(rows))] for r in range(len(rows))] for d in range(self.arity)]
+
+    def of_differences(self):
+        """Of the scheme of the transposed matrices: what has to vanish where its data converge."""
+        starts = []
+        for c in range(self.size):
+            starts.append({(0, c): 1, (1, c): -1})
+            for image in self.images({(0, c): 1}):
+                image[0, c] = image.get((0, c), 0) - 1
+                starts.append(image)
+        return self.spun(starts)
+
+    def keeps_constants(self):
+        """Whether a vector is kept by the sums of the transposed matrices over every class."""
+        rows = {(d, j): [Fraction(-int(i == j)) for i in range(self.size)]
+                for d in range(self.arity) for j in range(self.size)}
+        for n, i, j, entry in self.entries:
+            rows[n % self.arity, j][i] += entry
+        return bool(kernel(list(rows.values()), self.size))
+
+    def of_values(self, order):
+        """Of differences of the values of the only solution at integers; None where there is not one."""
+        low, high = min(e[0] for e in self.entries), max(e[0] for e in self.entries)
+        inside = [(j, c) for j in range(low, high + 1) for c in range(self.size)
+                  if low < j * (self.arity - 1) < high]
+        if not inside or len(inside) > self.LARGEST:
+            return None
+        rows = {}
+        for column, at in enumerate(inside):
+            image = self.images({at: 1})[0]
+            image[at] = image.get(at, 0) - 1
+            for key, v in image.items():
+                rows.setdefault(key, [Fraction(0)] * len(inside))[column] = Fraction(v)
+        solutions = kernel(list(rows.values()), len(inside))
+        if len(solutions) != 1:
+            return None
+        u = {at: v for at, v in zip(inside, solutions[0]) if v}
+        for _ in range(order):
+            moved = dict(u)
+            for (j, c), v in u.items():
+                moved[j + 1, c] = moved.get((j + 1, c), 0) - v
+            u = moved
+        return self.spun([u])
+
+
+def kernel(rows, columns):
+    """A basis of what these rows map to 0."""
+    pivots = []
+    for column in range(columns):
+        at = next((row for row in rows[len(pivots):] if row[column]), None)
+        if at is None:
+            continue
+        rows.remove(at)
+        rows.insert(len(pivots), [v / at[column] for v in at])
+        pivot = rows[len(pivots)]
+        rows[:] = [row if row is pivot or not row[column] else [a - row[column] * b for a, b in zip(row, pivot)]
+                   for row in rows]
+        pivots.append(column)
+    result = []
+    for free in set(range(columns)) - set(pivots):
+        vector = [Fraction(0)] * columns
+        vector[free] = Fraction(1)
+        for place, column in enumerate(pivots):
+            vector[column] = -rows[place][free]
+        result.append(vector)
+    return result

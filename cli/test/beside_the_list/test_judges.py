@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import judges
 from generators import Case
-from oracles import DifferenceScheme, Words
+from oracles import DifferenceScheme, VectorEquation, Words
 
 
 def run(answer, **more):
@@ -57,6 +57,18 @@ class Bounds(unittest.TestCase):
         self.assertAlmostEqual(ternary.exponent_at_least(), 1)
 
 
+    def test_vectors(self):
+        diagonal = lambda *entries: [[Fraction(e) if i == j else Fraction(0) for j in range(len(entries))]
+                                     for i, e in enumerate(entries)]
+        hats = VectorEquation([diagonal("1/2", "1/2"), diagonal(1, 1), diagonal("1/2", "1/2")], -1, 2)
+        self.assertTrue(hats.keeps_constants())
+        lower, upper = Words(hats.of_differences()).bounds()
+        self.assertFalse(Words(hats.of_differences()).is_at_most("0.51", upper))
+        self.assertIsNone(hats.of_values(1))  # two solutions
+        kept = VectorEquation([diagonal("1/2", 0), diagonal(1, 2), diagonal("1/2", 0)], -1, 2)
+        self.assertFalse(Words(kept.of_differences()).is_at_least("0.99", Words(kept.of_differences()).bounds()[0]))
+
+
 class Judges(unittest.TestCase):
     case = Case("jsr", [], 1.0, facts={"family": [[[1, 1], [0, 1]], [[1, 0], [1, 1]]], "edges": None})
 
@@ -80,6 +92,21 @@ class Judges(unittest.TestCase):
         self.assertEqual(judged("3.1", "3.2", stable=False), [])
         self.assertEqual(judged("3", "3", sum_rules=3), ["wrong"])
         self.assertEqual(judged("3", "3", converges="no"), ["wrong"])
+
+    def test_vector(self):
+        # The hat function on [0, 2] and Takagi's function on [0, 1].
+        case = Case("vector", ["regularity"], 1.0, facts={"scheme": ""})
+        mask = {"arity": 2, "first_index": 0, "rounded": None, "coefficients": [
+            [["1/2", "0"], ["1", "1/2"]], [["1", "0"], ["0", "1/2"]], [["1/2", "0"], ["0", "0"]]]}
+
+        def judged(lower, upper, **more):
+            answer = {"holder": enclosure(lower, upper), "solutions": 1, "converges": "yes", "hermite": None, **more}
+            return kinds(judges.vector, case, answer, ask=lambda *_: mask)
+
+        self.assertEqual(judged("1", "1"), [])
+        self.assertEqual(judged("1.1", "1.2")[0], "wrong")
+        self.assertEqual(judged("0.1", "0.2")[0], "wrong")
+        self.assertEqual(judged("1", "1", converges="no"), ["wrong"])
 
     def test_every_run(self):
         self.assertEqual(kinds(judges.ending, self.case, {}), [])

@@ -95,7 +95,7 @@ TEST_CASE("properties of surfaces") {
   // C^1 with the exponent 2: never said to be C^2.
   CHECK_FALSE(first_answer("mask = 'zwart-powell:'\nsmoothness = '>= 2'").is_yes());
   CHECK(first_answer("mask = 'kobbelt:w=1/16'\nsmoothness = '>= 1'").is_yes());
-  CHECK_THAT(error_of(quincunx + "variance = '<= 1'"), Catch::Contains("a property of schemes of one variable"));
+  CHECK_THAT(error_of(quincunx + "variance = '<= 1'"), Catch::Contains("is no property of surfaces"));
 }
 
 TEST_CASE("of rounded coefficients nothing is said that depends on the rounding") {

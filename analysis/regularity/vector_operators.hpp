@@ -1,0 +1,60 @@
+#pragma once
+/// The transition operators of vectors of functions on rational spaces, also over a quadratic field. Inner header.
+
+#include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
+
+namespace subcert::vectors {
+
+constexpr std::size_t largest_space = 256;
+
+/// A vector of functions by the mask of its rational parts: where these are more than one each, the multiples of 1 and
+/// of the square root of a number (QuadraticMask).
+struct Parts {
+  const LatticeMask& mask;
+  long root = 0;  ///< that number, or 0
+  std::size_t components() const { return mask.components() / (root > 0 ? 2 : 1); }
+  /// Of a component, from 0.
+  std::vector<std::size_t> parts_of(std::size_t component) const {
+    return root > 0 ? std::vector{component, component + components()} : std::vector{component};
+  }
+};
+
+/// The transition operators on a rational space, digit by digit, and the product with the square root where there is
+/// one.
+struct Operators {
+  MatrixFamily family;
+  std::optional<RationalMatrix> root = std::nullopt;
+
+  /// All of them, the root last.
+  std::vector<RationalMatrix> matrices() const {
+    std::vector<RationalMatrix> result = family.matrices();
+    if (root) result.push_back(*root);
+    return result;
+  }
+};
+
+/// The root last, where there is one.
+Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts);
+Operators operators_of(const DifferenceSpace& space, const Parts& parts);
+
+/// Matrices, and how far the entries of those that are meant may be from theirs.
+struct RealFamily {
+  MatrixFamily matrices;
+  Rational distance = 0;
+};
+
+/// On the functions themselves, for the square root of this number, or 0. In the basis e_1, J e_1, e_2, J e_2, ... of
+/// the rational space, J the product with the root, e_1, e_2, ... are a basis over the field of the root, with the
+/// entries X(2i, 2k) + sqrt(number) X(2i + 1, 2k).
+RealFamily on_functions(const Operators& operators, long number);
+
+NormProof norms_of(const RealFamily& family, const Budget& budget);
+
+/// On the functions; over a field of the diagonal blocks, each by itself. `target`: as joint_spectral_radius, of
+/// rational matrices alone.
+JointSpectralRadius radius_of(const Operators& operators, long number, const Budget& budget, const NormProof& norms,
+                              const std::optional<Rational>& target = std::nullopt);
+
+}  // namespace subcert::vectors

@@ -2208,7 +2208,7 @@ var check_certificate = (() => {
       size = fraction(row_norm(power_of), scale);
       total = plus(total, size);
     }
-    const R = ceil_div(2n * BigInt(farthest) * total.n, total.d);
+    const R = 2n * BigInt(farthest) * total.n / total.d;  // rounded down, as coordinates are integers
     demand((2n * R + 1n) ** BigInt(M.length) * BigInt(components) <= 2n ** 20n, too_much_work);
     return Number(R);
   }
@@ -2217,14 +2217,10 @@ var check_certificate = (() => {
     const {mask, M, digits} = transition, dimension = M.length, ones = x => new Map([...x].map(([key, [p]]) => [key, [p, 1n]]));
     const pattern = new Transition(ones(mask), M, digits), back = x => ones(pattern.apply(digits[0], x));
     const same = (x, y) => is_multiple(x, y, 1n), radius = reach(transition, components), most = 1000;
-    const side = 2 * radius + 1;
+    const line = range_of(2 * radius + 1).map(x => x - radius);
+    const box = range_of(dimension).reduce(points => points.flatMap(p => line.map(x => [...p, x])), [[]]);
     let all = new Map();
-    for (let i = 0; i < side ** dimension * components; ++i) {
-      const component = i % components, point = [];
-      for (let rest = (i - component) / components; point.length < dimension; rest = Math.floor(rest / side))
-        point.push(rest % side - radius);
-      add(all, [...point, component], 1n);
-    }
+    for (const p of box) for (const component of range_of(components)) add(all, [...p, component], 1n);
     for (let steps = 0, next; !same(next = back(all), all); ++steps, all = next) demand(steps < most, too_much_work);
     let inner = all;
     for (let v = 0; v < 2 * dimension; ++v) {

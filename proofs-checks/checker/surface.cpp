@@ -241,8 +241,8 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   require(order <= max_order, "a higher order than the checker allows in several variables");
   const auto is_zero = [](const mpz_class& coefficient) { return coefficient == 0; };
   require(!std::ranges::all_of(mask.coefficients, is_zero), "all coefficients of the mask are 0");
-  const Dilation used = mask.components == 0 && reader.at("turned") ? read_turned(mask, dilation, reader, arithmetic)
-                                                                    : dilation;
+  const bool turned = mask.components == 0 && reader.at("turned");
+  const Dilation used = turned ? read_turned(mask, dilation, reader, arithmetic) : dilation;
   const auto surface = std::make_shared<Surface>(mask, used, reader, arithmetic);
   surface->read_digits();
   if (mask.components > 0) return {surface->of_values(order, upper), {}};

@@ -50,7 +50,8 @@ class Places {
         largest = std::max(largest, mpz_class(abs(power[i]) + abs(power[3 + i]) + abs(power[6 + i])));
       norm = ratio(largest, scale);
     }
-    const mpz_class result = ceiling(2 * sum * mpz_class(farthest));
+    sum *= 2 * mpz_class(farthest);
+    const mpz_class result = sum.get_num() / sum.get_den();  // rounded down, as coordinates are integers
     mpz_class places = operators_.components();
     for (std::size_t v = 0; v < operators_.variables(); ++v) places *= 2 * result + 1;
     require(places <= max_places, too_much_work);

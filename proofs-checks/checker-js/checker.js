@@ -393,6 +393,40 @@ var check_certificate = (() => {
     return unpack(determinant(matrix_at(1n << BigInt(width)), entry_bits), width, degree + 1);
   }
 
+  // ---- Points of the unit circle (4.17): integers over W = 2^bits, angles as multiples of pi -------------------------
+  class Circle {
+    constructor(bits) {
+      this.W = 1n << BigInt(bits);
+      const guarded = this.W << 32n, arctangent = n => {  // of 1/n
+        let total = 0n;
+        for (let k = 1n, x = guarded / n, plus_sign = true; x; k += 2n, x /= n * n, plus_sign = !plus_sign)
+          total += plus_sign ? x / k : -x / k;
+        return total;
+      };
+      this.pi = (16n * arctangent(5n) - 4n * arctangent(239n)) >> 32n;
+    }
+    half_angle({n, d}) { return this.pi * n / (2n * d); }
+    point(y) {  // e^(i pi y), within 2^18, not outside of the circle
+      const turned = !less(y, 1n), {n, d} = turned ? minus(y, 1n) : y, x = this.pi * n / d, parts = [this.W, 0n];
+      for (let k = 1, term = this.W; term; ++k) {
+        term = term * x / (this.W * BigInt(k));
+        parts[k % 2] += k % 4 < 2 ? term : -term;
+      }
+      const factor = turned ? 2n ** 16n - this.W : this.W - 2n ** 16n;
+      return parts.map(part => part * factor / this.W);
+    }
+    powers(y, count) {  // e^(i pi k y), k < count, within 2^19 k: the real parts, and the imaginary ones
+      const {W} = this, [u, v] = this.point(y), words = bits(W) + 128, re = [W], im = [0n];
+      spend(4 * count, words, words);
+      for (let k = 1; k < count; ++k) {
+        const x = re[k - 1], y_k = im[k - 1];
+        re.push((x * u - y_k * v) / W);
+        im.push((x * v + y_k * u) / W);
+      }
+      return [re, im];
+    }
+  }
+
   // ---- 4.3, 6.3, section 7: stability -------------------------------------------------------------------------------
   const divides = (x, y) => y % x === 0;
   function with_primes(n) {
@@ -422,27 +456,63 @@ var check_certificate = (() => {
     spend(4 * (primes.length + 1), Math.max(size, bits(packed)));
     return primes.reduce((x, q) => fold(x - (x << BigInt(size / q))), fold(packed));
   }
-  function check_stability(curve, interval, rounding) {
-    const {degree, q, a} = curve, top = a.length - 1, width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10;
+  const on_cycle = 'stability: the symbol on a cycle of roots of unity of order';
+  function check_stability(curve, order, interval, rounding) {
+    const {arity, degree, q, a} = curve, top = a.length - 1;
     if (interval) show_one_sign(form_of(q, interval, degree), 'the denominator of the mask');
-    if (degree || rounding) check_resultant(curve, interval, rounding);
-    else check_common_divisor(curve);
-    const packed = transpose(a).map(numbers => pack(numbers, width));
-    for (const orders of cyclotomic_orders(curve.arity, top)) {
-      const what = `stability: the remainder modulo Phi_${orders.at(-1).n}`;
-      const parts = packed.map(x => orders.map(order => cyclotomic_remainder(x, order, width)));
-      if (!interval && !rounding) demand(parts[0].some(x => x), `${what} is not positive`);
-      else {
-        const numbers = parts.map(part => part.flatMap((x, i) => unpack(x, width, orders[i].n)));
-        const squares = squares_of(transpose(numbers));
-        if (interval) show_positive(form_of(squares, interval, 2 * degree), what);
-        if (!rounding) continue;
-        const changes = orders.map(({n, primes}) => {
-          const change = times(rounding.eps, BigInt(top + 1) * q[0] << BigInt(primes.length));
-          return times(n, times(change, change));
-        });
-        demand(less(changes.reduce((x, y) => plus(x, y)), squares[0]), `${what} is not positive`);
+    if (degree || rounding) {
+      check_resultant(curve, interval, rounding);
+      check_cycles(curve, top - order * (arity - 1), interval, rounding);
+      return;
+    }
+    check_common_divisor(curve);
+    const width = bits(largest_of(a)) + bits(BigInt(a.length)) + 10, packed = pack(a.map(p => p[0]), width);
+    for (const orders of cyclotomic_orders(arity, top))
+      demand(orders.some(n => cyclotomic_remainder(packed, n, width)), `${on_cycle} ${orders.at(-1).n / arity} is 0`);
+  }
+  function check_cycles({arity, degree, q, a}, zeros, interval, rounding) {  // 6.3 (ii), section 7
+    const circle = new Circle(256), {W} = circle;
+    const rows = transpose(rounding ? a : a.map(p => form_of(p, interval, degree))), top = a.length - 1;
+    const errors = rows.map(row => norm(row) * BigInt(top) << 19n), size = bits(largest_of(rows));
+    const off = rounding && times(rounding.eps, q[0] * BigInt(a.length) * W);
+    const least = rounding && errors[0] + ceil_div(off.n, off.d);
+    const values_at = y => {
+      const waves = circle.powers(y, a.length);
+      spend(2 * rows.length * a.length, size, 320);
+      return rows.map(row => waves.map(wave => sum(row.map((c, i) => c * wave[i]))));
+    };
+    const dot = ([x, y], [u, v]) => x * u + y * v;
+    const check = (half, n) => {
+      const squares = Array(2 * degree + 1).fill(0n);
+      for (const x of half)
+        for (let r = 1; r < arity; ++r) {
+          const turns = (x * arity + r * n) % (n * arity), values = values_at(fraction(BigInt(2 * turns), BigInt(n * arity)));
+          if (rounding && dot(values[0], values[0]) > least * least) return;
+          const above = values.map((value, k) => norm(value) + errors[k]);
+          values.forEach((P, k) => values.forEach((Q, l) => {
+            squares[k + l] += dot(P, Q) - above[k] * errors[l] - above[l] * errors[k];
+          }));
+        }
+      demand(!rounding, `${on_cycle} ${n} may be 0`);
+      show_positive(squares, `${on_cycle} ${n}`);
+    };
+    // x, A x, A^2 x, ... modulo n, up to their signs, if x is the least of these and their negatives
+    const half_cycle = (x, n) => {
+      const found = [];
+      for (let y = x; !found.length || (y !== x && y !== n - x); y = y * arity % n) {
+        spend(1);
+        if (y < x || n - y < x) return [];
+        found.push(y);
       }
+      return found;
+    };
+    for (let j = 1, power_of = arity; (j === 1 ? 1 : 2 * j) * (arity - 1) <= zeros; ++j, power_of *= arity) {
+      demand(power_of <= 2 ** 20, too_much_work);
+      for (const n of [power_of - 1, power_of + 1])
+        for (let x = 1; 2 * x <= n; ++x) {
+          const half = half_cycle(x, n);
+          if (half.length === j && (2 * x === n ? 1 : 2 * j) * (arity - 1) <= zeros) check(half, n);
+        }
     }
   }
   function check_common_divisor({arity, a}) {  // 4.3 (i)
@@ -1443,29 +1513,7 @@ var check_certificate = (() => {
     return k - j;
   }
 
-  // ---- Frequencies (4.17): integers over W = 2^bits, angles as multiples of pi ---------------------------------------
-  class Circle {
-    constructor(bits) {
-      this.W = 1n << BigInt(bits);
-      const guarded = this.W << 32n, arctangent = n => {  // of 1/n
-        let total = 0n;
-        for (let k = 1n, x = guarded / n, plus_sign = true; x; k += 2n, x /= n * n, plus_sign = !plus_sign)
-          total += plus_sign ? x / k : -x / k;
-        return total;
-      };
-      this.pi = (16n * arctangent(5n) - 4n * arctangent(239n)) >> 32n;
-    }
-    half_angle({n, d}) { return this.pi * n / (2n * d); }
-    point(y) {  // e^(i pi y), within 2^18, not outside of the circle
-      const turned = !less(y, 1n), {n, d} = turned ? minus(y, 1n) : y, x = this.pi * n / d, parts = [this.W, 0n];
-      for (let k = 1, term = this.W; term; ++k) {
-        term = term * x / (this.W * BigInt(k));
-        parts[k % 2] += k % 4 < 2 ? term : -term;
-      }
-      const factor = turned ? 2n ** 16n - this.W : this.W - 2n ** 16n;
-      return parts.map(part => part * factor / this.W);
-    }
-  }
+  // ---- Frequencies (4.17) ---------------------------------------------------------------------------------------------
   class Arcs {  // bounds of |D b| W on arcs
     constructor({D, b}, L, precision) {
       Object.assign(this, {D, L, circle: new Circle(precision), words: Math.ceil(precision / 64) + 2});
@@ -1480,16 +1528,10 @@ var check_certificate = (() => {
         (total, value, l) => value + ceil_div(total * this.R, W * BigInt(l + 1)), 0n);
     }
     expand(middle, radius) {
-      const {circle, L, rows} = this, {W} = circle, [u, v] = circle.point(middle), size = rows[0].length;
+      const {circle, L, rows} = this, {W} = circle, size = rows[0].length, waves = circle.powers(middle, size);
       this.R = circle.half_angle(radius) + 3n;
-      const x = [W], y = [0n];
-      for (let k = 1; k < size; ++k) {
-        x.push((x[k - 1] * u - y[k - 1] * v) / W);
-        y.push((x[k - 1] * v + y[k - 1] * u) / W);
-      }
-      spend(4 * size, 64 * this.words, 64 * this.words);
       spend(2 * L * size, bits(largest(rows[L - 1])), 64 * this.words);
-      this.P = rows.slice(0, L).map(row => [x, y].map(wave => sum(row.map((c, k) => c * wave[k]))));
+      this.P = rows.slice(0, L).map(row => waves.map(wave => sum(row.map((c, k) => c * wave[k]))));
       const sizes = this.P.map(([re, im], l) => root(re * re + im * im) + 1n + this.errors[l]);
       this.bend = this.at_reach(sizes, 2);
       this.rounding = [0, 1].map(from => this.at_reach(this.errors, from) + BigInt(2 * L));
@@ -1755,7 +1797,7 @@ var check_certificate = (() => {
            'less smoothness than that needs the full number of sum rules, and no more of them');
     if (stability || rough || exact || (!lower && !upper) || (upper && !(interval && !sign(upper)))) {
       reader.read('stability');
-      check_stability(curve, interval, within);
+      check_stability(curve, order, interval, within);
     }
     const symbol = divided_symbol(curve, order);
     if (full) check_full(symbol, interval);
@@ -2167,7 +2209,7 @@ var check_certificate = (() => {
       size = fraction(row_norm(power_of), scale);
       total = plus(total, size);
     }
-    const R = ceil_div(2n * BigInt(farthest) * total.n, total.d);
+    const R = 2n * BigInt(farthest) * total.n / total.d;  // rounded down, as coordinates are integers
     demand((2n * R + 1n) ** BigInt(M.length) * BigInt(components) <= 2n ** 20n, too_much_work);
     return Number(R);
   }
@@ -2176,14 +2218,10 @@ var check_certificate = (() => {
     const {mask, M, digits} = transition, dimension = M.length, ones = x => new Map([...x].map(([key, [p]]) => [key, [p, 1n]]));
     const pattern = new Transition(ones(mask), M, digits), back = x => ones(pattern.apply(digits[0], x));
     const same = (x, y) => is_multiple(x, y, 1n), radius = reach(transition, components), most = 1000;
-    const side = 2 * radius + 1;
+    const line = range_of(2 * radius + 1).map(x => x - radius);
+    const box = range_of(dimension).reduce(points => points.flatMap(p => line.map(x => [...p, x])), [[]]);
     let all = new Map();
-    for (let i = 0; i < side ** dimension * components; ++i) {
-      const component = i % components, point = [];
-      for (let rest = (i - component) / components; point.length < dimension; rest = Math.floor(rest / side))
-        point.push(rest % side - radius);
-      add(all, [...point, component], 1n);
-    }
+    for (const p of box) for (const component of range_of(components)) add(all, [...p, component], 1n);
     for (let steps = 0, next; !same(next = back(all), all); ++steps, all = next) demand(steps < most, too_much_work);
     let inner = all;
     for (let v = 0; v < 2 * dimension; ++v) {

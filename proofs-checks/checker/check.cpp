@@ -198,7 +198,7 @@ class Checker {
         reader_.at("stability")) {
       reader_.take("stability", 0, 0);
       const mpq_class error = claim_.rounding ? claim_.rounding->distance * mask.denominator : mpq_class(0);
-      check_stability(mask, claim_.arity, claim_.range.value_or(Range{}), error, arithmetic_);
+      check_stability(mask, claim_.arity, sum_rules, claim_.range.value_or(Range{}), error, arithmetic_);
     }
     if (claim_.rounding) {
       require(sum_rules == claim_.rounding->sum_rules, "the claim is about masks with another number of sum rules");

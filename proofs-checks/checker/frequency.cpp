@@ -1,5 +1,7 @@
 #include "frequency.hpp"
 
+#include "circle.hpp"
+
 #include <algorithm>
 
 namespace subcert_check {
@@ -7,58 +9,8 @@ namespace {
 
 constexpr std::size_t most_shells = 1000, most_cells = 4096, most_parts = 1 << 20, most_terms = 64;
 
-struct Point {
-  mpz_class re, im;
-};
-
-mpz_class modulus_above(const Point& p) { return sqrt(mpz_class(p.re * p.re + p.im * p.im)) + 1; }
+mpz_class modulus_above(const CirclePoint& p) { return sqrt(mpz_class(p.re * p.re + p.im * p.im)) + 1; }
 mpz_class above(const mpz_class& x, const mpz_class& y) { return ceiling(ratio(x, y)); }
-
-/// Points of the unit circle times W = 2^bits.
-class Circle {
- public:
-  explicit Circle(std::size_t bits) : one_(mpz_class(1) << bits), pi_(four_arctangents(bits)) {}
-
-  const mpz_class& one() const { return one_; }
-  /// pi x W/2, rounded down but for 3.
-  mpz_class half_angle(const mpq_class& x) const { return pi_ * x.get_num() / (2 * x.get_den()); }
-  /// Near exp(i pi y), within the circle: not further away than 2^18. Domain: 0 <= y < 2.
-  Point at(const mpq_class& y) const {
-    const bool negative = y >= 1;
-    const mpq_class rest = negative ? mpq_class(y - 1) : y;
-    const mpz_class x = pi_ * rest.get_num() / rest.get_den();
-    Point sum{one_, 0};
-    mpz_class term = one_;
-    for (unsigned k = 1; term != 0; ++k) {
-      term = term * x / (one_ * k);
-      mpz_class& part = k % 2 == 0 ? sum.re : sum.im;
-      if (k % 4 < 2)
-        part += term;
-      else
-        part -= term;
-    }
-    const mpz_class shrink = (one_ - (1 << 16)) * (negative ? -1 : 1);
-    return {sum.re * shrink / one_, sum.im * shrink / one_};
-  }
-
- private:
-  /// pi W, up to 2 [Machin 1706].
-  static mpz_class four_arctangents(std::size_t bits) {
-    const auto arctangent = [&](unsigned n) {
-      mpz_class sum = 0, power = (mpz_class(1) << (bits + 32)) / n;
-      for (unsigned k = 1; power != 0; k += 2, power /= n * n) {
-        if (k % 4 == 1)
-          sum += power / k;
-        else
-          sum -= power / k;
-      }
-      return sum;
-    };
-    return (16 * arctangent(5) - 4 * arctangent(239)) >> 32;
-  }
-
-  mpz_class one_, pi_;
-};
 
 /// D b(z), D the least denominator of b: its bounds on arcs, times W.
 class SymbolOnCircle {
@@ -90,22 +42,10 @@ class SymbolOnCircle {
   /// From here on around pi y, as far as pi radius.
   void expand(const mpq_class& y, const mpq_class& radius) {
     reach_ = circle_.half_angle(radius) + 3;
-    const Point z = circle_.at(y);
-    const std::size_t size = rows_.front().size(), terms = rows_.size() - 1;
-    Vector re{one()}, im{0};
-    for (std::size_t k = 1; k < size; ++k) {
-      const mpz_class &x = re.back(), &v = im.back();
-      mpz_class next = (x * z.re - v * z.im) / one();
-      im.push_back((x * z.im + v * z.re) / one());
-      re.push_back(next);
-    }
-    arithmetic_.spend(4 * size * (40 + words() * words()));
-    points_.assign(terms, {});
-    for (std::size_t l = 0; l < terms; ++l)
-      for (std::size_t k = 0; k < size; ++k) {
-        arithmetic_.add_product(points_[l].re, rows_[l][k], re[k]);
-        arithmetic_.add_product(points_[l].im, rows_[l][k], im[k]);
-      }
+    const std::size_t terms = rows_.size() - 1;
+    const std::vector<CirclePoint> powers = circle_.powers(y, rows_.front().size(), arithmetic_);
+    points_.clear();
+    for (std::size_t l = 0; l < terms; ++l) points_.push_back(combined(rows_[l], powers, arithmetic_));
     Vector sizes;
     for (std::size_t l = 0; l < terms; ++l) sizes.push_back(modulus_above(points_[l]) + errors_[l]);
     bend_ = at_reach(sizes, 2);
@@ -133,7 +73,7 @@ class SymbolOnCircle {
   }
 
   mpz_class value(std::size_t from, const mpz_class& t) const {
-    Point sum;
+    CirclePoint sum;
     for (std::size_t l = points_.size(); l-- > from;) {
       const mpz_class scale = one() * (l - from + 1), turned = -sum.im * t / scale;
       sum.im = points_[l].im + sum.re * t / scale;
@@ -147,7 +87,7 @@ class SymbolOnCircle {
   mpz_class denominator_;
   std::vector<Vector> rows_;  // times powers of the doubled distances from the middle
   Vector sums_, errors_;      // of the moduli; what the points may be off
-  std::vector<Point> points_;
+  std::vector<CirclePoint> points_;
   mpz_class reach_, bend_, rest_, rounding_[2];
 };
 

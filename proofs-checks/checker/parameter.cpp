@@ -1,5 +1,6 @@
 #include "parameter.hpp"
 
+#include "circle.hpp"
 #include "scheme.hpp"
 #include "torus.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t max_determinant_bits = 1UL << 31;  // of all numbers of a determinant together
 constexpr std::size_t max_determinant_degree = 1UL << 14;
+constexpr std::size_t max_cycle_order = 1UL << 20;  // but for 1, of roots of unity
 
 /// The coefficients of u^j v^(n-j) in (low v + high u)^k (u + v)^(n-k), times the n-th power of the denominator of the
 /// range, for k = 0, ..., n.
@@ -170,34 +172,106 @@ std::vector<std::size_t> primes_of(std::size_t n) {
   return primes;
 }
 
-/// Whether all Phi_{kd}, d > 1 a divisor of the arity, can divide the symbol at one value: its products with all
+const std::string zeros_on_cycle = "stability: the symbol on a cycle of roots of unity of order ";
+
+/// Rejects a symbol of integers that all Phi_{kd}, d > 1 a divisor of the arity, divide: its products with all
 /// 1 - z^(n/q), q | n = kd a prime, modulo z^n - 1.
-void check_cyclotomic(const Vector& forms, std::size_t degree, std::size_t k, std::size_t arity, const mpq_class& error,
-                      Arithmetic& arithmetic) {
-  const std::size_t points = forms.size() / (degree + 1);
-  std::vector<Vector> rests(degree + 1);
-  mpq_class off = 0;  // at least the sum of squares of what errors may change
+void check_cyclotomic(const Vector& symbol, std::size_t k, std::size_t arity, Arithmetic& arithmetic) {
+  bool divides = true;
   for (std::size_t d = 2; d <= arity; ++d) {
     if (arity % d != 0) continue;
     const std::size_t n = k * d;
     const std::vector<std::size_t> primes = primes_of(n);
-    arithmetic.spend((degree + 1) * (points + n * (primes.size() + degree)) * 50);
-    for (std::size_t power = 0; power <= degree; ++power) {
-      Vector rest(n);
-      for (std::size_t i = 0; i < points; ++i) rest[i % n] += forms[power * points + i];
-      for (const std::size_t q : primes) {
-        const Vector old = rest;
-        for (std::size_t i = 0; i < n; ++i) rest[(i + n / q) % n] -= old[i];
-      }
-      rests[power].insert(rests[power].end(), rest.begin(), rest.end());
+    arithmetic.spend((symbol.size() + n * primes.size()) * 50);
+    Vector rest(n);
+    for (std::size_t i = 0; i < symbol.size(); ++i) rest[i % n] += symbol[i];
+    for (const std::size_t q : primes) {
+      const Vector old = rest;
+      for (std::size_t i = 0; i < n; ++i) rest[(i + n / q) % n] -= old[i];
     }
-    const mpq_class change = error * mpz_class(points) * (mpz_class(1) << primes.size());
-    off += change * change * mpz_class(n);
+    divides = divides && std::ranges::all_of(rest, [](const mpz_class& x) { return x == 0; });
   }
-  Vector squares = sum_of_squares(rests, arithmetic);
-  if (error > 0) squares[0] = squares[0] > off ? 1 : 0;
-  check_positive_form(squares, "stability: the remainder modulo Phi_" + std::to_string(k * arity), arithmetic);
+  require(!divides, zeros_on_cycle + std::to_string(k) + " is 0");
 }
+
+/// Section 6.3: whether a symbol whose coefficients are real numbers may be 0 on a cycle of roots of unity. Forms of
+/// this degree, or numbers with errors.
+class Cycles {
+ public:
+  Cycles(const Vector& forms, std::size_t degree, std::size_t arity, const mpq_class& error, Arithmetic& arithmetic)
+      : forms_(forms), degree_(degree), arity_(arity), arithmetic_(arithmetic), circle_(256) {
+    const std::size_t points = forms.size() / (degree + 1);
+    for (std::size_t k = 0; k <= degree; ++k) {
+      mpz_class sum = 0;
+      for (std::size_t i = 0; i < points; ++i) sum += abs(forms[k * points + i]);
+      errors_.push_back((sum * (points - 1)) << 19);
+    }
+    if (error > 0) least_ = errors_[0] + ceiling(error * circle_.one() * mpz_class(points));
+  }
+
+  /// Of a symbol with so many zeros at most where sigma has none.
+  void check(std::size_t zeros) {
+    std::size_t power = arity_;
+    for (std::size_t j = 1; (j == 1 ? 1 : 2 * j) * (arity_ - 1) <= zeros; ++j, power *= arity_) {
+      require(power <= max_cycle_order, too_much_work);
+      for (const std::size_t n : {power - 1, power + 1})
+        for (std::size_t e = 1; 2 * e <= n; ++e)
+          if (const std::vector<std::size_t> half = half_cycle(e, n);
+              half.size() == j && (2 * e == n ? 1 : 2 * j) * (arity_ - 1) <= zeros)
+            check_cycle(half, n);
+    }
+  }
+
+ private:
+  /// e, A e, A^2 e, ... modulo n, up to their signs, if e is the least of these numbers and their negatives.
+  std::vector<std::size_t> half_cycle(std::size_t e, std::size_t n) {
+    std::vector<std::size_t> result;
+    for (std::size_t x = e; result.empty() || (x != e && x != n - e); x = arity_ * x % n) {
+      arithmetic_.spend(50);
+      if (x < e || n - x < e) return {};
+      result.push_back(x);
+    }
+    return result;
+  }
+
+  void check_cycle(const std::vector<std::size_t>& half, std::size_t n) {
+    Vector squares(2 * degree_ + 1);
+    for (const std::size_t x : half)
+      for (std::size_t r = 1; r < arity_; ++r) {
+        mpq_class turn = ratio(x, n) + ratio(r, arity_);
+        if (turn >= 1) turn -= 1;
+        const std::vector<CirclePoint> values = values_at(2 * turn);
+        if (least_ > 0 && square_of(values[0], values[0]) > least_ * least_) return;
+        for (std::size_t k = 0; k <= degree_; ++k)
+          for (std::size_t l = 0; l <= degree_; ++l)
+            squares[k + l] += square_of(values[k], values[l]) - above(values[k], k) * errors_[l] -
+                              above(values[l], l) * errors_[k];
+      }
+    const std::string what = zeros_on_cycle + std::to_string(n);
+    require(least_ == 0, what + " may be 0");
+    check_positive_form(squares, what, arithmetic_);
+  }
+
+  static mpz_class square_of(const CirclePoint& a, const CirclePoint& b) { return a.re * b.re + a.im * b.im; }
+  mpz_class above(const CirclePoint& value, std::size_t k) const { return abs(value.re) + abs(value.im) + errors_[k]; }
+
+  /// The coefficients of the form at exp(i pi y), times W, up to the errors.
+  std::vector<CirclePoint> values_at(const mpq_class& y) const {
+    const std::size_t points = forms_.size() / (degree_ + 1);
+    const std::vector<CirclePoint> powers = circle_.powers(y, points, arithmetic_);
+    std::vector<CirclePoint> result;
+    for (std::size_t k = 0; k <= degree_; ++k)
+      result.push_back(combined({&forms_[k * points], points}, powers, arithmetic_));
+    return result;
+  }
+
+  const Vector& forms_;
+  std::size_t degree_, arity_;
+  Arithmetic& arithmetic_;
+  Circle circle_;
+  Vector errors_;
+  mpz_class least_ = 0;  // with errors: a larger modulus, times W, is not that of 0
+};
 
 /// The sums of products of two entries of two rows and two columns: the minors, or with +1 what is at least their
 /// moduli.
@@ -251,23 +325,26 @@ Controls control_family(const Family& powers, const Vector& divisor, const Range
   return {clear_denominators(powers.size, entries), std::move(weights)};
 }
 
-void check_stability(const Mask& mask, unsigned arity, const Range& range, const mpq_class& error,
-                     Arithmetic& arithmetic) {
+void check_stability(const Mask& mask, unsigned arity, std::size_t sum_rules, const Range& range,
+                     const mpq_class& error, Arithmetic& arithmetic) {
   const std::size_t degree = mask.powers - 1, points = mask.points();
   Vector divisor = divisor_form(mask.divisor, power_forms(range, degree));
   if (divisor[0] < 0)
     for (mpz_class& c : divisor) c = -c;
   check_positive_form(divisor, "the denominator of the mask", arithmetic);
   const Vector forms = coefficient_forms(mask, range);
-  if (degree == 0 && error == 0)
-    check_no_leading_factors(mask, arity);
-  else
+  if (degree > 0 || error > 0) {
     check_resultant(forms, degree, arity, error, arithmetic);
+    const std::size_t taken = sum_rules * (arity - 1) + 1;
+    if (points > taken) Cycles(forms, degree, arity, error, arithmetic).check(points - taken);
+    return;
+  }
+  check_no_leading_factors(mask, arity);
   for (std::size_t k = 2; k * arity < 6 * points; ++k) {
     if (std::gcd(k, std::size_t{arity}) != 1) continue;
     std::size_t totient = k * arity;
     for (const std::size_t q : primes_of(totient)) totient -= totient / q;
-    if (totient < points) check_cyclotomic(forms, degree, k, arity, error, arithmetic);
+    if (totient < points) check_cyclotomic(mask.coefficients, k, arity, arithmetic);
   }
 }
 

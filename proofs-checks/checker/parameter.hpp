@@ -27,10 +27,11 @@ struct Controls {
 /// weight would not be positive.
 Controls control_family(const Family& powers, const Vector& divisor, const Range& range, Arithmetic& arithmetic);
 
-/// Conditions (i) and (ii) of Theorem 4 for all values of the range. Without a parameter: with an empty range, and for
-/// all masks whose coefficients, times the denominator, are off by at most `error`.
-void check_stability(const Mask& mask, unsigned arity, const Range& range, const mpq_class& error,
-                     Arithmetic& arithmetic);
+/// Conditions (i) and (ii) of Theorem 4 for all values of the range, of masks that have so many sum rules. Without a
+/// parameter: with an empty range, and for all masks whose coefficients, times the denominator, are off by at most
+/// `error`.
+void check_stability(const Mask& mask, unsigned arity, std::size_t sum_rules, const Range& range,
+                     const mpq_class& error, Arithmetic& arithmetic);
 
 /// Section 6.4: rejects unless the mask has no further sum rule for any value of the range. `powers`: the matrices of
 /// all powers up to the degree, one after another for each matrix.

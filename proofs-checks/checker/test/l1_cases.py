@@ -422,7 +422,7 @@ REJECTED = [
     *changes("l1-contraction", "l1-by-hand", "line 4", "contraction 1 1 1", "contraction 0 1 1", "contraction 9 1 1", "contraction 1 0 1",
              "contraction 1 3 1", "contraction 1 1 -1", "contraction 1 1", "contraction 1 1 1 1", "contraction 1 1 1/0",
              "contraction 1 1 1.0", "contraction -1 1 1"),
-    *changes("l1-ternary-steps", "l1-3-ternary", "more steps than the checker allows, line 4", "contraction 1 2", "contraction 6 2"),
+    *changes("l1-ternary-steps", "l1-3-ternary", "more steps than the checker allows, line 4", "contraction 1 2", "contraction 6 2", "contraction 8 2"),
     *changes("l1-four-steps", "l1-3-four", "more steps than the checker allows, line 4", "contraction 1 2", "contraction 5 2"),
     *changes("l1-ternary-start", "l1-3-ternary-twice", "expected 'start", "start 2", "start 3"),
     *changes("l1-ternary-last-start", "l1-3-ternary-twice", "expected 'end'", "\nend", "\nstart 8\nend"),

@@ -17,6 +17,7 @@ import l1_cases
 import make_certificates
 import make_surfaces
 import single_cases
+import stability_cases
 import subradius_cases
 import subradius_exact_cases
 import variant_cases
@@ -102,11 +103,11 @@ reject("no-section", "four-point", "expected 'block 0'", lambda lines: lines[:6]
 mask_case("wrong-sum", "[1,2,1]", 2, "1/2", None, "do not sum to the arity")
 mask_case("diverging", "[-1,3,3,-1]/2", 1, "1/10", None, "does not prove the claim")
 # hat(x/3)/3: exponent 1, shifts not stable by the cyclic zeros of order 3 (-omega is a zero of 1 - z + z^2)
-mask_case("cyclic-zeros", "[1,0,0,2,0,0,1]/2", 2, "1/1000", "2", "modulo Phi_6", more=["stability"])
+mask_case("cyclic-zeros", "[1,0,0,2,0,0,1]/2", 2, "1/1000", "2", "of unity of order 3 is 0", more=["stability"])
 # symmetric zeros i, -i: (1+z)(1+z^2)/2
 mask_case("symmetric-zeros", "[1,1,1,1]/2", 1, "1/1000", "2", "common zero", more=["stability"])
 # ternary, hat(x/2)/2: zeros of order 6 (Phi_6) and 2 by (1 + z^2 + z^4)^2
-mask_case("ternary-cyclic-zeros", "[1,0,2,0,3,0,2,0,1]/3", 2, "1/1000", "2", "modulo Phi_6", arity=3, more=["stability"])
+mask_case("ternary-cyclic-zeros", "[1,0,2,0,3,0,2,0,1]/3", 2, "1/1000", "2", "of unity of order 2 is 0", arity=3, more=["stability"])
 # Haar with M = 1: the radius is 2 and the exponent bound 0
 mask_case("haar", "[1,1]", 1, "1/1000", None, "does not prove the claim")
 # a cubic spline with too few factors: the radius is 1, nothing can be said from above
@@ -116,10 +117,10 @@ reject("saturated", "bspline-3", "no exponent below", lambda lines: [
 # one coefficient: the data are only moved about
 mask_case("one-coefficient", "[2]", 1, "1/1000", None, "no sum rules of this order")
 # arity 4, hat(x/3)/3: not stable by the cyclic zeros of order 3, times i
-mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "modulo Phi_12", arity=4,
+mask_case("quaternary-cyclic-zeros", "[1,0,0,2,0,0,3,0,0,4,0,0,3,0,0,2,0,0,1]/4", 2, "1/1000", "2", "of unity of order 3 is 0", arity=4,
           more=["stability"])
 # arity 4, a step of width 5: not stable by the cyclic zeros of order 5, times -1 and i
-mask_case("quaternary-box", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", 1, "1/1000", "2", "modulo Phi_20", arity=4,
+mask_case("quaternary-box", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", 1, "1/1000", "2", "of unity of order 5 is 0", arity=4,
           more=["stability"])
 reject("beyond-sum-rules", "four-point", "does not prove the claim", arguments=option(claims["four-point"], "lower", "5"))
 reject("crossed-bounds", "bspline-3", "does not prove the claim",
@@ -506,7 +507,7 @@ rounded("rounded-hat-coarse", "rounded-hat", "does not prove the claim", "1/80,1
 rounded("rounded-exact-claim", "rounded-four-point", "does not prove the claim", "1/1000000000,4", lambda lines: lines, lower="2")
 rounded("rounded-exact-upper", "rounded-four-point", "does not prove the claim", "1/1000000000,4", lambda lines: lines, upper="2")
 rounded("rounded-resultant", "rounded-stable", "the resultant of the polyphase parts is not", "1/5,2")
-rounded("rounded-cyclotomic", "rounded-stable", "modulo Phi_6 is not", "1/1000,1",
+rounded("rounded-cyclotomic", "rounded-stable", "of unity of order 3 may be 0", "1/1000,1",
         lambda lines: [line.replace("[273205,473205,126795,-73205]/400000", "[1,0,0,1]").replace("rules 2", "rules 1")
                        for line in lines], mask="[1,0,0,1]")
 rounded("rounded-unstable", "rounded-stable", "the resultant of the polyphase parts is not", "1/1000,2",
@@ -524,7 +525,7 @@ reject("range-unstable", "corner-stable", "the resultant of the polyphase parts 
        arguments=stable.replace("499/1000", "501/1000"))
 reject("range-unstable-end", "corner-stable", "the resultant of the polyphase parts is not", replace("499/1000", "1/2"),
        arguments=stable.replace("499/1000", "1/2"))
-reject("range-unstable-cyclic", "corner-stable", "modulo Phi_6 is not", replace("-1..499/1000", "3/4..3/2"),
+reject("range-unstable-cyclic", "corner-stable", "of unity of order 3 is not", replace("-1..499/1000", "3/4..3/2"),
        arguments=stable.replace("-1..499/1000", "3/4..3/2"))
 reject("range-stable-sections", "corner-stable", "expected 'end'", lambda lines: lines[:-1] + ["to 499/1000", "block 0 norm 1", "end"])
 rough = claims["corner-rough"]
@@ -686,10 +687,10 @@ reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",
        replace("^(image 0 .) 0:16$", r"\1 0:21 0:-5", 2))
-modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases
+modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, stability_cases
 for case, base, options, reason, edits in [case for module in modules for case in module.REJECTED]:
     reject(case, base, reason, lambda lines: make_certificates.edited(lines, edits), options)
-for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN:
+for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN + stability_cases.WRITTEN:
     (out / f"{case}.cert").write_text("\n".join(["subcert-certificate 3", *lines.split("; ")]) + "\n")
     index.append(f"{case} {options} | {reason}")
 (out / "claims.txt").write_text("\n".join(index) + "\n")

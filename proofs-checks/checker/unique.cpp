@@ -1,0 +1,124 @@
+#include "transition.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace subcert_check {
+namespace {
+
+constexpr std::size_t max_steps = 1000, max_places = 1UL << 20;
+
+/// The places where continuous solutions may have values.
+class Places {
+ public:
+  explicit Places(const Transition& operators) : operators_(operators) {
+    for (const auto& [place, value] : operators.mask()) operators.entry(pattern_, place) = 1;
+  }
+
+  Sequence inner() {
+    const Sequence all = support();
+    Sequence inner = all;
+    for (std::size_t v = 0; v < operators_.variables(); ++v)
+      for (const std::int64_t sign : {-1, 1}) {
+        Point e{};
+        e[v] = sign;
+        const Sequence seen = approached(all, e);
+        std::erase_if(inner, [&](const auto& value) { return !seen.contains(value.first); });
+      }
+    return inner;
+  }
+
+ private:
+  /// Bounds the coordinates of the points j for which a solution of compact support may not vanish at x' + j.
+  std::int64_t reach() {
+    std::int64_t farthest = 0;
+    for (const auto& [place, value] : operators_.mask())
+      for (const std::int64_t c : combine(place.point, -1, operators_.digits()[0]))
+        farthest = std::max(farthest, std::abs(c));
+    Vector inverse, power;
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i) {
+        inverse.emplace_back(operators_.adjugate()[i][j]);
+        power.emplace_back(i == j);
+      }
+    mpq_class sum = 0, norm = 1;
+    for (mpz_class scale = 1; norm > mpq_class(1, 2); sum += norm) {
+      power = operators_.arithmetic().multiply(inverse, power, 3);
+      scale *= operators_.classes();
+      mpz_class largest = 0;
+      for (std::size_t i = 0; i < operators_.variables(); ++i)
+        largest = std::max(largest, mpz_class(abs(power[i]) + abs(power[3 + i]) + abs(power[6 + i])));
+      norm = ratio(largest, scale);
+    }
+    sum *= 2 * mpz_class(farthest);
+    const mpz_class result = sum.get_num() / sum.get_den();  // rounded down, as coordinates are integers
+    mpz_class places = operators_.components();
+    for (std::size_t v = 0; v < operators_.variables(); ++v) places *= 2 * result + 1;
+    require(places <= max_places, too_much_work);
+    return result.get_si();
+  }
+
+  /// The places from which the operator of the first digit leads to one of these, with values 1.
+  Sequence led_to(const Sequence& places) {
+    Sequence result = std::move(operators_.of(pattern_, places)[0]);
+    for (auto& [place, value] : result) value = 1;
+    return result;
+  }
+
+  /// All places that may not vanish in v(x'), with values 1.
+  Sequence support() {
+    Point radius{};
+    std::fill_n(radius.begin(), operators_.variables(), reach());
+    Sequence places, next;
+    for (Point p = combine({}, -1, radius);;) {
+      for (std::size_t c = 0; c < operators_.components(); ++c) operators_.entry(next, {p, c}) = 1;
+      std::size_t v = 0;
+      for (; v < operators_.variables() && ++p[v] > radius[v]; ++v) p[v] = -radius[v];
+      if (v == operators_.variables()) break;
+    }
+    for (std::size_t step = 0; next != places; ++step) {
+      require(step < max_steps, too_much_work);
+      places = std::exchange(next, led_to(next));
+    }
+    return places;
+  }
+
+  /// Of these, those that may not vanish in the limit of v(x' + M^-n e) either.
+  Sequence approached(const Sequence& support, const Point& e) {
+    std::vector<Sequence> sets(1);
+    for (const auto& [place, value] : support)
+      operators_.entry(sets[0], {combine(place.point, -1, e), place.component}) = 1;
+    for (;;) {
+      Sequence next = led_to(sets.back());
+      const auto again = std::find(sets.begin(), sets.end(), next);
+      if (again == sets.end()) {
+        require(sets.size() < max_steps, too_much_work);
+        sets.push_back(std::move(next));
+        continue;
+      }
+      for (auto at = again; at != sets.end(); ++at)
+        std::erase_if(next, [&](const auto& value) { return !at->contains(value.first); });
+      return next;
+    }
+  }
+
+  const Transition& operators_;
+  Sequence pattern_;  // 1 where the mask is not 0
+};
+
+}  // namespace
+
+/// The fixed vectors of the operator of the first digit with values at these places have no more than one dimension.
+void check_unique(const Transition& operators) {
+  const Sequence inner = Places(operators).inner();
+  const Elimination modulo(operators, true);
+  std::vector<Row> rows;
+  for (const auto& [place, value] : inner) {
+    Sequence image = std::move(operators.of({{place, 1}})[0]);
+    operators.entry(image, place) -= operators.denominator();
+    modulo.add(rows, std::move(image));
+  }
+  require(rows.size() + 1 >= inner.size(), "the refinement equation may have several continuous solutions");
+}
+
+}  // namespace subcert_check

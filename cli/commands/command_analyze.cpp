@@ -75,9 +75,11 @@ ExitCode analyze_l1(const AnalyzeOptions& options) {
     fail(ErrorKind::usage, "{}: pictures are of linear schemes, got {}", options.html.empty() ? "--plot" : "--html",
          options.scheme);
   const DataDependentScheme scheme = make_l1_scheme(options.scheme);
-  const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
-      points_of_curve(scheme), scheme.rules.degree, {.deadline = Deadline::in(options.budget)}, scheme.rules.arity);
-  print(options, l1_facts(scheme, limit), 13);
+  const Deadline deadline = Deadline::in(options.budget);
+  const data::LeastAbsoluteLimit limit = data::least_absolute_limit(points_of_curve(scheme), scheme.rules.degree,
+                                                                    {.deadline = deadline.after(facts::share_of_limit)},
+                                                                    scheme.rules.arity);
+  print(options, l1_facts(scheme, limit, deadline), 13);
   return exit_code(limit.converges.truth);
 }
 

@@ -33,9 +33,11 @@ ExitCode run(const L1Options& options) {
   if (!enough || *enough < 0)
     fail(ErrorKind::usage, "--bound: expected a number that is not negative, got '{}'", options.bound);
   options.progress("linear programs");
+  const Deadline deadline = Deadline::in(options.budget);
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
       points, degree,
-      {options.steps, options.order, *enough, Deadline::in(options.budget), !options.certificate.empty()}, arity);
+      {options.steps, options.order, *enough, deadline.after(facts::share_of_limit), !options.certificate.empty()},
+      arity);
   const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
     if (points == degree + 1)
       fail(ErrorKind::undecided,
@@ -44,7 +46,7 @@ ExitCode run(const L1Options& options) {
     return contraction_certificate(*data::least_absolute_rule(points, degree, arity), *limit.contraction, limit.edge);
   });
   options.end_progress();
-  const Facts list = l1_facts(scheme, limit);
+  const Facts list = l1_facts(scheme, limit, deadline);
   Json json = page_json(list);
   certificate.add_to(json);
   answer(options, options.form, {list, 13, json, certificate.text(false)});

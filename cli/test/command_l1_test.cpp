@@ -77,11 +77,24 @@ TEST_CASE("l1: the rule itself, with delta and a number of fits") {
   CHECK(four.at("rule").at("bound") == "9/10");
   CHECK(four.at("rule").at("fits") == 7);
   const auto six = run_json("l1 l1:points=6");
-  CHECK_FALSE(six.contains("rule"));
+  CHECK(six.at("rule").is_null());
   CHECK(six.at("impulse_level") == 7);
   CHECK(six.at("keeps_monotone") == false);
   CHECK_FALSE(run_json("l1 l1:points=4,exact").contains("rule"));
   CHECK(contains(run("l1 l1:points=5,iterations=2").out, "so that it converges for all data"));
+  for (const char* open : {"points=6,a=3", "points=6,d=2", "points=14", "points=5,tolerance=1/100"})
+    CHECK(contains(run(std::string("l1 --steps 1 --budget 1 l1:") + open).out,
+                   "unknown whether it converges for all data"));
+  CHECK_FALSE(run_json("l1 l1:points=6,iterations=0").contains("rule"));
+}
+
+TEST_CASE("l1: the budget is of the rule itself, too") {
+  const auto late = run_json("l1 l1:points=5,iterations=10 --budget 0.01", 2);
+  CHECK(late.at("rule").is_null());
+  CHECK(late.at("impulse_level").is_null());
+  const Run text = run("l1 l1:points=5,iterations=10 --budget 0.01");
+  CHECK(contains(text.out, "unknown whether it converges for all data  (the budget or the boxes do not suffice)"));
+  CHECK(contains(text.out, "unknown whether 1 among zeros has a limit  (the budget does not suffice)"));
 }
 
 TEST_CASE("l1: bad input") {

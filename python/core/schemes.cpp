@@ -23,10 +23,11 @@ std::string analysis_of(const Scheme& scheme, int levels, double budget, const p
 std::string l1_analysis_of(const DataDependentScheme& scheme, int steps, int order, double budget,
                            const py::object& progress) {
   return interruptible(progress, [&] {
+    const Deadline deadline = Deadline::in(budget);
     const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
         facts::points_of_curve(scheme), scheme.rules.degree,
-        {.steps = steps, .order = order, .deadline = Deadline::in(budget)}, scheme.rules.arity);
-    return page_json(facts::l1_facts(scheme, limit)).dump();
+        {.steps = steps, .order = order, .deadline = deadline.after(facts::share_of_limit)}, scheme.rules.arity);
+    return page_json(facts::l1_facts(scheme, limit, deadline)).dump();
   });
 }
 

@@ -177,27 +177,56 @@ Facts basin_facts(int points, int degree, int arity) {
 
 constexpr int most_fits = 10;   // of rules that are covered by boxes
 constexpr int most_levels = 9;  // until an impulse is near to least squares
+constexpr std::uint64_t most_boxes = 100'000;
+constexpr double share_of_rule = 0.5;  // of the time that is left
 
-/// Of the rule itself, with delta > 0 and its own number of fits: whether second differences shrink for all data, and
-/// whether the basic limit function exists.
-Facts rule_facts(const DataDependentScheme& scheme) {
-  const int points = scheme.rules.points[0], fits = scheme.rules.options.iterations;
-  if (scheme.rules.degree != 1 || scheme.rules.arity != 2 || points < 3 || points > most_points || fits > most_fits ||
-      scheme.rules.options.tolerance != 0)
-    return {};
-  Facts list;
-  const std::string smooth = points < 4 || points > 8 ? "" : " and as smooth as by least squares";  // Theorem 4
-  const auto found = points <= 5 ? data::reweighted_contraction(points, fits, {.most_boxes = 100'000}) : std::nullopt;
-  if (found)
-    list.push_back({"rule",
-                    "this rule",
-                    fmt::format("|D^2 S f| <= {} |D^2 f|, so that it converges for all data", found->bound),
-                    fmt::format("any delta > 0 and up to {} fits; limits are continuous{}", fits, smooth),
-                    {{"bound", to_text(found->bound)}, {"fits", fits}}});
-  const auto level = data::basin_entry(scheme.rules, {1}, most_levels);
+constexpr int most_covered = 5;  // points
+
+/// Whether second differences shrink for all data.
+Fact rule_fact(const L1Scheme& rules, const std::string& smooth, const Deadline& deadline) {
+  const int points = rules.points[0], fits = rules.options.iterations;
+  Fact fact{"rule", "this rule", "unknown whether it converges for all data", ""};
+  if (rules.degree != 1 || rules.arity != 2 || rules.options.tolerance != 0 || points > most_covered ||
+      fits > most_fits) {
+    fact.remark = fmt::format("tried for lines on up to {} points, two outputs, up to {} fits and no tolerance alone",
+                              most_covered, most_fits);
+    return fact;
+  }
+  const auto found = data::reweighted_contraction(
+      points, fits, {.most_boxes = most_boxes, .deadline = deadline.after(share_of_rule)});
+  if (!found) {
+    fact.remark = "the budget or the boxes do not suffice";
+    return fact;
+  }
+  return {"rule",
+          "this rule",
+          fmt::format("|D^2 S f| <= {} |D^2 f|, so that it converges for all data", found->bound),
+          fmt::format("any delta > 0 and up to {} fits; limits are continuous{}", fits, smooth),
+          {{"bound", to_text(found->bound)}, {"fits", fits}}};
+}
+
+/// Whether the basic limit function exists.
+Fact impulse_fact(const L1Scheme& rules, const std::string& smooth, const Deadline& deadline) {
+  const auto level = data::basin_entry(rules, {1}, most_levels, deadline);
   if (level)
-    list.push_back({"impulse_level", "impulse", "the limit of 1 among zeros is continuous" + smooth,
-                    fmt::format("small data are reached at level {}", *level), *level});
+    return {"impulse_level", "impulse", "the limit of 1 among zeros is continuous" + smooth,
+            fmt::format("small data are reached at level {}", *level), *level};
+  return {"impulse_level", "impulse", "unknown whether 1 among zeros has a limit",
+          deadline.expired() ? "the budget does not suffice"
+                             : fmt::format("no level up to {} is proved to have small data", most_levels)};
+}
+
+/// Of the rule itself, with delta > 0 and its own number of fits; where there are none or all interpolate, it is
+/// linear.
+Facts rule_facts(const L1Scheme& rules, const Deadline& deadline) {
+  const int points = rules.points[0], fits = rules.options.iterations;
+  if (points < rules.degree + 2) return {};
+  const std::string smooth = points < 4 || points > 8 ? "" : " and as smooth as by least squares";  // Theorem 4
+  Facts list;
+  if (fits > 0) list.push_back(rule_fact(rules, smooth, deadline));
+  if (rules.degree == 1 && rules.arity == 2 && rules.options.tolerance == 0 && points <= most_points &&
+      fits <= most_fits)
+    list.push_back(impulse_fact(rules, smooth, deadline));
   return list;
 }
 
@@ -220,7 +249,7 @@ int points_of_curve(const DataDependentScheme& scheme) {
   return scheme.rules.points[0];
 }
 
-Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit) {
+Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit, const Deadline& deadline) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"", "what follows", subject_text(scheme.rules.options)});
   list.push_back(unique_fact(limit.unique));
@@ -239,7 +268,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   append(list, robustness_facts(limit.points, limit.degree, limit.arity));
   if (!scheme.rules.options.exact) {
     append(list, basin_facts(limit.points, limit.degree, limit.arity));
-    append(list, rule_facts(scheme));
+    append(list, rule_facts(scheme.rules, deadline));
   }
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",

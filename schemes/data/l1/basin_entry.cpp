@@ -60,12 +60,15 @@ bool is_zero(const std::vector<Ball>& data) {
 }
 
 /// The values from the first to the last that depend on the data; the data begin with so many zeros.
-std::vector<Ball> refined(const BallFitter& fitter, const std::vector<Ball>& data) {
+/// Nothing where the time does not suffice.
+std::optional<std::vector<Ball>> refined(const BallFitter& fitter, const std::vector<Ball>& data,
+                                         const Deadline& deadline) {
   const std::size_t points = fitter.points();
   std::vector<Ball> padded(points - 1, Ball(0, precision)), result;
   padded.insert(padded.end(), data.begin(), data.end());
   padded.insert(padded.end(), points - 1, Ball(0, precision));
   for (auto window = padded.begin(); window + static_cast<long>(points) <= padded.end(); ++window) {
+    if (deadline.expired()) return std::nullopt;
     const std::vector<Ball> own(window, window + static_cast<long>(points));
     const std::vector<Ball> values = is_zero(own) ? std::vector<Ball>(fitter.outputs(), Ball(0, precision))
                                                   : fitter.fit(own);
@@ -89,7 +92,8 @@ bool have_differences(std::vector<Ball> data, int order, const Ball& bound) {
 
 }  // namespace
 
-std::optional<int> basin_entry(const L1Scheme& scheme, const std::vector<Rational>& data, int most_levels) {
+std::optional<int> basin_entry(const L1Scheme& scheme, const std::vector<Rational>& data, int most_levels,
+                               const Deadline& deadline) {
   const L1Options& options = scheme.options;
   require(scheme.points.size() == 1 && !options.exact && options.tolerance == 0,
           "basin entry: need fits on curves, not exact ones, all of them made");
@@ -104,7 +108,11 @@ std::optional<int> basin_entry(const L1Scheme& scheme, const std::vector<Rationa
   std::vector<Ball> values;
   for (const Rational& datum : data) values.emplace_back(datum, precision);
   for (int level = 0; level <= most_levels; ++level) {
-    if (level > 0) values = refined(fitter, values);
+    if (level > 0) {
+      std::optional<std::vector<Ball>> next = refined(fitter, values, deadline);
+      if (!next) return std::nullopt;
+      values = std::move(*next);
+    }
     if (have_differences(values, scheme.degree + 1, bound)) return level;
   }
   return std::nullopt;

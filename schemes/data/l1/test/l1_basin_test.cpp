@@ -119,6 +119,7 @@ TEST_CASE("basin of least squares: data enter it at the level at which refinemen
   const L1Scheme six{{6}, 1, {.delta = 1e-8, .iterations = 6}};
   CHECK(basin_entry(six, {1}, 7) == 7);
   CHECK_FALSE(basin_entry(six, {1}, 6));
+  CHECK_FALSE(basin_entry(six, {1}, 7, Deadline::in(0)));
   CHECK(basin_entry(six, {}, 0) == 0);
   CHECK(basin_entry(six, {Rational(1, 200000)}, 0) == 0);
   CHECK_FALSE(basin_entry({{6}, 0, {}}, {1}, 2));  // means do not contract

@@ -410,14 +410,15 @@ TEST_CASE("a group that cannot be smoothed does not stop the others") {
   const Folder folder;
   const std::string data = folder / "data.csv";
   std::ofstream(data) << "g,t,v\na,0,1\na,1,2\na,2,4\na,3,4\nb,0,1\nb,1,2\nc,0,1\nc,1,5\nd,0,2\nd,1,4\nd,5,3\n";
-  const Run found = run("smooth " + data + " --by g --level 0 --bands 0");
+  const std::string command = "smooth " + data + " --by g --irregular raise --level 0";
+  const Run found = run(command + " --bands 0");
   CHECK(found.code == 65);
   CHECK(found.out.find("\na,3,4") != std::string::npos);
   CHECK(found.out.find("\nb") == std::string::npos);
   CHECK(found.err.find("g b, c, left out: " + data + ": expected at least 4 rows to choose a scheme; found 2") !=
         std::string::npos);
   CHECK(found.err.find("g d, left out: " + data + ", lines 10 and 11: expected a uniform grid") != std::string::npos);
-  const auto json = run_json("smooth " + data + " --by g --level 0 --quiet", 65);
+  const auto json = run_json(command + " --quiet", 65);
   CHECK(json.at("groups").size() == 1);
   REQUIRE(json.at("refused").size() == 3);
   CHECK(json.at("refused")[2].at("group") == "d");

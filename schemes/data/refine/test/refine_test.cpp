@@ -396,7 +396,7 @@ TEST_CASE("slabs have the bits of the whole") {
                         {"l1:points=6", {12}, 2, 9},
                         {"l1:points=5,d=2", {40}, 1, 12},
                         {"l1:points=4,a=3", {9}, 3, 6},
-                        {"l1:points=8,residuals=joint", {11}, 2, 7},
+                        {"l1:points=8,residuals=joint", {31}, 2, 6},
                         {"l1:points=4x3", {9, 8}, 2, 5},
                         {"l1:points=2x3x4", {3, 5, 6}, 1, 3}};
   for (const Case& one : cases)

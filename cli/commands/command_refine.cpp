@@ -11,6 +11,7 @@
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace subcert::cli {
 namespace {
@@ -36,36 +37,44 @@ LatticeMask mask_with_limits(const AnyScheme& scheme) {
   return *mask;
 }
 
-Json points_json(const data::GridData<double>& data) {
-  Json points = Json::array();
-  for (std::size_t i = 0; i < data.points(); ++i) {
-    Json point = Json::array();
-    for (std::size_t c = 0; c < data.dimension; ++c) point.push_back(data.values[i * data.dimension + c]);
-    points.push_back(point);
-  }
-  return points;
+/// The list of points as Json::dump(2) writes it in an object.
+void write_points(std::ostream& stream, std::size_t dimension, const PointSource& source) {
+  const char* before = "[\n";
+  source([&](const double* values, std::size_t points) {
+    std::string text;
+    for (std::size_t i = 0; i < points; ++i) {
+      text += before;
+      text += "    [\n";
+      for (std::size_t c = 0; c < dimension; ++c)
+        text += "      " + Json(values[i * dimension + c]).dump() + (c + 1 == dimension ? "\n" : ",\n");
+      text += "    ]";
+      before = ",\n";
+    }
+    stream << text;
+  });
+  stream << "\n  ]";
 }
 
 Json axis_json(const data::Axis& axis) {
   return {{"count", axis.count}, {"first", to_text(axis.first)}, {"step", to_text(axis.step)}, {"closed", axis.closed}};
 }
 
+/// All but the points.
 Json result_json(const RefineCommand& options, const std::string& scheme, const DataFile& file, data::Boundary boundary,
-                 const data::GridData<double>& refined) {
-  const data::Axis& axis = refined.axes[0];
+                 const std::vector<data::Axis>& axes) {
+  const data::Axis& axis = axes[0];
   const std::vector<std::string> names = file.names();
   Json json{{"scheme", scheme}, {"levels", options.levels}, {"limit", options.limit}, {"boundary", to_text(boundary)}};
-  if (refined.axes.size() == 1) {
+  if (axes.size() == 1) {
     json["closed"] = axis.closed;
     json["count"] = axis.count;
     json["first"] = to_text(axis.first);
     json["step"] = to_text(axis.step);
   } else {
     json["axes"] = Json::array();
-    for (const data::Axis& one : refined.axes) json["axes"].push_back(axis_json(one));
+    for (const data::Axis& one : axes) json["axes"].push_back(axis_json(one));
   }
-  if (refined.axes.size() == 1 || !names.empty()) json["columns"] = names;
-  json["points"] = points_json(refined);
+  if (axes.size() == 1 || !names.empty()) json["columns"] = names;
   return json;
 }
 
@@ -81,11 +90,17 @@ std::array<bool, 3> closed_directions(const RefineCommand& options, std::size_t 
   return closed;
 }
 
-/// The mask of a scheme whose result need not be held in memory.
-const LatticeMask* mask_for_slabs(const RefineCommand& options, const AnyScheme& scheme) {
-  const auto* linear = std::get_if<Scheme>(&scheme);
-  const bool whole = options.json || options.limit || !options.plot.empty() || !linear || !linear->mask.has_factors();
-  return whole ? nullptr : &linear->mask;
+/// The answer as JSON, point by point.
+void answer_json(const RefineCommand& options, Json json, std::size_t dimension, const PointSource& source) {
+  static const std::string points = "\"(points)\"";
+  json["points"] = "(points)";
+  const std::string text = json_text(std::move(json));
+  const std::size_t at = text.find(points);
+  options.answer([&](std::ostream& stream) {
+    stream << text.substr(0, at);
+    write_points(stream, dimension, source);
+    stream << text.substr(at + points.size());
+  });
 }
 
 ExitCode run(const RefineCommand& options) {
@@ -108,27 +123,28 @@ ExitCode run(const RefineCommand& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
   const data::RefineOptions how{options.levels, boundary, options.threads()};
-  if (const LatticeMask* factors = mask_for_slabs(options, scheme)) {
-    const data::SlabRefinement slabs(file.data, *factors, how);
-    options.answer([&](std::ostream& stream) {
-      write_data(
-          stream, file, slabs.axes(), [&](const auto& take) { slabs.run(take); }, options.threads());
-    });
-    return done;
-  }
-  const data::GridData<double> refined = mask ? limit_of_data(file.data, *mask, how) : refine(file.data, scheme, how);
+  auto steps = mask ? std::optional(limit_steps(file.data.axes, file.data.dimension, *mask, how))
+                    : refinement_steps(file.data.axes, file.data.dimension, scheme, how);
+  // A picture needs all points, and so do vectors.
+  std::optional<data::GridData<double>> whole;
+  if (!steps || !options.plot.empty())
+    whole = mask ? limit_of_data(file.data, *mask, how) : refine(file.data, scheme, how);
+  const data::SlabRefinement slabs(file.data, steps ? *std::exchange(steps, {}) : data::SliceSteps());
+  const PointSource source = [&](const auto& take) {
+    if (whole) return take(whole->values.data(), whole->points());
+    slabs.run(take);
+  };
+  const std::vector<data::Axis>& axes = whole ? whole->axes : slabs.axes();
   if (!options.plot.empty())
     draw_refined(options.plot, name, file.table, without_derivatives(scheme, file.data),
-                 without_derivatives(scheme, refined));
-  if (options.json)
-    options.answer(result_json(options, name, file,
-                               fewest.size() == 1 && file.data.axes[0].closed ? data::Boundary::periodic : boundary,
-                               refined));
-  else
-    options.answer([&](std::ostream& stream) {
-      const PointSource all = [&](const auto& take) { take(refined.values.data(), refined.points()); };
-      write_data(stream, file, refined.axes, all, options.threads());
-    });
+                 without_derivatives(scheme, *whole));
+  if (options.json) {
+    const bool round = fewest.size() == 1 && file.data.axes[0].closed;
+    answer_json(options, result_json(options, name, file, round ? data::Boundary::periodic : boundary, axes),
+                file.data.dimension, source);
+  } else {
+    options.answer([&](std::ostream& stream) { write_data(stream, file, axes, source, options.threads()); });
+  }
   return done;
 }
 

@@ -49,7 +49,7 @@ void require_l1(const SmoothOptions& options) {
 /// Writes values as soon as their data have come.
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
-  if (options.json || !options.plot.empty() || options.at == "data" || options.samples.irregular != "raise" ||
+  if (options.json || !options.plot.empty() || options.at == "data" || options.irregular == "fit" ||
       !options.samples.by.empty())
     fail(ErrorKind::usage, "--stream: expected none of --json, --plot, --at data, --irregular fit, --by");
   if (!noise && options.requested_bands.value_or(0) != 0)
@@ -91,6 +91,12 @@ bool are_even(const std::vector<data::NamedSamples>& groups) {
       groups, [](const data::NamedSamples& samples) { return samples.uniform() && samples.weights.empty(); });
 }
 
+/// Whether positions that are not uniform need no option: local polynomials are made for them.
+bool takes_any_positions(const SmoothOptions& options) {
+  if (options.irregular != "auto") return options.irregular == "fit";
+  return options.scheme.empty() || data::is_local_specification(options.scheme);
+}
+
 /// Why these samples cannot be smoothed.
 std::string reason(const SmoothOptions& options, const data::NamedSamples& samples, const Error& error) {
   if (!samples.refused.empty()) return samples.refused;
@@ -128,10 +134,15 @@ ExitCode run(const SmoothOptions& options) {
     smooth_stream(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
   }
-  std::vector<data::NamedSamples> groups = data::read_samples(options.samples);
+  data::SampleOptions how_read = options.samples;
+  how_read.any_positions = takes_any_positions(options);
+  std::vector<data::NamedSamples> groups = data::read_samples(how_read);
   if (is_l1_specification(options.scheme))
     for (const std::string& line : data::remarks(make_l1_scheme(options.scheme), are_even(groups)))
       options.remark(line);
+  if (options.irregular == "auto" &&
+      std::ranges::any_of(groups, [](const data::NamedSamples& samples) { return !samples.uniform(); }))
+    options.remark("the positions are not uniform and are taken as they are (--irregular raise refuses them)");
   std::vector<std::unique_ptr<SmoothPage>> pages;
   std::set<std::string> remarks;  // of several groups alike
   RefusedGroups refused;
@@ -194,8 +205,11 @@ void add_smooth(Command& app) {
       .one_of({"auto", "yes", "no"})
       .with_default();
   command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
-  command.option("--irregular", options->samples.irregular, "Positions that are not uniform")
-      .one_of({"raise", "fit"})
+  command
+      .option("--irregular", options->irregular,
+              "Positions that are not uniform, or several data at one: an error, or taken as they are, as auto does "
+              "where no scheme is named that needs uniform ones")
+      .one_of({"auto", "raise", "fit"})
       .with_default();
   command
       .option("--spacing", options->samples.spacing,

@@ -41,12 +41,13 @@ formats::Panel panel_of(const SmoothPage& page, std::size_t column) {
   const std::string& group = page.samples.group;
   const auto& dates = page.samples.dates;
   formats::Panel panel{(group.empty() ? "" : group + ": ") + page.result.method,
-                       page.samples.x_name + (dates ? ", in " + dates->unit() + " from 1970-01-01 on" : ""),
+                       page.samples.x_name,
                        drawn_name(page, column),
                        {},
                        false,
                        "below"};
   panel.plain_texts = true;
+  if (dates) panel.date_unit = dates->times ? 1 : 86'400;
   return panel;
 }
 

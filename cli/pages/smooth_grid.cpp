@@ -22,7 +22,7 @@ struct GridColumn {
 void refuse_options_of_columns(const SmoothOptions& options) {
   const data::SampleOptions& samples = options.samples;
   if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.by.empty() ||
-      !samples.keep.empty() || samples.missing != "raise" || samples.irregular != "raise" || options.stream ||
+      !samples.keep.empty() || samples.missing != "raise" || options.irregular != "auto" || options.stream ||
       !samples.spacing.empty() || options.derivative != 0 || options.select != "risk")
     fail(ErrorKind::usage,
          "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "

@@ -14,7 +14,8 @@ constexpr int bootstrap_drawings = 200;
 
 struct SmoothOptions : CommonOptions {
   data::SampleOptions samples;
-  std::string noise;  ///< its standard deviation, where it is known
+  std::string irregular = "auto";  ///< or raise, fit: what positions that are not uniform are
+  std::string noise;               ///< its standard deviation, where it is known
   std::string scheme;
   bool automatic = false;
   std::string select = "risk";

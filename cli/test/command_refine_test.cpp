@@ -27,6 +27,8 @@ TEST_CASE("data are refined") {
   CHECK(json.at("first") == "1/16");
   CHECK(json.at("step") == "1/8");
   CHECK(json.at("points").at(31).size() == 2);
+  const auto written = run("refine dual:n=1 " + data + " --levels 3 --json").out;
+  CHECK(written == nlohmann::ordered_json::parse(written).dump(2) + "\n");
 
   CHECK(with("1\n2\n0\n4\n", "dd:n=2 " + data + " --limit --levels 0").out == "1\n2\n0\n4\n");
   CHECK(with("0\n1\n0\n0\n", "dual:n=1 --closed " + data + " --limit --levels 0").out == "0.125\n0.75\n0.125\n0\n");

@@ -64,7 +64,7 @@ TEST_CASE("data are smoothed") {
     CAPTURE(arguments);
     check_fails(with(content, arguments), code, message);
   };
-  fails("0,1\n1,2\n3,3\n4,5\n", "", 65,
+  fails("0,1\n1,2\n3,3\n4,5\n", "--irregular raise", 65,
         data +
             ", lines 2 and 3: expected a uniform grid, the mean spacing is 1.33333333; found the spacing 2 between 1 "
             "and 3 (--irregular fit takes positions as they are)");
@@ -217,7 +217,7 @@ TEST_CASE("positions come as they are: several data at one, falling, in no order
   };
   // Straight lines are kept; of several data at one position the fit sees all.
   const std::string ties = "x,y\n1,2\n1,3\n2,3\n3,4\n4,4\n5,6\n", options = "--irregular fit --bands 0 --quiet ";
-  check_fails(with(ties, ""), 65,
+  check_fails(with(ties, "--scheme primal:n=2"), 65,
               data +
                   ", lines 2 and 3: expected one row for each position; found 1 twice (--irregular fit takes several "
                   "data at one position)");
@@ -267,6 +267,43 @@ TEST_CASE("positions come as they are: several data at one, falling, in no order
   CHECK(same.out == "column 1,column 2,column 2_sd\n0,1,0\n0.333,2,0\n0.667,3,0\n1,4,0\n");
 }
 
+TEST_CASE("the shortest command takes data as they are, and says so") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " " + arguments);
+  };
+  const std::string ties = "speed,dist\n4,2\n4,10\n7,4\n7,22\n8,16\n9,10\n10,18\n10,26\n10,34\n11,17\n";
+  const std::string uneven = "x,y\n0,0\n1,1\n3,3\n4,4\n6,6\n7,7\n8,8\n";
+  const std::string note =
+      "subcert: note: the positions are not uniform and are taken as they are (--irregular raise "
+      "refuses them)\n";
+  for (const std::string& content : {ties, uneven})
+    for (const char* scheme : {"", "--scheme local:d=1", "--scheme local:points=5,robust=2"}) {
+      CAPTURE(scheme);
+      const auto plain = with(content, scheme);
+      CHECK(plain.code == 0);
+      CHECK(plain.err.find(note) != std::string::npos);
+      const auto asked = run("smooth " + data + " --irregular fit " + scheme);
+      CHECK(plain.out == asked.out);
+      CHECK(asked.err.find(note) == std::string::npos);
+      CHECK(run("smooth " + data + " --irregular raise " + scheme).code == 65);
+    }
+  CHECK(with(uneven, "--scheme primal:n=2").code == 65);
+  CHECK(with(uneven, "--scheme l1:points=4").code == 65);
+  CHECK(with("x,y\n0,0\n1,1\n2,2\n3,3\n4,4\n", "--quiet").err.empty());
+
+  // Dates that are numbers, over the end of a month; a column that only looks like dates for a while.
+  const auto dates = with("date,v\n20240228,1\n20240229,2\n20240301,3\n20240302,4\n", "--scheme primal:n=1 --bands 0");
+  CHECK(dates.err == "subcert: note: date holds dates as YYYYMMDD, and is taken in days\n");
+  CHECK(dates.out.find("\n20240229,2,0\n20240229T060000,2.25,0\n") != std::string::npos);
+  CHECK(dates.out.find("\n20240301,3,0\n") != std::string::npos);
+  const auto numbers = with("id,v\n20240228,1\n20240229,2\n20240230,3\n20240231,4\n", "--scheme primal:n=1 --bands 0");
+  CHECK(numbers.err.empty());
+  CHECK(numbers.out.find("\n20240230,3,0\n") != std::string::npos);
+}
+
 TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") {
   const Folder folder;
   const std::string data = folder / "data.csv";
@@ -290,7 +327,8 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
         "g,t,v,v_sd\nb,0,1,0\nb,1,2,0\nb,2,3,0\na,10,5,0\na,11,6,0\na,12,7,0\n");
   std::ofstream(data, std::ios::binary) << "g,t,v\nb,1,1\nb,0,2\nb,2,0\na,1,1\na,0,2\na,2,0\n";
   CHECK(run("smooth " + data + " --by g --scheme primal:n=1").err ==
-        "subcert: note: the rows were sorted by their positions\n");
+        "subcert: note: the rows were sorted by their positions, t (--x COLUMN takes others, --x none counts the "
+        "rows)\n");
   const auto groups = nlohmann::json::parse(with("g,t,v\nb,0,1\nb,1,2\na,1,2\n", "--by g --json").out);
   CHECK(groups.at("groups")[1].at("group") == "a");
   CHECK(groups.at("groups")[0].at("columns") == groups.at("groups")[1].at("columns"));
@@ -372,14 +410,15 @@ TEST_CASE("a group that cannot be smoothed does not stop the others") {
   const Folder folder;
   const std::string data = folder / "data.csv";
   std::ofstream(data) << "g,t,v\na,0,1\na,1,2\na,2,4\na,3,4\nb,0,1\nb,1,2\nc,0,1\nc,1,5\nd,0,2\nd,1,4\nd,5,3\n";
-  const Run found = run("smooth " + data + " --by g --level 0 --bands 0");
+  const std::string command = "smooth " + data + " --by g --irregular raise --level 0";
+  const Run found = run(command + " --bands 0");
   CHECK(found.code == 65);
   CHECK(found.out.find("\na,3,4") != std::string::npos);
   CHECK(found.out.find("\nb") == std::string::npos);
   CHECK(found.err.find("g b, c, left out: " + data + ": expected at least 4 rows to choose a scheme; found 2") !=
         std::string::npos);
   CHECK(found.err.find("g d, left out: " + data + ", lines 10 and 11: expected a uniform grid") != std::string::npos);
-  const auto json = run_json("smooth " + data + " --by g --level 0 --quiet", 65);
+  const auto json = run_json(command + " --quiet", 65);
   CHECK(json.at("groups").size() == 1);
   REQUIRE(json.at("refused").size() == 3);
   CHECK(json.at("refused")[2].at("group") == "d");

@@ -1,5 +1,6 @@
 #include "figure.hpp"
 
+#include "date_ticks.hpp"
 #include "gnuplot_text.hpp"
 #include "html.hpp"
 #include "paper_text.hpp"
@@ -13,7 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <sstream>
 
 namespace subcert::formats {
@@ -81,6 +84,21 @@ std::vector<std::string> drawn_parts(const Panel& panel, const PictureKind& kind
   return parts;
 }
 
+/// For gnuplot: dates on the axis, where x is one.
+std::string x_ticks(const Panel& panel) {
+  if (panel.date_unit == 0) return "set xtics autofreq\n";
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Curve& curve : panel.curves)
+    for (const auto& [x, y] : curve.points) low = std::min(low, x), high = std::max(high, x);
+  for (const Band& band : panel.bands)
+    for (const auto& [x, lower, upper] : band.ends) low = std::min(low, x), high = std::max(high, x);
+  if (!(low < high)) return "set xtics autofreq\n";
+  std::string text;
+  for (const auto& [x, label] : date_ticks(low, high, panel.date_unit))
+    text += fmt::format("{}{} {:.17g}", text.empty() ? "" : ", ", quoted(label), x);
+  return "set xtics (" + text + ")\n";
+}
+
 void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
   const std::string plain = panel.plain_texts ? " noenhanced" : "";
   gnuplot << "set title " << kind.quoted_text(panel.title) << plain << "\nset xlabel "
@@ -89,7 +107,7 @@ void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
           << (panel.log_y
                   ? fmt::format("set logscale y\nset format y '{0}10^{{%T}}{0}'\n", kind.ending == ".tex" ? "$" : "")
                   : std::string("unset logscale y\nset format y '%g'\n"))
-          << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
+          << (panel.log_x ? "set logscale x\n" : "unset logscale x\n") << x_ticks(panel)
           << (panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
                                   : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
           << "plot ";
@@ -99,6 +117,47 @@ void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
   for (const Cells& cells : panel.cells) gnuplot.send1d(cells.rectangles);
   for (const Band& band : panel.bands) gnuplot.send1d(band.ends);
   for (const Curve& curve : panel.curves) gnuplot.send1d(curve.points);
+}
+
+constexpr std::size_t most_drawn = 4000, drawn_blocks = 1000;
+
+/// Calls take(begin, end) for blocks of about as many numbers.
+template <class Take>
+void for_blocks(std::size_t count, const Take& take) {
+  for (std::size_t b = 0; b < drawn_blocks; ++b)
+    take(b * count / drawn_blocks, (b + 1) * count / drawn_blocks);
+}
+
+using Points = std::vector<std::pair<double, double>>;
+
+/// The ends of each block, and those of its points that lie farthest to each side.
+Points extremes(const Points& points) {
+  Points result;
+  for_blocks(points.size(), [&](std::size_t begin, std::size_t end) {
+    std::array<std::size_t, 6> kept{begin, begin, begin, begin, begin, end - 1};
+    for (std::size_t i = begin; i < end; ++i) {
+      if (points[i].first < points[kept[1]].first) kept[1] = i;
+      if (points[i].first > points[kept[2]].first) kept[2] = i;
+      if (points[i].second < points[kept[3]].second) kept[3] = i;
+      if (points[i].second > points[kept[4]].second) kept[4] = i;
+    }
+    std::ranges::sort(kept);
+    for (const std::size_t i : std::span(kept.begin(), std::unique(kept.begin(), kept.end())))
+      result.push_back(points[i]);
+  });
+  return result;
+}
+
+/// The hull of each block, over its whole width.
+std::vector<std::array<double, 3>> hulls(const std::vector<std::array<double, 3>>& ends) {
+  std::vector<std::array<double, 3>> result;
+  for_blocks(ends.size(), [&](std::size_t begin, std::size_t end) {
+    double lower = ends[begin][1], upper = ends[begin][2];
+    for (std::size_t i = begin; i < end; ++i) lower = std::min(lower, ends[i][1]), upper = std::max(upper, ends[i][2]);
+    result.push_back({ends[begin][0], lower, upper});
+    result.push_back({ends[end - 1][0], lower, upper});
+  });
+  return result;
 }
 
 void plot(const Figure& figure, const PictureKind& kind, const std::filesystem::path& target) {
@@ -120,7 +179,7 @@ void plot(const Figure& figure, const PictureKind& kind, const std::filesystem::
     gnuplot << "set origin " << places[i].left << "," << places[i].bottom << "\nset size "
             << (figure.panels[i].equal_units ? "ratio -1 " : "noratio ") << 1.0 / static_cast<double>(columns) << ","
             << places[i].height << "\n";
-    plot_panel(gnuplot, figure.panels[i], kind);
+    plot_panel(gnuplot, thinned(figure.panels[i]), kind);
   }
   gnuplot << "unset multiplot\nunset output\n";
   gnuplot.flush();
@@ -192,8 +251,33 @@ void write_picture(const std::filesystem::path& file,
   });
 }
 
+Panel thinned(Panel panel) {
+  std::vector<Band> clouds;
+  for (Curve& curve : panel.curves) {
+    if (curve.points.size() <= most_drawn || !curve.values.empty()) continue;
+    if (curve.joined) {
+      curve.points = extremes(curve.points);
+      continue;
+    }
+    std::ranges::sort(curve.points);
+    Band& cloud = clouds.emplace_back(Band{curve.label + ", lowest to highest", {}, curve.colour});
+    for (const auto& [x, y] : curve.points) cloud.ends.push_back({x, y, y});
+    curve.points.clear();
+  }
+  std::erase_if(panel.curves, [](const Curve& curve) { return curve.points.empty(); });
+  panel.bands.insert(panel.bands.begin(), std::make_move_iterator(clouds.begin()),
+                     std::make_move_iterator(clouds.end()));
+  for (Band& band : panel.bands)
+    if (band.ends.size() > most_drawn) band.ends = hulls(band.ends);
+  return panel;
+}
+
 void draw_file(const Figure& figure, const std::filesystem::path& file) {
-  if (file.extension() == ".html") return runtime::write_file(file, html_page(html(figure.title), panels_html(figure)));
+  if (file.extension() == ".html") {
+    Figure bounded = figure;
+    for (Panel& panel : bounded.panels) panel = thinned(std::move(panel));
+    return runtime::write_file(file, html_page(html(figure.title), panels_html(bounded)));
+  }
   write_picture(file,
                 [&](const PictureKind& kind, const std::filesystem::path& target) { plot(figure, kind, target); });
 }

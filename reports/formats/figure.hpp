@@ -48,7 +48,12 @@ struct Panel {
   std::vector<Band> bands = {};   ///< between them
   bool plain_texts = false;       ///< signs as _ and ^ in titles and names are no markup
   double height = 1;              ///< against other panels
+  double date_unit = 0;           ///< x is a time from 1970 on, in units of so many seconds; 0: it is a number
 };
+
+/// The panel with at most some thousand points for each curve and band. Of a joined curve those that rise or fall most
+/// stay among so many neighbours; of marks the hull, as a band. Curves whose points have values stay as they are.
+Panel thinned(Panel panel);
 
 /// Panels side by side, at most `columns` in a row.
 struct Figure {

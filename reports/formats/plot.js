@@ -17,8 +17,9 @@ const plots = (() => {
   // An axis: `low` and `high` are what is seen, in powers of ten where it is logarithmic.
   class Axis {
     constructor(text) {
-      const [low, high, kind] = text.split(' ');
-      Object.assign(this, {low: +low, high: +high, whole: [+low, +high], logarithmic: kind === 'log'});
+      const [low, high, kind, unit] = text.split(' ');
+      Object.assign(this, {low: +low, high: +high, whole: [+low, +high], logarithmic: kind === 'log',
+                           dateUnit: kind === 'date' ? +unit : 0});
     }
     get size() { return this.high - this.low; }
     zoom() { return (this.whole[1] - this.whole[0]) / this.size; }
@@ -33,7 +34,30 @@ const plots = (() => {
       const scaled = this.whole[0] + place * (this.whole[1] - this.whole[0]);
       return this.logarithmic ? 10 ** scaled : scaled;
     }
+    // Round steps of minutes to months, as dates or, where they are finer, with the time of day.
+    dateTicks() {
+      const result = [], size = this.size * this.dateUnit;
+      const steps = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200, 21600, 43200, 86400, 172800, 345600, 604800];
+      const month = 2629746, months = [1, 2, 3, 6, 12, 24, 60, 120, 240, 600, 1200, 2400, 12000];
+      const date = seconds => new Date(1000 * seconds).toISOString();
+      if (size > 3 * month) {
+        const step = months.find(n => size <= 6 * n * month) || 12000;
+        const first = new Date(1000 * this.low * this.dateUnit);
+        for (let n = Math.floor((12 * first.getUTCFullYear() + first.getUTCMonth()) / step) * step; ; n += step) {
+          const seconds = Date.UTC(Math.floor(n / 12), n % 12, 1) / 1000;
+          if (seconds > this.high * this.dateUnit) return result;
+          if (seconds >= this.low * this.dateUnit)
+            result.push([seconds / this.dateUnit, date(seconds).slice(0, step % 12 ? 7 : 4)]);
+        }
+      }
+      const step = steps.find(s => size <= 6 * s) || 1209600;
+      for (let n = Math.ceil(this.low * this.dateUnit / step); n * step <= this.high * this.dateUnit; ++n)
+        result.push([n * step / this.dateUnit, n * step % 86400 === 0 ? date(n * step).slice(0, 10)
+          : date(n * step).slice(11, step < 60 ? 19 : 16)]);
+      return result;
+    }
     ticks() {
+      if (this.dateUnit > 0) return this.dateTicks();
       const result = [];
       if (this.logarithmic && this.size >= 2) {
         const step = Math.ceil(this.size / 7);
@@ -51,6 +75,7 @@ const plots = (() => {
     }
     // A number as exactly as the picture tells it.
     text(value) {
+      if (this.dateUnit > 0) return new Date(1000 * value * this.dateUnit).toISOString().slice(0, 19);
       const digits = Math.min(12, 3 + Math.max(0, Math.ceil(Math.log10(this.zoom()))));
       return String(+value.toPrecision(digits + 1));
     }

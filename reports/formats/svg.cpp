@@ -1,5 +1,6 @@
 #include "svg.hpp"
 
+#include "date_ticks.hpp"
 #include "html.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -29,6 +30,7 @@ constexpr std::size_t colours = 6;  // --curve-1 ... of the style sheet
 struct Axis {
   bool logarithmic = false;
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+  double date_unit = 0;  // as in Panel
 
   double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
   bool has(double value) const { return !logarithmic || value > 0; }
@@ -45,6 +47,8 @@ struct Axis {
     low -= more;
     high += more;
   }
+  /// For the script, behind its ends.
+  std::string kind() const { return logarithmic ? " log" : date_unit > 0 ? fmt::format(" date {}", date_unit) : ""; }
   /// In parts of the length that is drawn.
   double place(double value) const { return (scaled(value) - low) / (high - low); }
 };
@@ -80,9 +84,12 @@ struct Ticks {
   std::vector<double> values;
   int places = 0;
   bool powers = false;
+  std::vector<std::string> dates = {};
 
-  std::string text(double value) const {
+  std::string text(std::size_t i) const {
     constexpr int most_places = 6;
+    const double value = values[i];
+    if (!dates.empty()) return dates[i];
     if (powers) return "10" + superscript(std::lround(std::log10(value)));
     return places <= most_places ? fmt::format("{:.{}f}", value, places) : fmt::format("{:.2g}", value);
   }
@@ -100,6 +107,14 @@ struct Ticks {
 /// Multiples of 1, 2 or 5 times a power of ten, four to nine of them; powers of ten on a logarithmic axis that has two.
 Ticks ticks(const Axis& axis) {
   constexpr double most_powers = 7;
+  if (axis.date_unit > 0) {
+    Ticks result;
+    for (auto& [value, text] : date_ticks(axis.low, axis.high, axis.date_unit)) {
+      result.values.push_back(value);
+      result.dates.push_back(std::move(text));
+    }
+    return result;
+  }
   if (axis.logarithmic && axis.high - axis.low >= 2) {
     Ticks result{{}, 0, true};
     const double step = std::ceil((axis.high - axis.low) / most_powers);
@@ -158,14 +173,15 @@ std::string axes(const Frame& frame, const std::string& x_label = "", const std:
   const double floor = height - frame.below;
   std::string lines, texts;
   const Ticks across = ticks(frame.across), up = ticks(frame.up);
-  for (const double tick : across.values) {
+  for (std::size_t i = 0; i < across.values.size(); ++i) {
+    const double tick = across.values[i];
     lines += fmt::format("M{0:.1f},{1}V{2}", frame.x(tick), frame.above, floor);
-    texts += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>", frame.x(tick), floor + 18, across.text(tick));
+    texts += fmt::format("<text x=\"{:.1f}\" y=\"{}\">{}</text>", frame.x(tick), floor + 18, across.text(i));
   }
-  for (const double tick : up.values) {
+  for (std::size_t i = 0; i < up.values.size(); ++i) {
+    const double tick = up.values[i];
     lines += fmt::format("M{0},{1:.1f}H{2}", left, frame.y(tick), width - right);
-    texts += fmt::format("<text class=\"y\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 7, frame.y(tick) + 4,
-                         up.text(tick));
+    texts += fmt::format("<text class=\"y\" x=\"{}\" y=\"{:.1f}\">{}</text>", left - 7, frame.y(tick) + 4, up.text(i));
   }
   std::string zero, labels;
   if (!frame.up.logarithmic && frame.up.low < 0 && frame.up.high > 0)
@@ -188,9 +204,9 @@ std::string picture(const std::string& title, const Frame& frame, const std::str
       "<svg class=\"picture{}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" data-across=\"{:.12g} {:.12g}{}\" "
       "data-up=\"{:.12g} {:.12g}{}\">{}<svg class=\"window\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
       "viewBox=\"{} {} {} {}\"><g class=\"moving\">{}</g></svg></svg>",
-      kind, width, height, html(title), frame.across.low, frame.across.high, frame.across.logarithmic ? " log" : "",
-      frame.up.low, frame.up.high, frame.up.logarithmic ? " log" : "", fixed, left, frame.above, frame.drawn_width(),
-      frame.drawn_height(), left, frame.above, frame.drawn_width(), frame.drawn_height(), moving);
+      kind, width, height, html(title), frame.across.low, frame.across.high, frame.across.kind(), frame.up.low,
+      frame.up.high, frame.up.kind(), fixed, left, frame.above, frame.drawn_width(), frame.drawn_height(), left,
+      frame.above, frame.drawn_width(), frame.drawn_height(), moving);
 }
 
 std::string id_attribute(const std::string& id) { return id.empty() ? "" : fmt::format(" id=\"{}\"", html(id)); }
@@ -322,6 +338,7 @@ std::string svg(const Panel& panel, const std::string& id) {
     for (const auto& [x_low, x_high, y_low, y_high] : cells.rectangles)
       all.insert(all.end(), {{x_low, y_low}, {x_high, y_high}});
   Frame frame = Frame::around(all, {panel.log_x}, {panel.log_y});
+  frame.across.date_unit = panel.date_unit;
   const bool has_marks = std::ranges::any_of(panel.curves, [](const Curve& c) { return c.marked || !c.joined; });
   frame.across.widen(panel.equal_units ? 0.04 : has_marks ? 0.03 : 0);
   frame.up.widen(panel.cells.empty() ? 0.06 : 0);

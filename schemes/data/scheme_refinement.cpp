@@ -66,6 +66,14 @@ GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, c
   return refine(data, std::get<Scheme>(scheme).mask, options);
 }
 
+std::optional<SliceSteps> refinement_steps(const std::vector<Axis>& axes, std::size_t dimension,
+                                           const AnyScheme& scheme, const RefineOptions& options) {
+  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
+    return refinement_steps(axes, dimension, l1->rules, options);
+  if (vectors_of(scheme)) return std::nullopt;
+  return refinement_steps(axes, dimension, std::get<Scheme>(scheme).mask, options);
+}
+
 void require_columns(const AnyScheme& scheme, const GridData<double>& data,
                      const std::function<std::string(std::optional<std::size_t>)>& place) {
   const Scheme* const vectors = vectors_of(scheme);

@@ -1,7 +1,7 @@
 #pragma once
 /// Refinement of data by a scheme of any family.
 
-#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <functional>
@@ -19,6 +19,11 @@ AnyScheme make_data_scheme(std::string_view specification);
 /// Domain: as many axes as the scheme has variables, and at least fewest_points() along each; columns as
 /// require_columns() asks. Errors: as the refine() of its kind.
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options);
+
+/// The steps of this by slices; nothing for schemes of vectors, whose results are made whole. Domain: as above; errors:
+/// as refinement_steps() of the kind.
+std::optional<SliceSteps> refinement_steps(const std::vector<Axis>& axes, std::size_t dimension,
+                                           const AnyScheme& scheme, const RefineOptions& options);
 
 /// Throws a data error unless there are as many coordinates as the numbers of a vector, or a multiple of them, or for
 /// Hermite schemes one more, of which the first are positions that rise in equal steps. `place` names the datum, or all

@@ -48,6 +48,13 @@ class Cursor {
   std::string_view rest_;
 };
 
+std::optional<long> day_of(int year, int month, int day) {
+  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok()) return std::nullopt;
+  return std::chrono::sys_days(date).time_since_epoch().count();
+}
+
 std::optional<long> read_day(Cursor& text) {
   const auto year = text.digits(4);
   if (!year || *year == 0 || !text.take('-')) return std::nullopt;
@@ -55,10 +62,7 @@ std::optional<long> read_day(Cursor& text) {
   if (!month || !text.take('-')) return std::nullopt;
   const auto day = text.digits(2);
   if (!day) return std::nullopt;
-  const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
-                                         std::chrono::day(static_cast<unsigned>(*day))};
-  if (!date.ok()) return std::nullopt;
-  return std::chrono::sys_days(date).time_since_epoch().count();
+  return day_of(*year, *month, *day);
 }
 
 /// Seconds of the day.
@@ -101,6 +105,14 @@ std::optional<Date> parse_date(std::string_view text) {
   return Date{static_cast<double>(*day * seconds_of_day) + *seconds, {true, mark, std::string(cursor.rest())}};
 }
 
+std::optional<double> day_of_number(double number) {
+  constexpr double first = 15'000'101, last = 24'991'231;
+  if (!(number >= first && number <= last) || number != std::floor(number)) return std::nullopt;
+  const auto digits = static_cast<int>(number);
+  const auto day = day_of(digits / 10'000, digits / 100 % 100, digits % 100);
+  return day ? std::optional(static_cast<double>(*day)) : std::nullopt;
+}
+
 std::string to_text(double value, const DateForm& form) {
   const double seconds = form.times ? value : value * seconds_of_day;
   require(seconds > -62'135'596'801.0 && seconds < 253'402'300'800.0, "dates: need years 1 to 9999, got {} seconds",
@@ -110,12 +122,13 @@ std::string to_text(double value, const DateForm& form) {
   const long long of_day = seconds_of_day * micros_of_second;
   const long long day = all >= 0 ? all / of_day : -((of_day - 1 - all) / of_day), rest = all - day * of_day;
   const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
-  std::string text = fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
-                                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+  std::string text = fmt::format("{0:04}{3}{1:02}{3}{2:02}", static_cast<int>(date.year()),
+                                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                                 form.basic ? "" : "-");
   if (!form.times && rest == 0) return text;
   const long long second = rest / micros_of_second, micro = rest % micros_of_second;
-  text += fmt::format("{}{:02}:{:02}:{:02}", form.times ? form.mark : "T", second / 3600, second / 60 % 60,
-                      second % 60);
+  text += fmt::format("{0}{1:02}{4}{2:02}{4}{3:02}", form.times ? form.mark : "T", second / 3600, second / 60 % 60,
+                      second % 60, form.basic ? "" : ":");
   if (micro != 0) {
     text += fmt::format(".{:06}", micro);
     text.erase(text.find_last_not_of('0') + 1);

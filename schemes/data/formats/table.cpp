@@ -115,7 +115,7 @@ class TableReader::Lines {
       if (!started_) find_separator();
       split();
       if (!started_ && is_header()) {
-        for (const std::string_view field : fields_) table_.header.emplace_back(field);
+        set_header();
         start();
         continue;
       }
@@ -131,6 +131,15 @@ class TableReader::Lines {
   }
 
  private:
+  /// Names between single quotes lose these where all have them.
+  void set_header() {
+    const bool single = std::ranges::all_of(fields_, [](std::string_view field) {
+      return field.size() > 1 && field.starts_with('\'') && field.ends_with('\'');
+    });
+    for (const std::string_view field : fields_)
+      table_.header.emplace_back(single ? field.substr(1, field.size() - 2) : field);
+  }
+
   /// Of a message about this line.
   std::string place(std::size_t column) const {
     return file_ + ", line " + std::to_string(number_) + (column == 0 ? "" : ", column " + std::to_string(column)) +

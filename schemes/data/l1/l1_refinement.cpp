@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
+#include <optional>
 
 namespace subcert::data {
 namespace {
@@ -71,10 +74,15 @@ AxisStencils stencils_of(int points, int degree, int arity) {
   return {classes, -arity * output_at(points, arity, 0), degree};
 }
 
-AxisPlan plan_axis(const Axis& data, int points, int degree, long arity, Boundary boundary) {
-  const OutputRange range = stencils_of(points, degree, static_cast<int>(arity)).outputs(data, boundary);
+/// Of all outputs, or of those with numbers `first` to before `last`.
+AxisPlan plan_axis(const L1Scheme& scheme, const Axis& data, std::size_t k, Boundary boundary, std::size_t first = 0,
+                   std::optional<std::size_t> last = {}) {
+  const int points = scheme.points[k];
+  const long arity = scheme.arity;
+  const OutputRange range = stencils_of(points, scheme.degree, scheme.arity).outputs(data, boundary);
   const Axis& axis = range.input;
-  const long begin = range.begin, end = range.end;
+  const long begin = range.begin + static_cast<long>(first);
+  const long end = last ? range.begin + static_cast<long>(*last) : range.end;
   const long last_start = static_cast<long>(axis.count) - points;
   const bool clamp = !axis.closed && boundary == Boundary::regression;
   AxisPlan plan{range.output, {}, {}};
@@ -99,8 +107,7 @@ AxisPlan plan_axis(const Axis& data, int points, int degree, long arity, Boundar
     o = next;
   }
   const WindowClass& back = plan.classes.back();
-  const long low = std::min(0L, plan.classes.front().start);
-  const long high = std::max(last_start, back.start + static_cast<long>(back.windows) - 1);
+  const long low = plan.classes.front().start, high = back.start + static_cast<long>(back.windows) - 1;
   for (long j = low; j < high + points; ++j) plan.sources.push_back(source(j, axis, boundary));
   for (WindowClass& c : plan.classes) c.start -= low;
   return plan;
@@ -110,9 +117,21 @@ AxisPlan plan_axis(const Axis& data, int points, int degree, long arity, Boundar
 template <class T>
 using PerAxis = std::array<T, most_axes>;
 
+/// Fitters of one scheme by where the outputs of their windows stand, made once.
+class Fitters {
+ public:
+  explicit Fitters(const L1Scheme& scheme) : scheme_(scheme) {}
+  const L1Scheme& scheme() const { return scheme_; }
+  const L1Fitter& of(const PerAxis<const WindowClass*>& classes);
+
+ private:
+  L1Scheme scheme_;
+  std::map<PerAxis<std::pair<long, std::size_t>>, L1Fitter> known_;
+};
+
 /// One window class along each axis, and where its parts lie in the padded data and in the output.
 struct Job {
-  L1Fitter fitter;
+  const L1Fitter& fitter;
   PerAxis<const WindowClass*> classes;
   std::vector<std::size_t> node_offsets;
   std::vector<std::size_t> output_offsets;
@@ -149,25 +168,35 @@ std::vector<Rational> positions(const WindowClass& windows, int points, int arit
   return result;
 }
 
-Job make_job(const L1Scheme& scheme, const PerAxis<const WindowClass*>& classes, const Strides& strides) {
+const L1Fitter& Fitters::of(const PerAxis<const WindowClass*>& classes) {
+  PerAxis<std::pair<long, std::size_t>> key{};
   std::vector<std::vector<Rational>> nodes, outputs;
+  for (std::size_t k = 0; k < scheme_.points.size(); ++k) {
+    key[k] = {classes[k]->first_output, classes[k]->outputs};
+    nodes.push_back(integers(static_cast<std::size_t>(scheme_.points[k])));
+    outputs.push_back(positions(*classes[k], scheme_.points[k], scheme_.arity));
+  }
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const RegressionWindow window(product(nodes), scheme_.degree, product(outputs));
+  return known_.emplace(key, L1Fitter(window, scheme_.options)).first->second;
+}
+
+Job make_job(Fitters& fitters, const PerAxis<const WindowClass*>& classes, const Strides& strides) {
+  const L1Scheme& scheme = fitters.scheme();
   PerAxis<std::size_t> node_counts{1, 1, 1}, output_counts{1, 1, 1};
   std::size_t windows = 1;
   for (std::size_t k = 0; k < scheme.points.size(); ++k) {
     node_counts[k] = static_cast<std::size_t>(scheme.points[k]);
     output_counts[k] = classes[k]->outputs;
     windows *= classes[k]->windows;
-    nodes.push_back(integers(node_counts[k]));
-    outputs.push_back(positions(*classes[k], scheme.points[k], scheme.arity));
   }
-  const RegressionWindow window(product(nodes), scheme.degree, product(outputs));
-  return {L1Fitter(window, scheme.options), classes, offsets(node_counts, strides.source),
-          offsets(output_counts, strides.out), windows};
+  return {fitters.of(classes), classes, offsets(node_counts, strides.source), offsets(output_counts, strides.out),
+          windows};
 }
 
 /// Fits the windows begin, ..., end - 1 of a job.
 void fit_range(const Job& job, const Strides& strides, const std::vector<double>& data, std::size_t begin,
-               std::size_t end, std::vector<double>& out) {
+               std::size_t end, double* out) {
   constexpr std::size_t lanes = L1Fitter::lanes;
   const std::size_t joint = job.fitter.options().joint_residuals ? strides.dimension : 1;  // coordinates in one call
   const std::size_t nodes = job.node_offsets.size(), outputs = job.output_offsets.size();
@@ -203,8 +232,7 @@ void fit_range(const Job& job, const Strides& strides, const std::vector<double>
 
 constexpr std::size_t windows_per_thread = 4096;
 
-void run_job(const Job& job, const Strides& strides, const std::vector<double>& data, int threads,
-             std::vector<double>& out) {
+void run_job(const Job& job, const Strides& strides, const std::vector<double>& data, int threads, double* out) {
   constexpr std::size_t lanes = L1Fitter::lanes;
   parallel_ranges((job.windows + lanes - 1) / lanes, job.windows / windows_per_thread, threads,
                   [&](std::size_t begin, std::size_t end) {
@@ -212,43 +240,101 @@ void run_job(const Job& job, const Strides& strides, const std::vector<double>& 
                   });
 }
 
-/// The data with the places that windows read beyond the ends.
-std::vector<double> padded(const GridData<double>& data, const PerAxis<AxisPlan>& plans) {
-  const std::size_t columns = data.axes[0].count, rows = data.axes.size() > 1 ? data.axes[1].count : 1;
-  std::vector<double> result;
-  result.reserve(plans[0].sources.size() * plans[1].sources.size() * plans[2].sources.size() * data.dimension);
-  for (const std::size_t k : plans[2].sources)
-    for (const std::size_t j : plans[1].sources)
-      for (const std::size_t i : plans[0].sources) {
-        const double* point = data.values.data() + ((k * rows + j) * columns + i) * data.dimension;
-        result.insert(result.end(), point, point + data.dimension);
-      }
-  return result;
-}
-
 /// A curve is a grid with one row, and a grid a volume with one layer, that no window passes.
 const AxisPlan single_row{Axis::of(1), {0}, {{0, 1, 0, 1, 0}}};
 
-GridData<double> refine_once(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options) {
+PerAxis<AxisPlan> plan_axes(const L1Scheme& scheme, const std::vector<Axis>& axes, Boundary boundary) {
   PerAxis<AxisPlan> plans{single_row, single_row, single_row};
-  GridData<double> result{{}, data.dimension, {}};
-  Strides strides{{data.dimension}, {data.dimension}, data.dimension};
-  for (std::size_t k = 0; k < most_axes; ++k) {
-    if (k < scheme.points.size()) {
-      plans[k] = plan_axis(data.axes[k], scheme.points[k], scheme.degree, scheme.arity, options.boundary);
-      result.axes.push_back(plans[k].output);
-    }
-    if (k + 1 == most_axes) break;
-    strides.source[k + 1] = strides.source[k] * plans[k].sources.size();
-    strides.out[k + 1] = strides.out[k] * plans[k].output.count;
+  for (std::size_t k = 0; k < axes.size(); ++k) plans[k] = plan_axis(scheme, axes[k], k, boundary);
+  return plans;
+}
+
+std::vector<Axis> outputs_of(const PerAxis<AxisPlan>& plans, std::size_t count) {
+  std::vector<Axis> axes;
+  for (std::size_t k = 0; k < count; ++k) axes.push_back(plans[k].output);
+  return axes;
+}
+
+class L1Step : public SliceStep {
+ public:
+  L1Step(std::vector<Axis> axes, std::size_t dimension, std::shared_ptr<Fitters> fitters, const RefineOptions& options)
+      : L1Step(plan_axes(fitters->scheme(), axes, options.boundary), axes, dimension, fitters, options) {}
+
+  void append(std::size_t begin, std::size_t end, const SliceSource& source,
+              std::vector<double>& values) const override {
+    const std::size_t last = input_.size() - 1;
+    PerAxis<AxisPlan> plans = plans_;
+    plans[last] = plan_axis(fitters_->scheme(), input_[last], last, options_.boundary, begin, end);
+    const SliceBuffer in(plans[last].sources, source);
+    for (std::size_t& slice : plans[last].sources) slice = in.place(slice);
+    PerAxis<std::size_t> made{1, 1, 1};
+    for (std::size_t k = 0; k < last; ++k) made[k] = output()[k].count;
+    made[last] = end - begin;
+    const std::size_t old = values.size();
+    values.resize(old + (end - begin) * numbers_of_slice(output(), dimension_));
+    fit(plans, padded(in.values(), plans), made, values.data() + old);
   }
-  result.values.resize(result.points() * result.dimension);
-  const std::vector<double> source = padded(data, plans);
-  for (const WindowClass& cz : plans[2].classes)
-    for (const WindowClass& cy : plans[1].classes)
-      for (const WindowClass& cx : plans[0].classes)
-        run_job(make_job(scheme, {&cx, &cy, &cz}, strides), strides, source, options.threads, result.values);
-  return result;
+
+ private:
+  L1Step(PerAxis<AxisPlan> plans, std::vector<Axis> axes, std::size_t dimension, std::shared_ptr<Fitters> fitters,
+         const RefineOptions& options)
+      : SliceStep(outputs_of(plans, axes.size())),
+        plans_(std::move(plans)),
+        input_(std::move(axes)),
+        dimension_(dimension),
+        fitters_(std::move(fitters)),
+        options_(options) {}
+
+  /// The data with the places that windows read beyond the ends.
+  std::vector<double> padded(const std::vector<double>& data, const PerAxis<AxisPlan>& plans) const {
+    const std::size_t columns = input_[0].count, rows = input_.size() > 1 ? input_[1].count : 1;
+    std::vector<double> result;
+    result.reserve(plans[0].sources.size() * plans[1].sources.size() * plans[2].sources.size() * dimension_);
+    for (const std::size_t k : plans[2].sources)
+      for (const std::size_t j : plans[1].sources)
+        for (const std::size_t i : plans[0].sources) {
+          const double* point = data.data() + ((k * rows + j) * columns + i) * dimension_;
+          result.insert(result.end(), point, point + dimension_);
+        }
+    return result;
+  }
+
+  void fit(const PerAxis<AxisPlan>& plans, const std::vector<double>& source, const PerAxis<std::size_t>& made,
+           double* out) const {
+    Strides strides{{dimension_}, {dimension_}, dimension_};
+    for (std::size_t k = 0; k + 1 < most_axes; ++k) {
+      strides.source[k + 1] = strides.source[k] * plans[k].sources.size();
+      strides.out[k + 1] = strides.out[k] * made[k];
+    }
+    for (const WindowClass& cz : plans[2].classes)
+      for (const WindowClass& cy : plans[1].classes)
+        for (const WindowClass& cx : plans[0].classes)
+          run_job(make_job(*fitters_, {&cx, &cy, &cz}, strides), strides, source, options_.threads, out);
+  }
+
+  PerAxis<AxisPlan> plans_;  // of whole axes
+  std::vector<Axis> input_;
+  std::size_t dimension_;
+  std::shared_ptr<Fitters> fitters_;
+  RefineOptions options_;
+};
+
+SliceSteps l1_steps(std::vector<Axis> axes, std::size_t dimension, const L1Scheme& scheme, const RefineOptions& options,
+                    double most) {
+  require_sizes(scheme);
+  require(axes.size() == scheme.points.size(), "refine: need one number of points for each axis, got {} for {}",
+          scheme.points.size(), axes.size());
+  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
+  long growth = 1;
+  for (std::size_t k = 0; k < scheme.points.size(); ++k) growth *= scheme.arity;
+  require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, growth, options.levels, most);
+  const auto fitters = std::make_shared<Fitters>(scheme);
+  SliceSteps steps;
+  for (int level = 0; level < options.levels; ++level) {
+    steps.push_back(std::make_unique<L1Step>(std::move(axes), dimension, fitters, options));
+    axes = steps.back()->output();
+  }
+  return steps;
 }
 
 }  // namespace
@@ -271,17 +357,25 @@ LocalRegression l1_linear_part(const L1Scheme& scheme) {
   return ary(scheme.arity, scheme.points[0], scheme.degree);
 }
 
+SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const L1Scheme& scheme,
+                            const RefineOptions& options) {
+  return l1_steps(axes, dimension, scheme, options, most_streamed_numbers);
+}
+
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options) {
-  require_sizes(scheme);
-  require(data.axes.size() == scheme.points.size(), "refine: need one number of points for each axis, got {} for {}",
-          scheme.points.size(), data.axes.size());
   require(data.is_canonical(), "refine: need points * dimension values");
-  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  long growth = 1;
-  for (std::size_t k = 0; k < scheme.points.size(); ++k) growth *= scheme.arity;
-  require_refinable(data.values.size(), growth, options.levels);
   GridData<double> result = data;
-  for (int level = 0; level < options.levels; ++level) result = refine_once(result, scheme, options);
+  for (const auto& step : l1_steps(data.axes, data.dimension, scheme, options, most_refined_numbers)) {
+    std::vector<double> values;
+    const std::size_t slice = numbers_of_slice(result.axes, result.dimension);
+    step->append(
+        0, step->output().back().count,
+        [&](std::size_t begin, std::size_t end, std::vector<double>& in) {
+          in.insert(in.end(), result.values.data() + begin * slice, result.values.data() + end * slice);
+        },
+        values);
+    result = {std::move(values), result.dimension, step->output()};
+  }
   return result;
 }
 

@@ -3,7 +3,7 @@
 
 #include "l1_regression.hpp"
 
-#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/local_regression.hpp>
 
 namespace subcert::data {
@@ -20,6 +20,10 @@ LocalRegression l1_linear_part(const L1Scheme& scheme);
 /// number of points, at least as many points along it, finite values, levels >= 0. Errors: as refine(). Cost: one
 /// L1Fitter::fit for each window, of which a step has as many as data.
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options);
+
+/// Its steps by slices. Domain and errors: as above, with most_streamed_numbers.
+SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const L1Scheme& scheme,
+                            const RefineOptions& options);
 
 /// The values at this level from the data 1 at 0 and 0 elsewhere, over the whole support of the scheme.
 /// Domain: a scheme for curves, 0 <= level <= 16. Ref: [MLZD15, sec. 2.4, Prop. 1].

@@ -90,6 +90,12 @@ std::vector<Number> converted(const std::vector<Rational>& weights);
 template <class Number>
 AxisRefinement<Number> converted(const AxisRefinement<Rational>& rows);
 
+/// A step along the axis with this number.
+struct StepAlong {
+  std::size_t axis;
+  AxisRefinement<Rational> rows;
+};
+
 /// Numbers to write that are worth a thread of their own.
 constexpr std::size_t numbers_per_thread = 1 << 16;
 

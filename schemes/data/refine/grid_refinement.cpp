@@ -10,6 +10,7 @@
 #include <subcert/schemes/grid_regression.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -79,28 +80,50 @@ Line make_line(const AxisStencils& stencils, const Axis& axis, Boundary boundary
 template <class Number>
 using Box = std::vector<Number>;
 
+/// Input of a level: some or all slices across the last axis.
+template <class Number>
+struct Slices {
+  const Number* values;
+  std::function<std::size_t(std::size_t)> place;  // of a slice among these
+};
+
 /// One level: its lines and the weights of its rules.
 template <class Number>
 class Level {
  public:
-  Level(const GridData<Number>& data, const LatticeMask& mask, const std::vector<AxisStencils>& stencils,
+  Level(std::vector<Axis> axes, std::size_t dimension, LatticeMask mask, std::vector<AxisStencils> stencils,
         Boundary boundary)
-      : data_(data), mask_(mask), stencils_(stencils) {
-    for (std::size_t v = 0; v < stencils.size(); ++v) lines_.push_back(make_line(stencils[v], data.axes[v], boundary));
+      : axes_(std::move(axes)), dimension_(dimension), mask_(std::move(mask)), stencils_(std::move(stencils)) {
+    for (std::size_t v = 0; v < stencils_.size(); ++v) lines_.push_back(make_line(stencils_[v], axes_[v], boundary));
     make_rules();
     make_fits();
   }
 
-  GridData<Number> run(int threads) const {
-    GridData<Number> result{{}, data_.dimension, {}};
-    for (const Line& line : lines_) result.axes.push_back(line.range.output);
-    result.values.resize(result.points() * result.dimension);
-    const std::size_t row = result.axes[0].count * result.dimension;
-    parallel_ranges(result.points() / result.axes[0].count, result.values.size() / numbers_per_thread, threads,
-                    [&](std::size_t begin, std::size_t end) {
-                      for (std::size_t r = begin; r < end; ++r) run_row(r, result.values.data() + r * row);
-                    });
+  std::vector<Axis> output() const {
+    std::vector<Axis> axes;
+    for (const Line& line : lines_) axes.push_back(line.range.output);
+    return axes;
+  }
+
+  /// The slices of the input that slices begin, ..., end - 1 of the output depend on.
+  std::vector<std::size_t> reads(std::size_t begin, std::size_t end) const {
+    std::vector<std::size_t> result;
+    for (std::size_t o = begin; o < end; ++o) {
+      const Place& place = lines_.back().places[o];
+      for (const auto* list : {&place.at, &place.fit_at}) result.insert(result.end(), list->begin(), list->end());
+    }
     return result;
+  }
+
+  /// Makes slices begin, ..., end - 1.
+  void run(const Slices<Number>& in, std::size_t begin, std::size_t end, int threads, Number* out) const {
+    const std::size_t row = lines_[0].places.size() * dimension_;
+    std::size_t rows = 1;  // of a slice
+    for (std::size_t v = 1; v + 1 < lines_.size(); ++v) rows *= lines_[v].places.size();
+    parallel_ranges(rows * (end - begin), rows * (end - begin) * row / numbers_per_thread, threads,
+                    [&](std::size_t first, std::size_t last) {
+                      for (std::size_t r = first; r < last; ++r) run_row(in, rows * begin + r, out + r * row);
+                    });
   }
 
  private:
@@ -177,7 +200,7 @@ class Level {
     return result;
   }
 
-  void run_row(std::size_t row, Number* out) const {
+  void run_row(const Slices<Number>& in, std::size_t row, Number* out) const {
     Places places{nullptr};
     for (std::size_t v = 1; v < lines_.size(); ++v) {
       places.push_back(&lines_[v].places[row % lines_[v].places.size()]);
@@ -191,39 +214,38 @@ class Level {
           line.range.complete_end - line.range.complete_begin >= arity) {
         begin = line.range.complete_begin;
         end = begin + (line.range.complete_end - begin) / arity * arity;
-        run_groups(places, begin, static_cast<std::size_t>((end - begin) / arity),
-                   out + static_cast<std::size_t>(begin - line.range.begin) * data_.dimension);
+        run_groups(in, places, begin, static_cast<std::size_t>((end - begin) / arity),
+                   out + static_cast<std::size_t>(begin - line.range.begin) * dimension_);
       }
     for (long i = line.range.begin; i < line.range.end; ++i) {
       if (i == begin) i = end;
       if (i == line.range.end) break;
       const auto at = static_cast<std::size_t>(i - line.range.begin);
       places[0] = &line.places[at];
-      run_point(places, out + at * data_.dimension);
+      run_point(in, places, out + at * dimension_);
     }
   }
 
-  void run_point(const Places& places, Number* out) const {
+  void run_point(const Slices<Number>& in, const Places& places, Number* out) const {
     const bool fitted = is_fitted(places);
     const Box<Number>& box = fitted ? fits_.at(positions(places)) : rules_[rule(places)];
     const auto list = [&](std::size_t v) -> const std::vector<std::size_t>& {
       return fitted ? places[v]->fit_at : places[v]->at;
     };
-    std::fill_n(out, data_.dimension, Number(0));
+    std::fill_n(out, dimension_, Number(0));
     std::size_t i = 0;
-    for_rows(places.size(), list, [&](std::size_t offset) {
+    for_rows(in, places.size(), list, [&](std::size_t offset) {
       for (const std::size_t x : list(0)) {
-        for (std::size_t c = 0; c < data_.dimension; ++c)
-          out[c] += box[i] * data_.values[(offset + x) * data_.dimension + c];
+        for (std::size_t c = 0; c < dimension_; ++c) out[c] += box[i] * in.values[(offset + x) * dimension_ + c];
         ++i;
       }
     });
   }
 
   /// Complete outputs of the first axis from output `begin` on, which begins a group.
-  void run_groups(Places& places, long begin, std::size_t groups, double* out) const {
+  void run_groups(const Slices<Number>& in, Places& places, long begin, std::size_t groups, double* out) const {
     constexpr std::size_t length = 512;
-    const std::size_t size = data_.dimension, arity = static_cast<std::size_t>(mask_.arity());
+    const std::size_t size = dimension_, arity = static_cast<std::size_t>(mask_.arity());
     const std::size_t block = std::max<std::size_t>(1, length / size);
     std::vector<double> parts(arity * block * size);
     const auto list = [&](std::size_t v) -> const std::vector<std::size_t>& { return places[v]->at; };
@@ -235,8 +257,8 @@ class Level {
         const std::size_t taps = list(0).size(), first = list(0).front() + g;
         const Box<Number>& box = rules_[rule(places)];
         const double* weights = box.data();
-        for_rows(places.size(), list, [&](std::size_t offset) {
-          weighted_sum(data_.values.data() + (offset + first) * size, size, weights, taps, now * size,
+        for_rows(in, places.size(), list, [&](std::size_t offset) {
+          weighted_sum(in.values + (offset + first) * size, size, weights, taps, now * size,
                        parts.data() + p * block * size, weights != box.data());
           weights += taps;
         });
@@ -247,14 +269,14 @@ class Level {
 
   /// Calls work(offset) for each row of the box in the axes from the second on.
   template <class List, class Work>
-  void for_rows(std::size_t axes, const List& list, const Work& work) const {
-    const std::size_t columns = data_.axes[0].count;
+  void for_rows(const Slices<Number>& in, std::size_t axes, const List& list, const Work& work) const {
+    const std::size_t columns = axes_[0].count;
     if (axes == 2) {
-      for (const std::size_t y : list(1)) work(y * columns);
+      for (const std::size_t y : list(1)) work(in.place(y) * columns);
       return;
     }
     for (const std::size_t z : list(2))
-      for (const std::size_t y : list(1)) work((z * data_.axes[1].count + y) * columns);
+      for (const std::size_t y : list(1)) work((in.place(z) * axes_[1].count + y) * columns);
   }
 
   std::size_t rule(const Places& places) const {
@@ -264,12 +286,33 @@ class Level {
     return number;
   }
 
-  const GridData<Number>& data_;
-  const LatticeMask& mask_;
-  const std::vector<AxisStencils>& stencils_;
+  std::vector<Axis> axes_;
+  std::size_t dimension_;
+  LatticeMask mask_;
+  std::vector<AxisStencils> stencils_;
   std::vector<Line> lines_;
   std::vector<Box<Number>> rules_;
   std::map<std::vector<std::size_t>, Box<Number>> fits_;
+};
+
+class GridStep : public SliceStep {
+ public:
+  GridStep(Level<double> level, std::size_t dimension, int threads)
+      : SliceStep(level.output()), level_(std::move(level)), dimension_(dimension), threads_(threads) {}
+
+  void append(std::size_t begin, std::size_t end, const SliceSource& source,
+              std::vector<double>& values) const override {
+    const SliceBuffer in(level_.reads(begin, end), source);
+    const std::size_t old = values.size();
+    values.resize(old + (end - begin) * numbers_of_slice(output(), dimension_));
+    level_.run({in.values().data(), [&](std::size_t slice) { return in.place(slice); }}, begin, end, threads_,
+               values.data() + old);
+  }
+
+ private:
+  Level<double> level_;
+  std::size_t dimension_;
+  int threads_;
 };
 
 }  // namespace
@@ -278,9 +321,27 @@ template <class Number>
 GridData<Number> refined_on_grid(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
   const std::vector<AxisStencils> stencils = stencils_of(mask);
   GridData<Number> result = data;
-  for (int level = 0; level < options.levels; ++level)
-    result = Level<Number>(result, mask, stencils, options.boundary).run(options.threads);
+  for (int level = 0; level < options.levels; ++level) {
+    const Level<Number> made(result.axes, result.dimension, mask, stencils, options.boundary);
+    GridData<Number> next{{}, result.dimension, made.output()};
+    next.values.resize(next.points() * next.dimension);
+    made.run({result.values.data(), [](std::size_t slice) { return slice; }}, 0, next.axes.back().count,
+             options.threads, next.values.data());
+    result = std::move(next);
+  }
   return result;
+}
+
+SliceSteps grid_steps(std::vector<Axis> axes, std::size_t dimension, const LatticeMask& mask,
+                      const RefineOptions& options) {
+  const std::vector<AxisStencils> stencils = stencils_of(mask);
+  SliceSteps steps;
+  for (int level = 0; level < options.levels; ++level) {
+    Level<double> next(std::move(axes), dimension, mask, stencils, options.boundary);
+    axes = next.output();
+    steps.push_back(std::make_unique<GridStep>(std::move(next), dimension, options.threads));
+  }
+  return steps;
 }
 
 std::vector<std::size_t> windows(const LatticeMask& mask) {

@@ -1,13 +1,31 @@
 #pragma once
-/// Refinement of surfaces and volumes by masks that are not products. Inner header.
+/// What refine() and limit_of_data() are made of. Inner header.
 
-#include "refine.hpp"
+#include "slab_refinement.hpp"
 
 namespace subcert::data {
+
+/// The steps of refine() by factors, and of limit_of_data(), one after another. Domain and errors: as these; a size
+/// error where one of `steps_of_limit` would make more than `most` numbers.
+std::vector<StepAlong> steps_of_refinement(std::vector<Axis> axes, const std::vector<Mask>& masks,
+                                           const RefineOptions& options);
+std::vector<StepAlong> steps_of_limit(std::vector<Axis> axes, std::size_t dimension, const std::vector<Mask>& masks,
+                                      const RefineOptions& options, double most);
+
+/// The data after these steps.
+template <class Number>
+GridData<Number> refined_along_axes(GridData<Number> data, const std::vector<StepAlong>& steps, int threads) {
+  for (const StepAlong& step : steps) data = apply_along(data, step.axis, converted<Number>(step.rows), threads);
+  return data;
+}
 
 /// refine() of a mask as a whole. Domain: as there; data that are canonical and not too many.
 template <class Number>
 GridData<Number> refined_on_grid(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options);
+
+/// Its steps by slices.
+SliceSteps grid_steps(std::vector<Axis> axes, std::size_t dimension, const LatticeMask& mask,
+                      const RefineOptions& options);
 
 /// The number of points that each axis must have at least.
 std::vector<std::size_t> windows(const LatticeMask& mask);

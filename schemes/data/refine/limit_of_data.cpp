@@ -1,6 +1,7 @@
 #include "refine.hpp"
 
 #include "axis_refinement.hpp"
+#include "grid_refinement.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
@@ -181,27 +182,33 @@ int extra_levels(const Mask& mask) {
 
 }  // namespace
 
-template <class Number>
-GridData<Number> limit_of_data(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
-  const std::vector<Mask>& masks = mask.factors();
-  require(masks.size() == data.axes.size(), "limit_of_data: need one factor for each axis, got {} for {}", masks.size(),
-          data.axes.size());
-  GridData<Number> result = data;
+std::vector<StepAlong> steps_of_limit(std::vector<Axis> axes, std::size_t dimension, const std::vector<Mask>& masks,
+                                      const RefineOptions& options, double most) {
+  require(masks.size() == axes.size(), "limit_of_data: need one factor for each axis, got {} for {}", masks.size(),
+          axes.size());
+  std::vector<StepAlong> steps;
   for (std::size_t k = 0; k < masks.size(); ++k) {
-    if (options.boundary == Boundary::periodic) result.axes[k].close();
-    const bool ends = options.boundary == Boundary::regression && !result.axes[k].closed;
+    Axis& axis = axes[k];
+    if (options.boundary == Boundary::periodic) axis.close();
+    const bool ends = options.boundary == Boundary::regression && !axis.closed;
     const int extra = ends ? extra_levels(masks[k]) : 0;
-    require_refinable(result.values.size(), masks[k].arity(), options.levels + extra);
+    require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, masks[k].arity(), options.levels + extra,
+                      most);
     AxisRefiner refiner(masks[k], options.boundary);
     long stride = 1;
     for (int level = 0; level < options.levels + extra; ++level) {
-      result = apply_along(result, k, converted<Number>(refiner.step(result.axes[k])), options.threads);
+      axis = steps.emplace_back(StepAlong{k, refiner.step(axis)}).rows.output;
       if (level >= options.levels) stride *= masks[k].arity();
     }
-    const LimitRows rows(masks[k], result.axes[k], options.boundary, stride);
-    result = apply_along(result, k, converted<Number>(rows.make()), options.threads);
+    axis = steps.emplace_back(StepAlong{k, LimitRows(masks[k], axis, options.boundary, stride).make()}).rows.output;
   }
-  return result;
+  return steps;
+}
+
+template <class Number>
+GridData<Number> limit_of_data(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
+  return refined_along_axes(
+      data, steps_of_limit(data.axes, data.dimension, mask.factors(), options, most_refined_numbers), options.threads);
 }
 
 template GridData<double> limit_of_data<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);

@@ -20,18 +20,20 @@ std::string estimate_text(double decimal_logarithm) {
   return "10^" + std::to_string(std::llround(decimal_logarithm));
 }
 
-template <class Number>
-GridData<Number> refined_along_axes(GridData<Number> data, const std::vector<Mask>& masks,
-                                    const RefineOptions& options) {
+}  // namespace
+
+std::vector<StepAlong> steps_of_refinement(std::vector<Axis> axes, const std::vector<Mask>& masks,
+                                           const RefineOptions& options) {
   std::vector<AxisRefiner> refiners;
   for (const Mask& mask : masks) refiners.emplace_back(mask, options.boundary);
+  std::vector<StepAlong> steps;
   for (int level = 0; level < options.levels; ++level)
-    for (std::size_t k = 0; k < masks.size(); ++k)
-      data = apply_along(data, k, converted<Number>(refiners[k].step(data.axes[k])), options.threads);
-  return data;
+    for (std::size_t k = 0; k < masks.size(); ++k) {
+      steps.push_back({k, refiners[k].step(axes[k])});
+      axes[k] = steps.back().rows.output;
+    }
+  return steps;
 }
-
-}  // namespace
 
 void require_refinable(std::size_t numbers, long growth, long levels, double most) {
   const double logarithm = std::log10(static_cast<double>(numbers)) + static_cast<double>(levels) * std::log10(growth);
@@ -47,7 +49,8 @@ GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, c
           "refine: need as many axes as variables, got {} for {}", data.axes.size(), mask.dimension());
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   require_refinable(data.values.size(), mask.dilation().classes(), options.levels);
-  return mask.has_factors() ? refined_along_axes(data, mask.factors(), options) : refined_on_grid(data, mask, options);
+  if (!mask.has_factors()) return refined_on_grid(data, mask, options);
+  return refined_along_axes(data, steps_of_refinement(data.axes, mask.factors(), options), options.threads);
 }
 
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary) {

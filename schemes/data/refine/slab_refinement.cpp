@@ -1,5 +1,7 @@
 #include "slab_refinement.hpp"
 
+#include "grid_refinement.hpp"
+
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -76,76 +78,148 @@ class PartOfStep {
   AxisRefinement<double> part_{step_.input, step_.output, {}, {}, 0, {}, step_.stride};
 };
 
-}  // namespace
-
-SlabRefinement::SlabRefinement(const GridData<double>& data, const LatticeMask& mask, const RefineOptions& options)
-    : data_(data), threads_(options.threads) {
-  require(data.is_canonical(), "refine: need as many values as points times coordinates");
-  require(mask.has_factors(), "refine by slabs: need a mask with factors");
-  require(static_cast<std::size_t>(mask.dimension()) == data.axes.size(),
-          "refine: need as many axes as variables, got {} for {}", data.axes.size(), mask.dimension());
-  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  require_refinable(data.values.size(), mask.dilation().classes(), options.levels, most_streamed_numbers);
-  std::vector<AxisRefiner> refiners;
-  for (const Mask& factor : mask.factors()) refiners.emplace_back(factor, options.boundary);
-  for (int level = 0; level < options.levels; ++level) {
-    Level next;
-    for (std::size_t k = 0; k < refiners.size(); ++k) {
-      next.steps.push_back(converted<double>(refiners[k].step(axes()[k])));
-      next.axes.push_back(next.steps.back().output);
-    }
-    levels_.push_back(std::move(next));
-  }
-}
-
-std::size_t SlabRefinement::slice(std::size_t level) const {
-  std::size_t numbers = data_.dimension;
-  for (std::size_t k = 0; k + 1 < data_.axes.size(); ++k) numbers *= axes(level)[k].count;
-  return numbers;
-}
-
-void SlabRefinement::run(const std::function<void(const double*, std::size_t)>& take) const {
-  const std::size_t numbers = slice(levels_.size()), count = axes().back().count;
-  const std::size_t slices = std::max(fewest_slices, numbers_of_slab / numbers);
-  std::vector<double> values;
-  for (std::size_t begin = 0; begin < count; begin += slices) {
-    values.clear();
-    append_made(levels_.size(), begin, std::min(begin + slices, count), values);
-    take(values.data(), values.size() / data_.dimension);
-  }
-}
-
-void SlabRefinement::append(std::size_t level, long begin, long end, std::vector<double>& values) const {
-  const auto count = static_cast<long>(axes(level).back().count);
+/// Appends slices of a closed or open axis, going round.
+void append_round(const SliceSource& source, std::size_t count, long begin, long end, std::vector<double>& values) {
+  const auto size = static_cast<long>(count);
   while (begin < end) {
-    const long first = modulo(begin, count), last = std::min(count, first + end - begin);
-    append_made(level, static_cast<std::size_t>(first), static_cast<std::size_t>(last), values);
+    const long first = modulo(begin, size), last = std::min(size, first + end - begin);
+    source(static_cast<std::size_t>(first), static_cast<std::size_t>(last), values);
     begin += last - first;
   }
 }
 
-void SlabRefinement::append_made(std::size_t level, std::size_t begin, std::size_t end,
-                                 std::vector<double>& values) const {
-  if (level == 0) {
-    const double* const first = data_.values.data();
-    values.insert(values.end(), first + begin * slice(0), first + end * slice(0));
-    return;
+/// A step along one axis.
+class AxisStep : public SliceStep {
+ public:
+  AxisStep(std::vector<Axis> axes, std::size_t dimension, std::size_t along, AxisRefinement<double> rows, int threads)
+      : SliceStep(with(axes, along, rows.output)),
+        input_(std::move(axes)),
+        dimension_(dimension),
+        along_(along),
+        rows_(std::move(rows)),
+        threads_(threads) {}
+
+  void append(std::size_t begin, std::size_t end, const SliceSource& source,
+              std::vector<double>& values) const override {
+    const std::size_t old = values.size(), made = (end - begin) * numbers_of_slice(output(), dimension_);
+    std::vector<double> in;
+    if (along_ + 1 == input_.size()) {
+      const PartOfStep part(rows_, begin, end);
+      append_round(source, input_.back().count, part.begin, part.end, in);
+      values.resize(old + made);
+      apply(part.part(), in.data(), values.data() + old, 1, numbers_of_slice(input_, dimension_), threads_);
+      return;
+    }
+    source(begin, end, in);
+    values.resize(old + made);
+    std::size_t inner = dimension_;
+    for (std::size_t k = 0; k < along_; ++k) inner *= input_[k].count;
+    apply(rows_, in.data(), values.data() + old, in.size() / (inner * input_[along_].count), inner, threads_);
   }
-  const std::vector<AxisRefinement<double>>& steps = levels_[level - 1].steps;
-  const PartOfStep part(steps.back(), begin, end);
-  std::vector<double> in, out;
-  append(level - 1, part.begin, part.end, in);
-  std::size_t inner = data_.dimension, outer = in.size() / inner;
-  for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
-    outer /= steps[k].input.count;
-    out.resize(outer * steps[k].outputs() * inner);
-    apply(steps[k], in.data(), out.data(), outer, inner, threads_);
-    in.swap(out);
-    inner *= steps[k].outputs();
+
+ private:
+  static std::vector<Axis> with(std::vector<Axis> axes, std::size_t k, const Axis& axis) {
+    axes[k] = axis;
+    return axes;
   }
-  const std::size_t old = values.size();
-  values.resize(old + (end - begin) * inner);
-  apply(part.part(), in.data(), values.data() + old, 1, inner, threads_);
+
+  std::vector<Axis> input_;
+  std::size_t dimension_;
+  std::size_t along_;
+  AxisRefinement<double> rows_;
+  int threads_;
+};
+
+void require_axes(const std::vector<Axis>& axes, const LatticeMask& mask) {
+  require(static_cast<std::size_t>(mask.dimension()) == axes.size(),
+          "refine: need as many axes as variables, got {} for {}", axes.size(), mask.dimension());
+}
+
+SliceSteps axis_steps(std::vector<Axis> axes, std::size_t dimension, const std::vector<StepAlong>& steps, int threads) {
+  SliceSteps result;
+  for (const StepAlong& step : steps) {
+    axes[step.axis] = step.rows.input;  // closed for `periodic`
+    result.push_back(std::make_unique<AxisStep>(axes, dimension, step.axis, converted<double>(step.rows), threads));
+    axes = result.back()->output();
+  }
+  return result;
+}
+
+}  // namespace
+
+std::size_t numbers_of_slice(const std::vector<Axis>& axes, std::size_t dimension) {
+  std::size_t numbers = dimension;
+  for (std::size_t k = 0; k + 1 < axes.size(); ++k) numbers *= axes[k].count;
+  return numbers;
+}
+
+SliceBuffer::SliceBuffer(const std::vector<std::size_t>& numbers, const SliceSource& source) {
+  std::vector<std::size_t> sorted = numbers;
+  std::ranges::sort(sorted);
+  std::size_t held = 0;
+  for (const std::size_t number : sorted) {
+    if (!runs_.empty() && number < runs_.back().end) continue;
+    if (runs_.empty() || number > runs_.back().end) runs_.push_back({number, number, held});
+    ++runs_.back().end;
+    ++held;
+  }
+  for (const Run& run : runs_) source(run.begin, run.end, values_);
+}
+
+std::size_t SliceBuffer::place(std::size_t number) const {
+  const auto after = std::ranges::upper_bound(runs_, number, {}, &Run::begin);
+  const Run& run = *std::prev(after);
+  return run.place + number - run.begin;
+}
+
+SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
+                            const RefineOptions& options) {
+  require_axes(axes, mask);
+  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
+  require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, mask.dilation().classes(), options.levels,
+                    most_streamed_numbers);
+  if (!mask.has_factors()) return grid_steps(axes, dimension, mask, options);
+  return axis_steps(axes, dimension, steps_of_refinement(axes, mask.factors(), options), options.threads);
+}
+
+SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
+                       const RefineOptions& options) {
+  require_axes(axes, mask);
+  return axis_steps(axes, dimension, steps_of_limit(axes, dimension, mask.factors(), options, most_streamed_numbers),
+                    options.threads);
+}
+
+SlabRefinement::SlabRefinement(std::vector<Axis> axes, std::size_t dimension, SliceSource data, SliceSteps steps)
+    : axes_(std::move(axes)), dimension_(dimension), data_(std::move(data)), steps_(std::move(steps)) {}
+
+SlabRefinement::SlabRefinement(const GridData<double>& data, SliceSteps steps)
+    : SlabRefinement(
+          data.axes, data.dimension,
+          [&data, slice = numbers_of_slice(data.axes, data.dimension)](std::size_t begin, std::size_t end,
+                                                                       std::vector<double>& values) {
+            const double* const first = data.values.data();
+            values.insert(values.end(), first + begin * slice, first + end * slice);
+          },
+          std::move(steps)) {
+  require(data.is_canonical(), "refine: need as many values as points times coordinates");
+}
+
+void SlabRefinement::run(const std::function<void(const double*, std::size_t)>& take) const {
+  const std::size_t numbers = numbers_of_slice(axes(), dimension_), count = axes().back().count;
+  const std::size_t slices = std::max(fewest_slices, numbers_of_slab / numbers);
+  std::vector<double> values;
+  for (std::size_t begin = 0; begin < count; begin += slices) {
+    values.clear();
+    append(steps_.size(), begin, std::min(begin + slices, count), values);
+    take(values.data(), values.size() / dimension_);
+  }
+}
+
+void SlabRefinement::append(std::size_t step, std::size_t begin, std::size_t end, std::vector<double>& values) const {
+  if (step == 0) return data_(begin, end, values);
+  steps_[step - 1]->append(
+      begin, end,
+      [&](std::size_t first, std::size_t last, std::vector<double>& in) { append(step - 1, first, last, in); }, values);
 }
 
 }  // namespace subcert::data

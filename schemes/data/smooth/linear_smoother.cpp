@@ -101,11 +101,15 @@ template <class One, class Many>
 void LinearSmoother::visit_rounded_rows(std::size_t begin, std::size_t end, const One& one, const Many& many) const {
   const std::unique_ptr<RowMaker<double>> maker = row_maker();
   std::vector<RoundedRow> interior;  // of one spacing
+  RoundedRow row;
   std::size_t made_at = 0;
   for (std::size_t whole = begin; whole < end;) {
     const std::size_t next = std::min(interior_end(whole), end);
     if (next == whole) {
-      for (std::size_t o = whole * scale_; o < std::min((whole + 1) * scale_, outputs()); ++o) one(maker->row(o), o);
+      for (std::size_t o = whole * scale_; o < std::min((whole + 1) * scale_, outputs()); ++o) {
+        if (whole == begin || !repeats(o)) row = maker->row(o);
+        one(row, o);
+      }
       ++whole;
       continue;
     }
@@ -126,7 +130,7 @@ std::vector<RoundedRow> LinearSmoother::rounded_rows() const {
   std::vector<RoundedRow> result;
   result.reserve(outputs());
   visit_rounded_rows(
-      0, spacings(), [&](RoundedRow row, std::size_t) { result.push_back(std::move(row)); },
+      0, spacings(), [&](const RoundedRow& row, std::size_t) { result.push_back(row); },
       [&](const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t begin, std::size_t end) {
         for (std::size_t whole = begin; whole < end; ++whole)
           for (const RoundedRow& row : rows) {
@@ -187,8 +191,6 @@ class LinearSmoother::PathLength {
   std::size_t last_shift_ = 0;
 };
 
-SmoothedData LinearSmoother::apply(const std::vector<double>& data) const { return apply(data, 0, spacings()); }
-
 double LinearSmoother::rounded_position(std::size_t output) const {
   if (options_.at_data) return data_.position(static_cast<long>(output));
   return static_cast<double>(output) / static_cast<double>(scale_);
@@ -226,10 +228,11 @@ std::vector<double> LinearSmoother::between(const std::vector<std::size_t>& vert
   return result;
 }
 
-SmoothedData LinearSmoother::apply_sparsely(const std::vector<double>& data) const {
+std::vector<SmoothedData> LinearSmoother::apply_sparsely(const Columns& columns) const {
   const std::unique_ptr<RowMaker<double>> maker = row_maker();
   const std::vector<std::size_t> made = vertices();
-  SmoothedData at_vertices;
+  std::vector<std::vector<double>> values(columns.size());
+  std::vector<double> variances, leverages;
   RoundedRow interior;
   std::size_t made_at = 0;
   for (const std::size_t output : made) {
@@ -242,67 +245,104 @@ SmoothedData LinearSmoother::apply_sparsely(const std::vector<double>& data) con
     const RoundedRow row = inside ? RoundedRow{} : maker->row(output);
     const RoundedRow& used = inside ? interior : row;
     const std::size_t first = used.first + (inside ? whole - made_at : 0), own = whole - first;
-    double sum = used.outside * options_.constant;
-    for (std::size_t k = 0; k < used.weights.size(); ++k) sum += used.weights[k] * data[first + k];
-    at_vertices.values.push_back(sum);
-    at_vertices.variances.push_back(used.variance);
-    at_vertices.leverages.push_back(own < used.weights.size() ? used.weights[own] : 0);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      double sum = used.outside * options_.constant;
+      for (std::size_t k = 0; k < used.weights.size(); ++k) sum += used.weights[k] * (*columns[c])[first + k];
+      values[c].push_back(sum);
+    }
+    variances.push_back(used.variance);
+    leverages.push_back(own < used.weights.size() ? used.weights[own] : 0);
   }
-  SmoothedData result{between(made, at_vertices.values), between(made, at_vertices.variances), {}};
+  SmoothedData shared{{}, between(made, variances), {}};
   if (data_.uniform() || options_.at_data) {
-    const std::vector<double> leverages = between(made, at_vertices.leverages);
-    for (std::size_t o = 0; o < outputs_; o += scale_) result.leverages.push_back(leverages[o]);
+    const std::vector<double> all = between(made, leverages);
+    for (std::size_t o = 0; o < outputs_; o += scale_) shared.leverages.push_back(all[o]);
   }
+  std::vector<SmoothedData> result(columns.size(), shared);
+  for (std::size_t c = 0; c < columns.size(); ++c) result[c].values = between(made, values[c]);
   return result;
 }
 
+SmoothedData LinearSmoother::apply(const std::vector<double>& data) const { return apply(data, 0, spacings()); }
+
 SmoothedData LinearSmoother::apply(const std::vector<double>& data, std::size_t begin, std::size_t end) const {
-  require(data.size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data.size());
+  return std::move(apply(Columns{&data}, begin, end).front());
+}
+
+std::vector<SmoothedData> LinearSmoother::apply_to(const std::vector<std::vector<double>>& columns, std::size_t begin,
+                                                   std::size_t end) const {
+  require(!columns.empty(), "smoothing: need a column, got none");
+  Columns all;
+  for (const auto& column : columns) all.push_back(&column);
+  return apply(all, begin, end);
+}
+
+std::vector<SmoothedData> LinearSmoother::apply_to(const std::vector<std::vector<double>>& columns) const {
+  return apply_to(columns, 0, spacings());
+}
+
+std::vector<SmoothedData> LinearSmoother::apply(const Columns& columns, std::size_t begin, std::size_t end) const {
+  for (const std::vector<double>* data : columns)
+    require(data->size() == data_.count(), "smoothing: need {} data, got {}", data_.count(), data->size());
   require(begin <= end && end <= spacings(), "smoothing: need spacings up to {}, got {} to {}", spacings(), begin, end);
-  if (stride() > 1 && begin == 0 && end == spacings()) return apply_sparsely(data);
+  return stride() > 1 && begin == 0 && end == spacings() ? apply_sparsely(columns) : apply_densely(columns, begin, end);
+}
+
+std::vector<SmoothedData> LinearSmoother::apply_densely(const Columns& columns, std::size_t begin,
+                                                        std::size_t end) const {
   const std::size_t before = begin * scale_, made = std::min(end * scale_, outputs_) - before;
-  SmoothedData result{std::vector<double>(made), std::vector<double>(made), {}};
+  SmoothedData shared{{}, std::vector<double>(made), {}};
+  std::vector<std::vector<double>> values(columns.size(), std::vector<double>(made));
   const bool at_data = data_.uniform() || options_.at_data;
-  if (at_data) result.leverages.resize(end - begin);
+  if (at_data) shared.leverages.resize(end - begin);
   PathLength path(prior_weights_);
   const auto leverage = [](const RoundedRow& row, std::size_t datum, std::size_t shift) {
     const std::size_t own = datum - shift - row.first;  // wraps around where the datum lies before the row
     return own < row.weights.size() ? row.weights[own] : 0;
   };
-  const auto one = [&](const RoundedRow& row, std::size_t output) {
+  const auto value = [&](const RoundedRow& row, const std::vector<double>& data) {
     double sum = row.outside * options_.constant;
     for (std::size_t k = 0; k < row.weights.size(); ++k)
       if (row.weights[k] != 0) sum += row.weights[k] * data[row.first + k];
-    result.values[output - before] = sum;
-    result.variances[output - before] = row.variance;
+    return sum;
+  };
+  const auto one = [&](const RoundedRow& row, std::size_t output) {
+    const std::size_t at = output - before;
+    const bool again = at > 0 && repeats(output);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      values[c][at] = again ? values[c][at - 1] : value(row, *columns[c]);
+    shared.variances[at] = row.variance;
     if (options_.path) path.go_to(row, 0);
-    if (at_data && output % scale_ == 0) result.leverages[output / scale_ - begin] = leverage(row, output / scale_, 0);
+    if (at_data && output % scale_ == 0) shared.leverages[output / scale_ - begin] = leverage(row, output / scale_, 0);
   };
   // Positions that are computed phase by phase, so that sums and rows stay in the nearest cache.
   const std::size_t block = std::clamp<std::size_t>(most_block_values / scale_, 1, most_block_positions);
   std::vector<double> parts(scale_ <= outputs_ ? scale_ * block : 0);
   const auto many = [&](const std::vector<RoundedRow>& rows, std::size_t shift, std::size_t from, std::size_t to) {
-    for (std::size_t first = from; first < to; first += block) {
-      const std::size_t size = std::min(block, to - first);
-      for (std::size_t p = 0; p < scale_; ++p) {
-        const RoundedRow& row = rows[p];
-        double* const sums = parts.data() + p * block;
-        std::fill_n(sums, size, row.outside * options_.constant);
-        if (!row.weights.empty())
-          weighted_sum(data.data() + row.first + shift + (first - from), 1, row.weights.data(), row.weights.size(),
-                       size, sums, true);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      for (std::size_t first = from; first < to; first += block) {
+        const std::size_t size = std::min(block, to - first);
+        for (std::size_t p = 0; p < scale_; ++p) {
+          const RoundedRow& row = rows[p];
+          double* const sums = parts.data() + p * block;
+          std::fill_n(sums, size, row.outside * options_.constant);
+          if (!row.weights.empty())
+            weighted_sum(columns[c]->data() + row.first + shift + (first - from), 1, row.weights.data(),
+                         row.weights.size(), size, sums, true);
+        }
+        interleave(parts.data(), block, scale_, size, 1, values[c].data() + first * scale_ - before);
       }
-      interleave(parts.data(), block, scale_, size, 1, result.values.data() + first * scale_ - before);
-    }
     if (options_.path) path.go_through(rows, shift, to - from);
-    double* variance = result.variances.data() + from * scale_ - before;
+    double* variance = shared.variances.data() + from * scale_ - before;
     for (std::size_t whole = from; whole < to; ++whole) {
       for (const RoundedRow& row : rows) *variance++ = row.variance;
-      if (at_data) result.leverages[whole - begin] = leverage(rows.front(), from, shift);
+      if (at_data) shared.leverages[whole - begin] = leverage(rows.front(), from, shift);
     }
   };
   visit_rounded_rows(begin, end, one, many);
-  result.path = path.length();
+  shared.path = path.length();
+  std::vector<SmoothedData> result(columns.size(), shared);
+  for (std::size_t c = 0; c < columns.size(); ++c) result[c].values = std::move(values[c]);
   return result;
 }
 

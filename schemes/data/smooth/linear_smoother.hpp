@@ -75,6 +75,10 @@ class LinearSmoother {
   /// The same for the outputs of the spacings begin, ..., end - 1 alone; of some of them none are interpolated. Domain:
   /// begin <= end <= spacings().
   SmoothedData apply(const std::vector<double>& data, std::size_t begin, std::size_t end) const;
+  /// The same for several functions, with rows made once for all. Domain: one or more.
+  std::vector<SmoothedData> apply_to(const std::vector<std::vector<double>>& columns, std::size_t begin,
+                                     std::size_t end) const;
+  std::vector<SmoothedData> apply_to(const std::vector<std::vector<double>>& columns) const;
   /// One more than the number of whole spacings between the ends: the last has one output. Outputs at the data: as many
   /// as data.
   std::size_t spacings() const { return (outputs_ + scale_ - 1) / scale_; }
@@ -106,6 +110,10 @@ class LinearSmoother {
   /// The values at all outputs, from those at the vertices by cubic interpolation. Domain: as many as vertices.
   std::vector<double> between(const std::vector<std::size_t>& vertices, const std::vector<double>& values) const;
   double rounded_position(std::size_t output) const;
+  /// Whether it stands where the output before it does, as at data that share a position; so their rows are equal.
+  bool repeats(std::size_t output) const {
+    return options_.at_data && output > 0 && rounded_position(output) == rounded_position(output - 1);
+  }
 
   const SmoothingOptions& options() const { return options_; }
   const ExtendedData& data() const { return data_; }
@@ -119,7 +127,10 @@ class LinearSmoother {
  private:
   class PathLength;
   std::size_t interior_end(std::size_t whole) const;
-  SmoothedData apply_sparsely(const std::vector<double>& data) const;
+  using Columns = std::vector<const std::vector<double>*>;
+  std::vector<SmoothedData> apply(const Columns& columns, std::size_t begin, std::size_t end) const;
+  std::vector<SmoothedData> apply_densely(const Columns& columns, std::size_t begin, std::size_t end) const;
+  std::vector<SmoothedData> apply_sparsely(const Columns& columns) const;
   /// Calls one(row, output), or many(rows, shift, begin, end) for the outputs of the spacings begin, ..., end - 1:
   /// rows[phase] acts on the data from its `first` + shift on at `begin`, and one further for each spacing; in order.
   template <class One, class Many>

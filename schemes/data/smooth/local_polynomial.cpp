@@ -248,6 +248,10 @@ std::vector<double> LocalSmoother::values(const std::vector<double>& data, const
     LocalWindows::Window window;
     std::vector<double> nodes, weights;
     for (std::size_t o = begin; o < end; ++o) {
+      if (o > begin && repeats(made[o]) && made[o - 1] + 1 == made[o]) {
+        result[o] = result[o - 1];
+        continue;
+      }
       window = windows_.at(rounded_position(made[o]), window);
       require_fit(window);
       const bool weighted = windows_.determines(

@@ -74,9 +74,10 @@ RiskEstimate estimate_risk(const LinearSmoother& smoother, const Samples& sample
                            const std::vector<NoiseEstimate>& noise, Selection selection) {
   const std::vector<double> weights = samples.rounded_weights();
   RiskEstimate risk;
+  const std::vector<SmoothedData> all = smoother.apply_to(samples.columns);
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
     const std::vector<double>& column = samples.columns[c];
-    const auto smoothed = smoother.apply(column);
+    const SmoothedData& smoothed = all[c];
     double residuals = 0, trace = 0, variances = 0, total_weight = 0, predictions = 0;
     std::size_t present = 0;
     for (std::size_t i = 0; i < column.size(); ++i) {
@@ -303,26 +304,23 @@ std::vector<SmoothingCandidate> rank_windows(const LocalPolynomial& pattern, con
 
 namespace {
 
-/// Values and derivatives of a pilot at the data.
-struct Pilot {
-  std::vector<double> values;
-  std::vector<double> derivatives;
-};
-
-Pilot pilot_of(const LocalSmoother& values, const LocalSmoother& derivatives, const std::vector<double>& data) {
-  return {values.apply(data).values, derivatives.apply(data).values};
-}
-
-/// The mean square of what the derivative of the smoother leaves of the pilot's, by the weights.
-double mean_square_apart(const SmoothedData& smoothed, const Pilot& pilot, const std::vector<double>& weights) {
+/// The mean square of what the derivative leaves of the pilot's, by the weights.
+double mean_square_apart(const std::vector<double>& derivative, const std::vector<double>& of_pilot,
+                         const std::vector<double>& weights) {
   double sum = 0, total = 0;
-  for (std::size_t i = 0; i < pilot.values.size(); ++i) {
-    const double weight = weights.empty() ? 1 : weights[i], apart = smoothed.values[i] - pilot.derivatives[i];
+  for (std::size_t i = 0; i < derivative.size(); ++i) {
+    const double weight = weights.empty() ? 1 : weights[i], apart = derivative[i] - of_pilot[i];
     if (weight == 0) continue;
     sum += weight * apart * apart;
     total += weight;
   }
   return sum / total;
+}
+
+std::vector<std::vector<double>> values_of(std::vector<SmoothedData> smoothed) {
+  std::vector<std::vector<double>> values;
+  for (SmoothedData& one : smoothed) values.push_back(std::move(one.values));
+  return values;
 }
 
 std::vector<double> drawn_noise(const std::vector<double>& weights, std::size_t count) {
@@ -344,17 +342,17 @@ class DerivativeRisk {
  public:
   DerivativeRisk(const LocalPolynomial& pilot, const GroupedSamples& groups, const SmoothingOptions& options)
       : groups_(groups), options_(at_data(options)), weights_(groups.samples.rounded_weights()) {
-    const LocalSmoother values(pilot, groups.samples.sites(), options_);
+    std::vector<std::vector<double>> columns = groups.samples.columns;
+    columns.push_back(drawn_noise(weights_, groups.samples.count()));
+    pilots_ = values_of(LocalSmoother(pilot, groups.samples.sites(), options_).apply_to(columns));
     options_.derivative = options.derivative;
-    const LocalSmoother derivatives(pilot, groups.samples.sites(), options_);
-    for (const auto& column : groups.samples.columns) pilots_.push_back(pilot_of(values, derivatives, column));
-    noise_pilot_ = pilot_of(values, derivatives, drawn_noise(weights_, groups.samples.count()));
+    derivatives_ = values_of(LocalSmoother(pilot, groups.samples.sites(), options_).apply_to(columns));
   }
 
   RiskEstimate of(const LocalPolynomial& method) const {
-    const LocalSmoother smoother(method, groups_.samples.sites(), options_);
-    const SmoothedData on_noise = smoother.apply(noise_pilot_.values);
-    const double added = mean_square_apart(on_noise, noise_pilot_, weights_);
+    const std::vector<SmoothedData> made = LocalSmoother(method, groups_.samples.sites(), options_).apply_to(pilots_);
+    const SmoothedData& on_noise = made.back();
+    const double added = mean_square_apart(on_noise.values, derivatives_.back(), weights_);
     double variances = 0, total = 0;
     for (std::size_t i = 0; i < on_noise.variances.size(); ++i) {
       const double weight = weights_.empty() ? 1 : weights_[i];
@@ -362,9 +360,9 @@ class DerivativeRisk {
       total += weight;
     }
     RiskEstimate risk;
-    for (std::size_t c = 0; c < pilots_.size(); ++c) {
+    for (std::size_t c = 0; c + 1 < made.size(); ++c) {
       const double variance = groups_.noise[c].variance;
-      const double apart = mean_square_apart(smoother.apply(pilots_[c].values), pilots_[c], weights_);
+      const double apart = mean_square_apart(made[c].values, derivatives_[c], weights_);
       risk.bias_squared += std::max(0.0, apart - variance * added);
       risk.variance += variance * variances / total;
     }
@@ -376,8 +374,7 @@ class DerivativeRisk {
   const GroupedSamples& groups_;
   SmoothingOptions options_;
   std::vector<double> weights_;
-  std::vector<Pilot> pilots_;
-  Pilot noise_pilot_;
+  std::vector<std::vector<double>> pilots_, derivatives_;  // of the columns, then of drawn noise
 };
 
 }  // namespace

@@ -106,6 +106,19 @@ DateForm read_dates(const SampleOptions& options, Table& table, const std::vecto
   return form.value_or(DateForm{});
 }
 
+/// Puts days in the place of dates that are written as numbers, as 20240229; whether all in the column are.
+bool read_number_dates(Table& table, std::size_t column) {
+  std::vector<double> days;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double value = table.values[i * table.columns + column];
+    const auto day = std::isnan(value) ? std::optional(value) : day_of_number(value);
+    if (!day) return false;
+    days.push_back(*day);
+  }
+  for (std::size_t i = 0; i < table.rows(); ++i) table.values[i * table.columns + column] = days[i];
+  return true;
+}
+
 /// The positions in a column; NaN where one is missing and may be. Errors: a data error where none may.
 std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column) {
   std::vector<double> x;
@@ -138,12 +151,16 @@ std::vector<double> sort_rows(const SampleOptions& options, std::size_t column, 
   samples.falling = order.falling;
   const std::size_t left_out = x.size() - order.rows.size();
   if (left_out > 0) samples.remarks.push_back(fmt::format("rows without a position, left out: {}", left_out));
-  if (!order.rising && !order.falling) samples.remarks.emplace_back("the rows were sorted by their positions");
+  if (!order.rising && !order.falling)
+    samples.remarks.push_back(
+        "the rows were sorted by their positions" +
+        (options.x.empty() ? ", " + column_name(table, column) + " (--x COLUMN takes others, --x none counts the rows)"
+                           : std::string()));
   if (left_out > 0 || !order.rising) {
     table = selected(table, order.rows);
     x = read_positions(options, table, column);
   }
-  if (order.repeated && options.irregular != "fit") {
+  if (order.repeated && !options.any_positions) {
     const std::size_t second = *order.repeated;
     fail(ErrorKind::data,
          "{}, lines {} and {}: expected one row for each position; found {} twice (--irregular fit takes several data "
@@ -160,7 +177,7 @@ void set_grid(const SampleOptions& options, const Table& table, std::vector<doub
     fail(ErrorKind::data, "{}: expected two different positions; found {} alone", options.name(),
          shown(decimal_value(x.front())));
   const UniformGrid grid = samples.put_at(std::move(x));
-  if (!samples.uniform() && options.irregular != "fit") {
+  if (!samples.uniform() && !options.any_positions) {
     const std::size_t worst = grid.worst;
     const auto decimal = [&](std::size_t i) { return decimal_value(samples.positions[i]); };
     fail(ErrorKind::data,
@@ -370,6 +387,10 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   std::optional<DateForm> dates;
   if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
   std::vector<std::string> remarks;
+  if (use.x && !use.dates && table.contents[*use.x].numbers > 0 && read_number_dates(table, *use.x)) {
+    dates.emplace().basic = true;
+    remarks.push_back(column_name(table, *use.x) + " holds dates as YYYYMMDD, and is taken in days");
+  }
   for (const std::size_t c : use.left_out) remarks.push_back(column_name(table, c) + " holds text and is left out");
   if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
     remarks.emplace_back("the positions are the column without a name, as of row numbers (--x COLUMN takes another)");

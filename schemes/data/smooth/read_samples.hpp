@@ -25,8 +25,8 @@ struct SampleOptions {
   std::string decimal = ".";
   std::string header = "auto";  ///< or yes, no
   std::string missing = "raise";
-  std::string irregular = "raise";
-  std::string spacing;  ///< of the outputs where positions are irregular; empty: the mean
+  bool any_positions = false;  ///< also those that are not uniform, and several data at one
+  std::string spacing;         ///< of the outputs where positions are irregular; empty: the mean
 
   /// What errors call the file.
   std::string name() const;
@@ -57,7 +57,7 @@ struct NamedSamples : Samples {
 /// The samples of each group, in the order of their first rows; one where there are no groups. Rows are sorted by their
 /// positions; with missing = `drop` those without one are left out. Positions must be uniform up to the rounding of
 /// their decimal text: each within one unit of the finest decimal place in the column, and within a twentieth of the
-/// spacing, of its place on the grid; with irregular = `fit` others are kept, also several data at one position,
+/// spacing, of its place on the grid; with any_positions others are kept, also several data at one position,
 /// without rows that miss a value. Errors: throws a usage error for unknown columns, a data error that names the line;
 /// for a grid that is not uniform the worst spacing; of one group among several this is its `refused`.
 std::vector<NamedSamples> read_samples(const SampleOptions& options);

@@ -162,8 +162,9 @@ SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<Noise
   result.positions = output_positions(samples, scale, shift + begin * scale,
                                       shift + std::min(end * scale, smoother.outputs()));
   const double unit = std::pow(nearest_double(samples.spacing), -derivative);
+  std::vector<SmoothedData> all = smoother.apply_to(samples.columns, begin, end);
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-    SmoothedData smoothed = smoother.apply(samples.columns[c], begin, end);
+    SmoothedData& smoothed = all[c];
     SmoothedColumn& column = result.columns.emplace_back(SmoothedColumn{std::move(smoothed.values), noise[c]});
     for (double& value : column.values) value *= unit;
     if (!noise[c].exists()) continue;

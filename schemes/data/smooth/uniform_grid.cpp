@@ -42,6 +42,29 @@ Rational decimal_value(double value) {
   return decimal ? decimal->value : Rational(value);
 }
 
+namespace {
+
+/// The first of the spacings that are farthest from the mean, of which doubles find the few that may be. `rounding`: of
+/// a spacing's distance in double precision.
+std::size_t farthest_spacing(const std::vector<double>& positions, const Rational& mean, double rounding) {
+  const double rounded_mean = nearest_double(mean);
+  const auto distance = [&](std::size_t i) { return std::abs(positions[i + 1] - positions[i] - rounded_mean); };
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) largest = std::max(largest, distance(i));
+  std::size_t worst = 0;
+  Rational exact_largest = -1;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    if (distance(i) < largest - 2 * rounding) continue;
+    const Rational exact = abs(decimal_value(positions[i + 1]) - decimal_value(positions[i]) - mean);
+    if (exact <= exact_largest) continue;
+    exact_largest = exact;
+    worst = i;
+  }
+  return worst;
+}
+
+}  // namespace
+
 UniformGrid uniform_grid(const std::vector<double>& positions) {
   require(!positions.empty(), "uniform_grid: need a position");
   UniformGrid grid{decimal_value(positions.front())};
@@ -54,19 +77,16 @@ UniformGrid uniform_grid(const std::vector<double>& positions) {
   const double largest = std::max(std::abs(positions.front()), std::abs(positions.back()));
   const Rational allowed = std::min(power(Rational(10), place), Rational(mean / 20)) +
                            decimal_value(largest) * power(Rational(2), -48);
-  // The deviations in double precision are off by less than 8 units of 2^-53 of the largest position.
-  const double origin = positions.front(), spacing = nearest_double(mean);
-  const double surely = nearest_double(allowed) * (1 - 0x1p-50) - largest * 0x1p-50;
-  const auto off = [&](std::size_t i) { return std::abs(positions[i] - origin - spacing * static_cast<double>(i)); };
-  std::size_t i = 0;
-  while (i < count && off(i) <= surely) ++i;
-  if (i == count) return grid;
-  std::vector<Rational> x;
-  for (const double position : positions) x.push_back(decimal_value(position));
-  for (i = 0; i < count; ++i) {
-    grid.uniform = grid.uniform && abs(x[i] - x.front() - mean * Rational(i)) <= allowed;
-    if (i > 0 && abs(x[i] - x[i - 1] - mean) > abs(x[grid.worst + 1] - x[grid.worst] - mean)) grid.worst = i - 1;
+  // In double precision deviations are off by less than 8 units of 2^-53 of the largest position.
+  const double origin = positions.front(), spacing = nearest_double(mean), rounding = largest * 0x1p-50 + 0x1p-1070;
+  const double limit = nearest_double(allowed), margin = limit * 0x1p-50 + rounding;
+  for (std::size_t i = 0; grid.uniform && i < count; ++i) {
+    const double off = std::abs(positions[i] - origin - spacing * static_cast<double>(i));
+    if (off <= limit - margin) continue;
+    grid.uniform = off <= limit + margin &&
+                   abs(decimal_value(positions[i]) - grid.origin - mean * Rational(i)) <= allowed;
   }
+  if (!grid.uniform) grid.worst = farthest_spacing(positions, mean, rounding);
   return grid;
 }
 

@@ -76,6 +76,9 @@ TEST_CASE("a header has a name and no number") {
       CHECK(table.rows() == 1);
     }
   }
+  // Single quotes around all names are none of them; of some they are.
+  CHECK(parse_table("'a'\t'b c'\n1\t2\n", "f").header == std::vector<std::string>{"a", "b c"});
+  CHECK(parse_table("'a',b\n1,2\n", "f").header == std::vector<std::string>{"'a'", "b"});
   for (const char* row : {"1,2", "1e3,.5", "-1,+2", "1,NA", ",2"}) {
     CAPTURE(row);
     CHECK(parse_table(std::string(row) + "\n3,4\n", "f", Missing::keep).rows() == 2);

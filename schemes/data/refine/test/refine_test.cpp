@@ -4,6 +4,7 @@
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/slab_refinement.hpp>
+#include <subcert/schemes/data/scheme_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
@@ -387,7 +388,17 @@ TEST_CASE("slabs have the bits of the whole") {
                         {"bspline:degree=3,a=3", {50}, 3, 5},
                         {"tensor:(primal:n=2)x(dual:n=3)", {9, 14}, 1, 6},
                         {"tensor:(dd:n=2)x(dd:n=2)", {9, 8}, 4, 4},
-                        {"tensor:(primal:n=1)x(dd:n=2)x(dual:n=2)", {3, 9, 11}, 2, 3}};
+                        {"tensor:(primal:n=1)x(dd:n=2)x(dual:n=2)", {3, 9, 11}, 2, 3},
+                        {"grid:points=4x4,d=3", {9, 23}, 2, 4},
+                        {"grid:points=3x3,d=1,a=3", {6, 7}, 1, 3},
+                        {"butterfly:w=1/16", {8, 9}, 3, 4},
+                        {"grid:points=2x3x2,d=1", {5, 4, 9}, 1, 3},
+                        {"l1:points=6", {12}, 2, 9},
+                        {"l1:points=5,d=2", {40}, 1, 12},
+                        {"l1:points=4,a=3", {9}, 3, 6},
+                        {"l1:points=8,residuals=joint", {31}, 2, 6},
+                        {"l1:points=4x3", {9, 8}, 2, 5},
+                        {"l1:points=2x3x4", {3, 5, 6}, 1, 3}};
   for (const Case& one : cases)
     for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::shrink})
       for (const bool closed : {false, true}) {
@@ -395,24 +406,34 @@ TEST_CASE("slabs have the bits of the whole") {
         GridData<double> data{{}, one.dimension, {}};
         for (const std::size_t count : one.counts) data.axes.push_back(Axis::of(count, closed));
         data.values = random(data.points() * data.dimension);
-        const LatticeMask mask = std::get<Scheme>(make_any_scheme(one.scheme)).mask;
-        const std::vector<std::size_t> fewest = fewest_points(mask, closed ? Boundary::periodic : boundary);
+        const AnyScheme scheme = make_data_scheme(one.scheme);
+        const std::vector<std::size_t> fewest = fewest_points(scheme, closed ? Boundary::periodic : boundary);
         bool few = false;
         for (std::size_t k = 0; k < fewest.size(); ++k) few = few || one.counts[k] < fewest[k];
         if (few) continue;
         const RefineOptions options{one.levels, boundary, 2};
-        const GridData<double> whole = refine(data, mask, options);
-        const SlabRefinement slabs(data, mask, options);
-        std::vector<double> values;
-        slabs.run([&](const double* some, std::size_t points) {
-          values.insert(values.end(), some, some + points * data.dimension);
-        });
-        CHECK(values == whole.values);
-        for (std::size_t k = 0; k < whole.axes.size(); ++k) {
-          CHECK(slabs.axes()[k].count == whole.axes[k].count);
-          CHECK(slabs.axes()[k].first == whole.axes[k].first);
-        }
+        const auto check = [&](SliceSteps steps, const GridData<double>& whole) {
+          const SlabRefinement slabs(data, std::move(steps));
+          std::vector<double> values;
+          slabs.run([&](const double* some, std::size_t points) {
+            values.insert(values.end(), some, some + points * data.dimension);
+          });
+          CHECK(values == whole.values);
+          for (std::size_t k = 0; k < whole.axes.size(); ++k) {
+            CHECK(slabs.axes()[k].count == whole.axes[k].count);
+            CHECK(slabs.axes()[k].first == whole.axes[k].first);
+            CHECK(slabs.axes()[k].step == whole.axes[k].step);
+          }
+        };
+        check(std::move(*refinement_steps(data.axes, data.dimension, scheme, options)), refine(data, scheme, options));
+        const auto* linear = std::get_if<Scheme>(&scheme);
+        if (!linear || !linear->mask.has_factors()) continue;
+        const RefineOptions fewer{std::max(0, one.levels - 3), boundary, 2};
+        check(limit_steps(data.axes, data.dimension, linear->mask, fewer), limit_of_data(data, linear->mask, fewer));
       }
   const GridData<double> line = curve_data<double>({1, 2, 3, 4});
-  CHECK_THROWS_AS(SlabRefinement(line, make_scheme("primal:n=1").mask, {60, Boundary::regression, 1}), Error);
+  CHECK_FAILS(refinement_steps(line.axes, 1, make_data_scheme("primal:n=1"), {60, Boundary::regression, 1}), size);
+  CHECK_FAILS(refinement_steps(line.axes, 1, make_data_scheme("l1:points=4"), {60, Boundary::regression, 1}), size);
+  CHECK_FAILS(limit_steps(line.axes, 1, make_scheme("primal:n=1").mask, {60, Boundary::regression, 1}), size);
+  CHECK_FAILS(refinement_steps(line.axes, 1, make_data_scheme("loop"), {1, Boundary::regression, 1}), domain);
 }

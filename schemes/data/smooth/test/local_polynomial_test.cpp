@@ -280,6 +280,49 @@ TEST_CASE("several data at one position: each counts in a window, which grows wh
   CHECK(estimate_noise({1, 2, 4}, {}, {0, 0, 0}).variance == Approx(7.0 / 3));
 }
 
+TEST_CASE("thousands of data at a few positions cost as the positions do, and all of them have one value") {
+  Samples samples{{{}, {}}};
+  for (int i = 0; i < 10'000; ++i) {
+    samples.positions.push_back(std::floor(i / 2000.0));
+    samples.columns[0].push_back(samples.positions.back() + (i % 2 == 0 ? 0.5 : -0.5));
+    samples.columns[1].push_back(1 - samples.columns[0].back());
+  }
+  for (const char* scheme : {"", "local:d=1,robust=2", "local:points=3000"}) {  // hours if each datum had its own fit
+    CAPTURE(scheme);
+    const SmoothedSamples smoothed = smooth(samples, scheme, {.at_data = true, .path = false});
+    for (std::size_t i = 0; i < samples.count(); i += 997) {
+      const double at = samples.positions[i];
+      CHECK(smoothed.columns[0].values[i] == smoothed.columns[0].values[static_cast<std::size_t>(at) * 2000]);
+      CHECK(smoothed.columns[0].values[i] == Approx(at).margin(1e-9));
+      CHECK(smoothed.columns[1].values[i] == Approx(1 - at).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("several functions at once are smoothed as one after another") {
+  subcert::testing::Random random;
+  std::vector<std::vector<double>> columns(3);
+  std::vector<double> x;
+  for (int i = 0; i < 5000; ++i) {
+    x.push_back(i == 0 ? 0 : x.back() + static_cast<double>(random.integer(0, 3)));
+    for (auto& column : columns) column.push_back(static_cast<double>(random.integer(-99, 99)));
+  }
+  for (const std::size_t points : {9, 2100})
+    for (const bool uniform : {true, false}) {
+      const LocalSmoother smoother({1, LocalWeight::tricube, points},
+                                   DataSites(x.size(), {}, uniform ? std::vector<double>() : x),
+                                   {.at_data = true, .path = points < 100});
+      const std::vector<SmoothedData> all = smoother.apply_to(columns);
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        const SmoothedData one = smoother.apply(columns[c]);
+        CHECK(all[c].values == one.values);
+        CHECK(all[c].variances == one.variances);
+        CHECK(all[c].leverages == one.leverages);
+        CHECK(all[c].path == one.path);
+      }
+    }
+}
+
 TEST_CASE("the order of positions") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const PositionOrder rising = order_of({0, 1, 1, 2}), falling = order_of({3, 2, 2, 1}),

@@ -43,4 +43,26 @@ TEST_CASE("a grid is judged as by exact arithmetic") {
   CHECK(decimal_value(0.1) == Rational(1, 10));
   CHECK(decimal_value(-2.5e-7) == Rational(-25, 100000000));
   CHECK(uniform_grid({1e-300, 2e-300, 3e-300}).uniform);
+  CHECK(uniform_grid({0, 5e-324, 1e-323}).uniform);
+}
+
+TEST_CASE("grids that are not uniform: the farthest spacing is that of exact arithmetic, the first of several") {
+  Random random;
+  for (int run = 0; run < 200; ++run) {
+    // Spacings that are equal but for rounding, and some that are not.
+    const double unit = std::pow(10.0, run % 7 - 3), start = static_cast<double>(random.integer(-99, 99)) * unit;
+    std::vector<double> x{start};
+    for (int i = 1; i < 60; ++i)
+      x.push_back(start + unit * static_cast<double>(i) + (i > 20 ? unit / 2 : 0) + (i > 40 ? unit / 2 : 0));
+    if (run % 2 == 1) x[static_cast<std::size_t>(random.integer(1, 58))] += unit / 4;
+    const Rational mean = (decimal_value(x.back()) - decimal_value(x.front())) / 59;
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i)
+      if (abs(decimal_value(x[i + 1]) - decimal_value(x[i]) - mean) >
+          abs(decimal_value(x[worst + 1]) - decimal_value(x[worst]) - mean))
+        worst = i;
+    const UniformGrid grid = uniform_grid(x);
+    CHECK_FALSE(grid.uniform);
+    CHECK(grid.worst == worst);
+  }
 }

@@ -1,5 +1,7 @@
 // subcert levels SCHEME --over w=LOW..HIGH [--over ...] --property PROPERTY [--certificate DIR] [--plot FILE]
 
+#include "levels_of_list.hpp"
+
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/family/recurrence.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
@@ -229,6 +231,20 @@ void draw(const std::vector<ExponentOfLevels>& growing, const LetteredScheme& sc
 ExitCode run(const LevelsCommandOptions& options) {
   require_one_form(options, options.form);
   require_picture_name(options.plot);
+  if (options.scheme.starts_with(lists)) {
+    for (const auto& [name, is_given] : {std::pair{"--over", !options.over.empty()},
+                                         {"--recurrence", !options.recurrence.empty()},
+                                         {"--start", !options.start.empty()},
+                                         {"--plot", !options.plot.empty()},
+                                         {"--boxes", options.boxes > 0},
+                                         {"--latex or --markdown", options.form.asked_for()}})
+      if (is_given) fail(ErrorKind::usage, "{}: expected a family with a parameter, got a list of masks", name);
+    return run_levels_of_list(options, options.scheme.substr(std::string_view(lists).size()), options.property,
+                              options.certificate);
+  }
+  for (const auto& [name, is_given] :
+       {std::pair{"--over", !options.over.empty()}, {"--property", !options.property.empty()}})
+    if (!is_given) fail(ErrorKind::usage, "{} is required with a family that has a parameter", name);
   const LetteredScheme scheme = make_lettered_scheme(options.scheme, options.over);
   Box box;
   for (std::size_t v = 0; v < scheme.names.size(); ++v) {
@@ -285,11 +301,13 @@ void add_levels(Command& app) {
       app, "levels", "Whether a property holds for every sequence of parameters, one for each level, with proof",
       "subcert levels four-point:w --over w=1/1000..19/100 --property C1 --certificate proofs", options,
       [=] { return run(*options); });
-  command.option("SCHEME", options->scheme, "mask:[...] with letters in its coefficients, four-point:w, other families")
+  command
+      .option("SCHEME", options->scheme,
+              "mask:[...] with letters in its coefficients, four-point:w, other families; or lists:FILE")
       .required()
       .suggest(suggested_schemes);
-  command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH").required().one_each();
-  command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
+  command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH").one_each();
+  command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2");
   command.option("--recurrence", options->recurrence,
                  "How each level has its value from the one before: v=sqrt((1+v)/2)");
   command.option("--start", options->start, "With it, the first value or all of them: v0=1/2 or v0=-1..1000");

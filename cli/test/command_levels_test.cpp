@@ -87,6 +87,39 @@ TEST_CASE("levels: exponents over ranges that grow, as text and picture") {
   CHECK(run_json("levels four-point:w --over w=1/32..1/8 --property C1 --boxes 3").at("growing").size() == 3);
 }
 
+TEST_CASE("levels: lists of masks") {
+  const Folder folder;
+  const std::string masks = "masks = [\"dd:n=2\", \"bspline:degree=3\"]\n";
+  const std::string any = folder.write("any.toml", masks),
+                    in_turn = folder.write("turn.toml", masks + "period = [0, 1]"),
+                    graph = folder.write("graph.toml", masks + "follows = [[0, 1], [1, 0]]");
+  const std::string certificates = folder / "proofs";
+  const Run page = run("levels lists:" + any + " --certificate " + certificates);
+  CHECK(page.code == 0);
+  CHECK(says(page, "exponent     2  (the least of all sequences, exact)\n"));
+  CHECK(says(page, "least for    0 at all levels\n"));
+  CHECK(run("verify " + certificates + "/01-radius.cert").code == 0);
+  CHECK(says(run("levels lists:" + in_turn), "exponent     2.5  (the least"));
+  CHECK(run("levels lists:" + in_turn + " --property C2").code == 0);
+  CHECK(run("levels lists:" + any + " --property C2").code == 2);
+  CHECK(run("levels lists:" + any + " --property 'holder>=5/2'").code == 1);
+  CHECK(run_json("levels lists:" + graph).at("order") == "1 after 0, 0 after 1");
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    check_fails(run("levels lists:" + folder.write("bad.toml", text)), 65, folder / "bad.toml" + ", line " + message);
+  };
+  refused("", "1, column 1: no masks; expected masks = [\"dd:n=2\", ...]");
+  refused("masks = [\"dd:n=2\"]\nperiod = [1]\n", "2, column 11: expected the number of a mask, 0 to 0");
+  refused("masks = [\"dd:n=2\"]\nperiod = [0]\nfollows = [[0, 0]]\n",
+          "3, column 11: 'follows' beside 'period'; expected one of them");
+  refused("masks = [\"dd:n=2\"]\norder = 1\n", "2, column 1: unknown key 'order'; expected masks, period or follows");
+  refused("masks = [\"loop\"]\n", "1, column 10: expected a scheme of one variable with exact coefficients, got loop");
+  refused("masks = [\"dd:n=2\", \"bspline:degree=2,a=3\"]\n", "1, column 20: expected masks of one arity, got 2 and 3");
+  CHECK(run("levels lists:" + folder.write("many.toml", masks + "follows = [[0, 1, 1]]")).code == 65);
+  CHECK(run("levels lists:" + (folder / "none.toml")).code == 66);
+  check_fails(run("levels lists:" + any + " --over w=0..1"), 64,
+              "--over: expected a family with a parameter, got a list of masks");
+}
+
 TEST_CASE("levels: wrong usage") {
   const std::string family = "levels four-point:w --over w=1/32..1/8 ", smooth = family + "--property C1 ";
   const std::string both = "--recurrence and --start: expected both or none",
@@ -99,6 +132,9 @@ TEST_CASE("levels: wrong usage") {
   check_fails(run(smooth + "--recurrence 'w=sin(w)' --start w0=1"), 64, step + "'w=sin(w)'");
   check_fails(run(smooth + "--recurrence 'w=w/2' --start v0=1"), 64,
               "--start: expected w0=VALUE or w0=LOW..HIGH, got 'v0=1'");
+  check_fails(run("levels four-point:w --over w=0..1"), 64,
+              "--property is required with a family that has a parameter");
+  check_fails(run("levels four-point:w --property C1"), 64, "--over is required with a family that has a parameter");
   CHECK(run("levels four-point:w --over v=0..1 --property C1").code == 64);
   CHECK(run("levels chaikin --over w=0..1 --property C1").code == 64);
   CHECK(run("levels four-point:w --over w=1..0 --property C1").code == 64);

@@ -23,6 +23,7 @@ jsonschema.Draft202012Validator.check_schema(schema)
 FILES = {
     "p.toml": '[[scheme]]\nmask = "chaikin"\nsmoothness = ">= 1"\nholder = ">= 3"\n\n[[scheme]]\nmask = "mask:[-1,0,3,3,0,-1]/2"\n'
               "stable = true\n",
+    "l.toml": 'masks = ["dd:n=2", "bspline:degree=3"]\n',
     "j.json": '{"matrices": [[["1/2","0"],["1","3"]], [["1","0"],["0","1/7"]]]}',
     "d.csv": "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(40)),
 }
@@ -48,6 +49,7 @@ range four-point:w --over w=-1..1 --property C1
 range mask:[w,1/2,1/2-w,1/2-w,1/2,w] --over w=0..1 --property convergent --budget 0.5
 curve four-point:w --over w=-1..1 --pieces 20
 levels four-point:w --over w=1/20..1/10 --property C1 --boxes 2
+levels lists:l.toml
 levels four-point:w --over w=0..1/2 --property C1
 levels four-point:w --over w=1/20..1/10 --property C1 --recurrence w=w/2+1/32 --start w0=5
 l1 l1:points=6,d=1

@@ -1,0 +1,38 @@
+#pragma once
+/// Finitely many masks, one for each level.
+
+#include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
+#include <subcert/analysis/symbol/masks/mask.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace subcert {
+
+/// f_{k+1} = S_k f_k with S_k by one of the masks, and which of them may follow which. Canonical: one arity, a sum rule
+/// for all; numbers of masks; of `period` and `follows` one is empty.
+struct MaskList {
+  std::vector<Mask> masks;
+  std::vector<std::size_t> period = {};                           ///< these again and again, the coarsest level first
+  std::vector<std::pair<std::size_t, std::size_t>> follows = {};  ///< mask `second` may follow mask `first`
+};
+
+/// The least exponent of all sequences.
+struct ExponentOfList {
+  int sum_rules = 0;                  ///< that all masks have
+  Enclosure exponent;                 ///< no ends where no convergence is proved; the upper one is that of `sequence`
+  Decision exact;                     ///< both ends are proved to be one number, which `exponent` encloses
+  Decision stable;                    ///< of the shifts of `sequence`, for the upper end
+  std::vector<std::size_t> sequence;  ///< the masks of the leading product, again and again
+  MatrixFamily family;                ///< whose radius it is from
+  JointSpectralRadius radius;
+};
+
+/// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum
+/// rules, on one window, along the successions: all limits have exponents of at least m - log_a r, and those of the
+/// sequence of the leading product have no larger one where their shifts are stable. Masks in a period are one mask of
+/// arity a^L. Domain: canonical; a^L at most 64. Errors: throws Error. Cost: a joint spectral radius. Ref:
+/// docs/levels.md.
+ExponentOfList exponent_of(const MaskList& list, const Budget& budget);
+
+}  // namespace subcert

@@ -1,0 +1,113 @@
+#include "levels_of_list.hpp"
+
+#include "checker.hpp"
+#include "parameter_range.hpp"
+#include "width.hpp"
+
+#include <subcert/analysis/family/property_range.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/properties/mask_list_file.hpp>
+#include <subcert/reports/facts/exponents.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+
+#include <fmt/ranges.h>
+
+namespace subcert::cli {
+namespace {
+
+using properties::MaskListFile;
+
+MaskListFile read(const std::string& file) {
+  try {
+    return properties::read_mask_list(runtime::read_file(file));
+  } catch (const FileError& error) {
+    fail(ErrorKind::data, "{}, {}", file, error.what());
+  }
+}
+
+/// Of all sequences.
+Truth holds(const ExponentOfList& found, const RangeProperty& property) {
+  using Kind = RangeProperty::Kind;
+  const Enclosure& exponent = found.exponent;
+  if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
+  const bool strictly = property.kind == Kind::smooth;
+  if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
+    return Truth::yes;
+  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
+}
+
+std::string order_text(const MaskList& list) {
+  if (!list.period.empty()) return fmt::format("{} again and again", fmt::join(list.period, ", "));
+  if (list.follows.empty()) return "any";
+  std::vector<std::string> pairs;
+  for (const auto& [before, after] : list.follows) pairs.push_back(fmt::format("{} after {}", after, before));
+  return fmt::format("{}", fmt::join(pairs, ", "));
+}
+
+std::string exponent_text(const ExponentOfList& found) {
+  const Enclosure& exponent = found.exponent;
+  if (!exponent.lower) return "no convergence is proved for all sequences";
+  if (found.exact.is_yes()) return enclosure_text(exponent, 12) + "  (the least of all sequences, exact)";
+  std::string text = fmt::format("at least {} for all sequences", exponent.lower_text(12));
+  if (exponent.upper) text += fmt::format(", at most {} for one of them", exponent.upper_text(12));
+  return text;
+}
+
+std::string sequence_text(const std::vector<std::size_t>& sequence) {
+  return fmt::format("{}{}", fmt::join(sequence, ", "), sequence.size() > 1 ? " in turn" : " at all levels");
+}
+
+std::string text_of(const MaskListFile& file, const ExponentOfList& found, const std::string& property, Truth answer) {
+  std::string text;
+  for (std::size_t k = 0; k < file.specifications.size(); ++k)
+    text += fmt::format("mask {}{}\n", padded(std::to_string(k), 8), file.specifications[k]);
+  text += fmt::format("order        {}\nsum rules    {}{}\nexponent     {}\n", order_text(file.list), found.sum_rules,
+                      file.list.period.empty() ? " in common" : "", exponent_text(found));
+  if (!found.sequence.empty() && file.list.period.empty())
+    text += fmt::format("least for    {}\n", sequence_text(found.sequence));
+  if (found.exponent.lower && !found.exact.is_yes()) text += "not exact    " + found.exact.reason + "\n";
+  if (!property.empty()) text += fmt::format("property     {}: {}\n", property, verdict_text(answer));
+  return text;
+}
+
+Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::string& property, Truth answer) {
+  Json json{{"masks", file.specifications},  {"order", order_text(file.list)},
+            {"sum_rules", found.sum_rules},  {"holder", enclosure_json(positive_part(found.exponent))},
+            {"exact", found.exact.is_yes()}, {"exactness", found.exact.reason},
+            {"sequence", found.sequence},    {"stable", found.stable.is_yes()}};
+  if (!property.empty()) {
+    json["property"] = property;
+    json["verdict"] = verdict_text(answer);
+  }
+  return json;
+}
+
+}  // namespace
+
+ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
+                            const std::string& certificates) {
+  const auto asked = parse_range_property(property);
+  using Kind = RangeProperty::Kind;
+  if (!property.empty() &&
+      (!asked || (asked->kind != Kind::convergent && asked->kind != Kind::smooth && asked->kind != Kind::holder)))
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", property);
+  const MaskListFile read_file = read(file);
+  if (!certificates.empty()) require_folder(certificates);
+  const Budget budget = options.limits();
+  options.progress("masks");
+  const ExponentOfList found = exponent_of(read_file.list, budget);
+  options.end_progress();
+  const Truth answer = asked                                                 ? holds(found, *asked)
+                       : found.exponent.is_bounded() && found.exact.is_yes() ? Truth::yes
+                                                                             : Truth::unknown;
+  const WrittenCertificate certificate = write_certificate(
+      certificates.empty() ? "" : certificates + "/01-radius.cert",
+      [&] { return radius_certificate(found.family, found.radius); }, matrices_text(found.family));
+  Json json = json_of(read_file, found, property, answer);
+  certificate.add_to(json);
+  options.answer(json, text_of(read_file, found, property, answer) + certificate.text(found.radius.exact.is_yes()));
+  certificate.failure.raise();
+  return exit_code(answer, !budget.deadline.expired());
+}
+
+}  // namespace subcert::cli

@@ -235,8 +235,7 @@ HermiteOrder hermite_order(const MultivariateRegularity& found, const Decision& 
   const int least = static_cast<int>(data) - 1;
   if (!converges.is_yes()) return {-1, {converges.is_no() ? Truth::no : Truth::unknown, converges.reason}};
   HermiteOrder result{least, {Truth::unknown, "the exponent of the limits is not known"}};
-  // Otherwise the exponent is that of the worst solution, which may be no limit.
-  if (!found.vector || found.vector->solutions != 1 || !found.exponent.lower) return result;
+  if (!found.exponent.lower) return result;
   const Enclosure& exponent = found.exponent;
   while (*exponent.lower > result.order + 1) ++result.order;
   if (exponent.upper && *exponent.upper <= result.order + 1)

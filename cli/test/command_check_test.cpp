@@ -59,12 +59,13 @@ TEST_CASE("one question that cannot be answered leaves the others alone") {
 
 TEST_CASE("properties of vectors of functions and Hermite schemes") {
   const Folder folder;
-  const std::string file = folder.write("file.toml",
-                                        "[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1/2'\nconvergent = true\n"
-                                        "interpolatory = true\nHC = '>= 1'\nholder = '> 1.415'\nsmoothness = '>= 1'\n"
-                                        "sobolev = '> 1.4'\n[[scheme]]\nmask = 'ghm'\nconvergent = true\n"
-                                        "interpolatory = false\nholder = '>= 1'\n");
-  CHECK(run("check " + file).out.find("\n9 properties: 9 hold, 0 fail, 0 undecided.\n") != std::string::npos);
+  const std::string file = folder.write(
+      "file.toml",
+      "[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1/2'\nconvergent = true\n"
+      "interpolatory = true\nHC = '>= 1'\nreproduces = 1\nholder = '> 1.415'\nsmoothness = '>= 1'\n"
+      "sobolev = '> 1.4'\n[[scheme]]\nmask = 'ghm'\nconvergent = true\n"
+      "interpolatory = false\nholder = '>= 1'\n");
+  CHECK(run("check " + file).out.find("\n10 properties: 10 hold, 0 fail, 0 undecided.\n") != std::string::npos);
   folder.write(
       "file.toml",
       "[[scheme]]\nmask = 'hermite-dd:points=4,order=2'\nHC = '>= 3'\nsmoothness = '>= 3'\nholder = '> 3'\n"

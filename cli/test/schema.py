@@ -42,6 +42,9 @@ regularity mask:[-1,0,3,3,0,-1]/2
 regularity mask:[1,1,0,0,1,1]/2
 regularity primal:n=8,d=5 --budget 0.01
 regularity sqrt3 --budget 0.2
+regularity ghm
+regularity merrien:lambda=-1/8,mu=1/2
+analyze hermite-dd:points=2,order=2
 limit dd:n=2 --level 2
 limit primal:n=3 --level 1 --derivative 1
 variance primal:n=2
@@ -62,6 +65,7 @@ check p.toml
 verify c.cert
 jsr j.json
 compare chaikin dd:n=2 mask:[-1,0,3,3,0,-1]/2
+compare chaikin ghm
 experiment fig3 --runs 2
 theorem smoothness-dual
 reproduce dyn-2015 --only table2

@@ -10,6 +10,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
+#include <subcert/schemes/data/refine/vector_refinement.hpp>
 
 #include <fmt/format.h>
 
@@ -187,6 +188,11 @@ Decision hermite(const Scheme& scheme, const Expectation& expectation, double se
   return {Truth::unknown, found};
 }
 
+/// Of polynomials whose values and derivatives are kept; -1 where not even those of constants are.
+Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation, double) {
+  return whole_number(data::hermite_reproduction(scheme.mask).degree, expectation);
+}
+
 /// Whether the data are kept at the old places, derivatives per unit of the finer spacing.
 bool keeps_vectors(const Scheme& scheme) {
   const LatticeMask& mask = scheme.mask;
@@ -244,12 +250,20 @@ const std::vector<Property>& known_properties() {
        nullptr,
        nullptr,
        {},
-       hermite},
+       hermite,
+       true},
       {"sum_rules", whole, "the number of sum rules", Expects::whole_number, rules, rules},
       {"generates", whole, "the largest degree of polynomials that are limits", Expects::whole_number, generates,
        generates},
-      {"reproduces", whole, "the largest degree of polynomials that are reproduced", Expects::whole_number, reproduces,
-       reproduces},
+      {"reproduces",
+       whole,
+       "the largest degree of polynomials that are reproduced",
+       Expects::whole_number,
+       reproduces,
+       reproduces,
+       {},
+       reproduces_hermite,
+       true},
       {"support", "[first, last]", "the ends of the support of the basic limit function", Expects::ends, support_of,
        nullptr},
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
@@ -269,7 +283,7 @@ const std::vector<Property>& known_properties() {
 }
 
 Property::Decides Property::decides(const Scheme& of) const {
-  if (of_vector == &hermite && of.form != VectorForm::hermite) return nullptr;
+  if (of_hermite && of.form && of.form != VectorForm::hermite) return nullptr;
   return of.form ? of_vector : of.mask.dimension() == 1 ? of_curve : of_surface;
 }
 

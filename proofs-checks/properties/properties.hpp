@@ -55,6 +55,7 @@ struct Property {
   Decides of_surface;
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
   Decides of_vector = nullptr;                        ///< of masks of matrices
+  bool of_hermite = false;                            ///< of these of Hermite schemes alone
 
   /// The one for this scheme, or null.
   Decides decides(const Scheme& of) const;

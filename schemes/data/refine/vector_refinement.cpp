@@ -51,16 +51,6 @@ bool keeps_monomial(const LatticeMask& mask, const Rational& centre, int n) {
   return true;
 }
 
-int hermite_degree(const LatticeMask& mask, const Rational& centre) {
-  int degree = -1;
-  while (keeps_monomial(mask, centre, degree + 1)) ++degree;
-  require(
-      degree >= 0,
-      "refine: need a Hermite scheme that keeps the value 1 with derivatives 0, got one that does not; its matrices "
-      "are the P_k of D^(n+1) f'_i = sum over j of P_(i-aj) D^n f_j");
-  return degree;
-}
-
 /// The range of the indices of each residue class.
 std::vector<AxisStencils::Class> classes_of(const LatticeMask& mask) {
   const long arity = mask.arity();
@@ -106,15 +96,25 @@ void require_boundary(VectorForm form, const Axis& axis, Boundary boundary) {
 
 }  // namespace
 
+HermiteReproduction hermite_reproduction(const LatticeMask& mask) {
+  HermiteReproduction result{hermite_centre(mask)};
+  while (keeps_monomial(mask, result.centre, result.degree + 1)) ++result.degree;
+  return result;
+}
+
 AxisRule axis_rule(const LatticeMask& mask, VectorForm form) {
   require(mask.dimension() == 1, "refine: need a curve for a scheme of vectors, got one of {} variables",
           mask.dimension());
   const bool hermite = form == VectorForm::hermite;
   const auto size = static_cast<int>(mask.components());
   const long arity = mask.arity();
-  const Rational centre = hermite ? hermite_centre(mask) : Rational(0);
+  const HermiteReproduction kept = hermite ? hermite_reproduction(mask) : HermiteReproduction{0, -1};
+  require(
+      !hermite || kept.degree >= 0,
+      "refine: need a Hermite scheme that keeps the value 1 with derivatives 0, got one that does not; its matrices "
+      "are the P_k of D^(n+1) f'_i = sum over j of P_(i-aj) D^n f_j");
   const std::vector<AxisStencils::Class> classes = classes_of(mask);
-  AxisRule rule{{classes, centre, hermite ? hermite_degree(mask, centre) : -1, size}, {}, size};
+  AxisRule rule{{classes, kept.centre, kept.degree, size}, {}, size};
   for (const AxisStencils::Class& one : classes)
     rule.weights.resize(rule.weights.size() + mask.components(),
                         std::vector<Rational>(

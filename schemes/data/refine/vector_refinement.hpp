@@ -8,6 +8,15 @@
 
 namespace subcert::data {
 
+/// How a Hermite scheme keeps polynomials with their derivatives: the centre tau is such that linear ones are kept
+/// where that can be, and the degree is the largest for which D^(n+1) p((i - tau)/a) = sum over j of P_{i-aj} D^n p(j);
+/// -1 where the values 1 with derivatives 0 are not kept. Domain: one variable. Cost: the entries times the degree.
+struct HermiteReproduction {
+  Rational centre;
+  int degree = -1;
+};
+HermiteReproduction hermite_reproduction(const LatticeMask& mask);
+
 /// The rule P_k, A_k transposed, of a mask of matrices A_k. With `hermite` it acts on values and derivatives per unit
 /// of the spacing of its data; its centre and degree are those with which polynomials and their derivatives are kept,
 /// D^(n+1) p((i - tau)/a) = sum over j of P_{i-aj} D^n p(j). Otherwise the centre is 0 and the degree -1: nothing is

@@ -41,6 +41,10 @@ TEST_CASE("cone programs: bounds by rows, by the box, and none where a free coor
   const ConeProgram turned(2, 1, {{-1, 1}}, both);
   CHECK(maximum(turned, {Side::nonpositive}, 0).bound->multipliers[0].second == -1);
   CHECK(maximum(turned, {Side::zero}, 0).bound->multipliers[0].second == -1);
+  // Of equal rows the first one is used.
+  CHECK(maximum(ConeProgram(2, 1, {{1, -1}, {1, -1}}, both), {Side::nonnegative, Side::nonnegative}, 0)
+            .bound->multipliers.at(0)
+            .first == 0);
   // Stopped early at the corner of the box, where the row is negative.
   const ConeProgram early(2, 2, {{-1, -1}}, both);
   CHECK(maximum(early, {Side::nonnegative}, 10).bound->bound == 2);

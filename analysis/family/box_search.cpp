@@ -139,7 +139,7 @@ bool BoxSearch::is_stable_on(const Box& box) const {
     for (const LaurentPolynomial& control : *controls)
       errors.back() = std::max(errors.back(), abs(control.coefficient(k) - mask.symbol().coefficient(k)));
   }
-  return has_stable_shifts(mask, errors).is_yes();
+  return has_stable_shifts(mask, errors, sum_rules(mask_)).is_yes();
 }
 
 Threshold::Threshold(const RangeProperty& property, int arity, int rules) : arity_(arity), exponent_(rules) {

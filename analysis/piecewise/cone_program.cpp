@@ -22,7 +22,7 @@ std::optional<RationalMatrix> solved(const RationalMatrix& system, const Rationa
   try {
     return solve(system, wanted);
   } catch (const Error&) {
-    return std::nullopt;  // singular: the search lost its basis to rounding
+    return std::nullopt;  // singular, or not square: the search lost its basis to rounding
   }
 }
 
@@ -187,10 +187,9 @@ std::optional<ConeBound> ConeProgram::bound(const Corner& corner, const std::vec
   std::vector<std::size_t> open;
   for (std::size_t j = 0; j < dimension_; ++j)
     if (!held[j]) open.push_back(j);
-  if (open.size() != used.size()) return std::nullopt;
   ConeBound result;
   if (!used.empty()) {
-    RationalMatrix system(used.size(), used.size()), wanted(used.size(), 1);
+    RationalMatrix system(open.size(), used.size()), wanted(open.size(), 1);
     for (std::size_t e = 0; e < open.size(); ++e) {
       for (std::size_t i = 0; i < used.size(); ++i) system(e, i) = at(rows_[used[i]], open[e]);
       wanted(e, 0) = -at(objective_, open[e]);

@@ -199,7 +199,7 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
       bound = holder_bound(bound.levels, bound.norm + family.change_of_products(bound.levels), rules, arity);
     result.stable = budget.deadline.expired()
                         ? Decision{Truth::unknown, "whether shifts are stable was not decided in time"}
-                        : has_stable_shifts(mask, rounding->distance);
+                        : has_stable_shifts(mask, rounding->distance, rules);
     result.single.applies = {Truth::unknown, "the coefficients are rounded"};
     const HolderBound& best = result.bounds.best();
     result.radius = family.radius({best.levels, best.norm}, budget);

@@ -2,7 +2,9 @@
 #include "stability.hpp"
 
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_cycles.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
@@ -50,6 +52,20 @@ struct RoundedPolynomial {
   Rational error() const { return sum_of_moduli(errors); }
 };
 
+constexpr slong cycle_bits = 256;
+
+/// The modulus of the polynomial at e^(2 pi i turns).
+Ball modulus_at(const std::vector<Rational>& coefficients, const Rational& turns) {
+  const Ball angle = Ball::pi(cycle_bits) * Ball(Rational(2 * turns), cycle_bits);
+  Ball re(cycle_bits), im(cycle_bits);
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const Ball turned = angle * static_cast<long>(k), factor(coefficients[k], cycle_bits);
+    re = re + factor * cos(turned);
+    im = im + factor * sin(turned);
+  }
+  return sqrt(re * re + im * im);
+}
+
 }  // namespace
 
 Decision has_stable_shifts(const Mask& mask) {
@@ -64,11 +80,12 @@ Decision has_stable_shifts(const Mask& mask) {
                                              "no cyclic zeros"};
 }
 
-Decision has_stable_shifts(const Mask& mask, const Rational& distance) {
-  return has_stable_shifts(mask, std::vector<Rational>(static_cast<std::size_t>(mask.symbol().length()), distance));
+Decision has_stable_shifts(const Mask& mask, const Rational& distance, int sum_rules) {
+  return has_stable_shifts(mask, std::vector<Rational>(static_cast<std::size_t>(mask.symbol().length()), distance),
+                           sum_rules);
 }
 
-Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors) {
+Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors, int sum_rules) {
   Decision unknown{Truth::unknown, "the shifts may be unstable for other masks that are as near"};
   const std::vector<Rational> coefficients = mask.symbol().coefficients();
   require(errors.size() == coefficients.size(),
@@ -98,29 +115,21 @@ Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors
   };
   const Rational change = columns(p.norm() + p.error(), q.norm() + q.error()) - columns(p.norm(), q.norm());
   if (!(abs(size == 0 ? Rational(1) : determinant(sylvester)) > change)) return unknown;
-  // (ii) Phi_n divides no such symbol if it leaves a larger remainder than errors can make.
+  // (ii) On each cycle of roots of unity with few enough numbers there is a value that errors cannot make 0.
   Rational moved = 0;
   for (const Rational& error : errors) moved += error;
-  const long degree = static_cast<long>(coefficients.size()) - 1, step = mask.arity();
-  for (long order = 2 * step; order < 6 * (degree + 1); order += step) {
-    if (std::gcd(order / step, step) != 1 || totient(order) > degree) continue;
-    LaurentPolynomial product = mask.symbol();
-    Rational off = moved;
-    for (long prime = 2, left = order; left > 1; ++prime) {
-      if (left % prime != 0) continue;
-      while (left % prime == 0) left /= prime;
-      product *= LaurentPolynomial(1) - LaurentPolynomial::monomial(1, order / prime);
-      off *= 2;
-    }
-    // The 1-norm of the remainder modulo z^order - 1.
-    Rational norm = 0;
-    for (long residue = 0; residue < order; ++residue) {
-      Rational sum = 0;
-      for (const Rational& c : product.coset(static_cast<int>(order), residue).coefficients()) sum += c;
-      norm += abs(sum);
-    }
-    if (!(norm > off)) return unknown;
-  }
+  const long step = mask.arity(), zeros = static_cast<long>(coefficients.size()) - 1 - sum_rules * (step - 1);
+  const auto cycles = root_cycles(step, zeros / (step - 1));
+  if (!cycles) return unknown;
+  const auto is_moved_away = [&](const RootCycle& cycle) {
+    return std::ranges::any_of(cycle.half, [&](long e) {
+      for (long r = 1; r < step; ++r)
+        if (Ball(moved, cycle_bits).is_less(modulus_at(coefficients, Rational(e, cycle.order) + Rational(r, step))))
+          return true;
+      return false;
+    });
+  };
+  if (!std::ranges::all_of(*cycles, is_moved_away)) return unknown;
   return {Truth::yes,
           "the sub-symbols have no common zero, and there are no cyclic zeros, also with all rounding errors"};
 }

@@ -14,13 +14,14 @@ namespace subcert {
 /// Proof: proofs-checks/certificates/SPEC.md, theorem 4. Ref: [JW93].
 Decision has_stable_shifts(const Mask& mask);
 
-/// Whether that is so for all masks whose coefficients differ from these by at most `distance`, on the same support:
-/// yes or unknown. Domain: distance > 0. Cost: a determinant. Ref: SPEC.md, section 7.
-Decision has_stable_shifts(const Mask& mask, const Rational& distance);
+/// Whether that is so for all masks with so many sum rules whose coefficients differ from these by at most `distance`,
+/// on the same support: yes or unknown. Domain: distance > 0. Cost: a determinant, and arity^((zeros of the mask where
+/// sum rules have none) / (2 arity - 2)) values. Ref: SPEC.md, section 7.
+Decision has_stable_shifts(const Mask& mask, const Rational& distance, int sum_rules);
 
 /// The same with an error for each coefficient, from the first to the last. Domain: errors >= 0, as many as
 /// coefficients.
-Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors);
+Decision has_stable_shifts(const Mask& mask, const std::vector<Rational>& errors, int sum_rules);
 
 /// a(z) p(z) = p(z^arity) b(z) z^k for the symbol a of a mask, b of `mask` and p = `factor`, p(0) and p(1) not 0: phi_a
 /// is a combination of shifts of phi_b with the coefficients of p, and phi_b one of phi_a with those of 1/p, locally of

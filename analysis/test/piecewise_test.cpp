@@ -41,6 +41,12 @@ TEST_CASE("cone programs: bounds by rows, by the box, and none where a free coor
   const ConeProgram turned(2, 1, {{-1, 1}}, both);
   CHECK(maximum(turned, {Side::nonpositive}, 0).bound->multipliers[0].second == -1);
   CHECK(maximum(turned, {Side::zero}, 0).bound->multipliers[0].second == -1);
+  // A coordinate that is free and does not matter is 0.
+  CHECK(maximum(ConeProgram(2, 1, {}, {1, 0}), {}, -1).point == std::vector<Rational>{1, 0});
+  // Of equal rows the first one is used.
+  CHECK(maximum(ConeProgram(2, 1, {{1, -1}, {1, -1}}, both), {Side::nonnegative, Side::nonnegative}, 0)
+            .bound->multipliers.at(0)
+            .first == 0);
   // Stopped early at the corner of the box, where the row is negative.
   const ConeProgram early(2, 2, {{-1, -1}}, both);
   CHECK(maximum(early, {Side::nonnegative}, 10).bound->bound == 2);
@@ -60,6 +66,10 @@ TEST_CASE("cone programs: a corner of another search is not believed") {
   CHECK(program.bound(corner, {Side::zero})->bound == 1);
   CHECK_FALSE(program.bound(corner, {Side::any}));
   CHECK_FALSE(program.bound(corner, {Side::nonpositive}));
+  // Of another program, whose row does not tell the coordinates.
+  const ConeProgram other(2, 2, {{0, 0}}, {3, 1});
+  CHECK_FALSE(other.bound(corner, {Side::nonnegative}));
+  CHECK_FALSE(other.point(corner, {Side::nonnegative}));
 }
 
 TEST_CASE("cone programs: multipliers prove the bound, a point attains it, and a corner serves stricter sides") {

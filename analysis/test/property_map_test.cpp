@@ -294,13 +294,28 @@ TEST_CASE("maps that make no sense are refused") {
   CHECK(kind("C1", {{0, 0, 0}, {1, 1, 1}}, 4) == ErrorKind::domain);
 }
 
+constexpr const char* zero_on_cycle =
+    "mask:[1/4,1/2+1/4*w,3/4+1/4*w,3/4+1/4*w,1/4,-1/4-1/2*w,-1/2-1/2*w,-1/4-1/2*w,1/4,3/4+1/4*w,3/4+1/4*w,1/2+1/4*w,"
+    "1/4],arity=4";
+
+TEST_CASE("zeros on a cycle of roots of unity at an irrational value") {
+  // w = (sqrt(5) - 1)/2
+  const LaurentPolynomial unstable = unstable_values(make_parametric_scheme(zero_on_cycle).mask);
+  CHECK(unstable.exact_quotient(LaurentPolynomial({-1, 1, 1}, 0)).has_value());
+}
+
 TEST_CASE("stability of all masks nearby") {
   const Mask four = make_scheme("four-point:w=1/16").mask.curve();
   // The zeros of the even part stay: only errors elsewhere count.
   const Rational e(1, 100);
-  CHECK(has_stable_shifts(four, std::vector<Rational>{e, 0, e, 0, e, 0, e}).is_yes());
-  CHECK_FALSE(has_stable_shifts(four, Rational(1, 2)).is_yes());
-  CHECK(has_stable_shifts(four, power(Rational(10), -12)).is_yes());
-  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,1,1,1]/2").mask.curve(), power(Rational(10), -12)).is_yes());
-  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,0,0,1]").mask.curve(), power(Rational(10), -12)).is_yes());
+  CHECK(has_stable_shifts(four, std::vector<Rational>{e, 0, e, 0, e, 0, e}, 4).is_yes());
+  CHECK_FALSE(has_stable_shifts(four, Rational(1, 2), 4).is_yes());
+  CHECK(has_stable_shifts(four, power(Rational(10), -12), 4).is_yes());
+  CHECK(has_stable_shifts(four, power(Rational(10), -12), 0).is_yes());
+  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,1,1,1]/2").mask.curve(), power(Rational(10), -12), 1).is_yes());
+  CHECK_FALSE(has_stable_shifts(make_scheme("mask:[1,0,0,1]").mask.curve(), power(Rational(10), -12), 1).is_yes());
+  // 0 at some of the zeros of Phi_10 and Phi_20 for w = (sqrt(5) - 1)/2 in place of 309017/500000
+  const ParametricMask pentagon = make_parametric_scheme(zero_on_cycle).mask;
+  CHECK(has_stable_shifts(pentagon.at(Rational(309017, 500000)), power(Rational(10), -12), 2).is_yes());
+  CHECK_FALSE(has_stable_shifts(pentagon.at(Rational(309017, 500000)), power(Rational(10), -6), 2).is_yes());
 }

@@ -121,7 +121,8 @@ bool is_interpolatory(const LatticeMask& mask) {
 
 Decision stable(const Scheme& scheme, const Expectation& expectation, double seconds) {
   if (scheme.rounding)
-    return matches(has_stable_shifts(scheme.mask.curve(), scheme.rounding->distance), expectation.yes);
+    return matches(has_stable_shifts(scheme.mask.curve(), scheme.rounding->distance, scheme.rounding->sum_rules),
+                   expectation.yes);
   const Decision convergence = convergence_of(scheme.mask.curve(), seconds);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   return matches(has_stable_shifts(scheme.mask.curve()), expectation.yes);

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_cycles.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/ranges.h>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -256,6 +258,34 @@ LaurentPolynomial special_values(const ParametricMask& mask) {
                                 LaurentPolynomial::all_ones(mask.arity()));
 }
 
+namespace {
+
+/// A polynomial that is 0 where the mask is 0 on a cycle of so many roots of unity of this order, times those of order
+/// `arity`: as many factors of the resultant vanish there.
+LaurentPolynomial values_of_cycle(const ParametricMask& mask, long order, long size, const Deadline& deadline) {
+  LaurentPolynomial result = resultant_in_z({cyclotomic(mask.arity() * order)}, mask.powers(), deadline);
+  for (long factors = size * totient(mask.arity()); factors > 1 && result.length() > 1 && !deadline.expired();
+       --factors)
+    result = gcd(result, result.derivative());
+  return result;
+}
+
+/// Where the mask is 0 on a cycle of roots of unity, but perhaps not at all of their order, as it may be for irrational
+/// values: zero where none was found.
+LaurentPolynomial values_of_cycles(const ParametricMask& mask, const Deadline& deadline) {
+  const long zeros = mask.support().last - mask.support().first - sum_rules(mask) * (mask.arity() - 1);
+  const auto cycles = root_cycles(mask.arity(), zeros / (mask.arity() - 1));
+  if (!cycles) return {};
+  LaurentPolynomial result = 1;
+  std::set<long> seen;
+  for (const RootCycle& cycle : *cycles)
+    if (cycle.size < totient(cycle.order) && seen.insert(cycle.order).second && !result.is_zero())
+      result *= values_of_cycle(mask, cycle.order, cycle.size, deadline);
+  return result;
+}
+
+}  // namespace
+
 LaurentPolynomial unstable_values(const ParametricMask& mask, const Deadline& deadline) {
   const int arity = mask.arity();
   // All parts share the zeros that they all have with any sum of them.
@@ -286,6 +316,7 @@ LaurentPolynomial unstable_values(const ParametricMask& mask, const Deadline& de
     const LaurentPolynomial values = values_of_divisibility(mask, cyclotomic(arity * k));
     result *= values;
   }
+  if (!result.is_zero()) result *= values_of_cycles(mask, deadline);
   return result;
 }
 

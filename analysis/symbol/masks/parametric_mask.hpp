@@ -85,8 +85,9 @@ ParametricMask divided_difference_scheme(const ParametricMask& mask, int order);
 LaurentPolynomial special_values(const ParametricMask& mask);
 
 /// A polynomial in w that vanishes wherever the shifts are not stable: elsewhere the sub-symbols have no
-/// common zero, and there are no cyclic zeros (proofs-checks/certificates/SPEC.md, theorem 4). Zero where none was
-/// found before the deadline. Domain: one letter. Cost: a resultant by interpolation.
+/// common zero, and there are no cyclic zeros (proofs-checks/certificates/SPEC.md, theorems 4 and 43). Zero where none
+/// was found before the deadline, or where too many cycles of roots of unity would have to be looked at. Domain: one
+/// letter. Cost: a resultant by interpolation, and one for each order of such a cycle that is not all of its order.
 LaurentPolynomial unstable_values(const ParametricMask& mask, const Deadline& deadline = {});
 
 }  // namespace subcert

@@ -1,9 +1,12 @@
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/polynomials/root_cycles.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <set>
 
 using namespace subcert;
@@ -124,4 +127,31 @@ TEST_CASE("cyclotomic polynomials") {
   for (long n = 1; n <= 60; ++n) CHECK(cyclotomic(n).highest() == totient(n));
   CHECK_THROWS_AS(cyclotomic(0), Error);
   CHECK_THROWS_AS(totient(0), Error);
+}
+
+TEST_CASE("cycles of roots of unity are all that powers and conjugation lead to") {
+  for (long a = 2; a <= 6; ++a)
+    for (long most = 0; most <= 6; ++most) {
+      CAPTURE(a, most);
+      const auto cycles = root_cycles(a, most);
+      REQUIRE(cycles);
+      std::set<std::set<Rational>> found, expected;
+      for (const RootCycle& cycle : *cycles) {
+        std::set<Rational> turns;
+        for (const long e : cycle.half)
+          turns.insert({Rational(e, cycle.order), Rational(cycle.order - e, cycle.order)});
+        CHECK(static_cast<long>(turns.size()) == cycle.size);
+        CHECK(found.insert(turns).second);
+      }
+      for (long k = 2; k <= static_cast<long>(std::pow(a, 3)) + 1; ++k)
+        for (long e = 1; e < k; ++e) {
+          if (std::gcd(k, a) != 1 || std::gcd(k, e) != 1) continue;
+          std::set<Rational> turns;
+          for (long x = e; turns.insert(Rational(x, k)).second; x = a * x % k) turns.insert(Rational(k - x, k));
+          if (static_cast<long>(turns.size()) <= most) expected.insert(turns);
+        }
+      CHECK(found == expected);
+    }
+  CHECK_FALSE(root_cycles(2, 44));
+  CHECK_THROWS_AS(root_cycles(1, 2), Error);
 }

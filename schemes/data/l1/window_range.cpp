@@ -88,7 +88,9 @@ struct Means {
   Lanes least[values] = {};  // of the means
 };
 
-/// Goes through the corners of the u_t, t >= T; not where three u are 0 (see set_least).
+/// Goes through the corners of the u_t, t >= T. Where three or more u tend to 0, the lines through two data of theirs
+/// are the mean, in any proportion, as all other weights are of a smaller order: so these corners are between those
+/// where two are 0, and are left out. (No upper end is 0.)
 template <std::size_t T, std::size_t N>
 [[gnu::always_inline]] inline void go_through_corners(Means<N>& means, typename Means<N>::Weights& weights, int zeros) {
   using M = Means<N>;
@@ -167,7 +169,8 @@ class Window final : public WindowRange {
     means_.u.fill({1, 1});
     Parts result;
     for (int fit = 0; fit <= fits; ++fit) {
-      set_least();
+      for (Lanes& least : means_.least) least = Lanes{} + std::numeric_limits<double>::infinity();
+      find_means(means_);
       for (std::size_t k = 0; k < 2; ++k) {
         const Ends part = mean(N + k);
         result[k] = fit == 0 ? part
@@ -194,20 +197,6 @@ class Window final : public WindowRange {
         means_.value[i][2 * k / lanes][2 * k % lanes] = lower;
         means_.value[i][2 * k / lanes][2 * k % lanes + 1] = minus_upper;
       }
-  }
-
-  /// Where three or more u tend to 0, the lines through two data of theirs are the mean, in any proportion: all other
-  /// weights are of a smaller order.
-  void set_least() {
-    for (Lanes& least : means_.least) least = Lanes{} + std::numeric_limits<double>::infinity();
-    std::size_t zeros = 0;
-    for (const Ends& u : means_.u) zeros += u.lower == 0 ? 1 : 0;
-    if (zeros >= 3)
-      for (std::size_t r = 0, i = 0; r < N; ++r)
-        for (std::size_t s = r + 1; s < N; ++s, ++i)
-          for (std::size_t k = 0; k < M::values && means_.u[r].lower == 0 && means_.u[s].lower == 0; ++k)
-            means_.least[k] = means_.value[i][k] < means_.least[k] ? means_.value[i][k] : means_.least[k];
-    find_means(means_);
   }
 
   Ends mean(std::size_t which) const {

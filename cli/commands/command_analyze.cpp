@@ -79,7 +79,7 @@ ExitCode analyze_l1(const AnalyzeOptions& options) {
   const data::LeastAbsoluteLimit limit = data::least_absolute_limit(points_of_curve(scheme), scheme.rules.degree,
                                                                     {.deadline = deadline.after(facts::share_of_limit)},
                                                                     scheme.rules.arity);
-  print(options, l1_facts(scheme, limit, deadline), 13);
+  print(options, l1_facts(scheme, limit, {deadline}), 13);
   return exit_code(limit.converges.truth);
 }
 

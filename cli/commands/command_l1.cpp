@@ -16,6 +16,7 @@ struct L1Options : CommonOptions {
   int order = 0;
   std::string bound = "0";
   double budget = 60;
+  bool rule = false;
   PaperForm form;
 };
 
@@ -46,7 +47,7 @@ ExitCode run(const L1Options& options) {
     return contraction_certificate(*data::least_absolute_rule(points, degree, arity), *limit.contraction, limit.edge);
   });
   options.end_progress();
-  const Facts list = l1_facts(scheme, limit, deadline);
+  const Facts list = l1_facts(scheme, limit, {deadline, options.rule});
   Json json = page_json(list);
   certificate.add_to(json);
   answer(options, options.form, {list, 13, json, certificate.text(false)});
@@ -72,6 +73,8 @@ void add_l1(Command& app) {
       .with_default();
   command.option("--bound", options->bound, "A bound of the contraction that is enough; 0: the least one")
       .with_default();
+  command.flag("--rule", options->rule,
+               "Try longer to prove that the rule itself converges, delta > 0 and its own fits");
   command.option("--budget", options->budget, "Seconds of processor time").within(0.001, 1e6).with_default();
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
   add_scheme(command, options->scheme, true);

@@ -74,10 +74,12 @@ TEST_CASE("l1: other arities, with certificates") {
 
 TEST_CASE("l1: the rule itself, with delta and a number of fits") {
   const auto four = run_json("l1 l1:points=4,iterations=7,delta=1e-6");
-  CHECK(four.at("rule").at("bound") == "9/10");
+  CHECK(four.at("rule").at("bound") == "19/20");
   CHECK(four.at("rule").at("fits") == 7);
   const auto six = run_json("l1 l1:points=6");
   CHECK(six.at("rule").is_null());
+  CHECK(contains(run("l1 l1:points=6").out, "130000 boxes do not suffice; --rule tries more"));
+  CHECK(run_json("l1 l1:points=6,iterations=3 --rule").at("rule").at("fits") == 3);
   CHECK(six.at("impulse_level") == 7);
   CHECK(six.at("keeps_monotone") == false);
   CHECK_FALSE(run_json("l1 l1:points=4,exact").contains("rule"));
@@ -93,7 +95,7 @@ TEST_CASE("l1: the budget is of the rule itself, too") {
   CHECK(late.at("rule").is_null());
   CHECK(late.at("impulse_level").is_null());
   const Run text = run("l1 l1:points=5,iterations=10 --budget 0.01");
-  CHECK(contains(text.out, "unknown whether it converges for all data  (the budget or the boxes do not suffice)"));
+  CHECK(contains(text.out, "unknown whether it converges for all data  (the budget does not suffice)"));
   CHECK(contains(text.out, "unknown whether 1 among zeros has a limit  (the budget does not suffice)"));
 }
 

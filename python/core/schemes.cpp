@@ -27,7 +27,7 @@ std::string l1_analysis_of(const DataDependentScheme& scheme, int steps, int ord
     const data::LeastAbsoluteLimit limit = data::least_absolute_limit(
         facts::points_of_curve(scheme), scheme.rules.degree,
         {.steps = steps, .order = order, .deadline = deadline.after(facts::share_of_limit)}, scheme.rules.arity);
-    return page_json(facts::l1_facts(scheme, limit, deadline)).dump();
+    return page_json(facts::l1_facts(scheme, limit, {deadline})).dump();
   });
 }
 

@@ -175,15 +175,13 @@ Facts basin_facts(int points, int degree, int arity) {
            {{"radius", to_text(basin->radius)}, {"bound", to_text(basin->contraction)}}}};
 }
 
-constexpr int most_fits = 10;   // of rules that are covered by boxes
-constexpr int most_levels = 9;  // until an impulse is near to least squares
-constexpr std::uint64_t most_boxes = 100'000;
-constexpr double share_of_rule = 0.5;  // of the time that is left
-
-constexpr int most_covered = 5;  // points
+constexpr int most_levels = 9;                   // until an impulse is near to least squares
+constexpr double share_of_impulse = 0.5;         // of the time that is left
+constexpr int most_covered = 6, most_fits = 20;  // points and fits of rules that are covered by boxes
+constexpr std::uint64_t few_boxes = 130'000, many_boxes = 20'000'000;
 
 /// Whether second differences shrink for all data.
-Fact rule_fact(const L1Scheme& rules, const std::string& smooth, const Deadline& deadline) {
+Fact rule_fact(const L1Scheme& rules, const std::string& smooth, const RuleLimits& limits) {
   const int points = rules.points[0], fits = rules.options.iterations;
   Fact fact{"rule", "this rule", "unknown whether it converges for all data", ""};
   if (rules.degree != 1 || rules.arity != 2 || rules.options.tolerance != 0 || points > most_covered ||
@@ -192,10 +190,12 @@ Fact rule_fact(const L1Scheme& rules, const std::string& smooth, const Deadline&
                               most_covered, most_fits);
     return fact;
   }
-  const auto found = data::reweighted_contraction(
-      points, fits, {.most_boxes = most_boxes, .deadline = deadline.after(share_of_rule)});
+  const std::uint64_t boxes = limits.thorough ? many_boxes : few_boxes;
+  const auto found = data::reweighted_contraction(points, fits, {.most_boxes = boxes, .deadline = limits.deadline});
   if (!found) {
-    fact.remark = "the budget or the boxes do not suffice";
+    fact.remark = limits.deadline.expired()
+                      ? "the budget does not suffice"
+                      : fmt::format("{} boxes do not suffice{}", boxes, limits.thorough ? "" : "; --rule tries more");
     return fact;
   }
   return {"rule",
@@ -218,15 +218,17 @@ Fact impulse_fact(const L1Scheme& rules, const std::string& smooth, const Deadli
 
 /// Of the rule itself, with delta > 0 and its own number of fits; where there are none or all interpolate, it is
 /// linear.
-Facts rule_facts(const L1Scheme& rules, const Deadline& deadline) {
+Facts rule_facts(const L1Scheme& rules, const RuleLimits& limits) {
   const int points = rules.points[0], fits = rules.options.iterations;
   if (points < rules.degree + 2) return {};
   const std::string smooth = points < 4 || points > 8 ? "" : " and as smooth as by least squares";  // Theorem 4
-  Facts list;
-  if (fits > 0) list.push_back(rule_fact(rules, smooth, deadline));
+  Facts impulse;
   if (rules.degree == 1 && rules.arity == 2 && rules.options.tolerance == 0 && points <= most_points &&
       fits <= most_fits)
-    list.push_back(impulse_fact(rules, smooth, deadline));
+    impulse.push_back(impulse_fact(rules, smooth, limits.deadline.after(share_of_impulse)));
+  Facts list;
+  if (fits > 0) list.push_back(rule_fact(rules, smooth, limits));
+  append(list, impulse);
   return list;
 }
 
@@ -249,7 +251,7 @@ int points_of_curve(const DataDependentScheme& scheme) {
   return scheme.rules.points[0];
 }
 
-Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit, const Deadline& deadline) {
+Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit& limit, const RuleLimits& limits) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"", "what follows", subject_text(scheme.rules.options)});
   list.push_back(unique_fact(limit.unique));
@@ -268,7 +270,7 @@ Facts l1_facts(const DataDependentScheme& scheme, const data::LeastAbsoluteLimit
   append(list, robustness_facts(limit.points, limit.degree, limit.arity));
   if (!scheme.rules.options.exact) {
     append(list, basin_facts(limit.points, limit.degree, limit.arity));
-    append(list, rule_facts(scheme.rules, deadline));
+    append(list, rule_facts(scheme.rules, limits));
   }
   const bool known = limit.exponent.lower || limit.exponent.upper;
   list.push_back({"exponent", "exponent", known ? enclosure_text(limit.exponent, 14) : "unknown",

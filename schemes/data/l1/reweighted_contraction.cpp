@@ -1,245 +1,177 @@
 // A second difference of the next level depends on two windows, that is, on the second differences d of points + 1
-// data. By homogeneity one of them is 1, the others are in [-1, 1], and e = delta^(1/2) is in [0, 1/radius]: where e is
-// larger, l1_basin() says it. These boxes are cut until the bound holds on each (docs/l1.md, Theorem 7).
+// data. Of these the first one is of the first window alone and the last one of the second window alone; the others
+// are shared. So on a box of the shared ones and e = delta^(1/2) the two windows are looked at apart, each with an
+// interval of its own difference, and only their numbers are added, for all pairs of intervals (docs/l1.md, Theorem 7).
 //
-// The line of weights w is the mean of the lines through two data, weighted by w_r w_s (x_r - x_s)^2, or as well by
-// (x_r - x_s)^2 times the product of u_t = 1/w_t = (t^2 + e^2)^(1/2) at all other data. As a function of one u_t each
-// mean is a quotient of linear ones, hence monotone: its ends on a box of the u_t are at the corners.
-//
-// Rounding: a weight is off by less than a part 2^-45, a sum by less than 2^-45 times the sum of the moduli; so a mean
-// of numbers of modulus B at most is off by less than 2^-42 B. All ends are moved by `slack` = 2^-36 B.
+// By homogeneity either the largest shared difference is 1 and the two others are at most 8, or one of these is 1 and
+// the shared ones are at most 1/8. Where e times `radius` is the largest difference or more, l1_basin() says it. What
+// is left is cut until the bound holds on each box.
 
 #include "reweighted_contraction.hpp"
 
 #include "l1_basin.hpp"
+#include "window_range.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace subcert::data {
 namespace {
 
-using Form = std::vector<double>;  // in the second differences
-
-using Interval = Ends;
 using Box = DifferenceBox;
 
-/// Contains both.
-Interval joined(const Interval& a, const Interval& b) {
-  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
-}
+double width(const Ends& one) { return one.upper - one.lower; }
+double least_modulus(const Ends& one) { return std::max({0.0, one.lower, -one.upper}); }
+double largest_modulus(const Ends& one) { return std::max(-one.lower, one.upper); }
 
-Form combined(double a, const Form& x, double b, const Form& y) {
-  Form result;
-  for (std::size_t j = 0; j < x.size(); ++j) result.push_back(a * x[j] + b * y[j]);
-  return result;
-}
-
-/// The points + 1 data by their second differences, with zeros in their second differences elsewhere: near the middle
-/// they are small.
-std::vector<Form> data_forms(std::size_t count) {
-  std::vector<Form> data(count, Form(count - 2, 0));
-  const std::size_t middle = (count - 1) / 2;
-  data[middle - 1][middle - 1] = data[middle + 1][middle - 1] = 0.5;
-  const auto extend = [&](std::size_t to, std::size_t near, std::size_t far, std::size_t difference) {
-    data[to] = combined(2, data[near], -1, data[far]);
-    data[to][difference] += 1;
-  };
-  for (std::size_t j = middle + 2; j < count; ++j) extend(j, j - 1, j - 2, j - 2);
-  for (std::size_t j = middle - 1; j-- > 0;) extend(j, j + 1, j + 2, j);
-  return data;
-}
-
-/// Two data of a window, and what follows from the line through them.
-struct Pair {
-  std::size_t r, s;
-  double square;                  // of their distance
-  std::vector<Form> residuals;    // [datum]
-  std::vector<Form> differences;  // [0, 1]: the part that this window has in both second differences
+/// Of the difference that a window has for itself, with what the window gives.
+struct Own {
+  Ends difference;
+  WindowRange::Parts parts = {};
+  bool is_known = false;
 };
 
-Pair make_pair(const std::vector<Form>& data, std::size_t window, std::size_t points, std::size_t r, std::size_t s) {
-  const auto distance = static_cast<double>(s - r);
-  const auto line = [&](double x) {
-    const double part = (x - static_cast<double>(r)) / distance;
-    return combined(1 - part, data[window + r], part, data[window + s]);
-  };
-  Pair pair{r, s, distance * distance, {}, {}};
-  for (std::size_t t = 0; t < points; ++t)
-    pair.residuals.push_back(t == r || t == s ? Form(data[0].size(), 0)
-                                              : combined(1, data[window + t], -1, line(static_cast<double>(t))));
-  const double centre = static_cast<double>(points - 1) / 2;
-  const Form left = line(centre - 0.25), right = line(centre + 0.25);
-  // The outputs are a_0, a_1 of the first window and b_0, b_1 of the second one: a_0 - 2 a_1 + b_0, a_1 - 2 b_0 + b_1.
-  if (window == 0)
-    pair.differences = {combined(1, left, -2, right), right};
-  else
-    pair.differences = {left, combined(1, right, -2, left)};
-  return pair;
-}
-
-double sum_of_moduli(const Form& form) {
-  double sum = 0;
-  for (const double entry : form) sum += std::abs(entry);
-  return sum;
-}
-
-/// The weights of the pairs at a corner of a box, or those that may have any.
-struct Corner {
-  bool any_proportion;
-  std::vector<double> weights;
+/// Pairs of intervals, by their places, for which the bound is not yet proved.
+struct Open {
+  std::array<std::vector<Own>, 2> own;
+  std::vector<std::array<std::size_t, 2>> pairs;
 };
 
-class BoxSearch {
+class Search {
  public:
-  BoxSearch(int points, int fits, double bound, const ReweightedOptions& options)
-      : points_(static_cast<std::size_t>(points)), fits_(fits), bound_(bound), options_(options) {
-    const std::vector<Form> data = data_forms(points_ + 1);
-    double largest = 0;
-    for (std::size_t window = 0; window < 2; ++window)
-      for (std::size_t r = 0; r < points_; ++r)
-        for (std::size_t s = r + 1; s < points_; ++s) {
-          pairs_[window].push_back(make_pair(data, window, points_, r, s));
-          for (const auto* forms : {&pairs_[window].back().residuals, &pairs_[window].back().differences})
-            for (const Form& form : *forms) largest = std::max(largest, sum_of_moduli(form));
-        }
-    slack_ = std::ldexp(largest, -36);
-    corners_.assign(std::size_t{1} << points_, {false, std::vector<double>(pairs_[0].size())});
-  }
+  Search(int points, int fits, double bound, double radius, const ReweightedOptions& options)
+      : windows_{window_range(points, 0), window_range(points, 1)},
+        shared_(static_cast<std::size_t>(points) - 3),
+        fits_(fits),
+        bound_(bound),
+        radius_(radius),
+        options_(options) {}
 
-  /// Whether both second differences are at most the bound on all of the box.
-  bool holds(Box& box) {
-    if (++boxes_ > options_.most_boxes || options_.deadline.expired()) return false;
-    if (largest_difference(box) <= bound_) return true;
-    return halves(box, [&](Box& half) { return holds(half); });
-  }
-
-  /// Of all numbers of fits in each window.
-  std::array<Ends, 2> differences(const Box& box) {
-    std::array<Ends, 2> total{Ends{0, 0}, Ends{0, 0}};
-    for (const std::vector<Pair>& pairs : pairs_) {
-      std::vector<Interval> inverse_weights(points_, {1, 1});
-      std::array<Ends, 2> parts{};
-      for (int fit = 0; fit <= fits_; ++fit) {
-        set_weights(pairs, inverse_weights);
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Interval part = mean_of(pairs, box, &Pair::differences, k);
-          parts[k] = fit == 0 ? part : joined(parts[k], part);
-        }
-        for (std::size_t t = 0; t < points_ && fit < fits_; ++t)
-          inverse_weights[t] = inverse_weight(mean_of(pairs, box, &Pair::residuals, t), box.root);
-      }
-      for (std::size_t k = 0; k < 2; ++k) total[k] = {total[k].lower + parts[k].lower, total[k].upper + parts[k].upper};
+  bool holds_for_all_data() {
+    constexpr double most = WindowRange::largest_datum;
+    for (std::size_t largest = 0; 2 * largest < shared_; ++largest) {  // the others are mirror images
+      Box box = shared_box(1, most);
+      box.differences[1 + largest] = {1, 1};
+      if (!holds(box, {{{{{{-most, most}}}, {{{-most, most}}}}}, {{0, 0}}})) return false;
     }
-    for (Interval& one : total) one = {one.lower - slack_, one.upper + slack_};
-    return total;
+    Box box = shared_box(1 / most, 1);
+    return holds(box, {{{{{{1, 1}}}, {{{-1, 1}}}}}, {{0, 0}}});  // as well the mirror images
   }
 
   std::uint64_t boxes() const { return boxes_; }
 
  private:
-  Interval value(const Form& form, const Box& box) const {
-    Interval result{-slack_, slack_};
-    for (std::size_t j = 0; j < form.size(); ++j) {
-      const Interval& d = box.differences[j];
-      result.lower += form[j] * (form[j] > 0 ? d.lower : d.upper);
-      result.upper += form[j] * (form[j] > 0 ? d.upper : d.lower);
-    }
-    return result;
+  Box shared_box(double largest_shared, double largest) const {
+    return {std::vector<Ends>(shared_ + 2, {-largest_shared, largest_shared}), {0, largest / radius_ * (1 + 0x1p-40)}};
   }
 
-  /// At the corners of the box of the u_t. Where three of these tend to 0, the lines through two data of theirs are the
-  /// mean, in any proportion: all other weights are of a smaller order.
-  void set_weights(const std::vector<Pair>& pairs, const std::vector<Interval>& inverse_weights) {
-    double largest = 0;
-    for (const Interval& u : inverse_weights) largest = std::max(largest, u.upper);
-    std::vector<Interval> ends;
-    for (const Interval& u : inverse_weights)
-      ends.push_back({u.lower <= 0x1p-100 * largest ? 0 : u.lower / largest, largest > 0 ? u.upper / largest : 0});
-    for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
-      const auto end = [&](std::size_t t) { return (corner >> t & 1) != 0 ? ends[t].upper : ends[t].lower; };
-      Corner& one = corners_[corner];
-      std::size_t zeros = 0;
-      for (std::size_t t = 0; t < points_; ++t) zeros += end(t) == 0 ? 1 : 0;
-      one.any_proportion = zeros >= 3;
-      for (std::size_t i = 0; i < pairs.size(); ++i) {
-        double& weight = one.weights[i] = pairs[i].square;
-        if (one.any_proportion) {
-          weight = end(pairs[i].r) == 0 && end(pairs[i].s) == 0 ? 1 : 0;
-          continue;
-        }
-        for (std::size_t t = 0; t < points_; ++t)
-          if (t != pairs[i].r && t != pairs[i].s) weight *= end(t);
+  /// Whether both second differences are at most the bound on all of the box, for the pairs that are open.
+  bool holds(Box& box, Open open) {
+    Ends& widest = widest_side(box);
+    do {
+      if (!look_at(box, open)) return false;
+      std::erase_if(open.pairs, [&](const auto& pair) { return is_proved(box, open, pair); });
+      if (open.pairs.empty()) return true;
+    } while (cut_own(open, width(widest)));
+    for (std::vector<Own>& list : open.own)
+      for (Own& own : list) own.is_known = false;
+    return halves_hold(box, widest, open);
+  }
+
+  Ends& widest_side(Box& box) const {
+    Ends* widest = &box.root;
+    for (std::size_t j = 1; j <= shared_; ++j)
+      if (width(box.differences[j]) > width(*widest)) widest = &box.differences[j];
+    return *widest;
+  }
+
+  /// False where the boxes or the time do not suffice.
+  bool look_at(Box& box, Open& open) {
+    for (std::size_t window = 0; window < 2; ++window) {
+      box.differences.front() = box.differences.back() = {0, 0};
+      for (Own& own : open.own[window]) {
+        if (std::exchange(own.is_known, true)) continue;
+        if (++boxes_ > options_.most_boxes || options_.deadline.expired()) return false;
+        (window == 0 ? box.differences.front() : box.differences.back()) = own.difference;
+        own.parts = windows_[window]->parts(box, fits_);
       }
     }
-  }
-
-  /// Of a quantity that has these values for the lines through two data.
-  Interval mean(const std::vector<Interval>& values) const {
-    Interval result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const Corner& corner : corners_) {
-      double lower = 0, upper = 0, total = 0;
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        if (corner.weights[i] == 0) continue;
-        if (corner.any_proportion) result = joined(result, values[i]);
-        lower += corner.weights[i] * values[i].lower;
-        upper += corner.weights[i] * values[i].upper;
-        total += corner.weights[i];
-      }
-      result = joined(result, {lower / total, upper / total});
-    }
-    return {result.lower - slack_, result.upper + slack_};
-  }
-
-  Interval mean_of(const std::vector<Pair>& pairs, const Box& box, std::vector<Form> Pair::*forms, std::size_t which) {
-    values_.clear();
-    for (const Pair& pair : pairs) values_.push_back(value((pair.*forms)[which], box));
-    return mean(values_);
-  }
-
-  /// (t^2 + e^2)^(1/2).
-  static Interval inverse_weight(const Interval& residual, const Interval& root) {
-    const double least = std::max({0.0, residual.lower, -residual.upper});
-    const double most = std::max(-residual.lower, residual.upper);
-    return {std::sqrt(least * least + root.lower * root.lower), std::sqrt(most * most + root.upper * root.upper)};
-  }
-
-  double largest_difference(const Box& box) {
-    double largest = 0;
-    for (const Interval& one : differences(box)) largest = std::max({largest, -one.lower, one.upper});
-    return largest;
-  }
-
-  /// Cuts the widest side; e, where it is near to 0, far from the middle.
-  template <class Visit>
-  static bool halves(Box& box, const Visit& visit) {
-    Interval* widest = &box.root;
-    for (Interval& one : box.differences)
-      if (one.upper - one.lower > widest->upper - widest->lower) widest = &one;
-    const Interval whole = *widest;
-    if (whole.upper - whole.lower < 0x1p-30) return false;
-    double cut = (whole.lower + whole.upper) / 2;
-    if (widest == &box.root && whole.upper > 0.3)
-      cut = whole.lower == 0 ? whole.upper / 8 : std::sqrt(whole.lower * whole.upper);
-    for (const Interval& part : {Interval{whole.lower, cut}, Interval{cut, whole.upper}}) {
-      *widest = part;
-      if (!visit(box)) return false;
-    }
-    *widest = whole;
     return true;
   }
 
-  std::size_t points_;
+  bool is_proved(const Box& box, const Open& open, const std::array<std::size_t, 2>& pair) const {
+    const Own &first = open.own[0][pair[0]], &last = open.own[1][pair[1]];
+    double least = std::max(least_modulus(first.difference), least_modulus(last.difference));
+    double most = std::max(largest_modulus(first.difference), largest_modulus(last.difference));
+    for (std::size_t j = 1; j <= shared_; ++j) {
+      least = std::max(least, least_modulus(box.differences[j]));
+      most = std::max(most, largest_modulus(box.differences[j]));
+    }
+    if (box.root.lower * radius_ >= most) return true;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (first.parts[k].lower + last.parts[k].lower < -bound_ * least ||
+          first.parts[k].upper + last.parts[k].upper > bound_ * least)
+        return false;
+    return true;
+  }
+
+  /// Forgets intervals that are in no open pair and halves those that are wider, also in proportion; whether any is.
+  static bool cut_own(Open& open, double most_width) {
+    std::array<std::vector<std::vector<std::size_t>>, 2> parts;
+    bool is_cut = false;
+    for (std::size_t window = 0; window < 2; ++window) {
+      std::vector<Own>& list = open.own[window];
+      std::vector<bool> is_open(list.size());
+      for (const auto& pair : open.pairs) is_open[pair[window]] = true;
+      parts[window].resize(list.size());
+      std::vector<Own> next;
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        if (!is_open[i]) continue;
+        const Ends& whole = list[i].difference;
+        const bool cut = width(whole) > most_width * std::max(1.0, least_modulus(whole));
+        const double middle = (whole.lower + whole.upper) / 2;
+        const std::vector<Own> own = cut ? std::vector<Own>{{{whole.lower, middle}}, {{middle, whole.upper}}}
+                                         : std::vector<Own>{list[i]};
+        for (const Own& one : own) {
+          parts[window][i].push_back(next.size());
+          next.push_back(one);
+        }
+        is_cut = is_cut || cut;
+      }
+      list = std::move(next);
+    }
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (const auto& pair : open.pairs)
+      for (const std::size_t first : parts[0][pair[0]])
+        for (const std::size_t last : parts[1][pair[1]]) pairs.push_back({first, last});
+    open.pairs = std::move(pairs);
+    return is_cut;
+  }
+
+  /// e, where it is near to 0, is cut far from the middle.
+  bool halves_hold(Box& box, Ends& side, const Open& open) {
+    const Ends whole = side;
+    if (width(whole) < 0x1p-30) return false;
+    double cut = (whole.lower + whole.upper) / 2;
+    if (&side == &box.root && whole.upper > 0.3)
+      cut = whole.lower == 0 ? whole.upper / 8 : std::sqrt(whole.lower * whole.upper);
+    for (const Ends& part : {Ends{whole.lower, cut}, Ends{cut, whole.upper}}) {
+      side = part;
+      if (!holds(box, open)) return false;
+    }
+    side = whole;
+    return true;
+  }
+
+  std::array<std::unique_ptr<WindowRange>, 2> windows_;
+  std::size_t shared_;
   int fits_;
-  double bound_, slack_ = 0;
+  double bound_, radius_;
   ReweightedOptions options_;
-  std::vector<Pair> pairs_[2];  // of each window
-  std::vector<Corner> corners_;
-  std::vector<Interval> values_;
   std::uint64_t boxes_ = 0;
 };
 
@@ -253,7 +185,12 @@ std::array<Ends, 2> second_differences(int points, int fits, const DifferenceBox
   for (const Ends& one : box.differences)
     require(-1 <= one.lower && one.lower <= one.upper && one.upper <= 1, "second differences: need ends in [-1, 1]");
   require(0 <= box.root.lower && box.root.lower <= box.root.upper, "second differences: need a root >= 0");
-  return BoxSearch(points, fits, 1, {}).differences(box);
+  std::array<Ends, 2> total{};
+  for (std::size_t window = 0; window < 2; ++window) {
+    const WindowRange::Parts parts = window_range(points, window)->parts(box, fits);
+    for (std::size_t k = 0; k < 2; ++k) total[k] = {total[k].lower + parts[k].lower, total[k].upper + parts[k].upper};
+  }
+  return total;
 }
 
 std::optional<ReweightedContraction> reweighted_contraction(int points, int fits, const ReweightedOptions& options) {
@@ -263,14 +200,9 @@ std::optional<ReweightedContraction> reweighted_contraction(int points, int fits
   const auto basin = l1_basin(points, 1);
   if (!basin || basin->contraction > options.bound) return std::nullopt;
   const double bound = options.bound.convert_to<double>() * (1 - 0x1p-40);
-  const double end = Rational(1 / basin->radius).convert_to<double>() * (1 + 0x1p-40);
-  BoxSearch search(points, fits, bound, options);
-  const std::size_t count = static_cast<std::size_t>(points) - 1;
-  for (std::size_t largest = 0; 2 * largest < count; ++largest) {  // the others are mirror images
-    Box box{std::vector<Interval>(count, {-1, 1}), {0, end}};
-    box.differences[largest] = {1, 1};
-    if (!search.holds(box)) return std::nullopt;
-  }
+  const double radius = basin->radius.convert_to<double>() * (1 - 0x1p-40);
+  Search search(points, fits, bound, radius, options);
+  if (!search.holds_for_all_data()) return std::nullopt;
   return ReweightedContraction{fits, options.bound, search.boxes()};
 }
 

@@ -6,6 +6,7 @@
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/l1/l1_regression.hpp>
 #include <subcert/schemes/data/l1/reweighted_contraction.hpp>
+#include <subcert/schemes/data/l1/window_range.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +136,8 @@ TEST_CASE("reweighted fits: second differences of all data shrink, as docs/l1.md
     int points, fits;
     double boxes;  // all of them, roughly: fewer would leave some out
   };
-  for (const Known& of : std::vector<Known>{{3, 6, 7}, {4, 0, 4}, {4, 7, 1844}, {4, 10, 7388}, {5, 2, 5184}}) {
+  for (const Known& of : std::vector<Known>{
+           {3, 6, 10}, {4, 0, 80}, {4, 7, 1000}, {4, 10, 2796}, {5, 2, 2592}, {5, 7, 10412}, {6, 1, 49200}}) {
     CAPTURE(of.points, of.fits);
     const auto found = reweighted_contraction(of.points, of.fits, {.bound = Rational(19, 20)});
     REQUIRE(found);
@@ -155,13 +157,10 @@ TEST_CASE("reweighted fits: second differences of all data shrink, as docs/l1.md
   CHECK_THROWS_AS(reweighted_contraction(4, 6, {.bound = 1}), Error);
 }
 
-TEST_CASE("reweighted fits: the largest cases of docs/l1.md", "[long]") {
-  for (const auto& [points, fits, boxes] : {std::array{5, 6, 41076}, {5, 7, 59046}, {6, 2, 354407}}) {
-    CAPTURE(points, fits);
-    const auto found = reweighted_contraction(points, fits, {.bound = Rational(19, 20), .most_boxes = 1'000'000});
-    REQUIRE(found);
-    CHECK(static_cast<double>(found->boxes) > 0.95 * boxes);
-  }
+TEST_CASE("reweighted fits: the largest case of docs/l1.md, the rule of the papers", "[long]") {
+  const auto found = reweighted_contraction(6, 6, {.bound = Rational(19, 20), .most_boxes = 4'000'000});
+  REQUIRE(found);
+  CHECK(static_cast<double>(found->boxes) > 0.95 * 2'559'050);
 }
 
 TEST_CASE("reweighted fits: the range of second differences contains those of data and delta of a box") {
@@ -209,6 +208,22 @@ TEST_CASE("reweighted fits: the range of second differences contains those of da
   CHECK_THROWS_AS(second_differences(9, 1, {std::vector<Ends>(8, {0, 0}), {0, 1}}), Error);
 }
 
+TEST_CASE("reweighted fits: what a window gives does not depend on the difference that the other one has for itself") {
+  for (int points = 3; points <= 8; ++points)
+    for (std::size_t which = 0; which < 2; ++which) {
+      DifferenceBox box{std::vector<Ends>(static_cast<std::size_t>(points) - 1, {0.25, 0.5}), {0.1, 0.2}};
+      Ends& other = which == 0 ? box.differences.back() : box.differences.front();
+      const auto window = window_range(points, which);
+      const WindowRange::Parts parts = window->parts(box, 2);
+      other = {-8, 8};
+      for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(window->parts(box, 2)[k].lower == parts[k].lower);
+        CHECK(window->parts(box, 2)[k].upper == parts[k].upper);
+        CHECK(parts[k].lower < parts[k].upper);
+      }
+    }
+}
+
 TEST_CASE("reweighted fits: data whose second differences do not shrink, or not much") {
   struct Known {
     int points, fits;
@@ -228,17 +243,17 @@ TEST_CASE("reweighted fits: data whose second differences do not shrink, or not 
 TEST_CASE("reweighted fits: random data do not exceed the bound, nor windows with their own numbers of fits") {
   Random random;
   for (const auto round : rounds(200)) {
-    const int points = 3 + static_cast<int>(round % 3);
+    const int points = 3 + static_cast<int>(round % 4);
     const RegressionWindow window = l1_window({{points}, 1, {}});
     const double delta = std::pow(10.0, static_cast<double>(random.integer(-12, 3)));
     std::vector<double> f(static_cast<std::size_t>(points) + 1), next;
     for (double& value : f) value = static_cast<double>(round % 2 == 0 ? random.integer(-9, 9) : random.integer(-1, 1));
     for (std::size_t i = 0; i < 2; ++i) {
-      const int fits = static_cast<int>(random.integer(0, points == 5 ? 2 : 7));
+      const int fits = static_cast<int>(random.integer(0, 6));
       const L1Fitter fitter(window, {delta, fits, 0, false});
       const auto begin = f.begin() + static_cast<long>(i);
       for (const double value : fitter.fit(std::vector<double>(begin, begin + points))) next.push_back(value);
     }
-    CHECK(largest_difference(next, 2) <= 0.9 * largest_difference(f, 2) + 1e-12);
+    CHECK(largest_difference(next, 2) <= 0.95 * largest_difference(f, 2) + 1e-12);
   }
 }

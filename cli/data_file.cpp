@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 namespace subcert::cli {
 namespace {
@@ -15,9 +18,42 @@ namespace {
 constexpr std::array<const char*, 3> direction_names = {"x", "y", "z"};
 constexpr const char* variables_text[] = {"", "one variable", "two variables", "three variables"};
 
-DataFile read_csv(const std::string& path, std::size_t variables) {
+/// About how many numbers a file holds of which these are the first rows.
+std::size_t expected_numbers(const std::string& path, std::size_t bytes, std::size_t numbers) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (path == standard_stream || error || bytes == 0) return 0;
+  return static_cast<std::size_t>(1.05 * static_cast<double>(size) / static_cast<double>(bytes) *
+                                  static_cast<double>(numbers));
+}
+
+/// The table, whose text need not be held.
+data::Table read_pieces(const std::string& path, RowLines& lines) {
+  data::TableReader reader(input_name(path));
+  runtime::LineInput input(path);
+  std::optional<data::Table> all;
+  for (std::string text; input.read_lines(text);) {
+    const data::Table& rows = reader.read(text);
+    if (rows.rows() == 0) continue;
+    for (const std::size_t line : rows.lines) lines.add(line);
+    if (!all) {
+      all = rows;
+      all->lines.clear();
+      all->values.reserve(expected_numbers(path, text.size(), rows.values.size()));
+      continue;
+    }
+    all->values.insert(all->values.end(), rows.values.begin(), rows.values.end());
+  }
+  reader.finish();
+  return std::move(*all);
+}
+
+DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
   if (variables > 2) fail(ErrorKind::usage, "{}: a scheme of three variables needs a volume in a .vtk file", path);
-  data::Table table = data::parse_table(read_input(path), input_name(path));
+  RowLines lines;
+  data::Table table = pieces && variables == 1 ? read_pieces(path, lines)
+                                               : data::parse_table(read_input(path), input_name(path));
+  for (const std::size_t line : std::exchange(table.lines, {})) lines.add(line);
   data::GridData<double> data;
   if (variables == 1) {
     data = data::curve_data(std::move(table.values), table.columns);
@@ -28,10 +64,10 @@ DataFile read_csv(const std::string& path, std::size_t variables) {
     data = {std::move(table.values), 1, {data::Axis::of(columns), data::Axis::of(rows)}};
   }
   table.values.clear();
-  return {variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table)};
+  return {variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table), std::move(lines)};
 }
 
-DataFile read_any(const std::string& path, std::size_t variables) {
+DataFile read_any(const std::string& path, std::size_t variables, bool pieces = false) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -39,13 +75,13 @@ DataFile read_any(const std::string& path, std::size_t variables) {
     const auto parse = ending == ".obj" ? data::parse_obj : data::parse_ply;
     data::QuadMesh mesh = parse(read_input(path), input_name(path));
     data::GridData<double> data = std::exchange(mesh.data, {});
-    return {DataKind::mesh, std::move(data), {}, std::move(mesh)};
+    return {DataKind::mesh, std::move(data), {}, {}, std::move(mesh)};
   }
-  if (ending != ".vtk") return read_csv(path, variables);
+  if (ending != ".vtk") return read_csv(path, variables, pieces);
   data::Volume volume = data::parse_vtk(read_input(path), input_name(path));
   data::GridData<double> data = std::move(volume.data);
   volume.data.values.clear();
-  return {DataKind::volume, std::move(data), {}, {}, std::move(volume)};
+  return {DataKind::volume, std::move(data), {}, {}, {}, std::move(volume)};
 }
 
 /// Whether the last points in direction `axis` are the first ones again. One number alone proves nothing.
@@ -64,8 +100,9 @@ bool repeats_first(const data::GridData<double>& data, std::size_t axis) {
 
 }  // namespace
 
-DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed) {
-  DataFile file = read_any(path, variables);
+DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed,
+                        bool pieces) {
+  DataFile file = read_any(path, variables, pieces);
   const std::size_t axes = file.data.axes.size();
   if (axes != variables)
     fail(ErrorKind::usage, "{}: data in {}, but the scheme has {}", path, variables_text[axes],
@@ -102,12 +139,23 @@ void check_data(const DataFile& file, const std::string& path, const std::string
            axis.count);
     if (axis.closed && axis.count > 1 && repeats_first(file.data, v))
       fail(ErrorKind::data, "{}{}: expected each point of a closed {} once; found the first {} again", input_name(path),
-           (file.kind == DataKind::curve ? ", line " + std::to_string(file.table.lines.back()) : ""),
+           (file.kind == DataKind::curve ? ", line " + std::to_string(file.lines.at(axis.count - 1)) : ""),
            (axes == 1   ? "curve"
             : axes == 2 ? "surface"
                         : "volume"),
            (axes == 1 ? "row" : direction));
   }
+}
+
+void RowLines::add(std::size_t line) {
+  if (runs_.empty() || line != at(rows_)) runs_.emplace_back(rows_, line);
+  ++rows_;
+}
+
+std::size_t RowLines::at(std::size_t row) const {
+  const auto after = std::ranges::upper_bound(runs_, row, {}, &std::pair<std::size_t, std::size_t>::first);
+  const auto& [first, line] = *std::prev(after);
+  return line + row - first;
 }
 
 std::vector<std::string> DataFile::names() const {

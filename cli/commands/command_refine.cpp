@@ -111,12 +111,12 @@ ExitCode run(const RefineCommand& options) {
   require_picture_name(options.plot);
   const std::array<bool, 3> closed = closed_directions(options, fewest.size(), boundary);
   const std::optional<LatticeMask> mask = options.limit ? std::optional(mask_with_limits(scheme)) : std::nullopt;
-  DataFile file = read_data_file(options.data, fewest.size(), closed);
+  DataFile file = read_data_file(options.data, fewest.size(), closed, !options.json);
   if (boundary == data::Boundary::periodic)
     for (data::Axis& axis : file.data.axes) axis.close();
   check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
   require_columns(scheme, file.data, [&](std::optional<std::size_t> row) {
-    return input_name(options.data) + (row ? ", line " + std::to_string(file.table.lines[*row]) : "");
+    return input_name(options.data) + (row ? ", line " + std::to_string(file.lines.at(*row)) : "");
   });
   if (!options.plot.empty()) require_drawable(options.plot, without_derivatives(scheme, file.data));
   for (const std::string& line : file.remarks()) options.remark(input_name(options.data) + ": " + line);

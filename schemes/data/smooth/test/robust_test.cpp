@@ -155,6 +155,55 @@ TEST_CASE("bands of robust fits cover as often as they say, with and without out
   }
 }
 
+TEST_CASE("the deviations and pseudodata of robust fits are those of the sandwich, summed up from its formula") {
+  subcert::testing::Random random;
+  for (const std::size_t count : {60, 61})
+    for (const bool weighted : {false, true}) {
+      CAPTURE(count, weighted);
+      // Residuals of all sizes, so that some lie near the ends of the weights, on both sides.
+      std::vector<double> x, y;
+      std::vector<Rational> weights;
+      for (std::size_t i = 0; i < count; ++i) {
+        x.push_back(i == 0 ? 0 : x.back() + 1 + static_cast<double>(i % 3) / 4);
+        const double size = i % 5 == 0 ? 7 : 1;
+        y.push_back(std::sin(x.back() / 9) + size * static_cast<double>(random.integer(-99, 99)) / 100);
+        if (weighted) weights.emplace_back(1 + static_cast<long>(i % 4));
+      }
+      const LocalPolynomial method{1, LocalWeight::tricube, 17, 0, 2};
+      const DataSites sites(count, weights, x);
+      const RobustFit fit = robust_fit(method, sites, {.at_data = true, .path = false}, y, 1);
+      const SmoothedData plain = LocalSmoother(method, sites, {.at_data = true, .path = false}).apply(y);
+      const auto weight = [&](std::size_t i) { return weighted ? static_cast<double>(weights[i]) : 1.0; };
+      std::vector<double> residuals, moduli;
+      for (std::size_t i = 0; i < count; ++i) {
+        residuals.push_back(std::sqrt(weight(i)) * (y[i] - fit.values[i]));
+        moduli.push_back(std::abs(residuals.back()));
+      }
+      std::ranges::sort(moduli);
+      const double scale = 6 * (moduli[(count - 1) / 2] + moduli[count / 2]) / 2;
+      double squares = 0, slope = 0, freedom = static_cast<double>(count);
+      std::size_t beyond = 0, between = 0;
+      const auto psi = [&](double r) { return std::abs(r) < scale ? r * std::pow(1 - r * r / scale / scale, 2) : 0; };
+      for (std::size_t i = 0; i < count; ++i) {
+        const double u = residuals[i] / scale;
+        beyond += std::abs(u) >= 1 && std::abs(u) < 1.8 ? 1 : 0;
+        between += std::abs(u) > 0.5 && std::abs(u) < 1 ? 1 : 0;
+        squares += psi(residuals[i]) * psi(residuals[i]);
+        slope += std::abs(u) < 1 ? (1 - u * u) * (1 - 5 * u * u) / static_cast<double>(count) : 0;
+        freedom += weight(i) * plain.variances[i] - 2 * plain.leverages[i];
+      }
+      CHECK((beyond > 0 && between > 0));
+      const double kappa = squares / (slope * slope * freedom);
+      CHECK(fit.noise.variance == Approx(kappa).epsilon(1e-9));
+      CHECK(fit.noise.degrees_of_freedom == Approx(freedom).epsilon(1e-9));
+      for (std::size_t i = 0; i < count; ++i) {
+        CHECK(fit.deviations[i] == Approx(std::sqrt(kappa * plain.variances[i])).epsilon(1e-9));
+        CHECK(fit.pseudodata[i] ==
+              Approx(fit.values[i] + psi(residuals[i]) / std::sqrt(weight(i)) / slope).epsilon(1e-9));
+      }
+    }
+}
+
 TEST_CASE("the window of a robust fit is chosen as if there were no outliers") {
   std::mt19937_64 engine(30);
   const auto wave = [](double x) { return std::sin(x / 20); };

@@ -197,8 +197,7 @@ Decision are_derivatives(const std::vector<Limits>& limits) {
 }  // namespace
 
 Decision vector_scheme_converges(const LatticeMask& mask, const Budget& budget) {
-  const LatticeMask same = mask.with_dilation(with_zero_first(mask.dilation()));
-  return parts_converge({same}, budget);
+  return parts_converge({mask}, budget);
 }
 
 Decision vector_scheme_converges(const QuadraticMask& mask, const Budget& budget) {

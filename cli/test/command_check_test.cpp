@@ -62,7 +62,7 @@ TEST_CASE("properties of vectors of functions and Hermite schemes") {
   const std::string file = folder.write(
       "file.toml",
       "[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1/2'\nconvergent = true\n"
-      "interpolatory = true\nHC = '>= 1'\nreproduces = 1\nholder = '> 1.415'\nsmoothness = '>= 1'\n"
+      "interpolatory = true\nHC = '>= 1'\nreproduces = 2\nholder = '> 1.415'\nsmoothness = '>= 1'\n"
       "sobolev = '> 1.4'\n[[scheme]]\nmask = 'ghm'\nconvergent = true\n"
       "interpolatory = false\nholder = '>= 1'\n");
   CHECK(run("check " + file).out.find("\n10 properties: 10 hold, 0 fail, 0 undecided.\n") != std::string::npos);

@@ -313,6 +313,8 @@ def random_vector(rng):
         matrices = [[list(row) for row in zip(*m)] for m in matrices] if rng.random() < 0.5 else matrices
         there, back = vector_basis(rng, size)
         matrices = [times(times(there, m), back) for m in matrices]
+    if not any(v for m in matrices for row in m for v in row):
+        matrices[0][0][0] = 1  # zero alone is no mask
     return refinable_text(rng.choice(("refinable", "vector", "hermite")), matrices, rng.randint(-2, 1), arity)
 
 

@@ -7,10 +7,10 @@ from fractions import Fraction
 from oracles import DifferenceScheme, VectorEquation, Words
 
 ENDINGS = {0, 1, 2, 3}  # of what is well formed
-# Reasons for no certificate: the mask's own bounds, not those of its factors; more time; tensor products and several
-# solutions have none.
-NO_CLAIM = ("need a positive lower bound", "the only one up to a factor", "with a longer budget a proof may be found",
-            "certify the factors")
+# Reasons for no certificate: the mask's own bounds, not those of its factors; more time; tensor products, several
+# solutions and square roots have none.
+NO_CLAIM = ("need a positive lower bound", "the only one up to a factor", "rational entries",
+            "with a longer budget a proof may be found", "certify the factors")
 LONG_CHECK = "more work than"  # says the checker, after some ten seconds
 MEMORY_BESIDE = 160  # MiB beside those of --memory: the program and what it has read
 MOST_SAMPLES = 7  # of a range

@@ -124,8 +124,7 @@ constexpr std::size_t most_drawn = 4000, drawn_blocks = 1000;
 /// Calls take(begin, end) for blocks of about as many numbers.
 template <class Take>
 void for_blocks(std::size_t count, const Take& take) {
-  for (std::size_t b = 0; b < drawn_blocks; ++b)
-    take(b * count / drawn_blocks, (b + 1) * count / drawn_blocks);
+  for (std::size_t b = 0; b < drawn_blocks; ++b) take(b * count / drawn_blocks, (b + 1) * count / drawn_blocks);
 }
 
 using Points = std::vector<std::pair<double, double>>;

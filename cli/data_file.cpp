@@ -64,7 +64,8 @@ DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
     data = {std::move(table.values), 1, {data::Axis::of(columns), data::Axis::of(rows)}};
   }
   table.values.clear();
-  return {variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table), std::move(lines)};
+  return {
+      variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table), {}, {}, std::move(lines)};
 }
 
 DataFile read_any(const std::string& path, std::size_t variables, bool pieces = false) {
@@ -75,13 +76,13 @@ DataFile read_any(const std::string& path, std::size_t variables, bool pieces = 
     const auto parse = ending == ".obj" ? data::parse_obj : data::parse_ply;
     data::QuadMesh mesh = parse(read_input(path), input_name(path));
     data::GridData<double> data = std::exchange(mesh.data, {});
-    return {DataKind::mesh, std::move(data), {}, {}, std::move(mesh)};
+    return {DataKind::mesh, std::move(data), {}, std::move(mesh)};
   }
   if (ending != ".vtk") return read_csv(path, variables, pieces);
   data::Volume volume = data::parse_vtk(read_input(path), input_name(path));
   data::GridData<double> data = std::move(volume.data);
   volume.data.values.clear();
-  return {DataKind::volume, std::move(data), {}, {}, {}, std::move(volume)};
+  return {DataKind::volume, std::move(data), {}, {}, std::move(volume)};
 }
 
 /// Whether the last points in direction `axis` are the first ones again. One number alone proves nothing.

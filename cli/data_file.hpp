@@ -30,9 +30,9 @@ struct DataFile {
   DataKind kind;
   data::GridData<double> data;
   data::Table table = {};    ///< header and separator of a CSV file
-  RowLines lines = {};       ///< of its rows
   data::QuadMesh mesh = {};  ///< properties, format and encoding of a mesh, without its numbers
   data::Volume volume = {};  ///< arrays, title, origin, spacing and encoding of a VTK file, without its numbers
+  RowLines lines = {};       ///< of the rows of a CSV file
 
   /// What the numbers of a point are called; empty where they have no names.
   std::vector<std::string> names() const;

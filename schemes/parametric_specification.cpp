@@ -428,7 +428,7 @@ std::string ParametricScheme::named(const std::string& expression) const { retur
 
 ParametricScheme make_parametric_scheme(std::string_view text) {
   const Lettered lettered = from_written(text, in_one_letter_of);
-  return read_as(text, lettered.specification, [&](std::string_view specification) {
+  ParametricScheme scheme = read_as(text, lettered.specification, [&](std::string_view specification) {
     const Piece family = family_of(specification), body = body_of(specification);
     const auto& [read, name, letter] = lettered;
     if (const ClassicalFamily* classical = classical_family(family.text))
@@ -438,6 +438,13 @@ ParametricScheme make_parametric_scheme(std::string_view text) {
     return family.text == "regression" ? make_regression(family, body, letter, name)
                                        : make_mask(family, body, letter, name);
   });
+  std::string written = specification_as_written(text);
+  if (typed_out(written) != written) {
+    std::erase(written, ' ');
+    scheme.specification = written;
+    scheme.title = "Merrien's Hermite scheme with the parameter " + scheme.name;
+  }
+  return scheme;
 }
 
 bool has_parameter(std::string_view text) {

@@ -175,6 +175,9 @@ TEST_CASE("Hermite schemes that move their values are proved, and not refuted") 
   CHECK(far.pieces.front().holds == Truth::unknown);
   CHECK_THAT(far.pieces.front().reason, Catch::Contains("only of schemes that interpolate"));
   CHECK(range_of(of_one(smoothed_cubic), "convergent", 5, 6).pieces.front().holds == Truth::no);
+  // Nor where HC1 is proved.
+  for (const RangePiece& piece : range_of(of_one(smoothed_cubic), "holder>=19/10", -1, 1).pieces)
+    CHECK(piece.holds != Truth::no);
 }
 
 TEST_CASE("A map of Merrien's scheme agrees with single values") {

@@ -189,17 +189,18 @@ bool BoxSearch::refutes_on(const Box& box) const {
          links_derivatives(radius_, polynomials_, mask_.arity(), box, budget_);
 }
 
-/// Of matrices: where the components are proved not to converge to derivatives, or it makes no difference.
+/// Of matrices: where all radii are too large, also for what would have to be proved first.
 bool BoxSearch::never_refutes_on(const Box& box, const std::vector<Look>& looks) {
   if (mask_.components() == 1) return false;
   const auto derivatives = static_cast<long>(mask_.components()) - 1;
-  if (!polynomials_.interpolating || property_.order < derivatives) return true;
+  const bool may_be_linked = polynomials_.interpolating && property_.order >= derivatives;
   const Threshold linked({RangeProperty::Kind::hermite, derivatives}, mask_.arity(),
                          static_cast<int>(polynomials_.data.size()));
+  const Threshold& threshold = may_be_linked ? linked : threshold_;
   return std::ranges::any_of(looks, [&](const Look& look) {
     const auto length = static_cast<long>(look.word.size());
     return length > 0 &&
-           radius_.from_below(box, look.word, linked.power_above(length), false, budget_.deadline).has_value();
+           radius_.from_below(box, look.word, threshold.power_above(length), false, budget_.deadline).has_value();
   });
 }
 

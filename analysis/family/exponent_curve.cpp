@@ -139,8 +139,7 @@ class CurveSearch {
       return has_no_real_root(unstable_, box.low[0], box.high[0], deadline) ? ""
              : unstable_.is_zero()                                          ? why_stability_is_open(deadline)
                                    : "the shifts may be unstable at a value there";
-    if (!polynomials_.interpolating)
-      return "of masks of matrices that do not interpolate values and derivatives no upper end is proved";
+    if (!polynomials_.interpolating) return "no upper end is proved of matrices that do not interpolate";
     return found.exponent.lower && *found.exponent.lower > derivatives()
                ? ""
                : fmt::format("without a proof of HC{} no upper end is proved", derivatives());

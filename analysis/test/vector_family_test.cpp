@@ -55,8 +55,9 @@ std::string message(const std::function<void()>& run) {
   return "";
 }
 
-PropertyRange range_of(const ParametricMask& mask, const char* property, const Rational& low, const Rational& high) {
-  return property_range(mask, *parse_range_property(property), low, high, {Rational(1, 1000), 1, budget});
+PropertyRange range_of(const ParametricMask& mask, const char* property, const Rational& low, const Rational& high,
+                       const Rational& width = Rational(1, 1000)) {
+  return property_range(mask, *parse_range_property(property), low, high, {width, 1, budget});
 }
 
 }  // namespace
@@ -175,8 +176,11 @@ TEST_CASE("Hermite schemes that move their values are proved, and not refuted") 
   CHECK(far.pieces.front().holds == Truth::unknown);
   CHECK_THAT(far.pieces.front().reason, Catch::Contains("only of schemes that interpolate"));
   CHECK(range_of(of_one(smoothed_cubic), "convergent", 5, 6).pieces.front().holds == Truth::no);
+  // What is proved beside that is found from the middle of what is not.
+  const PropertyRange wide = range_of(of_one(smoothed_cubic), "HC1", Rational(-1, 10), Rational(9, 10), 1);
+  CHECK(std::ranges::any_of(wide.pieces, [](const RangePiece& piece) { return piece.holds == Truth::yes; }));
   // Nor where HC1 is proved.
-  for (const RangePiece& piece : range_of(of_one(smoothed_cubic), "holder>=19/10", -1, 1).pieces)
+  for (const RangePiece& piece : range_of(of_one(smoothed_cubic), "holder>=19/10", -1, 1, 1).pieces)
     CHECK(piece.holds != Truth::no);
 }
 

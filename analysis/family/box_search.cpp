@@ -48,16 +48,17 @@ void require_property(const std::string& command, const ParametricMask& mask, co
   require(property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::hermite ||
               property.kind == Kind::holder,
           "{}: need 'convergent', C1, HC1 or holder>=3/2 for a mask of matrices", command);
+  if (property.kind == Kind::hermite) {
+    const std::size_t derivatives = mask.components() - 1;
+    require(kept_polynomials(mask).hermite,
+            "{}: need values and derivatives of polynomials of degree up to {} that are kept for all values of the "
+            "letters, got others (perhaps the matrices are transposed)",
+            command, derivatives);
+    require(property.order >= derivatives, "{}: need HC{} or more, as there are {} derivatives, got HC{}", command,
+            derivatives, derivatives, property.order);
+  }
   require(property.order < rules, "{}: need an order below the number {} of sum rules that hold for all values, got {}",
           command, rules, property.order);
-  if (property.kind != Kind::hermite) return;
-  const std::size_t derivatives = mask.components() - 1;
-  require(kept_polynomials(mask).hermite,
-          "{}: need values and derivatives of polynomials of degree up to {} that are kept for all values of the "
-          "letters, got others (perhaps the matrices are transposed)",
-          command, derivatives);
-  require(property.order >= derivatives, "{}: need HC{} or more, as there are {} derivatives, got HC{}", command,
-          derivatives, derivatives, property.order);
 }
 
 PolynomialData polynomials_of(const ParametricMask& mask) {

@@ -230,6 +230,7 @@ TEST_CASE("What cannot be asked of families of matrices is said in one line") {
   CHECK_THAT(told(merrien, "HC0"), Contains("need HC1 or more"));
   CHECK_THAT(told(of_one("four-point:w"), "HC1"), Contains("got a mask of numbers"));
   CHECK_THAT(told(of_one(pairs_of_four_point()), "HC1"), Contains("transposed"));
-  CHECK_THAT(told(transposed(merrien), "HC1"), Contains("need a"));
+  CHECK_THAT(told(of_one("hermite:[[[1/2,1/2-w/2],[-1/8,w/4]],[[1,0],[0,1/2]],[[1/2,w/2-1/2],[1/8,w/4]]]@-1"), "HC1"),
+             Contains("transposed"));
   CHECK_THAT(told(of_one("vector:[[[1,0],[w,1/2]],[[1,0],[w,1/2]]]"), "convergent"), Contains("need a vector"));
 }

@@ -234,7 +234,8 @@ class Family(Named):
 
 def family(specification: str) -> Family:
     """The family of this specification, with a letter, or a name as ``mu``, where a number may stand:
-    ``four-point:w``, ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``, ``merrien:lambda=-1/8,mu``. Raises UsageError for a text that names none."""
+    ``four-point:w``, ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``, ``merrien:lambda=-1/8,mu``. Raises UsageError for a text
+    that names none."""
     if not isinstance(specification, str):
         raise TypeError(f"family: expected a text, as 'four-point:w', got {type(specification).__name__}")
     return Family(_core.make_parametric_scheme(specification))

@@ -75,18 +75,32 @@ BENCHMARK_CAPTURE(BM_curve, size_12, eight_point, Rational(-1, 100), Rational(1,
     ->UseRealTime();
 
 /// The argument is the resolution.
-void BM_map(benchmark::State& state) {
-  const ParametricMask mask = make_parametric_mask("mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]", "wt");
-  const Box box{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}};
+void BM_map(benchmark::State& state, const char* scheme, const std::vector<std::string>& names, const char* property,
+            const Box& box) {
+  const auto [text, letters] = in_letters(scheme, names);
+  const ParametricMask mask = make_parametric_mask(text, letters);
   double undecided = 0;
   for (auto _ : state)
-    undecided = property_map(mask, *parse_range_property("C1"), box,
+    undecided = property_map(mask, *parse_range_property(property), box,
                              {static_cast<int>(state.range(0)), 2, {Deadline::in(60)}})
                     .share(Truth::unknown)
                     .convert_to<double>();
   state.counters["undecided"] = undecided;
 }
-BENCHMARK(BM_map)->RangeMultiplier(2)->Range(8, 64)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(BM_map, six_point_C1, "mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]", {"w", "t"}, "C1",
+                  Box{{Rational(-1, 8), Rational(-1, 16)}, {Rational(1, 4), Rational(1, 16)}})
+    ->RangeMultiplier(2)
+    ->Range(8, 64)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_map, merrien_HC1, "merrien:lambda,mu", {"lambda", "mu"}, "HC1",
+                  Box{{Rational(-1, 4), Rational(-3)}, {Rational(0), Rational(1)}})
+    ->RangeMultiplier(2)
+    ->Range(8, 32)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 /// The argument is the order n of D(2n).
 void BM_daubechies(benchmark::State& state) {

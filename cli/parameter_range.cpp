@@ -95,7 +95,7 @@ void remove_others(const std::string& directory, const std::vector<std::string>&
 }  // namespace
 
 WrittenCertificates write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
-                                       const std::vector<std::string>& ends, Json& json) {
+                                       const std::vector<std::string>& ends, const std::string& without, Json& json) {
   std::set<std::string> written;
   WrittenCertificates result;
   Json reasons = Json::object();
@@ -122,7 +122,7 @@ WrittenCertificates write_certificates(const std::string& directory, const std::
   if (!written.empty())
     result.text.insert(
         0, fmt::format("certificates {} in {}, verified: subcert verify {}\n", written.size(), directory, directory));
-  if (certificates.empty()) result.text = "certificates none: there are none for this property\n";
+  if (certificates.empty()) result.text = "certificates none: there are none for " + without + "\n";
   return result;
 }
 

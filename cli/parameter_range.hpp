@@ -43,8 +43,8 @@ struct WrittenCertificates {
 
 /// Writes those that the checker accepts into this folder; others whose names end like that, of a run before, are
 /// removed. The first that cannot be written is the last that is tried, and nothing is removed then. Adds the same to
-/// the object.
+/// the object. `without`: of what there are none, where the list is empty.
 WrittenCertificates write_certificates(const std::string& directory, const std::vector<NamedCertificate>& certificates,
-                                       const std::vector<std::string>& ends, Json& json);
+                                       const std::vector<std::string>& ends, const std::string& without, Json& json);
 
 }  // namespace subcert::cli

@@ -24,10 +24,12 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_degree = 12, max_coefficients = 100;
+constexpr long max_degree = 12, max_coefficients = 100, max_matrix_entries = 400;
 constexpr long algebraic_bits = 1500;    // of a number that stands for an algebraic one
 constexpr long max_symbolic_work = 500;  // points * d^2 of a regression: its fractions are long
 constexpr const char* mask_usage = "mask:[-w,0,1/2+w,1,1/2+w,0,-w]@-3,arity=2";
+constexpr const char* matrices_usage = "refinable:[[[1,0],[w,1]],[[2,1],[0,1]]]/2@0";
+constexpr const char* merrien_usage = "merrien:lambda=-1/8,mu";
 constexpr const char* algebraic_usage = "mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1.7..1.8";
 constexpr const char* regression_usage = "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]";
 
@@ -156,7 +158,7 @@ void require_size(const ParametricMask& mask, const Piece& piece) {
                             max_coefficients, max_degree, range.last - range.first + 1, degree));
 }
 
-/// A mask with letters in its coefficients.
+/// A mask with letters in its coefficients, or in the entries of its matrices, row by row.
 struct LetterMask {
   std::vector<LetterFunction> coefficients;
   long first;
@@ -164,6 +166,7 @@ struct LetterMask {
   std::string letters;
   Piece list;  ///< of the coefficients
   Fields fields;
+  std::size_t components = 1;
 };
 
 /// `(1+z)^2(...)/16z^3,arity=2` with letters beside z.
@@ -202,14 +205,18 @@ LetterMask read_letter_symbol(const Piece& family, const Piece& body, const std:
 LetterMask read_letter_mask(const Piece& family, const Piece& body, const std::string& letters,
                             const std::string& usage) {
   if (family.text == "symbol") return read_letter_symbol(family, body, letters, usage);
-  auto [mask, fields] = split_mask(family, body, usage, 1, max_coefficients);
-  auto parts = placed(mask, [&mask = mask, &letters] { return text::parse_mask_text(mask.text, letters); });
+  const auto entries = form_of(family.text) ? text::Entries::matrices : text::Entries::numbers;
+  const bool matrices = entries == text::Entries::matrices;
+  auto [mask, fields] = split_mask(family, body, usage, 1, matrices ? max_matrix_entries : max_coefficients);
+  auto parts = placed(mask,
+                      [&mask = mask, &letters, entries] { return text::parse_mask_text(mask.text, letters, entries); });
+  const std::size_t components = matrices ? read_components(parts, mask) : 1;
   const int arity = static_cast<int>(read_arity(fields));
-  const Piece list{mask.text.substr(0, mask.text.find(']') + 1), mask.at};
+  const Piece list{mask.text.substr(0, mask.text.rfind(']') + 1), mask.at};
   if (std::ranges::all_of(parts.coefficients, &LetterFunction::is_zero))
     fail(list, "at least one coefficient that is not zero");
-  const long first = parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2);
-  return {std::move(parts.coefficients), first, arity, letters, list, std::move(fields)};
+  const long first = parts.first ? parts.first->front() : -static_cast<long>(parts.sizes.back() / 2);
+  return {std::move(parts.coefficients), first, arity, letters, list, std::move(fields), components};
 }
 
 /// `for all w` or `for this t`
@@ -226,11 +233,26 @@ void require_sums(const LetterMask& text, const std::string& values) {
                        values, fmt::join(text.letters, ", "), residue, text.arity, sum.to_text(text.letters)));
 }
 
+/// Nothing is asked of the sums of matrices. They come as they are typed.
 ParametricMask checked_mask(const LetterMask& text) {
-  ParametricMask mask(text.coefficients, text.first, text.arity);
+  ParametricMask mask(text.coefficients, text.first, text.arity, text.components);
   require_size(mask, text.list);
-  require_sums(text, "all");
+  if (text.components == 1) require_sums(text, "all");
   return mask;
+}
+
+ParametricScheme make_matrices(VectorForm form, const Piece& family, const Piece& body, char letter,
+                               const std::string& name) {
+  const LetterMask text = read_letter_mask(family, body, std::string(1, letter), matrices_usage);
+  text.fields.finish();
+  ParametricMask typed = checked_mask(text);
+  return {fmt::format("{}:{}{}", family.text, with_name(typed.to_text(letter), letter, name),
+                      text.arity == 2 ? "" : fmt::format(",arity={}", text.arity)),
+          "matrices with the parameter " + name,
+          letter,
+          name,
+          form == VectorForm::refinable ? std::move(typed) : transposed(typed),
+          form};
 }
 
 ParametricScheme make_mask(const Piece& family, const Piece& body, char letter, const std::string& name) {
@@ -348,9 +370,29 @@ const ClassicalFamily* classical_family(std::string_view name) {
   return found == families.end() ? nullptr : &*found;
 }
 
-bool has_letters(std::string_view family) { return family == "mask" || family == "symbol" || family == "regression"; }
+bool has_letters(std::string_view family) {
+  return family == "mask" || family == "symbol" || family == "regression" || form_of(family);
+}
 
 bool is_name(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_letter); }
+
+/// The matrices that `merrien:lambda=-1/8,mu` stands for, typed, as of merrien_mask; a key alone is its own value.
+/// Other specifications as they are.
+std::string typed_out(std::string_view specification) {
+  const Piece family = family_of(specification), body = body_of(specification);
+  if (family.text != "merrien") return std::string(specification);
+  std::map<std::string_view, std::string> values;
+  for (const Piece& field : split(body, ',')) {
+    const std::size_t equals = std::min(field.text.find('='), field.text.size());
+    const Piece key = trimmed({field.text.substr(0, equals), field.at});
+    if (key.text != "lambda" && key.text != "mu") fail(key, std::string("a key of ") + merrien_usage);
+    const std::string_view value = equals < field.text.size() ? field.text.substr(equals + 1) : key.text;
+    if (!values.emplace(key.text, fmt::format("({})", value)).second) fail(key, "each key once");
+  }
+  if (values.size() < 2) fail(family, std::string("the keys lambda and mu, as in ") + merrien_usage);
+  return fmt::format("hermite:[[[1/2,{0}],[1/2-{1}/2,{1}/4]],[[1,0],[0,1/2]],[[1/2,-{0}],[{1}/2-1/2,{1}/4]]]@-1",
+                     values["lambda"], values["mu"]);
+}
 
 /// A specification with one letter for the parameter.
 struct Lettered {
@@ -361,16 +403,21 @@ struct Lettered {
 
 Lettered in_one_letter_of(std::string_view specification) {
   const Piece family = family_of(specification), body = body_of(specification);
+  if (const std::string typed = typed_out(specification); typed != specification)
+    return read_as(specification, typed, in_one_letter_of);
   if (const ClassicalFamily* classical = classical_family(family.text)) {
     if (!is_name(body.text)) fail(body, "a letter for the parameter, as in " + classical->name + ":w");
     return {std::string(specification), std::string(body.text), letters_for({std::string(body.text)}).front()};
   }
   if (!has_letters(family.text)) {
-    std::string names = std::string(" or ") + regression_usage;
+    std::string names = fmt::format(" or {} or {} or {}", regression_usage, matrices_usage, merrien_usage);
     for (const ClassicalFamily& one : classical_families()) names += " or " + one.name + ":w";
     fail(family, std::string("a family with a parameter: ") + mask_usage + names);
   }
-  const std::string name = read_parameter(family, body, family.text == "regression" ? regression_usage : mask_usage);
+  const std::string name = read_parameter(family, body,
+                                          family.text == "regression" ? regression_usage
+                                          : form_of(family.text)      ? matrices_usage
+                                                                      : mask_usage);
   const std::string letter = letters_for({name});
   return {replaced(specification, names_inside(family, body), {name}, letter), name, letter.front()};
 }
@@ -381,19 +428,27 @@ std::string ParametricScheme::named(const std::string& expression) const { retur
 
 ParametricScheme make_parametric_scheme(std::string_view text) {
   const Lettered lettered = from_written(text, in_one_letter_of);
-  return read_as(text, lettered.specification, [&](std::string_view specification) {
+  ParametricScheme scheme = read_as(text, lettered.specification, [&](std::string_view specification) {
     const Piece family = family_of(specification), body = body_of(specification);
     const auto& [read, name, letter] = lettered;
     if (const ClassicalFamily* classical = classical_family(family.text))
       return ParametricScheme{classical->name + ":" + name, classical->title + " " + name, letter, name,
                               classical->mask};
+    if (const auto form = form_of(family.text)) return make_matrices(*form, family, body, letter, name);
     return family.text == "regression" ? make_regression(family, body, letter, name)
                                        : make_mask(family, body, letter, name);
   });
+  std::string written = specification_as_written(text);
+  if (typed_out(written) != written) {
+    std::erase(written, ' ');
+    scheme.specification = written;
+    scheme.title = "Merrien's Hermite scheme with the parameter " + scheme.name;
+  }
+  return scheme;
 }
 
 bool has_parameter(std::string_view text) {
-  const std::string specification = specification_as_written(text);
+  const std::string specification = typed_out(specification_as_written(text));
   const Piece family = family_of(specification), body = body_of(specification);
   if (body.text.find(",where=") != std::string_view::npos) return false;
   if (has_letters(family.text)) return !names_inside(family, body).empty();
@@ -401,7 +456,7 @@ bool has_parameter(std::string_view text) {
 }
 
 std::pair<std::string, std::string> in_letters(std::string_view specification, const std::vector<std::string>& names) {
-  const std::string letters = letters_for(names), written = specification_as_written(specification);
+  const std::string letters = letters_for(names), written = typed_out(specification_as_written(specification));
   return {replaced(written, names_inside(family_of(written), body_of(written)), names, letters), letters};
 }
 
@@ -409,10 +464,13 @@ ParametricMask make_parametric_mask(std::string_view specification, const std::s
   const std::string usage = fmt::format("mask:[{1},0,-{0}-3*{1},0,1/2+{0}+2*{1},1,...]@-5", letters[0], letters[1]);
   return from_written(specification, [&](std::string_view read) {
     const Piece family = family_of(read);
-    if (family.text != "mask" && family.text != "symbol") fail(family, "a mask with several letters, " + usage);
+    const auto form = form_of(family.text);
+    if (family.text != "mask" && family.text != "symbol" && !form)
+      fail(family, fmt::format("a mask with several letters, {}, or {}, or merrien:lambda,mu", usage, matrices_usage));
     const LetterMask text = read_letter_mask(family, body_of(read), letters, usage);
     text.fields.finish();
-    return checked_mask(text);
+    ParametricMask typed = checked_mask(text);
+    return form && *form != VectorForm::refinable ? transposed(typed) : typed;
   });
 }
 

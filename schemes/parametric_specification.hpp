@@ -7,20 +7,23 @@
 
 namespace subcert {
 
-/// A scheme of one variable whose coefficients are polynomials in one parameter, or quotients of them.
+/// A scheme of one variable whose coefficients, numbers or matrices, are polynomials in one parameter, or quotients of
+/// them.
 struct ParametricScheme {
   std::string specification;
   std::string title;
-  char letter;       ///< for the parameter, as in certificates
-  std::string name;  ///< of the parameter, as it is written: the letter, or `mu`
-  ParametricMask mask;
+  char letter;                                    ///< for the parameter, as in certificates
+  std::string name;                               ///< of the parameter, as it is written: the letter, or `mu`
+  ParametricMask mask;                            ///< of matrices A_k
+  std::optional<VectorForm> form = std::nullopt;  ///< of a mask of matrices, always
 
   /// An expression in the letter, with the name in its place.
   std::string named(const std::string& expression) const;
 };
 
 /// Reads `mask:[-w,0,1/2+w,1,1/2+w,0,-w]`, `regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1,weights=[w;1;w|w;1;1;w]`,
-/// or a classical family, as `four-point:w`, with any letter or a name of several, `mu`, for the parameter. Letters
+/// a classical family, as `four-point:w`, matrices `refinable:[[[1,0],[w,1]],...]`, `vector:` and `hermite:`, or
+/// `merrien:lambda=-1/8,mu`, with any letter or a name of several, `mu`, for the parameter. Letters
 /// that stand together are one name, those of one letter, `ww`, a product, and z in a symbol stands for itself.
 /// Coefficients, positions and weights are what RationalFunction::parse reads. Domain: up to 100 coefficients, degree
 /// up to 12 over their common denominator; else as make_scheme. Errors: throws SpecificationError, also for two
@@ -35,9 +38,9 @@ bool has_parameter(std::string_view text);
 /// of them in two ways.
 std::pair<std::string, std::string> in_letters(std::string_view specification, const std::vector<std::string>& names);
 
-/// Reads `mask:[t,0,-w-3*t,...]` with two or three letters: coefficients are what LetterFunction::parse reads. Domain:
-/// different letters; up to 100 coefficients, degrees up to 12 in each; else as make_scheme. Errors: throws
-/// SpecificationError.
+/// Reads `mask:[t,0,-w-3*t,...]`, or matrices as make_parametric_scheme, with two or three letters: coefficients are
+/// what LetterFunction::parse reads. Domain: the specification is from in_letters; different letters; up to 100
+/// coefficients, degrees up to 12 in each; else as make_scheme. Errors: throws SpecificationError.
 ParametricMask make_parametric_mask(std::string_view specification, const std::string& letters);
 
 /// Values of a parameter between two numbers, low < high.

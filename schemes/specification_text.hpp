@@ -241,6 +241,21 @@ std::pair<Piece, Fields> split_symbol(const Piece& family, const Piece& body, co
 /// A Laurent polynomial in the letters.
 MultivariatePolynomial read_symbol(const Piece& expression, std::string_view letters);
 
+/// The rows of square matrices, from two on.
+template <class Number>
+std::size_t read_components(const text::MaskTextOf<Number>& parts, const Piece& mask) {
+  const std::size_t columns = parts.sizes[0], rows = parts.sizes[1];
+  if (rows == 1 && columns == 1) fail(mask, "matrices of at least 2 rows; numbers are a mask:[...]");
+  if (rows != columns || rows > max_components)
+    fail(mask, "square matrices of at most " + std::to_string(max_components) + " rows, got " + std::to_string(rows) +
+                   " rows and " + std::to_string(columns) + " columns");
+  return rows;
+}
+
+/// The form that a family of typed matrices names.
+std::optional<VectorForm> form_of(std::string_view family);
+std::string name_of(VectorForm form);
+
 struct MaskAndFields {
   text::MaskText mask;
   Fields fields;

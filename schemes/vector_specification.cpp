@@ -31,14 +31,11 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
   auto [mask, fields] = split_mask(family, body, usage, variables, max_entries);
   const text::MaskText parts = placed(
       mask, [&mask = mask, variables] { return text::parse_mask_text(mask.text, variables, text::Entries::matrices); });
-  if (parts.sizes[0] == 1 && parts.sizes[1] == 1) fail(mask, "matrices of at least 2 rows; numbers are a mask:[...]");
-  if (parts.sizes[0] != parts.sizes[1] || parts.sizes[0] > max_components)
-    fail(mask, fmt::format("square matrices of at most {} rows, got {} rows and {} columns", max_components,
-                           parts.sizes[1], parts.sizes[0]));
+  const std::size_t components = read_components(parts, mask);
   const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(variables));
   fields.finish();
-  const LatticeMask given = checked(mask, [&parts = parts, &dilation] {
-    return matrix_mask(terms_of(parts, text::Entries::matrices), parts.sizes[0], dilation);
+  const LatticeMask given = checked(mask, [&parts = parts, &dilation, components] {
+    return matrix_mask(terms_of(parts, text::Entries::matrices), components, dilation);
   });
   return vector_scheme(form,
                        std::string(form == VectorForm::refinable ? "function vector given by its matrices"
@@ -47,8 +44,8 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
                        form == VectorForm::refinable ? given : transposed(given));
 }
 
-Family of_matrices(VectorForm form, const std::string& name, const std::string& meaning) {
-  const std::string usage = name + ":[[[1,0],[1,2]],[[2,1],[0,1]]]/2@0";
+Family of_matrices(VectorForm form, const std::string& meaning) {
+  const std::string name = name_of(form), usage = name + ":[[[1,0],[1,2]],[[2,1],[0,1]]]/2@0";
   return {{name, usage, meaning}, [form](const Piece& family, const Piece& body, const std::string& help) {
             return make_matrices(form, family, body, help);
           }};
@@ -57,12 +54,12 @@ Family of_matrices(VectorForm form, const std::string& name, const std::string& 
 const std::vector<Family>& vector_table() {
   static const std::vector<Family> families = [] {
     std::vector<Family> list{
-        of_matrices(VectorForm::refinable, "refinable",
+        of_matrices(VectorForm::refinable,
                     "the functions phi(x) = sum over k of A_k phi(2x - k), A_k matrices, rows in brackets; optional "
                     "arity=2 or dilation=[1,1;1,-1]"),
-        of_matrices(VectorForm::vector, "vector",
+        of_matrices(VectorForm::vector,
                     "the scheme f'_i = sum over j of P_{i-2j} f_j on vectors, so that A_k is P_k transposed"),
-        of_matrices(VectorForm::hermite, "hermite",
+        of_matrices(VectorForm::hermite,
                     "the scheme D^(n+1) f'_i = sum over j of P_{i-2j} D^n f_j on values and derivatives, D = "
                     "diag(1,1/2,1/4,...)")};
     list.insert(list.end(), named_vectors().begin(), named_vectors().end());
@@ -78,11 +75,19 @@ Scheme refinable_scheme_of(std::string_view specification) {
 
 }  // namespace
 
+std::optional<VectorForm> specification_text::form_of(std::string_view family) {
+  for (const VectorForm form : {VectorForm::refinable, VectorForm::vector, VectorForm::hermite})
+    if (name_of(form) == family) return form;
+  return std::nullopt;
+}
+
+std::string specification_text::name_of(VectorForm form) {
+  return form == VectorForm::refinable ? "refinable" : form == VectorForm::vector ? "vector" : "hermite";
+}
+
 Scheme vector_scheme(VectorForm form, const std::string& title, const LatticeMask& mask) {
-  const std::string name = form == VectorForm::refinable ? "refinable:"
-                           : form == VectorForm::vector  ? "vector:"
-                                                         : "hermite:";
-  return {name + to_mask_text(form == VectorForm::refinable ? mask : transposed(mask)) + fields_text(mask.dilation()),
+  return {name_of(form) + ":" + to_mask_text(form == VectorForm::refinable ? mask : transposed(mask)) +
+              fields_text(mask.dilation()),
           title,
           mask,
           {},

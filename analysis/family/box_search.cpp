@@ -15,7 +15,8 @@
 namespace subcert::family {
 namespace {
 
-constexpr double far_below = 0.97;  // of the threshold: quadratic forms may do
+constexpr double far_below = 0.97;     // of the threshold: quadratic forms may do
+constexpr double linking_seconds = 1;  // for the upper bound of one box
 
 }  // namespace
 
@@ -28,8 +29,51 @@ void require_box(const std::string& command, const ParametricMask& mask, const B
   const bool one = box.letters() == 1;
   require(matrices <= most_matrices, "{}: need arity * {} up to {}, got {}", command,
           one ? "(degree + 1)" : "(degree in one letter + 1) * (degree in the next + 1)", most_matrices, matrices);
-  require(sum_rules(mask) >= 1, "{}: need a sum rule for all values of the parameter{}, got none", command,
-          one ? "" : "s");
+  const char* values = one ? "all values of the parameter" : "all values of the parameters";
+  require(sum_rules(mask) >= 1 || mask.components() == 1,
+          "{}: need a vector that the sums over all classes keep, the same one for {} and but for factors no other, "
+          "got none",
+          command, values);
+  require(sum_rules(mask) >= 1, "{}: need a sum rule for {}, got none", command, values);
+}
+
+void require_property(const std::string& command, const ParametricMask& mask, const RangeProperty& property,
+                      int rules) {
+  using Kind = RangeProperty::Kind;
+  if (mask.components() == 1) {
+    require(property.kind != Kind::hermite, "{}: need a Hermite scheme for HC{}, got a mask of numbers", command,
+            property.order);
+    return;
+  }
+  require(property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::hermite ||
+              property.kind == Kind::holder,
+          "{}: need 'convergent', C1, HC1 or holder>=3/2 for a mask of matrices", command);
+  if (property.kind == Kind::hermite) {
+    const std::size_t derivatives = mask.components() - 1;
+    require(kept_polynomials(mask).hermite,
+            "{}: need values and derivatives of polynomials of degree up to {} that are kept for all values of the "
+            "letters, got others (perhaps the matrices are transposed)",
+            command, derivatives);
+    require(property.order >= derivatives, "{}: need HC{} or more, as there are {} derivatives, got HC{}", command,
+            derivatives, derivatives, property.order);
+  }
+  require(property.order < rules, "{}: need an order below the number {} of sum rules that hold for all values, got {}",
+          command, rules, property.order);
+}
+
+PolynomialData polynomials_of(const ParametricMask& mask) {
+  return mask.components() == 1 ? PolynomialData{} : kept_polynomials(mask);
+}
+
+bool links_derivatives(const FamilyRadius& radius, const PolynomialData& polynomials, int arity, const Box& box,
+                       const Budget& budget) {
+  if (!polynomials.interpolating) return false;
+  const auto rules = static_cast<long>(polynomials.data.size()),
+             derivatives = static_cast<long>(polynomials.data.front().size()) - 1;
+  return radius
+      .from_above(box, power(Rational(arity), rules - derivatives), true,
+                  {budget.deadline.at_most(linking_seconds), budget.memory})
+      .has_value();
 }
 
 BoxSearch::BoxSearch(const ParametricMask& mask, const RangeProperty& property, const Box& range, const Budget& budget)
@@ -38,7 +82,8 @@ BoxSearch::BoxSearch(const ParametricMask& mask, const RangeProperty& property, 
       range_(range),
       budget_(budget),
       threshold_(property, mask.arity(), sum_rules(mask)),
-      radius_(transition_matrices(divided_difference_scheme(mask_, sum_rules(mask)))) {
+      radius_(difference_matrices(mask_)),
+      polynomials_(polynomials_of(mask)) {
   if (mask.letters() == 1 && property.kind != RangeProperty::Kind::convergent)
     unstable_ = unstable_values(mask, budget.deadline);
 }
@@ -52,7 +97,8 @@ void BoxSearch::run(const Plan& plan, const std::function<void(BoxProof)>& done)
         std::vector<Node> next;
         for (std::size_t k = 0; k < open.size(); ++k) {
           auto& [proof, middle, seconds] = decided[k];
-          if (proof.holds() != Truth::unknown || plan.is_last(proof.box, seconds) || budget_.deadline.expired()) {
+          if (proof.holds() != Truth::unknown || proof.is_final || plan.is_last(proof.box, seconds) ||
+              budget_.deadline.expired()) {
             done(std::move(proof));
             continue;
           }
@@ -92,11 +138,12 @@ BoxSearch::Decided BoxSearch::decide(const Node& node, const Plan& plan) {
 std::string BoxSearch::search(const Node& node, double seconds, Decided& result) {
   const double limit = threshold_.value();
   if (result.middle.radius > std::max(limit, 1.0)) {
-    if (!is_stable_on(node.box))
-      return mask_.letters() == 1 && unstable_.is_zero() ? why_stability_is_open(budget_.deadline)
-                                                         : "the shifts may be unstable at a value there";
     std::vector<Look> looks{result.middle};
     looks.insert(looks.end(), node.at_corners.begin(), node.at_corners.end());
+    if (!refutes_on(node.box)) {
+      result.proof.is_final = never_refutes_on(node.box, looks);
+      return why_not_refuted();
+    }
     for (const Look& look : looks)
       if (!result.proof.below && !look.word.empty())
         result.proof.below = radius_.from_below(
@@ -124,10 +171,43 @@ Look BoxSearch::look_if_possible(const Values& w) const {
   }
 }
 
+std::string BoxSearch::why_not_refuted() const {
+  if (mask_.components() == 1)
+    return mask_.letters() == 1 && unstable_.is_zero() ? why_stability_is_open(budget_.deadline)
+                                                       : "the shifts may be unstable at a value there";
+  return polynomials_.interpolating
+             ? fmt::format("the radius is too large, which refutes this only where HC{0} is proved; ask for HC{0}",
+                           mask_.components() - 1)
+             : "the radius is too large, which refutes this only of schemes that interpolate values and derivatives";
+}
+
+bool BoxSearch::refutes_on(const Box& box) const {
+  using Kind = RangeProperty::Kind;
+  if (property_.kind == Kind::convergent) return true;
+  if (mask_.components() == 1) return is_stable_on(box);
+  if (property_.kind == Kind::hermite) return polynomials_.interpolating;
+  return property_.order >= static_cast<long>(mask_.components()) - 1 &&
+         links_derivatives(radius_, polynomials_, mask_.arity(), box, budget_);
+}
+
+/// Of matrices: where all radii are too large, also for what would have to be proved first.
+bool BoxSearch::never_refutes_on(const Box& box, const std::vector<Look>& looks) {
+  if (mask_.components() == 1) return false;
+  const auto derivatives = static_cast<long>(mask_.components()) - 1;
+  const bool may_be_linked = polynomials_.interpolating && property_.order >= derivatives;
+  const Threshold linked({RangeProperty::Kind::hermite, derivatives}, mask_.arity(),
+                         static_cast<int>(polynomials_.data.size()));
+  const Threshold& threshold = may_be_linked ? linked : threshold_;
+  return std::ranges::any_of(looks, [&](const Look& look) {
+    const auto length = static_cast<long>(look.word.size());
+    return length > 0 &&
+           radius_.from_below(box, look.word, threshold.power_above(length), false, budget_.deadline).has_value();
+  });
+}
+
 /// Of one letter by the zeros of a polynomial; else the shifts are to be stable for all masks that are as far from the
 /// one in the middle as any on the box.
 bool BoxSearch::is_stable_on(const Box& box) const {
-  if (property_.kind == RangeProperty::Kind::convergent) return true;
   if (mask_.letters() == 1) return has_no_real_root(unstable_, box.low[0], box.high[0], budget_.deadline);
   const Mask mask = mask_.at(box.middle());
   const IndexRange all = mask_.support();
@@ -142,10 +222,8 @@ bool BoxSearch::is_stable_on(const Box& box) const {
   return has_stable_shifts(mask, errors, sum_rules(mask_)).is_yes();
 }
 
-Threshold::Threshold(const RangeProperty& property, int arity, int rules) : arity_(arity), exponent_(rules) {
-  if (property.kind == RangeProperty::Kind::smooth || property.kind == RangeProperty::Kind::holder)
-    exponent_ -= property.order;
-}
+Threshold::Threshold(const RangeProperty& property, int arity, int rules)
+    : arity_(arity), exponent_(rules - property.order) {}
 
 double Threshold::value() const { return std::pow(arity_, exponent_.convert_to<double>()); }
 

@@ -4,6 +4,7 @@
 #include "family_radius.hpp"
 #include "property_range.hpp"
 
+#include <subcert/analysis/symbol/masks/polynomial_data.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <functional>
@@ -40,6 +41,19 @@ constexpr std::size_t most_matrices = 64;  // that a box may have for its contro
 /// and there are at most `most_matrices` control matrices.
 void require_box(const std::string& command, const ParametricMask& mask, const Box& box);
 
+/// Errors: throws Error, which names the command, where a property cannot be asked for: `hermite` of numbers, of
+/// matrices that do not keep values and derivatives, or with an order below the last derivative; others of matrices
+/// than those of property_range.
+void require_property(const std::string& command, const ParametricMask& mask, const RangeProperty& property, int rules);
+
+/// The data of a mask of matrices; none of numbers.
+PolynomialData polynomials_of(const ParametricMask& mask);
+
+/// Of matrices: whether it is proved that on all of the box the components converge to derivatives of the first, by
+/// which the radius tells the exponent of the limits (docs/vectors.md).
+bool links_derivatives(const FamilyRadius& radius, const PolynomialData& polynomials, int arity, const Box& box,
+                       const Budget& budget);
+
 /// Decides things on several threads, round by round, until `next`, which is given them and their answers, has no more.
 template <class Thing, class Decide, class Next>
 void in_rounds(std::vector<Thing> open, int jobs, Decide decide, Next next) {
@@ -56,13 +70,14 @@ struct BoxProof {
   std::optional<JointSpectralRadius> above;
   std::optional<EigenvalueBound> below;
   std::string reason = {};
+  bool is_final = false;  ///< no part of the box will be decided either
 
   Truth holds() const { return above ? Truth::yes : below ? Truth::no : Truth::unknown; }
 };
 
 class BoxSearch {
  public:
-  /// Domain: as require_box; `convergent`, or `smooth` or `holder` of any order.
+  /// Domain: as require_box; `convergent`, or `smooth`, `hermite` or `holder` of any order.
   BoxSearch(const ParametricMask& mask, const RangeProperty& property, const Box& range, const Budget& budget);
 
   struct Plan {
@@ -77,8 +92,9 @@ class BoxSearch {
 
   /// Where a search fails nothing is known of the value.
   Look look_if_possible(const Values& w) const;
-  /// Whether that is proved for all values.
-  bool is_stable_on(const Box& box) const;
+  /// Whether it is proved that a radius above the threshold refutes the property, for all values: of numbers by stable
+  /// shifts.
+  bool refutes_on(const Box& box) const;
 
   FamilyRadius& radius() { return radius_; }
   const Threshold& threshold() const { return threshold_; }
@@ -97,6 +113,9 @@ class BoxSearch {
   };
   Decided decide(const Node& node, const Plan& plan);
   std::string search(const Node& node, double seconds, Decided& result);
+  bool is_stable_on(const Box& box) const;
+  bool never_refutes_on(const Box& box, const std::vector<Look>& looks);
+  std::string why_not_refuted() const;
 
   ParametricMask mask_;
   RangeProperty property_;
@@ -105,6 +124,7 @@ class BoxSearch {
   Threshold threshold_;
   FamilyRadius radius_;
   LaurentPolynomial unstable_;
+  PolynomialData polynomials_;
 };
 
 }  // namespace subcert::family

@@ -8,7 +8,10 @@
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <tuple>
 
 namespace subcert {
 namespace {
@@ -30,9 +33,10 @@ class CurveSearch {
       : options_(options),
         arity_(mask.arity()),
         rules_(sum_rules(mask)),
+        polynomials_(polynomials_of(mask)),
         unstable_(unstable),
         special_(special),
-        radius_(transition_matrices(divided_difference_scheme(mask, rules_))),
+        radius_(difference_matrices(mask)),
         range_(range) {}
 
   std::vector<CurvePiece> pieces() {
@@ -68,9 +72,10 @@ class CurveSearch {
     return result;
   }
 
-  /// The distance of the envelopes; a piece without one of them comes first, until it is short.
+  /// The distance of the envelopes; a piece without one of them comes first, until it is short. Where a product is
+  /// known and is no upper end there will be none.
   double worth(const CurvePiece& piece) const {
-    if (piece.exponent.upper && *piece.exponent.upper <= 0) return 0;
+    if (piece.exponent.upper ? *piece.exponent.upper <= 0 : piece.proof.below.has_value()) return 0;
     if (!piece.exponent.is_bounded())
       return (piece.proof.high - piece.proof.low) * least_share > range_.width() ? rules_ : 0;
     return Rational(*piece.exponent.upper - std::max(Rational(0), *piece.exponent.lower)).convert_to<double>();
@@ -102,21 +107,56 @@ class CurveSearch {
       result.exponent.lower = rules_ - *log_ratio(result.proof.above->proved_upper(), arity_).upper;
     else
       result.proof.reason = "no upper bound of the radius was found in the time for one interval";
-    if (!has_no_real_root(unstable_, box.low[0], box.high[0], budget.deadline)) {
-      add_reason(result.proof.reason, unstable_.is_zero() ? why_stability_is_open(budget.deadline)
-                                                          : "the shifts may be unstable at a value there");
+    const std::string reason = why_no_upper_end(box, result);
+    if (!reason.empty() && polynomials_.data.empty()) {
+      add_reason(result.proof.reason, reason);
       return;
     }
-    for (const Values& w : {box.middle(), box.low, box.high}) {
-      const std::vector<int> word = radius_.look(w, budget.deadline).word;
-      result.proof.below = radius_.from_below(box, word, 1, true, budget.deadline);
-      if (!result.proof.below) continue;
-      result.exponent.upper = rules_ - *log_ratio(result.proof.below->modulus(), arity_).lower /
-                                           Rational(static_cast<long>(word.size()));
+    std::tie(result.proof.below, result.exponent.upper) = end_by_product(box);
+    if (!reason.empty()) {
+      add_reason(result.proof.reason, reason);
+      keep_what_stays(result);
       return;
     }
-    result.exponent.upper = end_by_sum_rules(box);
+    if (!result.exponent.upper) result.exponent.upper = end_by_sum_rules(box);
     if (!result.exponent.upper) add_reason(result.proof.reason, "no product was proved to lead for all values there");
+  }
+
+  /// Of a scheme of vectors where a radius does not bound the exponent: its product, where shorter pieces tell no more,
+  /// and an upper end where the scheme does not converge.
+  void keep_what_stays(CurvePiece& piece) const {
+    std::optional<Rational>& upper = piece.exponent.upper;
+    if (polynomials_.interpolating && upper && *upper > derivatives()) piece.proof.below.reset();
+    if (upper && *upper > 0) upper.reset();
+  }
+  /// Of the first component that the others are. Domain: matrices.
+  long derivatives() const { return static_cast<long>(polynomials_.data.front().size()) - 1; }
+
+  /// Why radii do not bound the exponent from above; empty where they do.
+  std::string why_no_upper_end(const Box& box, const CurvePiece& found) const {
+    const Deadline& deadline = options_.budget.deadline;
+    if (polynomials_.data.empty())
+      return has_no_real_root(unstable_, box.low[0], box.high[0], deadline) ? ""
+             : unstable_.is_zero()                                          ? why_stability_is_open(deadline)
+                                   : "the shifts may be unstable at a value there";
+    if (!polynomials_.interpolating) return "no upper end is proved of matrices that do not interpolate";
+    return found.exponent.lower && *found.exponent.lower > derivatives()
+               ? ""
+               : fmt::format("without a proof of HC{} no upper end is proved", derivatives());
+  }
+
+  /// By the product that leads, if one is proved to.
+  std::pair<std::optional<EigenvalueBound>, std::optional<Rational>> end_by_product(const Box& box) {
+    const Deadline& deadline = options_.budget.deadline;
+    for (const Values& w : {box.middle(), box.low, box.high}) {
+      const std::vector<int> word = radius_.look(w, deadline).word;
+      auto below = radius_.from_below(box, word, 1, true, deadline);
+      if (!below) continue;
+      const Rational upper = rules_ -
+                             *log_ratio(below->modulus(), arity_).lower / Rational(static_cast<long>(word.size()));
+      return {std::move(below), upper};
+    }
+    return {};
   }
 
   /// An exponent above m is C^m, which takes m + 1 sum rules where the shifts are stable; so only single values go
@@ -133,6 +173,7 @@ class CurveSearch {
 
   const CurveOptions& options_;
   int arity_, rules_;
+  PolynomialData polynomials_;
   const LaurentPolynomial& unstable_;
   const std::vector<CurvePoint>& special_;
   FamilyRadius radius_;

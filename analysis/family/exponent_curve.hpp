@@ -8,7 +8,9 @@ namespace subcert {
 /// Values of w from proof.low to proof.high. For all of them the exponent is at least the lower end, where that is
 /// positive: then the scheme converges; and below the upper end, or the scheme does not converge. A scheme whose upper
 /// end is not positive does not converge. The upper end is absent where shifts may be unstable for a value. Without a
-/// product that leads it is the number of sum rules, or the exponent at a single value that has more of them.
+/// product that leads it is the number of sum rules, or the exponent at a single value that has more of them. Of
+/// matrices the exponent is that of the limits, and the upper end is absent unless the scheme is proved not to
+/// converge, or to interpolate a function and its derivatives, one less than components.
 struct CurvePiece {
   Enclosure exponent;
   /// proof.below names the product that leads, if one does; proof.reason says why an end is absent.

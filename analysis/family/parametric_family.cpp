@@ -1,8 +1,101 @@
 #include "parametric_family.hpp"
 
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
+#include <subcert/analysis/symbol/masks/polynomial_data.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/transition/lattice_window.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 namespace subcert {
+namespace {
+
+/// A number for each entry that is not 0 for all values of the letters.
+LatticeMask pattern_of(const ParametricMask& mask) {
+  const auto rows = static_cast<long>(mask.components());
+  std::vector<LatticeMask::Term> terms;
+  for (const LaurentPolynomial& power : mask.powers())
+    for (long k = 0; k < power.length(); ++k) {
+      const long at = power.lowest() + k, place = modulo(at, rows * rows);
+      if (power.coefficient(at) != 0)
+        terms.push_back({{floor_divide(at, rows * rows)},
+                         static_cast<std::size_t>(place / rows),
+                         static_cast<std::size_t>(place % rows),
+                         1});
+    }
+  return matrix_mask(terms, mask.components(), Dilation::multiple(1, mask.arity()));
+}
+
+/// The conditions sum over k of u_k . e_l(-k) = 0, a row for each l, on sequences at these points with components.
+RationalMatrix conditions(const PolynomialData& polynomials, const std::vector<LatticePoint>& points) {
+  RationalMatrix result(polynomials.data.size(), points.size());
+  for (std::size_t c = 0; c < points.size(); ++c) {
+    const std::vector<Values> data = polynomials.at(-points[c].front());
+    for (std::size_t l = 0; l < data.size(); ++l) result(l, c) = data[l][static_cast<std::size_t>(points[c].back())];
+  }
+  return result;
+}
+
+/// All components at so many points that shifts of what annihilates the data there are a basis of all that does: one
+/// more than those at which no polynomial has the data 0.
+std::vector<LatticePoint> generating_points(const PolynomialData& polynomials) {
+  const auto components = static_cast<long>(polynomials.data.front().size());
+  std::vector<LatticePoint> points;
+  const auto add_point = [&](long k) {
+    for (long c = 0; c < components; ++c) points.push_back({k, c});
+  };
+  long k = 0;
+  do add_point(k++);
+  while (pivot_columns(conditions(polynomials, points)).size() < polynomials.data.size());
+  add_point(k);
+  return points;
+}
+
+/// A sequence that annihilates the data, by its places in the window.
+struct Annihilator {
+  std::size_t pivot;  ///< where it is 1, and all others are 0
+  std::vector<std::pair<std::size_t, Rational>> values;
+};
+
+std::vector<Annihilator> annihilators(const PolynomialData& polynomials, const std::vector<LatticePoint>& points) {
+  const auto basis = kernel(conditions(polynomials, points));
+  const std::vector<std::size_t> pivots = free_columns(basis);
+  std::vector<Annihilator> result;
+  for (std::size_t c = 0; c < basis.size(); ++c) {
+    result.push_back({pivots[c], {}});
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (basis[c][k] != 0) result.back().values.emplace_back(k, basis[c][k]);
+  }
+  return result;
+}
+
+/// Of masks of matrices.
+ParametricFamily annihilating_matrices(const ParametricMask& mask) {
+  constexpr std::size_t most_numbers = 256;
+  const PolynomialData polynomials = kept_polynomials(mask);
+  const std::vector<LatticePoint> points = LatticeWindow(pattern_of(mask), generating_points(polynomials), most_numbers)
+                                               .points();
+  const auto rows = static_cast<long>(mask.components());
+  return {mask, [arity = static_cast<long>(mask.arity()), rows, points, basis = annihilators(polynomials, points),
+                 scale = power(Rational(mask.arity()), static_cast<long>(polynomials.data.size()))](
+                    const LaurentPolynomial& entries) {
+            std::vector<RationalMatrix> matrices;
+            for (long t = 0; t < arity; ++t) {
+              RationalMatrix& matrix = matrices.emplace_back(basis.size(), basis.size());
+              for (std::size_t r = 0; r < basis.size(); ++r) {
+                const LatticePoint& to = points[basis[r].pivot];
+                for (std::size_t c = 0; c < basis.size(); ++c)
+                  for (const auto& [place, value] : basis[c].values) {
+                    const LatticePoint& from = points[place];
+                    const long k = arity * to.front() + t - from.front();
+                    matrix(r, c) += scale * value * entries.coefficient(rows * (rows * k + to.back()) + from.back());
+                  }
+              }
+            }
+            return matrices;
+          }};
+}
+
+}  // namespace
 
 std::optional<MatrixFamily> ParametricFamily::controls(const Box& box) const {
   const auto masks = mask.controls(box);
@@ -24,6 +117,11 @@ ParametricFamily transition_matrices(const ParametricMask& mask) {
               matrices.push_back(transition_block(symbol.shifted(-first), arity, t, window, window));
             return matrices;
           }};
+}
+
+ParametricFamily difference_matrices(const ParametricMask& mask) {
+  return mask.components() == 1 ? transition_matrices(divided_difference_scheme(mask, sum_rules(mask)))
+                                : annihilating_matrices(mask);
 }
 
 ParametricFamily central_matrices(const ParametricMask& mask) {

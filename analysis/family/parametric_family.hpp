@@ -9,7 +9,8 @@
 
 namespace subcert {
 
-/// T_t(w): the matrices of the symbol of a mask for each w. Canonical: as many for all, square and of one size.
+/// T_t(w): the matrices of the symbol of a mask, or of its entries, for each w. Canonical: as many for all, square and
+/// of one size.
 struct ParametricFamily {
   ParametricMask mask;
   std::function<std::vector<RationalMatrix>(const LaurentPolynomial&)> matrices_of;  ///< linear
@@ -18,7 +19,7 @@ struct ParametricFamily {
   /// T_t(w) times the denominator of the mask.
   MatrixFamily numerators_at(const Values& w) const { return matrices_of(mask.numerator_at(w)); }
   /// Domain: the denominator is not zero there.
-  MatrixFamily at(const Values& w) const { return matrices_of(mask.at(w).symbol()); }
+  MatrixFamily at(const Values& w) const { return matrices_of(mask.entries_at(w)); }
   /// The matrices C_{t,i} of the controls of the mask on a box: T_t(w) is in the convex hull of the C_{t,i} for each w
   /// in it, so that the joint spectral radius is at most that of the family of all C_{t,i}. Nothing where there are no
   /// controls.
@@ -27,6 +28,12 @@ struct ParametricFamily {
 
 /// Those of transition_matrices(mask.at(w)), on a window that holds all coefficients for all w.
 ParametricFamily transition_matrices(const ParametricMask& mask);
+
+/// Those of the differences that the sum rules of all w allow, times arity^m for m of them: of numbers the transition
+/// matrices of the scheme for divided differences of order m. Of matrices T_t on the finite sequences u that annihilate
+/// the data of kept_polynomials, sum over k of u_k . e_l(-k) = 0, on a window into which long words lead all of them.
+/// Domain: m >= 1. Errors: throws Error where the window needs more than 256 numbers. Proof: docs/vectors.md.
+ParametricFamily difference_matrices(const ParametricMask& mask);
 
 /// The one matrix central_matrix(b(z) b(1/z)) for b = mask.at(w), which gives the Sobolev exponent. Domain: one letter.
 ParametricFamily central_matrices(const ParametricMask& mask);

@@ -31,8 +31,9 @@ PropertyMap property_map(const ParametricMask& mask, const RangeProperty& proper
           options.resolution);
   PropertyMap result;
   result.sum_rules = sum_rules(mask);
+  family::require_property("map", mask, property, result.sum_rules);
   using Kind = RangeProperty::Kind;
-  require((property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::holder) &&
+  require(property.kind != Kind::sobolev && property.kind != Kind::stable && property.kind != Kind::preserving &&
               property.order < result.sum_rules,
           "map: need 'convergent', or an order below the number {} of sum rules that hold for all values",
           result.sum_rules);

@@ -20,6 +20,7 @@ constexpr double clearly = 1 + 1e-9;  // above the threshold in doubles
 constexpr int norm_levels = 8;
 
 void require_levels(const ParametricMask& mask, const Box& box) {
+  require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
   require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",
           mask.letters(), box.letters());
   family::require_box("levels", mask, box);

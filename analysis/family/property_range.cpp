@@ -110,7 +110,7 @@ class RangeSearch {
       if (count_real_roots(factor.polynomial, gap.low, gap.high, options_.budget.deadline) == 1)
         // At the end itself the radius is at least the threshold.
         return RangeEnd{gap.low, gap.high, factor.polynomial, beside.word,
-                        property_.kind != RangeProperty::Kind::holder && search_.is_stable_on({{gap.low}, {gap.high}})
+                        property_.kind != RangeProperty::Kind::holder && search_.refutes_on({{gap.low}, {gap.high}})
                             ? Truth::no
                             : Truth::unknown};
     return std::nullopt;
@@ -222,8 +222,10 @@ std::optional<RangeProperty> parse_range_property(std::string_view text) {
     Kind kind;
     int denominator;  // the largest
   };
-  for (const Ordered& one :
-       {Ordered{"C", Kind::smooth, 1}, {"holder>=", Kind::holder, 1000}, {"sobolev>=", Kind::sobolev, 1000}}) {
+  for (const Ordered& one : {Ordered{"C", Kind::smooth, 1},
+                             {"HC", Kind::hermite, 1},
+                             {"holder>=", Kind::holder, 1000},
+                             {"sobolev>=", Kind::sobolev, 1000}}) {
     if (!text.starts_with(one.name) || text.size() > 40) continue;
     const auto order = parse_rational(text.substr(one.name.size()));
     if (!order || *order < 0 || *order > 100 || denominator(*order) > one.denominator) return std::nullopt;
@@ -237,8 +239,9 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
                              const Rational& high, const RangeOptions& options) {
   require_family(mask, low, high);
   const int rules = sum_rules(mask);
+  require_property("range", mask, property, rules);
   if (changes_at_zeros(property, rules)) return property_between_zeros(mask, rules, property, low, high, options);
-  const std::vector<Box> positive = property.kind == RangeProperty::Kind::holder
+  const std::vector<Box> positive = property.kind == RangeProperty::Kind::holder || mask.components() > 1
                                         ? std::vector<Box>()
                                         : positive_intervals(divided_difference_scheme(
                                                                  mask, numerator(property.order).convert_to<int>()),
@@ -281,7 +284,7 @@ PropertyRange property_range(const ParametricMask& mask, const RangeProperty& pr
              (to < candidate.high || (candidate.high_included && candidate.high == to));
     });
     if (piece != result.pieces.end()) value.holds = piece->holds;
-    if (value.holds == Truth::unknown && value.value.is_exact())
+    if (value.holds == Truth::unknown && value.value.is_exact() && mask.components() == 1)
       value.holds = holds_at(mask.at(*value.value.lower), property, options.budget.deadline);
   }
   return result;

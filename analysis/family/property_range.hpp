@@ -13,6 +13,7 @@ struct RangeProperty {
   enum class Kind {
     convergent,  ///< the scheme converges
     smooth,      ///< its limits have `order` continuous derivatives
+    hermite,     ///< the same, and the other components of a Hermite scheme converge to derivatives of the first
     holder,      ///< their Hoelder exponent is at least `order`
     sobolev,     ///< their Sobolev exponent is at least `order`
     stable,      ///< the integer shifts of the basic limit function are stable
@@ -22,8 +23,8 @@ struct RangeProperty {
   Rational order = 0;
 };
 
-/// `convergent`, `C2`, `holder>=3/2`, `sobolev>=1`, `stable`, `positive`, `monotone` or `convex`; nothing for another
-/// text. Domain of the numbers: 0 ... 100.
+/// `convergent`, `C2`, `HC2`, `holder>=3/2`, `sobolev>=1`, `stable`, `positive`, `monotone` or `convex`; nothing for
+/// another text. Domain of the numbers: 0 ... 100.
 std::optional<RangeProperty> parse_range_property(std::string_view text);
 
 /// Values of w, and whether the property holds for all of them (yes), for none (no), or is not
@@ -94,9 +95,10 @@ struct RangeOptions {
 /// last one are positive, up to zeros of theirs, the scheme converges; that decides what a search leaves open.
 /// `sobolev` is decided between the zeros of one polynomial, at which the spectral radius may meet the threshold.
 /// `preserving` is decided by the signs of the coefficients of the divided difference scheme of that order, between
-/// their zeros. Domain: as require_family; `preserving` with an order up to the number of sum rules. Errors: throws
-/// Error. Error: none; what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius
-/// for each interval. Ref: docs/families.md.
+/// their zeros. Domain: as require_family; `preserving` with an order up to the number of sum rules; of matrices
+/// `convergent`, and `smooth`, `hermite` or `holder` with an order below that number. Errors: throws Error. Error:
+/// none; what is not decided within width and budget is left `unknown`. Cost: one joint spectral radius for each
+/// interval. Ref: docs/families.md.
 PropertyRange property_range(const ParametricMask& mask, const RangeProperty& property, const Rational& low,
                              const Rational& high, const RangeOptions& options);
 

@@ -91,6 +91,10 @@ ExitCode analyze_family(const AnalyzeOptions& options) {
     fail(ErrorKind::usage, "{} of a scheme with a parameter: expected {}, too",
          options.html.empty() ? "--over" : "--html", options.html.empty() ? "--html FILE" : "--over w=LOW..HIGH");
   const ParametricScheme scheme = make_parametric_scheme(options.scheme);
+  if (scheme.form)
+    fail(ErrorKind::usage,
+         "{}: expected numbers, or no parameter; of matrices with one 'subcert range' and 'curve' tell what is known",
+         options.scheme);
   if (!options.html.empty()) {
     const auto [low, high] = read_over(options.over, scheme.name);
     reports::ExplorerOptions limits;

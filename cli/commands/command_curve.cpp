@@ -209,7 +209,7 @@ ExitCode run(const CurveCommandOptions& options) {
     std::vector<NamedCertificate> certificates;
     for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.letter, curve))
       certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate});
-    written = write_certificates(options.certificate, certificates, {"-piece"}, json);
+    written = write_certificates(options.certificate, certificates, {"-piece"}, "matrices with a parameter", json);
   }
   if (!options.plot.empty()) draw(curve, scheme, options.plot);
   if (options.form.asked_for())
@@ -228,7 +228,8 @@ void add_curve(Command& app) {
       app, "curve", "The exponent of a family over its parameter, between certified envelopes",
       "subcert curve four-point:w --over w=0..1/4 --plot curve.svg", options, [=] { return run(*options); });
   command
-      .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
+      .option("SCHEME", options->scheme,
+              "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w, merrien:lambda=-1/8,mu and other families, any letter")
       .required()
       .suggest(suggested_schemes);
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();

@@ -114,7 +114,8 @@ ExitCode run(const MapCommandOptions& options) {
     fail(ErrorKind::usage, "--plot: expected two ranges, got {}; --csv and --json list the cells", names.size());
   const auto property = parse_range_property(options.property);
   if (!property)
-    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ..., HC1, ... or holder>=3/2, got '{}'",
+         options.property);
   options.progress("cells");
   const PropertyMap map = property_map(mask, *property, box, {options.resolution, options.threads(), options.limits()});
   options.end_progress();
@@ -145,13 +146,13 @@ void add_map(Command& app) {
       "subcert map 'mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]' --over w=0..1/5 --over t=-1/20..1/20 "
       "--property C1 --plot map.svg",
       options, [=] { return run(*options); });
-  command.option("SCHEME", options->scheme, "mask:[...] with two or three letters in its coefficients")
+  command.option("SCHEME", options->scheme, "mask:[...], refinable:[...], ... with two or three letters in it")
       .required()
       .suggest(suggested_schemes);
   command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH, the first one from left to right")
       .required()
       .one_each();
-  command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2").required();
+  command.option("--property", options->property, "convergent, C1, C2, ..., HC1, ... or holder>=3/2").required();
   command.option("--resolution", options->resolution, "Cells along each side, at most").within(1, 1024).with_default();
   command.option("--plot", options->plot, "Draw the cells of two parameters, as .svg, .png, .pdf, .tex or .html");
   command.option("--csv", options->csv, "Write the cells as a table");

@@ -21,7 +21,8 @@ namespace subcert::cli {
 namespace {
 
 constexpr const char* properties =
-    "convergent, C1, C2, ..., holder>=P/Q, sobolev>=P/Q, stable, positive, monotone or convex";
+    "convergent, C1, C2, ..., HC1, ... of Hermite schemes, holder>=P/Q, sobolev>=P/Q, stable, positive, monotone or "
+    "convex";
 
 struct ParameterRangeOptions : SearchOptions {
   std::string scheme;
@@ -273,7 +274,8 @@ ExitCode run(const ParameterRangeOptions& options) {
   WrittenCertificates written;
   if (!options.certificate.empty()) {
     const auto certificates = range_certificates(scheme.mask, scheme.letter, *property, range, *width);
-    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, json);
+    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"},
+                                 scheme.form ? "matrices with a parameter" : "this property", json);
   }
   if (options.form.latex)
     options.answer(latex_of(range, options, scheme));
@@ -291,7 +293,8 @@ void add_range(Command& app) {
                                 "subcert range four-point:w --over w=-1..1 --property C1", options,
                                 [=] { return run(*options); });
   command
-      .option("SCHEME", options->scheme, "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w and other families, any letter")
+      .option("SCHEME", options->scheme,
+              "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w, merrien:lambda=-1/8,mu and other families, any letter")
       .required()
       .suggest(suggested_schemes);
   command.option("--over", options->over, "The values: w=LOW..HIGH").required();

@@ -46,6 +46,18 @@ TEST_CASE("a map of three parameters, as text, JSON and table") {
   CHECK(refused.err.find("--plot: expected two ranges, got 3") != std::string::npos);
 }
 
+TEST_CASE("a map of Merrien's scheme, whose coefficients are matrices") {
+  const std::string map =
+      "map merrien:lambda,mu --over lambda=-3/16..-1/16 --over mu=-3/2..-1/2 --property HC1 --resolution 2";
+  const auto json = run_json(map);
+  CHECK(json.at("sum_rules") == 2);
+  CHECK(json.at("family") == "merrien:lambda,mu");
+  CHECK(json.at("shares").at("proved") == "1");
+  CHECK(run_json("map 'hermite:[[[1/2,l],[1/2-m/2,m/4]],[[1,0],[0,1/2]],[[1/2,-l],[m/2-1/2,m/4]]]@-1' "
+                 "--over l=-3/16..-1/16 --over m=-3/2..-1/2 --property HC1 --resolution 2")
+            .at("cells") == json.at("cells"));
+}
+
 TEST_CASE("maps that make no sense are refused in one line") {
   for (const std::string& arguments : std::initializer_list<std::string>{
            six_points + " --over w=0..1 --property C1", six_points + " --over w=0..1 --over w=0..1 --property C1",
@@ -54,6 +66,11 @@ TEST_CASE("maps that make no sense are refused in one line") {
            six_points + " --over w=0..1 --over t=0..1 --property D1",
            six_points + " --over w=0..1 --over t=0..1 --property C2", six_points + " --over w=0..1 --over t=0..1",
            std::string("four-point:w --over w=0..1 --over t=0..1 --property C1"),
+           std::string("hermite-dd:points=w,order=t --over w=0..1 --over t=0..1 --property HC1"),
+           std::string("merrien:lambda,mu --over lambda=0..1 --over nu=0..1 --property HC1"),
+           std::string("merrien:lambda,mu --over lambda=0..1 --over mu=0..1 --property HC2"),
+           std::string("merrien:lambda,mu --over lambda=0..1 --over mu=0..1 --property stable"),
+           six_points + " --over w=0..1 --over t=0..1 --property HC1",
            six_points + " --over w=0..1 --over t=0..1 --property C1 --plot map.gif"}) {
     CAPTURE(arguments);
     const Run refused = run("map " + arguments);

@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <filesystem>
+
 using namespace subcert::testing;
 
 TEST_CASE("ranges of a parameter are proved and refuted") {
@@ -73,6 +75,22 @@ TEST_CASE("a window that moves from a peak to a box") {
   CHECK(verified.code == 0);
   CHECK(verified.out.find("/(1+3*w+2*w^2)@-3 with arity 2 for all w=1/4..2") != std::string::npos);
   std::filesystem::remove_all(bundle);
+}
+
+TEST_CASE("range and curve: matrices with a parameter") {
+  const Run page = run("range merrien:lambda=-1/8,mu --over mu=-5..3 --property HC1");
+  CHECK(page.code == 0);
+  CHECK(page.out.find("scheme       merrien:lambda=-1/8,mu  (Merrien's Hermite scheme with the parameter mu)\n") == 0);
+  CHECK(page.out.find("answer       HC1 for -3 < mu < 1, and for no other mu from -5 to 3") != std::string::npos);
+  const std::string folder = (std::filesystem::temp_directory_path() / "subcert_range_test").string();
+  const Run curve = run("curve merrien:lambda=-1/8,mu --over mu=-2..1/2 --pieces 8 --certificate " + folder);
+  CHECK(curve.code == 0);
+  CHECK(curve.out.find("certificates none: there are none for matrices with a parameter\n") != std::string::npos);
+  std::filesystem::remove_all(folder);
+  CHECK(run("range merrien:lambda=-1/8,mu --over mu=0..1 --property C1").code == 0);
+  const Run refused = run("analyze merrien:lambda=-1/8,mu");
+  CHECK(refused.code == 64);
+  CHECK(refused.err.find("'subcert range' and 'curve'") != std::string::npos);
 }
 
 TEST_CASE("ranges that make no sense are refused in one line") {

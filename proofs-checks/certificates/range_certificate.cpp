@@ -79,7 +79,7 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
   using Kind = RangeProperty::Kind;
   const bool stable = property.kind == Kind::stable,
              rough = property.kind == Kind::smooth && property.order >= range.sum_rules;
-  if (!stable && !rough && range.proofs.empty()) return {};
+  if (mask.components() > 1 || (!stable && !rough && range.proofs.empty())) return {};
   std::vector<RangeCertificate> certificates;
   std::vector<Enclosure> special;  // looked at on their own
   for (const SpecialValue& value : range.special) special.push_back(value.value);
@@ -127,6 +127,7 @@ std::optional<Certificate> levels_certificate(const ParametricMask& mask, char l
 }
 
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve) {
+  if (mask.components() > 1) return {};
   const Rational strictly = power(Rational(10), -12);
   std::vector<Enclosure> special;  // with more sum rules
   for (const CurvePoint& point : curve.special) special.push_back(point.at.value);

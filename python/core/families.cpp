@@ -6,6 +6,8 @@
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace subcert::python {
@@ -58,7 +60,8 @@ std::shared_ptr<RangeEvidence> range(const ParametricScheme& scheme, const std::
   const auto property = parse_range_property(text);
   if (!property)
     fail(ErrorKind::usage,
-         "property: expected convergent, C1, holder>=3/2, sobolev>=1, stable, positive, monotone or convex, got '{}'",
+         "property: expected convergent, C1, HC1, holder>=3/2, sobolev>=1, stable, positive, monotone or convex, got "
+         "'{}'",
          text);
   return interruptible(progress, [&] {
     return std::make_shared<RangeEvidence>(RangeEvidence{
@@ -119,8 +122,9 @@ void add_families(py::module_& module) {
       .def_property_readonly("parameter", [](const ParametricScheme& scheme) { return scheme.name; })
       .def_property_readonly("sum_rules", [](const ParametricScheme& scheme) { return sum_rules(scheme.mask); })
       .def("at", [](const ParametricScheme& scheme, const Rational& value) {
+        if (scheme.form) return vector_scheme(*scheme.form, "", scheme.mask.lattice_mask_at({value})).specification;
         const Mask mask = scheme.mask.at(value);
-        return py::make_tuple(mask.symbol(), mask.arity());
+        return fmt::format("mask:{},arity={}", mask.symbol().to_mask_text(), mask.arity());
       });
   module.def("make_parametric_scheme",
              [](const std::string& specification) { return make_parametric_scheme(specification); });

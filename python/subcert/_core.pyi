@@ -41,7 +41,7 @@ class ParametricScheme:
     title: str
     parameter: str
     sum_rules: int
-    def at(self, value: Fraction) -> tuple[_Polynomial, int]: ...
+    def at(self, value: Fraction) -> str: ...
 
 class HolderEvidence:
     facts: str

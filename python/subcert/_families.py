@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import decimal
 from fractions import Fraction
-from typing import Any, Iterable, Optional
+from typing import Any, Iterable, Optional, Union
 
 from . import _plots
 from ._calls import core as _core
@@ -13,7 +13,7 @@ from ._certificates import Certificate
 from ._data import _jobs
 from ._exact import Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
-from ._schemes import Named, Scheme, Symbol, _symbol, scheme
+from ._schemes import Named, Scheme, Symbol, VectorScheme, _symbol, scheme
 
 
 @dataclasses.dataclass(frozen=True)
@@ -163,7 +163,7 @@ class ExponentCurve:
 
 
 class Family(Named):
-    """A scheme of one variable whose coefficients depend on a parameter.
+    """A scheme of one variable whose coefficients, numbers or matrices, depend on a parameter.
 
     >>> import subcert
     >>> f = subcert.family("four-point:w")
@@ -172,6 +172,11 @@ class Family(Named):
     >>> found = f.range("C1", -1, 1)
     >>> print(found.ends[-1].value.text(9), "zero of", found.ends[-1].polynomial)
     0.192729249 zero of -1 + 4*z + 32*z^3
+    >>> merrien = subcert.family("merrien:lambda=-1/8,mu")
+    >>> [p.holds.value for p in merrien.range("HC1", 0, 3, width="1e-3").pieces]
+    ['yes', 'unknown', 'no']
+    >>> print(merrien.at("-1/2").holder())
+    2
     """
 
     @property
@@ -189,11 +194,9 @@ class Family(Named):
     def __reduce__(self) -> Any:
         return family, (self.specification,)
 
-    def at(self, value: Exact) -> Scheme:
+    def at(self, value: Exact) -> Union[Scheme, VectorScheme]:
         """The scheme at one value of the parameter."""
-        (coefficients, first), arity = self._handle.at(fraction(value))
-        numbers = ",".join(str(c) for c in coefficients)
-        return scheme(f"mask:[{numbers}]@{first}" + ("" if arity == 2 else f",arity={arity}"))
+        return scheme(self._handle.at(fraction(value)))
 
     def range(
         self,
@@ -207,7 +210,7 @@ class Family(Named):
         progress: Progress = None,
     ) -> PropertyRange:
         """For which values between low and high a property holds: convergent, C1, C2, ..., holder>=3/2, sobolev>=1,
-        stable, positive, monotone or convex."""
+        stable, positive, monotone or convex; of matrices convergent, C1, ..., HC1, ... or holder>=3/2."""
         evidence = _core.property_range(
             self._handle, property, fraction(low), fraction(high), fraction(width), budget, _jobs(jobs), progress
         )
@@ -270,7 +273,8 @@ class Family(Named):
 
 def family(specification: str) -> Family:
     """The family of this specification, with a letter, or a name as ``mu``, where a number may stand:
-    ``four-point:w``, ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``. Raises UsageError for a text that names none."""
+    ``four-point:w``, ``mask:[-w,0,1/2+w,1,1/2+w,0,-w]``, ``merrien:lambda=-1/8,mu``. Raises UsageError for a text
+    that names none."""
     if not isinstance(specification, str):
         raise TypeError(f"family: expected a text, as 'four-point:w', got {type(specification).__name__}")
     return Family(_core.make_parametric_scheme(specification))

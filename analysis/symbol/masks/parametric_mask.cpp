@@ -1,6 +1,10 @@
 #include "parametric_mask.hpp"
 
+#include "matrix_masks.hpp"
+#include "polynomial_data.hpp"
+
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/analysis/symbol/polynomials/root_cycles.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -110,7 +114,8 @@ std::vector<Monomial> terms_of(const LaurentPolynomial& p) {
 
 /// Over their common denominator.
 template <class Polynomial>
-ParametricMask mask_of(const std::vector<QuotientOf<Polynomial>>& coefficients, long first, int arity) {
+ParametricMask mask_of(const std::vector<QuotientOf<Polynomial>>& coefficients, long first, int arity,
+                       std::size_t components = 1) {
   Polynomial common = constant_like(coefficients.front().numerator(), 1);
   for (const auto& c : coefficients) common *= QuotientOf<Polynomial>(common, c.denominator()).denominator();
   const std::vector<Monomial> below = terms_of(common);
@@ -121,6 +126,7 @@ ParametricMask mask_of(const std::vector<QuotientOf<Polynomial>>& coefficients, 
     for (const Monomial& term : numerators.back()) raise(sizes, term.exponents);
   }
   auto powers = powers_for<LaurentPolynomial>(sizes);
+  first *= static_cast<long>(components * components);
   for (const std::vector<Monomial>& terms : numerators) {
     for (const Monomial& term : terms)
       powers.entries[place_of(term.exponents, sizes)] += LaurentPolynomial::monomial(term.coefficient, first);
@@ -129,7 +135,7 @@ ParametricMask mask_of(const std::vector<QuotientOf<Polynomial>>& coefficients, 
   for (const Monomial& term : below) raise(sizes_below, term.exponents);
   auto denominator = powers_for<Rational>(sizes_below);
   for (const Monomial& term : below) denominator.entries[place_of(term.exponents, sizes_below)] = term.coefficient;
-  return {std::move(powers), arity, std::move(denominator)};
+  return {std::move(powers), arity, std::move(denominator), components};
 }
 
 /// The range of exponents of all powers.
@@ -179,8 +185,9 @@ LaurentPolynomial in_one_letter(const Powers<Rational>& powers) {
   return {powers.entries, 0};
 }
 
-ParametricMask::ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator)
-    : powers_(without_zeros(powers)), denominator_(std::move(denominator)), arity_(arity) {
+ParametricMask::ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator,
+                               std::size_t components)
+    : powers_(without_zeros(powers)), denominator_(std::move(denominator)), arity_(arity), components_(components) {
   require(arity >= 2, "mask: need arity >= 2, got {}", arity);
 }
 
@@ -191,8 +198,9 @@ ParametricMask::ParametricMask(const std::vector<LaurentPolynomial>& powers, int
 ParametricMask::ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity)
     : ParametricMask(mask_of(coefficients, first, arity)) {}
 
-ParametricMask::ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity)
-    : ParametricMask(mask_of(coefficients, first, arity)) {}
+ParametricMask::ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity,
+                               std::size_t components)
+    : ParametricMask(mask_of(coefficients, first, arity, components)) {}
 
 std::vector<std::size_t> ParametricMask::sizes() const {
   std::vector<std::size_t> result;
@@ -202,17 +210,41 @@ std::vector<std::size_t> ParametricMask::sizes() const {
 
 int ParametricMask::degree() const { return static_cast<int>(sizes().front()) - 1; }
 
-IndexRange ParametricMask::support() const { return range_of(powers()); }
+IndexRange ParametricMask::support() const {
+  const auto [first, last] = range_of(powers());
+  const auto block = static_cast<long>(components_ * components_);
+  return {floor_divide(first, block), floor_divide(last, block)};
+}
 
 LaurentPolynomial ParametricMask::coefficient(long index) const {
   require(letters() == 1, "mask: need one letter, got {}", letters());
   return in_parameter(powers(), index);
 }
 
-Mask ParametricMask::at(const Values& values) const {
+LaurentPolynomial ParametricMask::entries_at(const Values& values) const {
   const Rational below = value_at(denominator_, values);
   require(below != 0, "mask: need a value where the denominator is not zero, got {}", fmt::join(values, ", "));
-  return {LaurentPolynomial(1 / below) * numerator_at(values), arity_};
+  return LaurentPolynomial(1 / below) * numerator_at(values);
+}
+
+Mask ParametricMask::at(const Values& values) const {
+  require(components_ == 1, "mask: need coefficients that are numbers, got matrices");
+  return {entries_at(values), arity_};
+}
+
+LatticeMask ParametricMask::lattice_mask_at(const Values& values) const {
+  if (components_ == 1) return at(values);
+  const LaurentPolynomial entries = entries_at(values);
+  const auto rows = static_cast<long>(components_);
+  std::vector<LatticeMask::Term> terms;
+  for (long k = 0; k < entries.length(); ++k) {
+    const long at = entries.lowest() + k;
+    terms.push_back({{floor_divide(at, rows * rows)},
+                     static_cast<std::size_t>(modulo(at, rows * rows) / rows),
+                     static_cast<std::size_t>(modulo(at, rows)),
+                     entries.coefficient(at)});
+  }
+  return matrix_mask(terms, components_, Dilation::multiple(1, arity_));
 }
 
 std::optional<std::vector<LaurentPolynomial>> ParametricMask::controls(const Box& box) const {
@@ -225,18 +257,39 @@ std::optional<std::vector<LaurentPolynomial>> ParametricMask::controls(const Box
 }
 
 std::string ParametricMask::to_text(char letter) const {
-  std::string text;
   const IndexRange range = support();
-  for (long i = range.first; i <= range.last; ++i) {
-    text += (text.empty() ? "[" : ",") + RationalFunction(coefficient(i)).to_text(letter);
-  }
-  text += ']';
+  const auto rows = static_cast<long>(components_), block = rows * rows;
+  const auto list = [](long count, const auto& entry) {
+    std::string text;
+    for (long i = 0; i < count; ++i) text += (i > 0 ? "," : "[") + entry(i);
+    return text + "]";
+  };
+  const auto entry = [&](long power) { return RationalFunction(in_parameter(powers(), power)).to_text(letter); };
+  std::string text = list(range.last - range.first + 1, [&](long k) {
+    const long at = block * (range.first + k);
+    if (rows == 1) return entry(at);
+    return list(rows, [&](long i) { return list(rows, [&](long j) { return entry(at + rows * i + j); }); });
+  });
   if (const LaurentPolynomial q = denominator(); !(q == LaurentPolynomial(1)))
     text += "/(" + RationalFunction(q).to_text(letter) + ")";
   return fmt::format("{}@{}", text, range.first);
 }
 
+ParametricMask transposed(const ParametricMask& mask) {
+  const auto rows = static_cast<long>(mask.components()), block = rows * rows;
+  return mask.mapped([=](const LaurentPolynomial& power) {
+    LaurentPolynomial result;
+    for (long k = 0; k < power.length(); ++k) {
+      const long at = power.lowest() + k, inside = modulo(at, block);
+      result += LaurentPolynomial::monomial(power.coefficient(at),
+                                            at - inside + rows * (inside % rows) + inside / rows);
+    }
+    return result;
+  });
+}
+
 int sum_rules(const ParametricMask& mask) {
+  if (mask.components() > 1) return static_cast<int>(kept_polynomials(mask).data.size());
   int rules = std::numeric_limits<int>::max();
   for (const LaurentPolynomial& power : mask.powers())
     if (!power.is_zero()) rules = std::min(rules, power.multiplicity(LaurentPolynomial::all_ones(mask.arity())));
@@ -254,6 +307,7 @@ ParametricMask divided_difference_scheme(const ParametricMask& mask, int order) 
 }
 
 LaurentPolynomial special_values(const ParametricMask& mask) {
+  if (mask.components() > 1) return 1;
   return values_of_divisibility(divided_difference_scheme(mask, sum_rules(mask)),
                                 LaurentPolynomial::all_ones(mask.arity()));
 }
@@ -287,6 +341,7 @@ LaurentPolynomial values_of_cycles(const ParametricMask& mask, const Deadline& d
 }  // namespace
 
 LaurentPolynomial unstable_values(const ParametricMask& mask, const Deadline& deadline) {
+  if (mask.components() > 1) return {};
   const int arity = mask.arity();
   // All parts share the zeros that they all have with any sum of them.
   std::vector<std::vector<LaurentPolynomial>> parts;

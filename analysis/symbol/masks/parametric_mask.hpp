@@ -16,17 +16,22 @@ LaurentPolynomial in_one_letter(const Powers<Rational>& powers);
 /// a(z, w) = sum over k of w^k a_k(z) / q(w) with an arity, where w^k stands for w_1^k_1 w_2^k_2 ... Canonical: the
 /// last power of each letter that is kept is that of some coefficient. Of one letter q is as in RationalFunction,
 /// without a factor that all coefficients have.
+///
+/// Its coefficients are numbers or, with r > 1 components, r x r matrices A_k, as those of a LatticeMask. Then a(z, w)
+/// stands for their entries, row by row: that of row i and column j of A_k has the power r^2 k + r i + j of z.
 class ParametricMask {
  public:
   /// Of one letter. Domain: canonical, but for powers at the end that are zero. Errors: throws Error for arity < 2, or
   /// where all powers are zero.
   ParametricMask(const std::vector<LaurentPolynomial>& powers, int arity, const LaurentPolynomial& denominator = 1);
   /// The first coefficient belongs to the index `first`. Errors: as above.
-  ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity);
+  ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity, std::size_t components = 1);
   ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity);
   /// Of as many letters as there are sizes. Domain and errors: as above.
-  ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator);
+  ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator, std::size_t components = 1);
 
+  /// r; 1 where the coefficients are numbers.
+  std::size_t components() const { return components_; }
   std::size_t letters() const { return powers_.sizes.size(); }
   /// a_0, a_1, ...; the powers of the first letter run fastest.
   const std::vector<LaurentPolynomial>& powers() const { return powers_.entries; }
@@ -41,19 +46,23 @@ class ParametricMask {
   int arity() const { return arity_; }
   /// The indices at which some coefficient is not zero.
   IndexRange support() const;
-  /// The coefficient at an index times the denominator, as a polynomial in the one letter. Errors: throws Error for
-  /// more.
+  /// Of numbers: the coefficient at an index times the denominator, as a polynomial in the one letter. Errors: throws
+  /// Error for more.
   LaurentPolynomial coefficient(long index) const;
-  /// Errors: throws Error where all coefficients vanish there, or the denominator does.
+  /// a(z, w). Errors: throws Error where the denominator vanishes.
+  LaurentPolynomial entries_at(const Values& values) const;
+  /// Of numbers. Errors: throws Error for matrices, where all coefficients vanish there, or the denominator does.
   Mask at(const Values& values) const;
   Mask at(const Rational& w) const { return at(Values{w}); }
+  /// Of numbers or matrices. Errors: throws Error where all coefficients vanish there, or the denominator does.
+  LatticeMask lattice_mask_at(const Values& values) const;
 
   /// The same with other polynomials in place of the a_k. Domain: linear, not zero for all of them.
   template <class Map>
   ParametricMask mapped(Map map) const {
     Powers<LaurentPolynomial> result{powers_.sizes, {}};
     for (const LaurentPolynomial& power : powers()) result.entries.push_back(map(power));
-    return {std::move(result), arity_, denominator_};
+    return {std::move(result), arity_, denominator_, components_};
   }
 
   /// a(z, w) q(w).
@@ -65,29 +74,35 @@ class ParametricMask {
 
   bool operator==(const ParametricMask& other) const = default;
 
-  /// `[-w,0,1/2+w,1,1/2+w,0,-w]@-3` with this letter, or `[1,1+w,1]/(2+w)@-1`. Errors: throws Error for more letters.
+  /// `[-w,0,1/2+w,1,1/2+w,0,-w]@-3` with this letter, or `[1,1+w,1]/(2+w)@-1`; matrices are lists of rows. Errors:
+  /// throws Error for more letters.
   std::string to_text(char letter) const;
 
  private:
   Powers<LaurentPolynomial> powers_;
   Powers<Rational> denominator_;
   int arity_;
+  std::size_t components_;
 };
 
-/// The number of sum rules that hold for all w.
+/// The mask with all matrices transposed.
+ParametricMask transposed(const ParametricMask& mask);
+
+/// The number of sum rules that hold for all w; of matrices that of the data of kept_polynomials.
 int sum_rules(const ParametricMask& mask);
 
-/// The scheme for the divided differences of this order, for all w. Domain: 0 <= order <= sum_rules(mask).
+/// The scheme for the divided differences of this order, for all w. Domain: numbers, 0 <= order <= sum_rules(mask).
 ParametricMask divided_difference_scheme(const ParametricMask& mask, int order);
 
-/// The values of w at which one more sum rule holds are the zeros of this polynomial; 1 where there are none. Domain:
-/// one letter, coset sums 1 for all w.
+/// The values of w at which one more sum rule holds are the zeros of this polynomial; 1 where there are none, and for
+/// matrices, of which none are looked for. Domain: one letter, coset sums 1 for all w.
 LaurentPolynomial special_values(const ParametricMask& mask);
 
 /// A polynomial in w that vanishes wherever the shifts are not stable: elsewhere the sub-symbols have no
 /// common zero, and there are no cyclic zeros (proofs-checks/certificates/SPEC.md, theorems 4 and 43). Zero where none
-/// was found before the deadline, or where too many cycles of roots of unity would have to be looked at. Domain: one
-/// letter. Cost: a resultant by interpolation, and one for each order of such a cycle that is not all of its order.
+/// was found before the deadline, or where too many cycles of roots of unity would have to be looked at, and for
+/// matrices. Domain: one letter. Cost: a resultant by interpolation, and one for each order of such a cycle that is not
+/// all of its order.
 LaurentPolynomial unstable_values(const ParametricMask& mask, const Deadline& deadline = {});
 
 }  // namespace subcert

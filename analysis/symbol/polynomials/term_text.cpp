@@ -174,8 +174,8 @@ MaskText parse_mask_text(std::string_view text, int variables, Entries entries) 
   return MaskReader<Rational>(text, variables, entries, false, read_number).mask();
 }
 
-MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters) {
-  return MaskReader<LetterFunction>(text, 1, Entries::numbers, true,
+MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters, Entries entries) {
+  return MaskReader<LetterFunction>(text, 1, entries, true,
                                     [=](std::string_view entry) { return LetterFunction::parse(entry, letters); })
       .mask();
 }

@@ -34,7 +34,8 @@ enum class Entries { numbers, matrices };
 /// 1 <= variables <= 3. Errors: throws ParseError, also for lists of one level with different lengths.
 MaskText parse_mask_text(std::string_view text, int variables, Entries entries = Entries::numbers);
 /// The same in one variable with coefficients that LetterFunction::parse reads, and such a D in parentheses.
-MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters);
+MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters,
+                                           Entries entries = Entries::numbers);
 
 /// What parse_mask_text reads, over the common denominator.
 std::string print_mask_text(const MaskText& mask);

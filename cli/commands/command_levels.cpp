@@ -277,7 +277,7 @@ ExitCode run(const LevelsCommandOptions& options) {
     std::vector<NamedCertificate> certificates;
     if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, *property, box, levels))
       certificates.push_back({"01-proved", std::move(*certificate)});
-    written = write_certificates(options.certificate, certificates, {"-proved"}, json);
+    written = write_certificates(options.certificate, certificates, {"-proved"}, "what is not proved", json);
   }
   if (!options.plot.empty()) draw(exponents, scheme, options.plot);
   if (options.form.asked_for())

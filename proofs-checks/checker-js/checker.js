@@ -492,6 +492,7 @@ var check_certificate = (() => {
           values.forEach((P, k) => values.forEach((Q, l) => {
             squares[k + l] += dot(P, Q) - above[k] * errors[l] - above[l] * errors[k];
           }));
+          if (!rounding && squares.every(x => x > 0n)) return;
         }
       demand(!rounding, `${on_cycle} ${n} may be 0`);
       show_positive(squares, `${on_cycle} ${n}`);

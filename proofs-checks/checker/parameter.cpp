@@ -246,6 +246,7 @@ class Cycles {
           for (std::size_t l = 0; l <= degree_; ++l)
             squares[k + l] += square_of(values[k], values[l]) - above(values[k], k) * errors_[l] -
                               above(values[l], l) * errors_[k];
+        if (least_ == 0 && std::ranges::all_of(squares, [](const mpz_class& c) { return c > 0; })) return;
       }
     const std::string what = zeros_on_cycle + std::to_string(n);
     require(least_ == 0, what + " may be 0");

@@ -359,12 +359,12 @@ ACCEPTED = [
     ("l1-median", MEDIAN, written(3, 0, 2, 1, 1, thin=(0, 1))),
     ("l1-median-deep", "--l1 3,0 --contraction 3,1,1", written(3, 0, 3, 1, 1, thin=(2,), early=True, from_above=True, deep="+-0")),
     ("l1-3-ternary", "--l1 3,1,3 --contraction 1,2,1/2 --lower 63/100", written(3, 1, 1, 2, "1/2", arity=3)),
-    ("l1-3-ternary-twice", "--l1 3,1,3 --contraction 2,1,5/9 --lower 26/100", written(3, 1, 2, 1, "5/9", arity=3)),
-    ("l1-4-ternary-thin", "--l1 4,1,3 --contraction 1,1,2", written(4, 1, 1, 1, 2, thin=(0,), arity=3)),
+    ("l1-3-ternary-twice", "--l1 3,1,3 --contraction 2,1,1/3 --lower 26/100", written(3, 1, 2, 1, "1/3", arity=3)),
+    ("l1-4-ternary-thin", "--l1 4,1,3 --contraction 1,1,11/9", written(4, 1, 1, 1, "11/9", thin=(0,), arity=3)),
     ("l1-6-ternary", "--l1 6,1,3 --contraction 1,1,2/3 --lower 369/1000", written(6, 1, 1, 1, "2/3", early=True, sides=True, arity=3)),
     ("l1-3-four", "--l1 3,1,4 --lower 1/2", written(3, 1, 1, 2, "1/2", arity=4)),
     # as many starts as there may be
-    ("l1-256-starts", "--l1 3,1,16 --contraction 2,1,1", written(3, 1, 2, 1, 1, early=True, arity=16)),
+    ("l1-256-starts", "--l1 3,1,16 --contraction 2,1,15/32", written(3, 1, 2, 1, "15/32", early=True, arity=16)),
     ("l1-median-ternary", "--l1 3,0,3 --contraction 2,1,1", written(3, 0, 2, 1, 1, thin=(0, 1), early=True, arity=3)),
     ("l1-median-from-above", MEDIAN, written(3, 0, 2, 1, 1, early=True, from_above=True)),
 ]

@@ -115,7 +115,7 @@ std::vector<Case> read_cases(const std::string& directory) {
       is_l1 = is_l1 || option == "--l1";
       if (option == "--logarithm") logarithm = value;
       if (option == "--lower" || option == "--upper" || option == "--exact" || option == "--logarithm") continue;
-      exponent = exponent || option == "--mask" || option == "--surface" || option == "--l1";
+      exponent = exponent || option == "--mask" || option == "--surface" || option == "--refinable" || option == "--l1";
       subject.insert(subject.end(),
                      {option, option == "--matrices" || option == "--subradius" ? directory + "/" + value : value});
     }

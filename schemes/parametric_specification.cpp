@@ -357,6 +357,9 @@ struct Lettered {
   std::string specification;
   std::string name;
   char letter;
+
+  /// `, where m is mu`, or nothing.
+  std::string meaning() const { return name.size() > 1 ? fmt::format(", where {} is {}", letter, name) : ""; }
 };
 
 Lettered in_one_letter_of(std::string_view specification) {
@@ -381,7 +384,7 @@ std::string ParametricScheme::named(const std::string& expression) const { retur
 
 ParametricScheme make_parametric_scheme(std::string_view text) {
   const Lettered lettered = from_written(text, in_one_letter_of);
-  return read_as(text, lettered.specification, [&](std::string_view specification) {
+  return read_as(text, lettered.specification, lettered.meaning(), [&](std::string_view specification) {
     const Piece family = family_of(specification), body = body_of(specification);
     const auto& [read, name, letter] = lettered;
     if (const ClassicalFamily* classical = classical_family(family.text))

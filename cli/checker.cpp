@@ -1,6 +1,7 @@
 #include "checker.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -28,14 +29,15 @@ void WriteFailure::raise() const {
 
 std::string WrittenCertificate::text(bool attained) const {
   if (file.empty()) return "";
-  if (!claim) return "certificate  not written: " + reason + "\n";
-  return fmt::format(
-      "certificate  {}, verified: {}\n", file,
+  if (!claim) return facts::wrapped("certificate  not written: " + reason, 13) + "\n";
+  const std::string line = fmt::format(
+      "certificate  {}, verified: {}", file,
       claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
       : claim->exact   ? "the bounds, and that the product attains the radius"
       : attained && claim->lower != claim->upper
           ? "the bounds, but not that the product attains the radius" + (reason.empty() ? "" : ": " + reason)
           : "the bounds");
+  return facts::wrapped(line, 13) + "\n";
 }
 
 void WrittenCertificate::add_to(Json& json) const {

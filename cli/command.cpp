@@ -38,8 +38,12 @@ ExitCode exit_code(const Error& error) {
   return usage;
 }
 
-std::string exit_code_help() {
-  return "\nExit status:\n"
+std::string program_footer() {
+  return "\nFirst steps:\n"
+         "  subcert analyze chaikin  all about one scheme\n"
+         "  subcert refine chaikin points.csv --plot curve.png  the curve that it draws for points\n"
+         "  subcert COMMAND --help  the options of a command, and an example\n"
+         "\nExit status:\n"
          "  0   done and as expected\n"
          "  1   a claim, a certificate or a comparison failed\n"
          "  2   undecided within the budget; what is proved is printed\n"

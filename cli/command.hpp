@@ -40,7 +40,7 @@ ExitCode exit_code(Truth answer, bool open_for_good = false);
 ExitCode exit_code(const Error& error);
 
 /// The meanings, as help prints them.
-std::string exit_code_help();
+std::string program_footer();
 
 using runtime::input_name;
 using runtime::read_file;

@@ -77,7 +77,8 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // a failed write says so
   try {
     const int code = cli::run_program(
-        "Certifies what is claimed about subdivision schemes", cli::exit_code_help(),
+        "Proves how smooth the limits of subdivision schemes are, and what else is claimed of them",
+        cli::program_footer(),
         {cli::add_reproduce,  cli::add_analyze,    cli::add_mask,       cli::add_regularity, cli::add_range,
          cli::add_curve,      cli::add_levels,     cli::add_map,        cli::add_jsr,        cli::add_verify,
          cli::add_limit,      cli::add_variance,   cli::add_refine,     cli::add_smooth,     cli::add_gallery,

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 namespace subcert::cli {
 namespace {
@@ -46,7 +48,8 @@ CLI::Validator whole() {
 /// Refuses one file for two answers, and standard output for another one than the first.
 void require_different_files(const CLI::App& app) {
   std::map<std::filesystem::path, std::string> taken;
-  for (const std::string name : {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal"}) {
+  for (const std::string name :
+       {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal", "--junit"}) {
     const CLI::Option* option = app.get_option_no_throw(name);
     if (!option || option->count() == 0) continue;
     const std::string& file = option->results().front();
@@ -59,6 +62,22 @@ void require_different_files(const CLI::App& app) {
       fail(ErrorKind::usage, "{} {}: {} is to write there, too; expected another file", name, file, other->second);
   }
 }
+
+/// Help in lines that a terminal shows whole.
+class ScreenFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::istringstream lines(CLI::Formatter::make_help(app, std::move(name), mode));
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+      // A meaning goes on where it begins: behind the blanks that part it from what it explains.
+      const std::size_t term = std::min(line.find_first_not_of(' '), line.size());
+      const std::size_t meaning = line.find_first_not_of(' ', line.find("  ", term));
+      result += facts::wrapped(line, meaning == std::string::npos ? term : meaning) + "\n";
+    }
+    return result;
+  }
+};
 
 OptionHelp help_of(const CLI::Option& option) {
   const CLI::Formatter formatter;
@@ -234,7 +253,8 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
 
 /// Refuses a first argument that is neither a command nor an option.
 void require_command(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty()) return;
+  if (arguments.empty())
+    fail(ErrorKind::usage, "a command is missing, as in 'subcert analyze chaikin'; 'subcert --help' lists all");
   if (arguments.front().starts_with('-')) {
     if (!app.get_option_no_throw(arguments.front()))
       fail(ErrorKind::usage, "there is no option {} before a command; see 'subcert --help'",
@@ -288,6 +308,7 @@ int run_program(const std::string& description, const std::string& footer,
   CLI::App app{description, "subcert"};
   app.set_version_flag("--version", std::string("subcert ") + SUBCERT_VERSION);
   app.require_subcommand(1);
+  app.formatter(std::make_shared<ScreenFormatter>());  // before its commands, which take it over
   Command program(&app);
   for (const auto add : add_commands) add(program);
   app.footer(footer);  // last, as commands inherit it

@@ -16,14 +16,18 @@ version = re.search(r"^project\(subcert VERSION ([0-9.]+)", (project / "CMakeLis
 
 
 class BuildByCMake(build_py):
-    """Instead of copying modules: configures, builds and installs the component `python`."""
+    """Instead of copying modules: installs the component `python`, of the finished build that SUBCERT_BUILD names, or of
+    a new one."""
 
     def run(self) -> None:
         target = pathlib.Path(self.build_lib).resolve()
+        finished = os.environ.get("SUBCERT_BUILD")
+        if finished:
+            install(finished, target)
+            return
         with tempfile.TemporaryDirectory() as build:
             switches = {
                 "CMAKE_BUILD_TYPE": "Release",
-                "CMAKE_INSTALL_PREFIX": str(target),
                 "Python_EXECUTABLE": sys.executable,
                 "SUBCERT_BUILD_TESTS": "OFF",
                 "SUBCERT_BUILD_BENCH": "OFF",
@@ -34,7 +38,12 @@ class BuildByCMake(build_py):
             subprocess.run(["cmake", "-S", str(project), "-B", build, *given], check=True)
             jobs = str(os.cpu_count() or 1)
             subprocess.run(["cmake", "--build", build, "--target", "subcert_python", "-j", jobs], check=True)
-            subprocess.run(["cmake", "--install", build, "--component", "python"], check=True)
+            install(build, target)
+
+
+def install(build: str, target: pathlib.Path) -> None:
+    """Puts modules and libraries of a finished build there."""
+    subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", str(target)], check=True)
 
 
 class PlatformWheel(bdist_wheel):

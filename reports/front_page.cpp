@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace subcert::reports {
 namespace {
@@ -95,6 +96,25 @@ constexpr const char* how_to_object =
     "of the sources, to be corrected without any C++. An issue with the link and the right reading is enough "
     "(<code>CONTRIBUTING.md</code>).</p>\n";
 
+/// What a scheme does: corners are cut at a quarter, again and again.
+std::string example_html() {
+  using Points = std::vector<std::pair<double, double>>;
+  const Points points{{0, 0}, {1, 2}, {3, 2.5}, {4, 0.5}, {6, 1}, {6.5, 3}};
+  Points curve = points;
+  for (int level = 0; level < 5; ++level) {
+    Points next;
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+      for (const double t : {0.25, 0.75})
+        next.emplace_back(std::lerp(curve[i].first, curve[i + 1].first, t),
+                          std::lerp(curve[i].second, curve[i + 1].second, t));
+    curve = std::move(next);
+  }
+  formats::Panel panel{"", "", "", {{"six points", points, true}, {"the curve of Chaikin's scheme", curve}}};
+  panel.curves.front().colour = "#999999";
+  panel.equal_units = true;
+  return formats::preview(panel);
+}
+
 /// What subcert is, how much holds, and which version made this page from what and when.
 std::string origin_html(const Origin& origin, const std::string& standing) {
   std::string made;
@@ -102,13 +122,15 @@ std::string origin_html(const Origin& origin, const std::string& standing) {
   if (!origin.commit.empty()) made += " (" + html(origin.commit) + ")";
   if (!origin.input.empty()) made += ", from <code>" + html(origin.input) + "</code>";
   if (!origin.when.empty()) made += ", on " + html(origin.when);
-  return "<p class=lead>Subdivision schemes draw smooth curves and surfaces through or near a few points, by fixed "
-         "averages "
-         "of neighbours. subcert proves what is claimed about them. These pages recompute what papers on least squares "
+  return "<div class=intro><div>\n<p class=lead>A subdivision scheme draws a smooth curve or surface through or near a "
+         "few points: it puts new points between the old ones, each an average of its neighbours, again and again. "
+         "How smooth are the curves, and how much noise do they leave? subcert decides that from the numbers of the "
+         "scheme, with a proof that other programs check.</p>\n<p>These pages recompute what papers on least squares "
          "schemes print: numbers as exact fractions or enclosures rounded outward, formulas and theorems as executable "
          "checks, experiments over many samples. " +
          html(standing) + "</p>\n" +
-         (made.empty() ? "" : "<p class=place>Made by " + made + ". <a href=\"#object\">How to object</a></p>\n");
+         (made.empty() ? "" : "<p class=place>Made by " + made + ". <a href=\"#object\">How to object</a></p>\n") +
+         "</div><div class=example aria-hidden=true>" + example_html() + "</div></div>\n";
 }
 
 }  // namespace
@@ -132,7 +154,7 @@ std::string score_bars(const std::vector<Result>& results, const std::string& pa
 
 std::string front_page(const Findings& findings) {
   const std::vector<Result> all = results(findings);
-  std::string body = "<h1>What papers print, computed again</h1>\n" +
+  std::string body = "<h1>subcert: claims about subdivision schemes, proved or refuted</h1>\n" +
                      origin_html(findings.origin, standing_sentence(counts(all, ResultKind::statement)));
   body += score_bars(all);
   body += "<nav aria-label=\"Everything\"><a href=\"results.html\">Every result</a> ";
@@ -144,7 +166,7 @@ std::string front_page(const Findings& findings) {
   if (std::ranges::any_of(findings.reports, [](const Report& r) { return !r.experiments.empty(); }))
     body += about_experiments;
   body += how_to_object;
-  return formats::html_page("subcert: what papers print, computed again", body);
+  return formats::html_page("subcert: claims about subdivision schemes, proved or refuted", body);
 }
 
 }  // namespace subcert::reports

@@ -46,12 +46,27 @@ std::string line_of(const Result& result) {
   return text + (result.note.empty() ? "" : " (" + result.note + ")");
 }
 
-/// Everything that is not right, or not as recorded; `only_alarms` leaves out what is as recorded.
-std::vector<std::string> deviations(const std::vector<Result>& all, bool only_alarms) {
+/// What is not as recorded.
+std::vector<std::string> alarms_of(const std::vector<Result>& all) {
   std::vector<std::string> lines;
   for (const Result& result : all)
-    if (!result.as_recorded || (!only_alarms && result.standing == Standing::wrong)) lines.push_back(line_of(result));
+    if (!result.as_recorded) lines.push_back(line_of(result));
   return lines;
+}
+
+/// Everything that is not right, or not as recorded; what follows from other values is counted alone.
+std::string deviations_text(const std::vector<Result>& all, std::size_t width) {
+  std::string text;
+  int derived = 0;
+  for (const Result& result : all) {
+    if (result.as_recorded && result.standing != Standing::wrong) continue;
+    if (result.as_recorded && !result.derived.empty())
+      ++derived;
+    else
+      text += facts::wrapped(line_of(result), 10, width) + "\n";
+  }
+  if (derived > 0) text += fmt::format("and {} that follow from others of the table, as their multiples\n", derived);
+  return text;
 }
 
 std::string paper_lines(const std::vector<Result>& all, const Report& report, bool colours) {
@@ -123,7 +138,7 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
   if (const std::string errata = errata_sentence(counts(all, ResultKind::statement)); !errata.empty())
     points += wrapped(errata, "  - ");
   if (!points.empty()) text += "\n" + coloured("What matters", "1", options.colours) + "\n" + points;
-  const auto alarms = deviations(all, true);
+  const auto alarms = alarms_of(all);
   text += "\n";
   for (std::size_t i = 0; i < std::min(alarms.size(), most_alarms); ++i)
     text += coloured(wrapped(alarms[i], "  ! "), "31", options.colours);
@@ -144,11 +159,11 @@ std::string first_screen(const Findings& findings, const ScreenOptions& options)
          ", in " + duration + ".\n";
 }
 
-std::string full_list(const Findings& findings) {
+std::string full_list(const Findings& findings, std::size_t width) {
   std::string text;
   const std::vector<Result> all = results(findings);
   for (const Report& report : findings.reports) {
-    text += report.citation + "\n\n";
+    text += facts::wrapped(report.citation, 0, width) + "\n\n";
     if (report.listed) text += tables_text(report);
     for (const formats::ComparisonTable* table : report.comparison_tables()) text += table_line(*table);
     for (const experiments::RanExperiment& ran : report.experiments) text += experiment_line(ran);
@@ -156,8 +171,7 @@ std::string full_list(const Findings& findings) {
       text += "  " + held + "\n";
     text += "\n";
   }
-  for (const std::string& line : deviations(all, false)) text += line + "\n";
-  return text;
+  return text + deviations_text(all, width);
 }
 
 }  // namespace subcert::reports

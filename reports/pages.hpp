@@ -35,7 +35,8 @@ struct ScreenOptions {
 /// 100 characters, but for verdicts that are not the recorded ones, of which up to ten are named.
 std::string first_screen(const Findings& findings, const ScreenOptions& options);
 
-/// Every table and experiment with its counts, then everything that does not match, does not hold or is not confirmed.
-std::string full_list(const Findings& findings);
+/// Every table and experiment with its counts, then everything that does not match, does not hold or is not confirmed:
+/// a line each, or lines of the width of a screen. What follows from other values is counted alone.
+std::string full_list(const Findings& findings, std::size_t width = std::string::npos);
 
 }  // namespace subcert::reports

@@ -399,12 +399,15 @@ struct Lettered {
   std::string specification;
   std::string name;
   char letter;
+
+  /// `, where m is mu`, or nothing.
+  std::string meaning() const { return name.size() > 1 ? fmt::format(", where {} is {}", letter, name) : ""; }
 };
 
 Lettered in_one_letter_of(std::string_view specification) {
   const Piece family = family_of(specification), body = body_of(specification);
   if (const std::string typed = typed_out(specification); typed != specification)
-    return read_as(specification, typed, in_one_letter_of);
+    return read_as(specification, typed, "", in_one_letter_of);
   if (const ClassicalFamily* classical = classical_family(family.text)) {
     if (!is_name(body.text)) fail(body, "a letter for the parameter, as in " + classical->name + ":w");
     return {std::string(specification), std::string(body.text), letters_for({std::string(body.text)}).front()};
@@ -428,16 +431,17 @@ std::string ParametricScheme::named(const std::string& expression) const { retur
 
 ParametricScheme make_parametric_scheme(std::string_view text) {
   const Lettered lettered = from_written(text, in_one_letter_of);
-  ParametricScheme scheme = read_as(text, lettered.specification, [&](std::string_view specification) {
-    const Piece family = family_of(specification), body = body_of(specification);
-    const auto& [read, name, letter] = lettered;
-    if (const ClassicalFamily* classical = classical_family(family.text))
-      return ParametricScheme{classical->name + ":" + name, classical->title + " " + name, letter, name,
-                              classical->mask};
-    if (const auto form = form_of(family.text)) return make_matrices(*form, family, body, letter, name);
-    return family.text == "regression" ? make_regression(family, body, letter, name)
-                                       : make_mask(family, body, letter, name);
-  });
+  ParametricScheme scheme = read_as(
+      text, lettered.specification, lettered.meaning(), [&](std::string_view specification) {
+        const Piece family = family_of(specification), body = body_of(specification);
+        const auto& [read, name, letter] = lettered;
+        if (const ClassicalFamily* classical = classical_family(family.text))
+          return ParametricScheme{classical->name + ":" + name, classical->title + " " + name, letter, name,
+                                  classical->mask};
+        if (const auto form = form_of(family.text)) return make_matrices(*form, family, body, letter, name);
+        return family.text == "regression" ? make_regression(family, body, letter, name)
+                                           : make_mask(family, body, letter, name);
+      });
   std::string written = specification_as_written(text);
   if (typed_out(written) != written) {
     std::erase(written, ' ');

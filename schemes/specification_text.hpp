@@ -314,15 +314,16 @@ inline std::string unknown_family(std::string_view word) {
          did_you_mean(word, names);
 }
 
-/// What `read` makes of a specification that stands for a text. Errors speak of the specification, where it is another.
+/// What `read` makes of a specification that stands for a text. Errors speak of the specification, where it is another,
+/// and end with `meaning`, of what only the specification has.
 template <class Read>
-auto read_as(std::string_view text, const std::string& specification, Read read) {
+auto read_as(std::string_view text, const std::string& specification, const std::string& meaning, Read read) {
   try {
     return read(specification);
   } catch (const SpecificationError& error) {
     if (specification == text) throw;
     throw SpecificationError(error.token(), error.position(),
-                             error.expected() + "; read as '" + printable(specification) + "'");
+                             error.expected() + "; read as '" + printable(specification) + "'" + meaning);
   }
 }
 
@@ -330,7 +331,7 @@ auto read_as(std::string_view text, const std::string& specification, Read read)
 template <class Read>
 auto from_written(std::string_view text, Read read) {
   if (text.size() > max_text) fail({text, 0}, "at most " + std::to_string(max_text) + " characters");
-  return read_as(text, specification_as_written(text), read);
+  return read_as(text, specification_as_written(text), "", read);
 }
 
 inline Piece family_of(std::string_view specification) { return {specification.substr(0, specification.find(':')), 0}; }

@@ -4,6 +4,10 @@
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
+#include <subcert/reports/formats/html.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
@@ -16,6 +20,7 @@ namespace {
 
 struct CheckOptions : CommonOptions {
   std::vector<std::string> files;
+  std::string junit;
   double budget = 20;
 };
 
@@ -64,9 +69,12 @@ Json answer_json(const Question& question, const Answer& answer) {
           {"found", answer.decision.reason}};
 }
 
+std::string claim_of(const Question& question) {
+  return question.scheme->name + ": " + question.expectation->property + " " + question.expectation->expected;
+}
+
 std::string answer_line(const Question& question, const Answer& answer) {
-  const std::string claim = question.scheme->name + ": " + question.expectation->property + " " +
-                            question.expectation->expected;
+  const std::string claim = claim_of(question);
   const std::string place = question.file + ":" + std::to_string(question.expectation->place.line) + ": ";
   if (answer.is(Truth::yes)) return "holds      " + place + claim + "\n";
   const std::string verdict = answer.error ? "error      " : answer.is(Truth::no) ? "FAILS      " : "undecided  ";
@@ -96,6 +104,27 @@ class Lines {
   std::vector<bool> known_;
   std::size_t printed_ = 0;
 };
+
+/// The report of JUnit, which servers of continuous integration show: a test for each question.
+std::string junit_text(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
+  using formats::html;
+  std::string tests;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const std::string file = html(visible(questions[i].file)), reason = html(visible(answers[i].decision.reason));
+    tests += fmt::format("  <testcase classname=\"{0}\" name=\"{1}\" file=\"{0}\" line=\"{2}\"", file,
+                         html(visible(claim_of(questions[i]))), questions[i].expectation->place.line);
+    tests += answers[i].is(Truth::yes)  ? "/>\n"
+             : answers[i].is(Truth::no) ? fmt::format("><failure message=\"{}\"/></testcase>\n", reason)
+                                        : fmt::format("><error message=\"{}{}\"/></testcase>\n",
+                                                      answers[i].error ? "" : "undecided: ", reason);
+  }
+  const auto failures = std::ranges::count_if(answers, [](const Answer& answer) { return answer.is(Truth::no); });
+  const auto right = std::ranges::count_if(answers, [](const Answer& answer) { return answer.is(Truth::yes); });
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"subcert check\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}</testsuite>\n",
+      answers.size(), failures, static_cast<long>(answers.size()) - failures - right, tests);
+}
 
 /// `\n3 properties: 2 hold, 0 fail, 1 undecided.`
 std::string counts_text(const std::vector<Answer>& answers) {
@@ -129,6 +158,7 @@ ExitCode run(const CheckOptions& options) {
     json["properties"].push_back(answer_json(questions[i], answers[i]));
     if (!at_once) text += answer_line(questions[i], answers[i]);
   }
+  if (!options.junit.empty()) runtime::write_file(options.junit, junit_text(questions, answers));
   options.answer(json, text + counts_text(answers));
   if (std::ranges::any_of(answers, [](const Answer& answer) { return answer.is(Truth::no); })) return failed;
   return std::ranges::all_of(answers, [](const Answer& answer) { return answer.is(Truth::yes); }) ? done : undecided;
@@ -141,13 +171,18 @@ void add_check(Command& app) {
   Command command = add_command(app, "check", "Checks expected properties of schemes, given in TOML files",
                                 "subcert check my-schemes.toml", options, [=] { return run(*options); });
   command.option("FILE", options->files, "TOML files with schemes and properties").required();
+  command.option("--junit", options->junit, "Write the answers there, too, as a report of JUnit");
   command.option("--budget", options->budget, "Seconds of processor time for each search")
       .within(0.001, 1e6)
       .with_default();
   std::string known;
   for (const auto& property : properties::known_properties())
     known += "\n  " + property.name + " = " + property.values + "\n      " + property.meaning;
-  command.add_to_footer("\n\nProperties:" + known);
+  command.add_to_footer(
+      "\n\nExample file:\n  [[scheme]]\n  name = \"the slider\"\n  mask = \"four-point:w\"\n"
+      "  for = \"0.01 <= w <= 0.19\"\n  smoothness = \">= 1\""
+      "\n\nProperties:" +
+      known);
 }
 
 }  // namespace subcert::cli

@@ -6,6 +6,7 @@
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/facts/exponents.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -135,7 +136,7 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
   }
   for (const CurvePoint& point : curve.special)
     page << "special      " << w << " = " << number_text(point.at.value) << ": " << special_text(point) << "\n";
-  return page.str();
+  return facts::wrapped(page.str(), 13);
 }
 
 /// The same for papers.

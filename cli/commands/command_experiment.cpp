@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/reports/report_files.hpp>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ std::string page(const experiments::RanExperiment& ran, const formats::Section& 
       text << "\n";
     }
   }
-  return text.str();
+  return facts::wrapped(text.str(), 4);
 }
 
 ExitCode run(const ExperimentCommand& options) {

@@ -143,9 +143,8 @@ void add_map(Command& app) {
   auto options = std::make_shared<MapCommandOptions>();
   Command command = add_command(
       app, "map", "For which values of two or three parameters a property holds, with proof",
-      "subcert map 'mask:[t,0,-w-3*t,0,1/2+w+2*t,1,1/2+w+2*t,0,-w-3*t,0,t]' --over w=0..1/5 --over t=-1/20..1/20 "
-      "--property C1 --plot map.svg",
-      options, [=] { return run(*options); });
+      "subcert map merrien:lambda,mu --over lambda=-1/4..0 --over mu=-3..1 --property HC1 --plot map.svg", options,
+      [=] { return run(*options); });
   command.option("SCHEME", options->scheme, "mask:[...], refinable:[...], ... with two or three letters in it")
       .required()
       .suggest(suggested_schemes);

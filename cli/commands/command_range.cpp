@@ -8,6 +8,7 @@
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/format.h>
@@ -245,7 +246,7 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
   for (const SpecialValue& value : range.special)
     page << "special      " << w << " = " << number_text(value.value) << ": " << why_text(value.why) << "; "
          << verdict_text(value.holds) << " there\n";
-  return page.str();
+  return facts::wrapped(page.str(), 13);
 }
 
 /// `01-proved.cert` and so on.

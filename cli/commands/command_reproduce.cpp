@@ -1,8 +1,10 @@
 // subcert reproduce [PAPER...]: the main job
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/reports/formats/provenance.hpp>
 #include <subcert/reports/pages.hpp>
 #include <subcert/reports/report_files.hpp>
@@ -57,14 +59,15 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   }
 }
 
+using Progress = std::function<void(const std::string&)>;
+
 /// Of collections there are none.
-std::vector<statements::CheckedStatement> check_statements_of(const std::vector<std::string>& papers,
-                                                              const ReproduceOptions& options) {
+std::vector<statements::CheckedStatement> check_statements_of(const std::vector<std::string>& papers, int threads,
+                                                              const Progress& progress) {
   std::vector<const statements::Statement*> chosen;
   for (const statements::Statement& statement : statements::statements())
     if (std::find(papers.begin(), papers.end(), statement.paper()) != papers.end()) chosen.push_back(&statement);
-  return statements::check_statements(chosen, statements::Tier::quick, options.threads(),
-                                      [&](const std::string& id) { options.progress(id); });
+  return statements::check_statements(chosen, statements::Tier::quick, threads, progress);
 }
 
 /// Which program ran, what was asked for, and today's date.
@@ -84,6 +87,37 @@ bool wants_colours() {
   return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR") && terminal && std::string(terminal) != "dumb";
 }
 
+/// The papers, and for pages of whole papers their statements, too.
+reports::Findings findings_of(const std::vector<std::string>& papers, const ReproduceOptions& options) {
+  std::mutex terminal;
+  const Progress progress = [&](const std::string& line) {
+    const std::lock_guard lock(terminal);
+    options.progress(line);
+  };
+  reports::ReportOptions report_options{options.only, options.threads(), progress, options.seed};
+  report_options.budget = options.budget;
+  report_options.verified = [](const Certificate& certificate, const std::string& matrices) {
+    return verified(certificate, matrices);
+  };
+  std::vector<std::pair<std::string, reports::ReportOptions>> asked;  // of the papers with items that are wanted
+  for (const std::string& paper : papers) {
+    report_options.only = items_of(paper, options.only);
+    if (options.only.empty() || !report_options.only.empty()) asked.emplace_back(paper, report_options);
+  }
+  reports::Findings findings;
+  findings.origin = origin(options);
+  findings.reports.resize(asked.size());
+  const bool with_statements = !options.out.empty() && options.only.empty();
+  // Side by side, as each has parts that one thread does alone.
+  parallel_tasks(asked.size() + (with_statements ? 1 : 0), options.threads(), [&](std::size_t i) {
+    if (i < asked.size())
+      findings.reports[i] = reports::make_report(asked[i].first, asked[i].second);
+    else
+      findings.statements = check_statements_of(papers, options.threads(), progress);
+  });
+  return findings;
+}
+
 ExitCode run(ReproduceOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto papers = options.papers.empty() ? reports::default_papers() : options.papers;
@@ -93,26 +127,8 @@ ExitCode run(ReproduceOptions& options) {
     const std::string file = (std::filesystem::path(options.baseline) / "results.json").string();
     earlier = reports::read_results(read_file(file), file);
   }
-  reports::Findings findings;
-  findings.origin = origin(options);
-  std::mutex terminal;
-  reports::ReportOptions report_options{options.only, options.threads(),
-                                        [&](const std::string& line) {
-                                          const std::lock_guard lock(terminal);
-                                          options.progress(line);
-                                        },
-                                        options.seed};
-  report_options.budget = options.budget;
-  report_options.verified = [](const Certificate& certificate, const std::string& matrices) {
-    return verified(certificate, matrices);
-  };
-  for (const std::string& paper : papers) {
-    report_options.only = items_of(paper, options.only);
-    if (options.only.empty() || !report_options.only.empty())
-      findings.reports.push_back(reports::make_report(paper, report_options));
-  }
+  const reports::Findings findings = findings_of(papers, options);
   if (!options.out.empty()) {
-    if (options.only.empty()) findings.statements = check_statements_of(papers, options);
     options.progress("writing " + options.out);
     reports::write_reports(findings, options.out, options.threads());
     runtime::write_file(std::filesystem::path(options.out) / "summary.txt",
@@ -125,7 +141,7 @@ ExitCode run(ReproduceOptions& options) {
   if (options.json) {
     print_json(reports::reports_json(findings.reports, changed));
   } else {
-    if (options.out.empty()) std::cout << reports::full_list(findings) << "\n";
+    if (options.out.empty()) std::cout << reports::full_list(findings, facts::screen_width) << "\n";
     // Of wall clock, as it is the reader who waits.
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
     std::cout << reports::first_screen(findings, {wants_colours(), options.out, duration.count()});

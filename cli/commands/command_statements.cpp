@@ -96,8 +96,8 @@ ExitCode run_checks(const StatementsOptions& options) {
     text += outcome_text(*checked.statement, checked.outcome);
   }
   const reports::Counts found = reports::counts(reports::results(results), reports::ResultKind::statement);
-  text += "\n" + found.text() + ".";
-  text += std::string(code == done ? " All verdicts are the ones on record." : "") + "\n";
+  text += "\n" + facts::wrapped(found.text() + (code == done ? ". All verdicts are the ones on record." : "."), 0) +
+          "\n";
   options.answer(Json{{"statements", statements_json(results)}}, text);
   return code;
 }

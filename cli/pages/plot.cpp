@@ -47,10 +47,16 @@ void draw_refined(const std::string& plot, const std::string& scheme, const data
     return;
   }
   const bool plane = data.dimension == 2, named = !table.header.empty();
+  // In the plane the data are a polygon, which tells their order.
+  formats::Curve points = formats::data_curve(data, "data", plane);
+  points.marked = true;
+  points.colour = "#999999";
   formats::Panel panel{scheme,
                        plane ? (named ? table.header[0] : "x") : "parameter",
                        plane ? (named ? table.header[1] : "y") : (named ? table.header[0] : "value"),
-                       {formats::data_curve(data, "data", false), formats::data_curve(refined, "refined", true)}};
+                       {points, formats::data_curve(refined, "refined", true)}};
+  panel.curves.back().colour = "#0b559f";
+  panel.key = "below";
   panel.equal_units = plane;
   formats::draw_file({"refined", scheme, "", 1, {panel}}, plot);
 }

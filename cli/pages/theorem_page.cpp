@@ -134,7 +134,7 @@ std::string theorem_text(const Theorem& theorem, bool all) {
   for (const auto& [range, means] : theorem.ranges) text << "  " << padded(range, width) << means << "\n";
   if (!theorem.checks.empty()) text << "\n" << checks_text(theorem, all);
   text << "\nverdict: " << verdict_word(theorem.decision.truth) << " (" << theorem.decision.reason << ")\n";
-  return text.str();
+  return facts::wrapped(text.str(), 18);
 }
 
 }  // namespace subcert::cli

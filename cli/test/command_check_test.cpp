@@ -96,3 +96,19 @@ TEST_CASE("lines are there before the last question is answered") {
   const Run first = run("check " + file + " --budget 1000 --jobs 1 & sleep 3; kill -TERM $!");
   CHECK(first.out == "holds      " + file + ":3: dd:n=2: reproduces 3\n");
 }
+
+TEST_CASE("answers as a report of JUnit") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml",
+                                        "[[scheme]]\nname = 'a <b> & \"c\"'\nmask = 'dd:n=2'\nreproduces = 3\n"
+                                        "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 5\n"
+                                        "[[scheme]]\nmask = 'primal:n=20,d=5'\nholder = '>= 4'\n");
+  const std::string report = folder / "report.xml";
+  CHECK(run("check " + file + " --budget 0.001 --junit " + report).code == 1);
+  const std::string text = content(report);
+  CAPTURE(text);
+  CHECK(contains(text, "tests=\"3\" failures=\"1\" errors=\"1\">"));
+  CHECK(contains(text, "name=\"a &lt;b&gt; &amp; &quot;c&quot;: reproduces 3\" file=\"" + file + "\" line=\"4\"/>\n"));
+  CHECK(contains(text, "line=\"7\"><failure message=\"it is 3\"/></testcase>\n"));
+  CHECK(contains(text, "line=\"10\"><error message=\"undecided: "));
+}

@@ -8,7 +8,7 @@ TEST_CASE("a curve is drawn, tabulated and verified") {
   const Run page = run("curve four-point:w --over w=1/100..1/10 --pieces 12 --csv " + csv + " --plot " + picture +
                        " --certificate " + bundle);
   CHECK(page.code == 0);
-  CHECK(page.out.find("special      w = 1/16: more sum rules; exponent 2") != std::string::npos);
+  CHECK(joined(page.out).find("special      w = 1/16: more sum rules; exponent 2") != std::string::npos);
   const std::string table = content(csv);
   CHECK(std::count(table.begin(), table.end(), '\n') == 13);
   CHECK(table.starts_with("from,to,lower,upper,product,convergence\n1/100,"));
@@ -18,7 +18,7 @@ TEST_CASE("a curve is drawn, tabulated and verified") {
   CHECK(content(touched).find("class=\"key band colour-1\"") != std::string::npos);
   const Run verified = run("verify " + bundle);
   CHECK(verified.code == 0);
-  CHECK(verified.out.find("00001-piece.cert: VERIFIED ") != std::string::npos);
+  CHECK(joined(verified.out).find("00001-piece.cert: VERIFIED ") != std::string::npos);
   const Run json = run("curve four-point:t --over t=0..1/20 --pieces 4 --json");
   const auto curve = nlohmann::json::parse(json.out);
   CHECK(curve["family"] == "four-point:t");

@@ -7,8 +7,8 @@ using namespace subcert::testing;
 TEST_CASE("ranges of a parameter are proved and refuted") {
   const Run page = run("range four-point:w --over w=-1/4..1/4 --property C1");
   CHECK(page.code == 0);
-  CHECK(page.out.find("the zero of -1 + 4*w + 32*w^3 near 0.19272924") != std::string::npos);
-  CHECK(page.out.find("special      w = 1/16: more sum rules; proved there") != std::string::npos);
+  CHECK(joined(page.out).find("the zero of -1 + 4*w + 32*w^3 near 0.19272924") != std::string::npos);
+  CHECK(joined(page.out).find("special      w = 1/16: more sum rules; proved there") != std::string::npos);
   const Run json = run("range four-point:t --over t=0..1/2 --property convergent --width 1/1000 --json");
   CHECK(json.code == 0);
   const auto range = nlohmann::json::parse(json.out);
@@ -23,11 +23,11 @@ TEST_CASE("a range comes with certificates that one command verifies") {
   const std::string range = "range four-point:w --over w=0..1/4 --property C1 --width 1/100 --certificate " + bundle;
   const Run page = run(range);
   CHECK(page.code == 0);
-  CHECK(page.out.find("certificates 2 in " + bundle) != std::string::npos);
+  CHECK(joined(page.out).find("certificates 2 in " + bundle) != std::string::npos);
   const Run verified = run("verify " + bundle);
   CHECK(verified.code == 0);
-  CHECK(verified.out.find("01-proved.cert: VERIFIED 1 < Hoelder exponent of ") != std::string::npos);
-  CHECK(verified.out.find("02-refuted.cert: VERIFIED no convergence, or Hoelder exponent < 1 of ") !=
+  CHECK(joined(verified.out).find("01-proved.cert: VERIFIED 1 < Hoelder exponent of ") != std::string::npos);
+  CHECK(joined(verified.out).find("02-refuted.cert: VERIFIED no convergence, or Hoelder exponent < 1 of ") !=
         std::string::npos);
   // Another range leaves no certificate of this one behind.
   CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + bundle).code == 0);
@@ -51,11 +51,11 @@ TEST_CASE("what is written of a range is verified, and what the checker refuses 
     const Run page = run(std::string("range dual-four-point:w --over w=") + over + " --property stable --certificate " +
                          bundle);
     CHECK(page.code == 0);
-    CHECK(page.out.find(" in " + bundle + ", verified: subcert verify ") != std::string::npos);
-    CHECK(page.out.find("not written") == std::string::npos);
+    CHECK(joined(page.out).find(" in " + bundle + ", verified: subcert verify ") != std::string::npos);
+    CHECK(joined(page.out).find("not written") == std::string::npos);
     const Run verified = run("verify " + bundle);
     CHECK(verified.code == 0);
-    CHECK(verified.out.find(" of [1,3,3,1]/4") != std::string::npos);
+    CHECK(joined(verified.out).find(" of [1,3,3,1]/4") != std::string::npos);
   }
   const auto json = nlohmann::json::parse(
       run("range dual-four-point:w --over w=0..1/100 --property stable --json --certificate " + bundle).out);
@@ -70,10 +70,10 @@ TEST_CASE("a window that moves from a peak to a box") {
       "--certificate " +
       bundle);
   CHECK(page.code == 0);
-  CHECK(page.out.find("proved       1/4 <= w <= 2\n") != std::string::npos);
+  CHECK(joined(page.out).find("proved       1/4 <= w <= 2\n") != std::string::npos);
   const Run verified = run("verify " + bundle);
   CHECK(verified.code == 0);
-  CHECK(verified.out.find("/(1+3*w+2*w^2)@-3 with arity 2 for all w=1/4..2") != std::string::npos);
+  CHECK(joined(verified.out).find("/(1+3*w+2*w^2)@-3 with arity 2 for all w=1/4..2") != std::string::npos);
   std::filesystem::remove_all(bundle);
 }
 
@@ -114,12 +114,13 @@ TEST_CASE("range: one sentence that says what is known, and reasons for what is 
                  "answer       stable exactly for -1 <= w < -1/2 and -1/2 < w <= 1, of all w from -1 to 1\n"));
   CHECK(contains(run("range four-point:w --over w=1..2 --property C1").out, "answer       C1 for no w from 1 to 2\n"));
   const Run smooth = run("range four-point:r --over r=-1..1 --property C1");
-  CHECK(contains(smooth.out, "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1 but perhaps within "));
-  CHECK(contains(smooth.out, " of -1/2, 0, r1; r1 is the zero of -1 + 4*r + 32*r^3 near 0.1927"));
+  CHECK(contains(joined(smooth.out),
+                 "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1 but perhaps within "));
+  CHECK(contains(joined(smooth.out), " of -1/2, 0, r1; r1 is the zero of -1 + 4*r + 32*r^3 near 0.1927"));
   const Run open = run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1");
   CHECK(open.code == 3);  // no budget changes the reason
-  CHECK_FALSE(contains(open.out, "answer"));
-  CHECK(contains(open.out, "common zero for all values of the parameter"));
+  CHECK_FALSE(contains(joined(open.out), "answer"));
+  CHECK(contains(joined(open.out), "common zero for all values of the parameter"));
   CHECK(run("range four-point:w --over w=-1..1 --property C1 --budget 0.01").code == 2);
   const auto json = nlohmann::json::parse(
       run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1 --json").out);
@@ -139,7 +140,8 @@ TEST_CASE("range, curve and map: parameters with names of several letters") {
        "range '[-μ,0,½+μ,1,½+μ,0,-μ]' --over mu=0..½ --property stable");
   const std::string bundle = std::filesystem::temp_directory_path() / "subcert_name_test";
   const Run named = run("range four-point:omega --over omega=1/16..1/8 --property C1 --certificate " + bundle);
-  CHECK(contains(named.out, "answer       C1 exactly for 1/16 <= omega <= 1/8, of all omega from 1/16 to 1/8\n"));
+  CHECK(
+      contains(joined(named.out), "answer       C1 exactly for 1/16 <= omega <= 1/8, of all omega from 1/16 to 1/8\n"));
   CHECK(run("verify " + bundle).code == 0);
   CHECK(run("verify " + bundle + "/01-proved.cert --claim 'four-point:omega for omega=1/16..1/8 <= C1'").code == 1);
   std::filesystem::remove_all(bundle);
@@ -147,7 +149,7 @@ TEST_CASE("range, curve and map: parameters with names of several letters") {
   const Run map = run(
       "map '[tau,0,-mu-3tau,0,1/2+mu+2tau,1,1/2+mu+2tau,0,-mu-3tau,0,tau]' --over μ=0..1/8 "
       "--over tau=-1/64..1/64 --property convergent --resolution 2");
-  CHECK(contains(map.out, "2 for all mu and tau"));
+  CHECK(contains(joined(map.out), "2 for all mu and tau"));
 }
 
 TEST_CASE("range: --over names the letter of the family, and one range") {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <regex>
 #include <string>
 
 namespace subcert::testing {
@@ -25,6 +26,11 @@ Run run_command(const std::string& command);
 
 /// Runs the program with these arguments.
 inline Run run(const std::string& arguments) { return run_command(std::string(SUBCERT_PROGRAM) + " " + arguments); }
+
+/// The lines of a page of facts, those that go on in the next line as one.
+inline std::string joined(const std::string& page) {
+  return std::regex_replace(page, std::regex("\n {13}(?=[^ ])"), " ");
+}
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

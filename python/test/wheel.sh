@@ -1,13 +1,15 @@
 #!/bin/sh
-# Builds the wheel, installs it into a folder of its own and uses it; then, as root, in a bare Debian that has Python,
-# numpy and pip, as a user who is not root. Usage: wheel.sh PYTHON SOURCE FOLDER
+# Makes the wheel, installs it into a virtual environment and uses it. With BUILD it is the wheel of that finished build;
+# without, one is built for it and, as root, also installed in a bare Debian that has Python, numpy and pip, as a user
+# who is not root. Usage: wheel.sh PYTHON SOURCE FOLDER [BUILD]
 set -eu
 python=$1 source=$2 folder=$3
 . "$source/cmake/test/bare_root.sh"
 rm -rf "$folder"
 mkdir -p "$folder"
-"$python" -m pip wheel --quiet --no-build-isolation --no-deps --wheel-dir "$folder/dist" "$source"
-"$python" -m pip install --quiet --no-deps --target "$folder/site" "$folder"/dist/*.whl
+SUBCERT_BUILD=${4-} "$python" -m pip wheel --quiet --no-build-isolation --no-deps --wheel-dir "$folder/dist" "$source"
+"$python" -m venv --system-site-packages "$folder/venv" # numpy is there
+"$folder/venv/bin/pip" install --quiet --no-index --no-deps "$folder"/dist/*.whl
 cat >"$folder/use.py" <<'END'
 import subcert
 exponent = subcert.scheme('primal:n=5').holder()
@@ -15,7 +17,8 @@ assert exponent.exact and exponent.verify().accepted
 print(subcert.__version__, exponent, subcert.__file__)
 END
 cd "$folder"
-PYTHONPATH="$folder/site" "$python" use.py | grep "1.9901439593863 $folder/site"
+venv/bin/python use.py | grep "1.9901439593863 $folder/venv"
+[ -z "${4-}" ] || exit 0
 make_bare_root python3,python3-numpy,python3-pip
 cp dist/*.whl use.py "$root/tmp"
 inside useradd --create-home someone

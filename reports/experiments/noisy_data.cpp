@@ -66,8 +66,7 @@ double from_data(const RefinedSample& s) {
 double overfits(const RefinedSample& s) {
   const std::size_t dimension = s.data.dimension;
   const auto at_data = polygon_at({s.with, dimension, s.axes}, parameters(s.data.axes[0]));
-  return mean_squared_error(at_data, s.drawn.with, dimension) <
-         mean_squared_error(at_data, s.data.true_points().values, dimension);
+  return mean_squared_error(at_data, s.drawn.with, dimension) < mean_squared_error(at_data, s.points, dimension);
 }
 
 /// Draws `count` samples and refines them by each method: visit(method, r, sample) in increasing order of r within a
@@ -109,7 +108,7 @@ void for_each_refined(
       const auto &with = fine.sets[both ? 2 * k + 1 : k], &without = both               ? fine.sets[2 * k]
                                                                      : without_outliers ? truth.exact
                                                                                         : with;
-      visit(method, first + k, {data, drawn[k], fine.axes, truth.values, without, with, truth.exact});
+      visit(method, first + k, {data, drawn[k], fine.axes, points, truth.values, without, with, truth.exact});
     }
   });
 }

@@ -54,6 +54,7 @@ struct RefinedSample {
   const NoisyData& data;
   const OutlierSample& drawn;
   const std::vector<data::Axis>& axes;
+  const std::vector<double>& points;  ///< the truth at the data
   const std::vector<double>& truth;
   const std::vector<double>& without;
   const std::vector<double>& with;

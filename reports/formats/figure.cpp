@@ -9,6 +9,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
+#include <fmt/format.h>
 #include <gnuplot-iostream.h>
 
 #include <algorithm>
@@ -59,6 +60,25 @@ std::vector<Place> places_of(const Figure& figure, std::size_t columns, double& 
   return places;
 }
 
+constexpr int panel_width = 460, panel_height = 320;  // in pixels
+
+/// Where the axes have numbers: with one scale they have one step, and the numbers of a narrow picture do not meet.
+std::string tics_of(const Panel& panel) {
+  if (!panel.equal_units) return "set xtics autofreq\nset ytics autofreq\n";
+  constexpr double inner_width = 0.8 * panel_width, inner_height = 0.65 * panel_height, least_gap = 45;  // in pixels
+  double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
+  for (const Curve& curve : panel.curves)
+    for (const auto& [x, y] : curve.points) {
+      low_x = std::min(low_x, x), high_x = std::max(high_x, x);
+      low_y = std::min(low_y, y), high_y = std::max(high_y, y);
+    }
+  const double unit = std::max((high_x - low_x) / inner_width, (high_y - low_y) / inner_height);  // of a pixel
+  if (!(unit > 0) || !std::isfinite(unit)) return "set xtics autofreq\nset ytics autofreq\n";
+  const double least = least_gap * unit, power = std::pow(10, std::floor(std::log10(least)));
+  const double step = power * (least <= power ? 1 : least <= 2 * power ? 2 : least <= 5 * power ? 5 : 10);
+  return fmt::format("set xtics {0}\nset ytics {0}\n", step);
+}
+
 /// The parts of the command plot, in the order in which their points are sent.
 std::vector<std::string> drawn_parts(const Panel& panel, const PictureKind& kind) {
   std::vector<std::string> parts;
@@ -104,12 +124,14 @@ void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
   gnuplot << "set title " << kind.quoted_text(panel.title) << plain << "\nset xlabel "
           << kind.quoted_text(panel.x_label) << plain << "\nset ylabel " << kind.quoted_text(panel.y_label) << plain
           << "\nset key " << panel.key << "\n"
+          << tics_of(panel)
           << (panel.log_y
                   ? fmt::format("set logscale y\nset format y '{0}10^{{%T}}{0}'\n", kind.ending == ".tex" ? "$" : "")
                   : std::string("unset logscale y\nset format y '%g'\n"))
           << (panel.log_x ? "set logscale x\n" : "unset logscale x\n") << x_ticks(panel)
-          << (panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
-                                  : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
+          << (panel.equal_units ? "set autoscale noextend\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
+              : panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
+                                    : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))
           << "plot ";
   const std::vector<std::string> parts = drawn_parts(panel, kind);
   for (std::size_t i = 0; i < parts.size(); ++i) gnuplot << (i ? ", " : "") << parts[i];
@@ -165,7 +187,8 @@ void plot(const Figure& figure, const PictureKind& kind, const std::filesystem::
   double height = 0;
   const std::vector<Place> places = places_of(figure, columns, height);
   gnuplot << "set encoding utf8\nset terminal " << kind.terminal << " size "
-          << kind.size(460 * static_cast<int>(columns), static_cast<int>(std::lround(320 * height))) << "\n"
+          << kind.size(panel_width * static_cast<int>(columns), static_cast<int>(std::lround(panel_height * height)))
+          << "\n"
           << "set output " << quoted(target.string()) << "\n"
           << "set border 3 lc rgb '#555555'\nset tics nomirror textcolor rgb '#333333'\n"
           << "set grid lc rgb '#dddddd' lt 1\n";

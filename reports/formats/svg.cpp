@@ -379,10 +379,11 @@ std::string legend(const Panel& panel) {
 }
 
 std::string preview(const Panel& panel) {
-  Panel titled = panel;
-  titled.y_label = panel.title;
-  const std::string text = svg(titled), names = keys(panel, "<span class=\"key {}\"{}>{}</span> ");
-  return "<svg class=\"preview\"" + text.substr(std::string("<svg class=\"picture\"").size()) +
+  Panel bare = panel;
+  bare.y_label.clear();
+  const std::string text = svg(bare), names = keys(panel, "<span class=\"key {}\"{}>{}</span> ");
+  return (panel.title.empty() ? "" : "<span class=above>" + html(panel.title) + "</span>") + "<svg class=\"preview\"" +
+         text.substr(std::string("<svg class=\"picture\"").size()) +
          (names.empty() ? "" : "<span class=keys>" + names + "</span>");
 }
 

@@ -91,6 +91,21 @@ TEST_CASE("the full list names whatever does not match") {
   const auto lines = lines_of(full_list(findings_with(3, 0)));
   CHECK(std::ranges::count_if(lines,
                               [](const std::string& l) { return mentions(l, "printed 0.5, computed 0.3333"); }) == 12);
+  for (const std::string& line : lines_of(full_list(findings_with(3, 0), 100)))
+    CHECK((line.size() <= 100 || mentions(line, std::string(90, 'x'))));
+}
+
+TEST_CASE("what follows from other values is counted alone, unless it is not as recorded") {
+  Findings findings = findings_with(1, 0);
+  auto& cells = findings.reports.front().sections.front().comparisons.front().comparisons;
+  formats::Comparison multiple = comparison(ValueVerdict::mismatch, ValueVerdict::mismatch);
+  multiple.column = "n max psi";
+  multiple.derived = "a multiple";
+  cells.push_back(multiple);
+  CHECK_FALSE(mentions(full_list(findings), "n max psi"));
+  CHECK(mentions(full_list(findings), "\nand 1 that follow from others of the table, as their multiples\n"));
+  cells.back().recorded = ValueVerdict::match;
+  CHECK(mentions(full_list(findings), "n max psi"));
 }
 
 TEST_CASE("only an open value of a collection may turn out to match") {

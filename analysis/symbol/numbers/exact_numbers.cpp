@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 namespace subcert {
@@ -154,7 +155,9 @@ Integer Rational::truncated() const {
 }
 
 double Rational::to_double() const {
-  if (is_zero()) return 0;
+  const auto is_double = [](mpz_srcptr x) { return mpz_sizeinbase(x, 2) <= std::numeric_limits<double>::digits; };
+  if (is_double(mpq_numref(value_)) && is_double(mpq_denref(value_)))  // one rounding
+    return mpz_get_d(mpq_numref(value_)) / mpz_get_d(mpq_denref(value_));
   // A quotient of 55 or 56 bits; its last bit tells whether anything was cut off, so that one rounding remains.
   const auto bits = [](mpz_srcptr x) { return static_cast<long>(mpz_sizeinbase(x, 2)); };
   const long shift = 55 - (bits(mpq_numref(value_)) - bits(mpq_denref(value_)));

@@ -320,7 +320,7 @@ void read_ply_faces(PlyNumbers& numbers, const PlyElement& face, std::size_t ver
     numbers.begin(face, f);
     for (const PlyProperty& property : face.properties) {
       if (is_vertex_list(property)) {
-        numbers.take(*property.length, 4, 4, "faces of 4 vertices");
+        numbers.take(*property.length, 4, 4, "faces of 4 vertices, as meshes are grids of quadrilaterals");
         Quad& quad = parts.faces.emplace_back();
         for (std::size_t& vertex : quad)
           vertex = numbers.take(property.type, 0, static_cast<double>(vertices) - 1,
@@ -367,7 +367,8 @@ QuadMesh parse_obj(std::string_view text, const std::string& file) {
     if (lines.is(0, "v")) {
       read_obj_vertex(lines, parts);
     } else if (lines.is(0, "f")) {
-      lines.need(lines.words().size() == 5, std::min<std::size_t>(lines.words().size(), 5), "f and four vertices");
+      lines.need(lines.words().size() == 5, std::min<std::size_t>(lines.words().size(), 5),
+                 "f and four vertices, as meshes are grids of quadrilaterals");
       const std::size_t vertices = parts.properties.empty() ? 0 : parts.values.size() / parts.properties.size();
       Quad face;
       for (std::size_t k = 0; k < 4; ++k) face[k] = obj_vertex(lines, k + 1, vertices);

@@ -108,6 +108,7 @@ AxisRefinement<Rational> AxisRefiner::step(const Axis& axis) {
 
 double nearest_double(const Rational& value) {
   double best = value.convert_to<double>();
+  if (std::isnormal(best) || value.is_zero()) return best;
   Rational error = abs(value - Rational(best));
   for (const double toward : {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}) {
     const double next = std::nextafter(value.convert_to<double>(), toward);

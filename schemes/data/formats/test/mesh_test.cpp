@@ -77,7 +77,7 @@ TEST_CASE("what is no grid is refused with its place") {
                     ply = to_text(mesh_of(sample(3, 3, false, false), MeshFormat::ply));
   CHECK(error_of(parse_obj, "").find("f: expected vertices and four-sided faces") == 0);
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 5")) ==
-        "f, line 10, word 5: expected f and four vertices; found nothing");
+        "f, line 10, word 5: expected f and four vertices, as meshes are grids of quadrilaterals; found nothing");
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 5 44")) ==
         "f, line 10, word 5: expected the number of one of the 9 vertices above; found '44'");
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 6 4")).find("do not") != std::string::npos);
@@ -107,7 +107,8 @@ TEST_CASE("what is no grid is refused with its place") {
   CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4 3 3")) ==
         "f, line 19, word 6: expected 4 and four vertices; found '3'");
   CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "3 0 1 4"))
-            .find("word 1: expected faces of 4 vertices; found '3'") != std::string::npos);
+            .find("word 1: expected faces of 4 vertices, as meshes are grids of quadrilaterals; found '3'") !=
+        std::string::npos);
 }
 
 TEST_CASE("volumes are read and written") {

@@ -16,8 +16,8 @@ version = re.search(r"^project\(subcert VERSION ([0-9.]+)", (project / "CMakeLis
 
 
 class BuildByCMake(build_py):
-    """Instead of copying modules: installs the component `python`, of the finished build that SUBCERT_BUILD names, or of
-    a new one."""
+    """Instead of copying modules: installs the component `python`, of the finished build that SUBCERT_BUILD names, or
+    of a new one."""
 
     def run(self) -> None:
         target = pathlib.Path(self.build_lib).resolve()

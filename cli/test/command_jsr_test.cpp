@@ -224,7 +224,7 @@ TEST_CASE("jsr: certificates name what is exact, and say so where they do not") 
     const Run verified = run("verify " + certificate);
     CHECK(verified.code == 0);
     CHECK(contains(verified.out, "joint spectral radius = ") == named);
-    const std::string text = run("jsr " + file + " --budget 10 --certificate " + certificate).out;
+    const std::string text = joined(run("jsr " + file + " --budget 10 --certificate " + certificate).out);
     CHECK(contains(text, named ? "and that the product attains" : "but not that the product attains"));
   }
 }

@@ -123,7 +123,7 @@ TEST_CASE("what a certificate says of a product whose leading eigenvalue is a mu
   const std::string file = folder / "file.cert", matrices = folder / "pair.json";
   const auto line = [&](const char* text) {
     std::ofstream(matrices) << text;
-    return run("jsr " + matrices + " --certificate " + file).out;
+    return joined(run("jsr " + matrices + " --certificate " + file).out);
   };
   CHECK(line(R"({"matrices": [[[0,-2],[-1,0]], [[-2,0],[0,-2]]]})")
             .find("verified: the bounds, and that the product attains the radius") != std::string::npos);
@@ -206,10 +206,10 @@ TEST_CASE("the exponent of a vector of functions has a certificate") {
   CHECK(asked("2 <= refinable:" + hermite + " <= 1.9").code == 1);
   CHECK(asked("2 <= refinable:" + of_scheme).code == 1);
   // One function of them, and a space of solutions.
-  CHECK(run("regularity 'refinable:" + hermite + "' --component 2 --certificate " + file)
-            .out.find("about the worst of them") != std::string::npos);
-  CHECK(run("regularity 'refinable:[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1' --certificate " + file)
-            .out.find("the only one up to a factor, got up to 2") != std::string::npos);
+  CHECK(joined(run("regularity 'refinable:" + hermite + "' --component 2 --certificate " + file).out)
+            .find("about the worst of them") != std::string::npos);
+  CHECK(joined(run("regularity 'refinable:[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1' --certificate " + file).out)
+            .find("the only one up to a factor, got up to 2") != std::string::npos);
 }
 
 TEST_CASE("a certificate is asked for the claim that is stated") {

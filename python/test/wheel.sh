@@ -1,7 +1,7 @@
 #!/bin/sh
-# Makes the wheel, installs it into a virtual environment and uses it. With BUILD it is the wheel of that finished build;
-# without, one is built for it and, as root, also installed in a bare Debian that has Python, numpy and pip, as a user
-# who is not root. Usage: wheel.sh PYTHON SOURCE FOLDER [BUILD]
+# Makes the wheel, installs it into a virtual environment and uses it. With BUILD it is the wheel of that finished
+# build; without, one is built for it and, as root, also installed in a bare Debian that has Python, numpy and pip, as a
+# user who is not root. Usage: wheel.sh PYTHON SOURCE FOLDER [BUILD]
 set -eu
 python=$1 source=$2 folder=$3
 . "$source/cmake/test/bare_root.sh"

@@ -14,9 +14,9 @@ namespace {
 
 using Kind = RangeProperty::Kind;
 
-constexpr double bounding = 0.7;      // of the time: the rest is for sequences without the property
-constexpr double excess = 1e-6;       // of a radius that only bounds an exponent
-constexpr double clearly = 1 + 1e-9;  // above the threshold in doubles
+constexpr double bounding = 0.7;     // of the time: the rest is for sequences without the property
+constexpr double excess = 1e-6;      // of a radius that only bounds an exponent
+constexpr double nearly = 1 - 1e-9;  // at the threshold, in doubles, which others then decide
 constexpr int norm_levels = 8;
 
 void require_levels(const ParametricMask& mask, const Box& box) {
@@ -53,7 +53,7 @@ class Levels {
     result_.sum_rules = sum_rules(mask_);
     const std::vector<Values> values = some_values(box_);
     for (const Values& w : values)
-      if (is_too_large(w) && fails({w})) return result_;
+      if (may_be_too_large(w) && fails({w})) return result_;
     if (search_.threshold().is_reachable()) result_.above = bound();
     if (result_.above) {
       result_.holds = Truth::yes;
@@ -70,9 +70,9 @@ class Levels {
   }
 
  private:
-  bool is_too_large(const Values& w) const {
+  bool may_be_too_large(const Values& w) const {
     return !search_.threshold().is_reachable() ||
-           search_.look_if_possible(w).radius > search_.threshold().value() * clearly;
+           search_.look_if_possible(w).radius > search_.threshold().value() * nearly;
   }
 
   std::optional<JointSpectralRadius> bound() {

@@ -53,6 +53,10 @@ TEST_CASE("levels: a sequence without the property") {
   const PropertyOfLevels constant = levels_of("four-point:w", "C1", Rational(1, 100), Rational(1, 4));
   CHECK(constant.holds == Truth::no);
   CHECK(constant.period == std::vector<Values>{{Rational(1, 4)}});
+  // At the threshold itself: the hat function.
+  const PropertyOfLevels hat = levels_of("four-point:w", "C1", 0, Rational(1, 8));
+  CHECK(hat.holds == Truth::no);
+  CHECK(hat.period == std::vector<Values>{{0}});
   const PropertyOfLevels in_turn = levels_of(mirrored, "convergent", 0, 1);
   CHECK(in_turn.holds == Truth::no);
   CHECK(in_turn.period == std::vector<Values>{{0}, {1}});

@@ -9,6 +9,7 @@
 #include <subcert/schemes/parametric_specification.hpp>
 
 using namespace subcert;
+using subcert::testing::Random;
 
 namespace {
 

@@ -103,10 +103,11 @@ std::vector<Case> read_cases(const std::string& directory) {
     std::optional<mpq_class> lower, upper;
     std::optional<int> rough;  // no derivatives of this order
     std::optional<std::string> exact, logarithm;
-    bool exponent = false, is_range = false, is_l1 = false;
+    bool exponent = false, is_range = false, is_levels = false, is_l1 = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
-      is_range = is_range || option == "--for" || option == "--levels";
+      is_range = is_range || option == "--for";
+      is_levels = is_levels || option == "--levels";
       if (option == "--upper" && value[0] == 'C')
         rough = std::stoi(value.substr(1));
       else if (option == "--upper")
@@ -143,7 +144,7 @@ std::vector<Case> read_cases(const std::string& directory) {
     }
     if (!upper && !exact) {  // no upper end is known
       c.false_claims.push_back(claim(rough ? mpq_class(*rough) + 1 : mpq_class(lower.value_or(0) + 2), none));
-      if (!rough && lower)
+      if (!rough && lower && !is_levels)  // of sequences of values no upper end can be asked for
         c.false_claims.push_back(claim(exponent && !is_range ? lower : none, *lower - mpq_class("1/10")));
     }
     std::ifstream file(directory + "/" + c.name + ".cert");

@@ -35,6 +35,16 @@ std::pair<Rational, Rational> read_over(const std::string& written, const std::s
   return {*low, *high};
 }
 
+Box read_box(const std::vector<std::string>& over, const std::vector<std::string>& names) {
+  Box box;
+  for (std::size_t v = 0; v < names.size(); ++v) {
+    auto [low, high] = read_over(over[v], names[v]);
+    box.low.push_back(std::move(low));
+    box.high.push_back(std::move(high));
+  }
+  return box;
+}
+
 std::vector<std::string> read_names(const std::vector<std::string>& over) {
   std::vector<std::string> names;
   for (const std::string& range : over) {

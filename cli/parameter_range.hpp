@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/box.hpp>
 
 #include <utility>
 
@@ -13,6 +14,9 @@ namespace subcert::cli {
 
 /// `w=-1..1` for this name. Errors: throws a usage error.
 std::pair<Rational, Rational> read_over(const std::string& text, const std::string& name);
+
+/// One range for each of these names, in their order. Errors: throws a usage error.
+Box read_box(const std::vector<std::string>& over, const std::vector<std::string>& names);
 
 /// The names of two or three parameters, in the order of --over. Errors: throws a usage error.
 std::vector<std::string> read_names(const std::vector<std::string>& over);

@@ -2,17 +2,18 @@
 
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/constrained.hpp>
+#include <subcert/analysis/radii/polytope_search/product_search.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace subcert {
 namespace {
 
 constexpr int most_classes = 64;
-constexpr std::size_t longest_sequence = 6;  // of which the shifts are looked at
 
 void require_list(const MaskList& list) {
   require(!list.masks.empty(), "levels: need a mask, got none");
@@ -28,17 +29,16 @@ void require_list(const MaskList& list) {
           "levels: need numbers of masks below {}", list.masks.size());
 }
 
-/// a_(L-1)(z) a_(L-2)(z^a) ... a_0(z^(a^(L-1))): L levels as one. Nothing where that has too many classes.
+/// L levels as one; nothing where that has too many classes.
 std::optional<Mask> in_one(const std::vector<Mask>& masks, const std::vector<std::size_t>& sequence) {
-  LaurentPolynomial symbol(1);
-  int arity = 1;
-  for (std::size_t k = sequence.size(); k-- > 0;) {
-    const Mask& mask = masks[sequence[k]];
-    symbol *= mask.symbol().dilated(arity);
-    arity *= mask.arity();
-    if (arity > most_classes) return std::nullopt;
+  std::vector<Mask> levels;
+  long classes = 1;
+  for (const std::size_t number : sequence) {
+    levels.push_back(masks[number]);
+    classes *= levels.back().arity();
+    if (classes > most_classes) return std::nullopt;
   }
-  return Mask(symbol, arity);
+  return levels_as_one(levels);
 }
 
 int common_sum_rules(const std::vector<Mask>& masks) {
@@ -49,18 +49,15 @@ int common_sum_rules(const std::vector<Mask>& masks) {
 
 /// T_0, T_1, ... of each mask, for differences of this order, on a window for all of them.
 MatrixFamily matrices_of(const std::vector<Mask>& masks, int order) {
-  std::vector<LaurentPolynomial> symbols;
+  std::vector<Mask> schemes;
   long width = 1;
-  const long arity = masks.front().arity();
   for (const Mask& mask : masks) {
-    const LaurentPolynomial b = divided_difference_scheme(mask, order).symbol();
-    symbols.push_back(b.shifted(-b.lowest()));
-    width = std::max(width, (symbols.back().highest() + arity - 2) / (arity - 1));
+    schemes.push_back(divided_difference_scheme(mask, order));
+    width = std::max(width, TransitionWindow(schemes.back().symbol().length() - 1, mask.arity()).width);
   }
   std::vector<RationalMatrix> matrices;
-  for (const LaurentPolynomial& symbol : symbols)
-    for (long t = 0; t < arity; ++t)
-      matrices.push_back(transition_block(symbol, static_cast<int>(arity), t, {0, width - 1}, {0, width - 1}));
+  for (const Mask& scheme : schemes)
+    std::ranges::move(transition_matrices(scheme, width), std::back_inserter(matrices));
   return MatrixFamily(std::move(matrices));
 }
 
@@ -72,20 +69,27 @@ std::vector<Succession> backwards(const MaskList& list, std::size_t arity) {
   return graph;
 }
 
-/// Without what is repeated.
-std::vector<std::size_t> shortest_period(std::vector<std::size_t> sequence) {
-  for (std::size_t length = 1; length < sequence.size(); ++length) {
-    if (sequence.size() % length != 0) continue;
-    bool repeats = true;
-    for (std::size_t k = length; k < sequence.size(); ++k) repeats = repeats && sequence[k] == sequence[k - length];
-    if (!repeats) continue;
-    sequence.resize(length);
-    break;
+/// Of the letters of a product, without what is repeated.
+std::vector<std::size_t> masks_of(std::vector<int> word, const std::vector<int>& letters, std::size_t arity) {
+  for (int& letter : word) {
+    if (!letters.empty()) letter = letters[static_cast<std::size_t>(letter)];
+    letter /= static_cast<int>(arity);
   }
-  return sequence;
+  const std::vector<int> sequence = polytope::without_repetitions(std::move(word));
+  return {sequence.begin(), sequence.end()};
 }
 
 }  // namespace
+
+Mask levels_as_one(const std::vector<Mask>& levels) {
+  LaurentPolynomial symbol(1);
+  int arity = 1;
+  for (std::size_t k = levels.size(); k-- > 0;) {
+    symbol *= levels[k].symbol().dilated(arity);
+    arity *= levels[k].arity();
+  }
+  return Mask(symbol, arity);
+}
 
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   require_list(list);
@@ -113,15 +117,8 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   };
   const Rational lower = *exponent_from(*result.radius.radius.upper).lower;
   if (lower > 0) result.exponent.lower = lower;
-  for (const int letter : result.radius.product.word) {
-    const auto one = static_cast<std::size_t>(letters.empty() ? letter : letters[static_cast<std::size_t>(letter)]);
-    result.sequence.push_back(one / arity);
-  }
-  result.sequence = list.period.empty() ? shortest_period(std::move(result.sequence)) : list.period;
-  const auto leading = list.period.empty() && result.sequence.size() <= longest_sequence
-                           ? in_one(list.masks, result.sequence)
-                       : list.period.empty() ? std::nullopt
-                                             : std::optional(masks.front());
+  result.sequence = list.period.empty() ? masks_of(result.radius.product.word, letters, arity) : list.period;
+  const auto leading = in_one(list.masks, result.sequence);
   result.stable = leading ? has_stable_shifts(*leading)
                           : Decision{Truth::unknown, "the sequence is too long for a look at its shifts"};
   const Rational& largest = *result.radius.product.radius.lower;

@@ -28,6 +28,10 @@ struct ExponentOfList {
   JointSpectralRadius radius;
 };
 
+/// a_(L-1)(z) a_(L-2)(z^a) ... a_0(z^(a^(L-1))): L levels as one, the coarsest first. Domain: one arity a, a^L at most
+/// 2^30.
+Mask levels_as_one(const std::vector<Mask>& levels);
+
 /// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum
 /// rules, on one window, along the successions: all limits have exponents of at least m - log_a r, and those of the
 /// sequence of the leading product have no larger one where their shifts are stable. Masks in a period are one mask of

@@ -2,6 +2,7 @@
 
 #include "between_zeros.hpp"
 #include "box_search.hpp"
+#include "mask_list.hpp"
 
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -34,11 +35,12 @@ std::vector<Values> some_values(const Box& box) {
   return values;
 }
 
-/// The scheme of two levels at a time, of the first mask and then of the second; nothing where they have no masks.
-std::optional<Mask> in_turn(const ParametricMask& mask, const Values& first, const Values& second) {
+/// The levels of a period as one; nothing where a value has no mask.
+std::optional<Mask> scheme_of(const ParametricMask& mask, const std::vector<Values>& period) {
   try {
-    const Mask a = mask.at(first), b = mask.at(second);
-    return Mask(b.symbol() * a.symbol().dilated(mask.arity()), mask.arity() * mask.arity());
+    std::vector<Mask> levels;
+    for (const Values& w : period) levels.push_back(mask.at(w));
+    return levels_as_one(levels);
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -87,19 +89,11 @@ class Levels {
   /// Whether the sequence of that period is proved not to have the property.
   bool fails(std::vector<Values> period) {
     if (budget_.deadline.expired()) return false;
-    const std::optional<Mask> scheme = period.size() == 1 ? constant(period[0]) : in_turn(mask_, period[0], period[1]);
+    const std::optional<Mask> scheme = scheme_of(mask_, period);
     if (!scheme || family::holds_at(*scheme, property_, budget_.deadline) != Truth::no) return false;
     result_.holds = Truth::no;
     result_.period = std::move(period);
     return true;
-  }
-
-  std::optional<Mask> constant(const Values& w) const {
-    try {
-      return mask_.at(w);
-    } catch (const Error&) {
-      return std::nullopt;
-    }
   }
 
   const ParametricMask& mask_;
@@ -147,7 +141,7 @@ std::vector<ExponentOfLevels> exponents_of_levels(const ParametricMask& mask, co
     require(about.size() == box.letters() && box.low[v] <= about[v] && about[v] <= box.high[v],
             "levels: need a point of the box");
   const int rules = sum_rules(mask);
-  const family::FamilyRadius radius(transition_matrices(divided_difference_scheme(mask, rules)));
+  const family::FamilyRadius radius(difference_matrices(mask));
   const auto count = static_cast<std::size_t>(options.boxes);
   std::vector<ExponentOfLevels> result(count);
   const Deadline all = options.budget.deadline;

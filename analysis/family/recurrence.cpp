@@ -1,6 +1,6 @@
 #include "recurrence.hpp"
 
-#include <subcert/analysis/symbol/polynomials/box.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
 #include <algorithm>
 
@@ -10,38 +10,37 @@ namespace {
 constexpr int parts = 64;
 constexpr int root_bits = 128, kept_bits = 256;
 
+bool contains(const Interval& whole, const Interval& part) {
+  return whole.contains(part.lower) && whole.contains(part.upper);
+}
+
+Interval hull(const Interval& a, const Interval& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
+
 /// Of the quotient on an interval without zeros of the denominator, by the quotients of Bernstein coefficients.
-std::optional<ClosedInterval> range_of(const RationalFunction& r, const ClosedInterval& w) {
-  if (w.low == w.high) {
-    if (r.denominator()(w.low) == 0) return std::nullopt;
-    return ClosedInterval{r(w.low), r(w.low)};
+std::optional<Interval> range_of(const RationalFunction& r, const Interval& w) {
+  if (w.lower == w.upper) {
+    if (r.denominator()(w.lower) == 0) return std::nullopt;
+    return Interval::exactly(r(w.lower));
   }
-  const long degree = std::max<long>({0, r.numerator().highest(), r.denominator().highest()});
-  std::optional<ClosedInterval> result;
-  int sign = 0;
-  for (const Values& factors : bernstein_factors(degree, w.low, w.high)) {
-    Rational p = 0, q = 0;
-    for (long k = 0; k <= degree; ++k) {
-      p += factors[static_cast<std::size_t>(k)] * r.numerator().coefficient(k);
-      q += factors[static_cast<std::size_t>(k)] * r.denominator().coefficient(k);
-    }
-    if (q == 0 || q.sign() == -sign) return std::nullopt;
-    sign = q.sign();
-    const Rational value = p / q;
-    result = result ? ClosedInterval{std::min(result->low, value), std::max(result->high, value)}
-                    : ClosedInterval{value, value};
+  const Box box{{w.lower}, {w.upper}};
+  const std::vector sizes{std::max(in_powers(r.numerator()).sizes[0], in_powers(r.denominator()).sizes[0])};
+  const auto coefficients = [&](const LaurentPolynomial& p) {
+    return bernstein(in_powers(p, sizes[0]), box, sizes).entries;
+  };
+  const Values numerators = coefficients(r.numerator()), denominators = coefficients(r.denominator());
+  std::optional<Interval> result;
+  for (std::size_t k = 0; k < sizes[0]; ++k) {
+    if (denominators[k] == 0 || denominators[k].sign() != denominators[0].sign()) return std::nullopt;
+    const Interval value = Interval::exactly(numerators[k] / denominators[k]);
+    result = result ? hull(*result, value) : value;
   }
   return result;
 }
 
-/// The multiple of 2^-kept_bits that is next below, where the number is a long one.
-Rational shortened(const Rational& x) {
+/// Moved to a multiple of 2^-kept_bits, so that numbers do not grow from level to level.
+Rational shortened(const Rational& x, Rounding rounding) {
   const Integer unit = Integer(1) << kept_bits;
-  if (denominator(x) <= unit) return x;
-  const Integer scaled = numerator(x) * unit;
-  Integer below = scaled / denominator(x);
-  if (scaled < 0) --below;
-  return Rational(below, unit);
+  return denominator(x) <= unit ? x : Rational(to_integer(x * unit, rounding), unit);
 }
 
 }  // namespace
@@ -55,27 +54,27 @@ Recurrence Recurrence::parse(std::string_view text, char letter) {
   return result;
 }
 
-std::optional<ClosedInterval> Recurrence::image(const ClosedInterval& w) const {
-  std::optional<ClosedInterval> result;
-  const int count = w.low == w.high ? 1 : parts;
+std::optional<Interval> Recurrence::image(const Interval& w) const {
+  std::optional<Interval> result;
+  const int count = w.lower == w.upper ? 1 : parts;
   for (int k = 0; k < count; ++k) {
-    const auto at = [&](int place) { return Rational(w.low + (w.high - w.low) * Rational(place, count)); };
+    const auto at = [&](int place) { return Rational(w.lower + w.width() * Rational(place, count)); };
     auto part = range_of(function_, {at(k), at(k + 1)});
-    if (!part || (is_root_ && part->low < 0)) return std::nullopt;
+    if (!part || (is_root_ && part->lower < 0)) return std::nullopt;
     if (is_root_)
-      part = ClosedInterval{*root_enclosure(part->low, 2, root_bits).lower,
-                            *root_enclosure(part->high, 2, root_bits).upper};
-    result = result ? ClosedInterval{std::min(result->low, part->low), std::max(result->high, part->high)} : *part;
+      part = Interval{*root_enclosure(part->lower, 2, root_bits).lower,
+                      *root_enclosure(part->upper, 2, root_bits).upper};
+    result = result ? hull(*result, *part) : *part;
   }
-  return ClosedInterval{shortened(result->low), -shortened(-result->high)};
+  return Interval{shortened(result->lower, Rounding::down), shortened(result->upper, Rounding::up)};
 }
 
-std::optional<int> Recurrence::first_level_in(const ClosedInterval& kept, const ClosedInterval& start, int most) const {
+std::optional<int> Recurrence::first_level_in(const Interval& kept, const Interval& start, int most) const {
   const auto next = image(kept);
-  if (!next || !kept.contains(*next)) return std::nullopt;
-  ClosedInterval values = start;
+  if (!next || !contains(kept, *next)) return std::nullopt;
+  Interval values = start;
   for (int level = 0; level <= most; ++level) {
-    if (kept.contains(values)) return level;
+    if (contains(kept, values)) return level;
     const auto image_of_values = image(values);
     if (!image_of_values) return std::nullopt;
     values = *image_of_values;

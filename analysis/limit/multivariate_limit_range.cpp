@@ -2,6 +2,7 @@
 #include "limit_values.hpp"
 
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/numbers/scaled_numbers.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
@@ -23,21 +24,12 @@ struct Tile {
   }
 };
 
-/// Numbers times their least common denominator.
-struct ScaledNumbers {
-  std::vector<Integer> numerators;
-  Integer denominator = 1;
-
-  explicit ScaledNumbers(const std::vector<Rational>& numbers) {
-    for (const Rational& x : numbers) denominator = lcm(denominator, subcert::denominator(x));
-    for (const Rational& x : numbers) numerators.push_back(numerator(x * denominator));
-  }
-  Rational times(const std::vector<Integer>& row) const {
-    Integer sum = 0;
-    for (std::size_t k = 0; k < row.size(); ++k) add_product(sum, row[k], numerators[k]);
-    return {sum, denominator};
-  }
-};
+/// The inner product of a row and the numbers.
+Rational times(const ScaledNumbers& numbers, const std::vector<Integer>& row) {
+  Integer sum = 0;
+  for (std::size_t k = 0; k < row.size(); ++k) add_product(sum, row[k], numbers.numerators[k]);
+  return {sum, numbers.denominator};
+}
 
 /// What the digits of a mask make of the lattice, and phi on its tiles.
 class Tiling {
@@ -53,7 +45,7 @@ class Tiling {
   /// The tiles of the next level that cover this one, digit by digit.
   std::vector<Tile> parts(const Tile& tile) const;
   /// phi(M^-level index).
-  Rational corner(const Tile& tile, int level) const { return corner_.times(tile.row) / scale(level); }
+  Rational corner(const Tile& tile, int level) const { return times(corner_, tile.row) / scale(level); }
   /// phi on the tile, where sum over k of |phi(. + k)| <= `modulus`.
   Interval range(const Tile& tile, int level, const Rational& modulus) const;
   /// A bound of sum over k of |phi(. + k)|, from all tiles of a level in the order of roots() and parts(). Nothing

@@ -22,7 +22,7 @@ PropertyOfLevels levels_of(const char* scheme, const char* property, const Ratio
                             {Deadline::in(30)});
 }
 
-ClosedInterval interval(const Rational& low, const Rational& high) { return {low, high}; }
+Interval interval(const Rational& low, const Rational& high) { return {low, high}; }
 
 }  // namespace
 
@@ -120,28 +120,30 @@ TEST_CASE("levels: what is refused") {
 TEST_CASE("recurrences: images") {
   const Recurrence halves = Recurrence::parse("w/2+1", 'w'), square = Recurrence::parse("2*w^2-1", 'w'),
                    root = Recurrence::parse("sqrt((1+w)/2)", 'w'), quotient = Recurrence::parse("1/w", 'w');
-  const auto is = [](const std::optional<ClosedInterval>& found, const Rational& low, const Rational& high) {
-    return found && found->low == low && found->high == high;
+  const auto is = [](const std::optional<Interval>& found, const Rational& low, const Rational& high) {
+    return found && found->lower == low && found->upper == high;
   };
   CHECK(is(halves.image(interval(-2, 4)), 0, 3));
   CHECK(is(halves.image(interval(5, 5)), Rational(7, 2), Rational(7, 2)));
   CHECK(is(root.image(interval(-1, 7)), 0, 2));
   CHECK_FALSE(root.image(interval(-2, 7)));
+  CHECK(is(Recurrence::parse("0*w", 'w').image(interval(2, 4)), 0, 0));
+  CHECK(is(Recurrence::parse("1/16", 'w').image(interval(2, 4)), Rational(1, 16), Rational(1, 16)));
   CHECK(is(quotient.image(interval(2, 4)), Rational(1, 4), Rational(1, 2)));
   CHECK_FALSE(quotient.image(interval(-1, 4)));
   CHECK_FALSE(quotient.image(interval(0, 0)));
   const auto parabola = square.image(interval(-1, 1));
   REQUIRE(parabola);
-  CHECK(parabola->low <= -1);
-  CHECK(parabola->low > Rational(-101, 100));
-  CHECK(parabola->high == 1);
+  CHECK(parabola->lower <= -1);
+  CHECK(parabola->lower > Rational(-101, 100));
+  CHECK(parabola->upper == 1);
   for (const char* bad : {"", "sqrt(", "sqrt()", "sin(w)", "w+v", "sqrt(sqrt(w))"})
     CHECK_THROWS_AS(Recurrence::parse(bad, 'w'), ParseError);
 }
 
 TEST_CASE("recurrences: the level from which on values stay") {
   const Recurrence root = Recurrence::parse("sqrt((1+w)/2)", 'w');
-  const ClosedInterval kept{Rational(9, 20), 1000};
+  const Interval kept{Rational(9, 20), 1000};
   CHECK(root.first_level_in(kept, interval(-1, 1000000), 100) == 2);
   CHECK(root.first_level_in(kept, interval(1, 1), 0) == 0);
   CHECK(root.first_level_in(kept, interval(0, 0), 100) == 1);

@@ -83,8 +83,12 @@ RationalMatrix transition_block(const LaurentPolynomial& symbol, int arity, long
 }
 
 std::vector<RationalMatrix> transition_matrices(const Mask& mask) {
+  return transition_matrices(mask, TransitionWindow(mask.symbol().length() - 1, mask.arity()).width);
+}
+
+std::vector<RationalMatrix> transition_matrices(const Mask& mask, long width) {
   const LaurentPolynomial& symbol = mask.symbol();
-  const IndexRange all{0, TransitionWindow(symbol.length() - 1, mask.arity()).width - 1};
+  const IndexRange all{0, width - 1};
   std::vector<RationalMatrix> result;
   for (long t = 0; t < mask.arity(); ++t)
     result.push_back(transition_block(symbol, mask.arity(), symbol.lowest() + t, all, all));

@@ -67,6 +67,8 @@ RationalMatrix transition_block(const LaurentPolynomial& symbol, int arity, long
 /// values in the columns of the products of L of them are the sums of |coefficients| of the L-th power of the scheme
 /// over cosets (docs/level-norms.md), so that their joint spectral radius is the limit of ||S^L||^(1/L).
 std::vector<RationalMatrix> transition_matrices(const Mask& mask);
+/// The same on so many indices. Domain: width >= that of the window.
+std::vector<RationalMatrix> transition_matrices(const Mask& mask, long width);
 
 /// C_{jk} = b_{arity*j - k} + b_{arity*j + k} (one term where k = 0), 0 <= j, k <= N/(arity-1), for coefficients
 /// b_{-N}, ..., b_N with b_{-i} = b_i: the powers of C hold the coefficients about the centre of the powers of the

@@ -2,36 +2,20 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+#include <subcert/analysis/symbol/numbers/scaled_numbers.hpp>
 
 #include <algorithm>
 
 namespace subcert {
 namespace {
 
-/// Values over one denominator: sums of their products are fractions to be reduced once.
-struct Numerators {
-  Integer denominator = 1;
-  std::vector<Integer> values;
-
-  explicit Numerators(const std::vector<Rational>& fractions) {
-    for (const Rational& x : fractions)
-      if (!mpz_divisible_p(denominator.get(), mpq_denref(x.get())))
-        denominator = lcm(denominator, subcert::denominator(x));
-    for (const Rational& x : fractions) {
-      Integer& value = values.emplace_back(denominator);
-      mpz_divexact(value.get(), value.get(), mpq_denref(x.get()));
-      mpz_mul(value.get(), value.get(), mpq_numref(x.get()));
-    }
-  }
-};
-
 /// sum over j of f(x - j) g(x - j) on the grid of one period, ends included, times `factor`.
-std::vector<Rational> periodised_product(const LimitValues& f, const Numerators& values_f, const Numerators& values_g,
-                                         long scale, int factor) {
+std::vector<Rational> periodised_product(const LimitValues& f, const ScaledNumbers& values_f,
+                                         const ScaledNumbers& values_g, long scale, int factor) {
   std::vector<Integer> sums(static_cast<std::size_t>(scale) + 1, 0);
-  for (std::size_t i = 0; i < values_f.values.size(); ++i) {
+  for (std::size_t i = 0; i < values_f.numerators.size(); ++i) {
     const long index = f.first_index + static_cast<long>(i);
-    add_product(sums[static_cast<std::size_t>(modulo(index, scale))], values_f.values[i], values_g.values[i]);
+    add_product(sums[static_cast<std::size_t>(modulo(index, scale))], values_f.numerators[i], values_g.numerators[i]);
   }
   sums.back() = sums.front();
   const Integer denominator = values_f.denominator * values_g.denominator;
@@ -57,10 +41,11 @@ Rational VarianceGrid::steepest() const {
 VarianceGrid variance_grid(const Mask& mask, int level, bool differentiable, const Deadline& deadline) {
   const LimitValues phi = limit_values(mask, level, 0, deadline);
   const long scale = numerator(power(Rational(mask.arity()), level)).convert_to<long>();
-  const Numerators values(phi.values);
+  const ScaledNumbers values(phi.values);
   VarianceGrid grid{mask.arity(), level, periodised_product(phi, values, values, scale, 1), {}};
   if (differentiable)
-    grid.slopes = periodised_product(phi, values, Numerators(limit_values(mask, level, 1, deadline).values), scale, 2);
+    grid.slopes = periodised_product(phi, values, ScaledNumbers(limit_values(mask, level, 1, deadline).values), scale,
+                                     2);
   return grid;
 }
 

@@ -11,6 +11,7 @@
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/reports/facts/exponents.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/plain_text.hpp>
 
@@ -56,12 +57,12 @@ constexpr int most_levels = 1000;  // until a recurrence is to be in the range
 /// Values of which each follows from the one before, and the level from which on they are in the range.
 struct Followed {
   std::string step;  ///< as it is written
-  ClosedInterval start;
+  Interval start;
   std::optional<int> first_level;
 };
 
 /// `v0=1/2` or `v0=-1..1000`.
-ClosedInterval read_start(const std::string& written, const std::string& name) {
+Interval read_start(const std::string& written, const std::string& name) {
   const std::string text = plain_text(written);
   const std::string heads[] = {name + "0=", name + "="};
   for (const std::string& head : heads) {
@@ -121,31 +122,47 @@ Json values_json(const Values& values) {
   return list;
 }
 
+/// What was asked, and what is known.
+struct LevelsAnswer {
+  std::string property;
+  LetteredScheme scheme;
+  Box box;
+  std::optional<Followed> followed;
+  PropertyOfLevels levels = {};
+  std::vector<ExponentOfLevels> growing = {};
+
+  std::string values() const { return box_text(box, scheme); }
+  /// What fails for some sequence may hold for those of a recurrence.
+  Truth truth() const {
+    if (!followed) return levels.holds;
+    return followed->first_level && levels.holds == Truth::yes ? Truth::yes : Truth::unknown;
+  }
+};
+
 /// `C1 for every sequence of w from 1/1000 to 19/100, one for each level`
-std::string answer_text(const PropertyOfLevels& levels, const LevelsCommandOptions& options, const Box& box,
-                        const LetteredScheme& scheme, const std::optional<Followed>& followed) {
-  if (followed && followed->first_level && levels.holds == Truth::yes) {
+std::string answer_text(const LevelsAnswer& found) {
+  const auto& [property, scheme, box, followed, levels, growing] = found;
+  if (followed && found.truth() == Truth::yes) {
     const auto& [low, high] = followed->start;
     return fmt::format(
-        "{} for {} = {} from level to level, {}", options.property, scheme.names[0], followed->step,
+        "{} for {} = {} from level to level, {}", property, scheme.names[0], followed->step,
         low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
                     : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low), number_text(high)));
   }
   if (followed && levels.holds == Truth::no)
-    return fmt::format("not decided: {} does not hold for every sequence in the range", options.property);
-  const std::string all = fmt::format("every sequence of {}, one value for each level", box_text(box, scheme));
-  if (levels.holds == Truth::yes) return fmt::format("{} for {}", options.property, all);
+    return fmt::format("not decided: {} does not hold for every sequence in the range", property);
+  const std::string all = fmt::format("every sequence of {}, one value for each level", found.values());
+  if (levels.holds == Truth::yes) return fmt::format("{} for {}", property, all);
   if (levels.holds == Truth::unknown) return fmt::format("not decided for {}", all);
   const std::string last = levels.period.size() == 1
                                ? values_text(levels.period[0], scheme) + " at all levels"
                                : fmt::format("{} and {} in turn", values_text(levels.period[0], scheme),
                                              values_text(levels.period[1], scheme));
-  return fmt::format("not {} for every sequence: not for {}", options.property, last);
+  return fmt::format("not {} for every sequence: not for {}", property, last);
 }
 
-Json json_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
-             const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme,
-             const std::optional<Followed>& followed) {
+Json json_of(const LevelsAnswer& found) {
+  const auto& [property, scheme, box, followed, levels, growing] = found;
   Json period = Json::array(), boxes = Json::array();
   for (const Values& values : levels.period) period.push_back(values_json(values));
   for (const ExponentOfLevels& one : growing)
@@ -155,14 +172,14 @@ Json json_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>
   Json recurrence;
   if (followed)
     recurrence = {{"step", followed->step},
-                  {"from", to_text(followed->start.low)},
-                  {"to", to_text(followed->start.high)},
+                  {"from", to_text(followed->start.lower)},
+                  {"to", to_text(followed->start.upper)},
                   {"first_level", followed->first_level ? Json(*followed->first_level) : Json()}};
   return {{"family", scheme.specification},
           {"recurrence", recurrence},
-          {"property", options.property},
+          {"property", property},
           {"sum_rules", levels.sum_rules},
-          {"summary", answer_text(levels, options, box, scheme, followed)},
+          {"summary", answer_text(found)},
           {"pieces", Json::array({{{"from", values_json(box.low)},
                                    {"to", values_json(box.high)},
                                    {"verdict", verdict_text(levels.holds)},
@@ -171,16 +188,15 @@ Json json_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>
           {"growing", boxes}};
 }
 
-std::string text_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
-                    const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme,
-                    const std::optional<Followed>& followed) {
+std::string text_of(const LevelsAnswer& found) {
+  const auto& [property, scheme, box, followed, levels, growing] = found;
   std::string text = fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nsum rules    {} for all {}\n",
-                                 scheme.specification, answer_text(levels, options, box, scheme, followed),
-                                 options.property, levels.sum_rules, fmt::join(scheme.names, " and "));
+                                 scheme.specification, answer_text(found), property, levels.sum_rules,
+                                 fmt::join(scheme.names, " and "));
   if (followed)
     text += followed->first_level
-                ? fmt::format("levels       {} is {} from level {} on\n", scheme.names[0],
-                              box_text(box, scheme).substr(scheme.names[0].size() + 1), *followed->first_level)
+                ? fmt::format("levels       {} is from {} to {} from level {} on\n", scheme.names[0],
+                              number_text(box.low[0]), number_text(box.high[0]), *followed->first_level)
                 : fmt::format("levels       {} = {} was not proved to lead into the range and to stay in it\n",
                               scheme.names[0], followed->step);
   if (!levels.reason.empty()) text += "open         " + levels.reason + "\n";
@@ -191,15 +207,14 @@ std::string text_of(const PropertyOfLevels& levels, const std::vector<ExponentOf
     if (exponent.upper)
       text.insert(text.size() - 1, fmt::format(", at most {} for all of them", exponent.upper_text(8)));
   }
-  return text;
+  return facts::wrapped(text, 13);
 }
 
 /// The exponents, or else the answer.
-formats::TableRows rows_of(const PropertyOfLevels& levels, const std::vector<ExponentOfLevels>& growing,
-                           const LevelsCommandOptions& options, const Box& box, const LetteredScheme& scheme) {
+formats::TableRows rows_of(const LevelsAnswer& found) {
+  const auto& [property, scheme, box, followed, levels, growing] = found;
   if (growing.empty())
-    return {{"values", "property", "for all sequences"},
-            {box_text(box, scheme), options.property, verdict_text(levels.holds)}};
+    return {{"values", "property", "for all sequences"}, {found.values(), property, verdict_text(levels.holds)}};
   formats::TableRows rows{{"values", "at least", "at most"}};
   for (const ExponentOfLevels& one : growing) {
     const Enclosure exponent = positive_part(one.exponent);
@@ -245,52 +260,39 @@ ExitCode run(const LevelsCommandOptions& options) {
   for (const auto& [name, is_given] :
        {std::pair{"--over", !options.over.empty()}, {"--property", !options.property.empty()}})
     if (!is_given) fail(ErrorKind::usage, "{} is required with a family that has a parameter", name);
-  const LetteredScheme scheme = make_lettered_scheme(options.scheme, options.over);
-  Box box;
-  for (std::size_t v = 0; v < scheme.names.size(); ++v) {
-    auto [low, high] = read_over(options.over[v], scheme.names[v]);
-    box.low.push_back(std::move(low));
-    box.high.push_back(std::move(high));
-  }
-  const auto property = parse_range_property(options.property);
-  using Kind = RangeProperty::Kind;
-  if (!property ||
-      (property->kind != Kind::convergent && property->kind != Kind::smooth && property->kind != Kind::holder))
-    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", options.property);
+  const RangeProperty property = read_levels_property(options.property);
+  LevelsAnswer found{options.property, make_lettered_scheme(options.scheme, options.over), {}, {}};
+  const LetteredScheme& scheme = found.scheme;
+  found.box = read_box(options.over, scheme.names);
   if (!options.certificate.empty() && !scheme.letter)
-    fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter", box.letters());
+    fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter",
+         found.box.letters());
   if (!options.certificate.empty()) require_folder(options.certificate);
-  const std::optional<Followed> followed = follow(options, scheme, box);
+  found.followed = follow(options, scheme, found.box);
   options.progress("values");
   const Budget budget = options.limits();
   const bool growing = options.boxes > 0 || !options.plot.empty();
-  const PropertyOfLevels levels = property_of_levels(
-      scheme.mask, *property, box, growing ? Budget{budget.deadline.after(0.5), budget.memory} : budget);
-  std::vector<ExponentOfLevels> exponents;
+  found.levels = property_of_levels(scheme.mask, property, found.box,
+                                    growing ? Budget{budget.deadline.after(0.5), budget.memory} : budget);
   if (growing)
-    exponents = exponents_of_levels(scheme.mask, box, box.middle(),
-                                    {options.boxes > 0 ? options.boxes : 24, options.threads(), budget});
+    found.growing = exponents_of_levels(scheme.mask, found.box, found.box.middle(),
+                                        {options.boxes > 0 ? options.boxes : 24, options.threads(), budget});
   options.end_progress();
-  Json json = json_of(levels, exponents, options, box, scheme, followed);
+  Json json = json_of(found);
   WrittenCertificates written;
   if (!options.certificate.empty()) {
     std::vector<NamedCertificate> certificates;
-    if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, *property, box, levels))
+    if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, property, found.box, found.levels))
       certificates.push_back({"01-proved", std::move(*certificate)});
     written = write_certificates(options.certificate, certificates, {"-proved"}, "what is not proved", json);
   }
-  if (!options.plot.empty()) draw(exponents, scheme, options.plot);
+  if (!options.plot.empty()) draw(found.growing, scheme, options.plot);
   if (options.form.asked_for())
-    answer(options, options.form,
-           TableAnswer{"% " + scheme.specification + "\n", rows_of(levels, exponents, options, box, scheme), {0}});
+    answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", rows_of(found), {0}});
   else
-    options.answer(json, text_of(levels, exponents, options, box, scheme, followed) + written.text);
+    options.answer(json, text_of(found) + written.text);
   written.failure.raise();
-  // What fails for some sequence may hold for those of a recurrence.
-  const Truth answer = !followed                                             ? levels.holds
-                       : followed->first_level && levels.holds == Truth::yes ? Truth::yes
-                                                                             : Truth::unknown;
-  return answer == Truth::no ? failed : exit_code(answer, followed || !budget.deadline.expired());
+  return exit_code(found.truth(), !budget.deadline.expired());
 }
 
 }  // namespace

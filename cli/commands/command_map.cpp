@@ -104,12 +104,7 @@ ExitCode run(const MapCommandOptions& options) {
   const std::vector<std::string> names = read_names(options.over);
   const auto [scheme, letters] = in_letters(options.scheme, names);
   const ParametricMask mask = make_parametric_mask(scheme, letters);
-  Box box;
-  for (std::size_t v = 0; v < names.size(); ++v) {
-    auto [low, high] = read_over(options.over[v], names[v]);
-    box.low.push_back(std::move(low));
-    box.high.push_back(std::move(high));
-  }
+  const Box box = read_box(options.over, names);
   if (!options.plot.empty() && names.size() > 2)
     fail(ErrorKind::usage, "--plot: expected two ranges, got {}; --csv and --json list the cells", names.size());
   const auto property = parse_range_property(options.property);

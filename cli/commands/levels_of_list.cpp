@@ -4,10 +4,10 @@
 #include "parameter_range.hpp"
 #include "width.hpp"
 
-#include <subcert/analysis/family/property_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/properties/mask_list_file.hpp>
 #include <subcert/reports/facts/exponents.hpp>
+#include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/ranges.h>
@@ -67,7 +67,7 @@ std::string text_of(const MaskListFile& file, const ExponentOfList& found, const
     text += fmt::format("least for    {}\n", sequence_text(found.sequence));
   if (found.exponent.lower && !found.exact.is_yes()) text += "not exact    " + found.exact.reason + "\n";
   if (!property.empty()) text += fmt::format("property     {}: {}\n", property, verdict_text(answer));
-  return text;
+  return facts::wrapped(text, 13);
 }
 
 Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::string& property, Truth answer) {
@@ -84,13 +84,18 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
 
 }  // namespace
 
+RangeProperty read_levels_property(const std::string& text) {
+  using Kind = RangeProperty::Kind;
+  const auto property = parse_range_property(text);
+  if (!property ||
+      (property->kind != Kind::convergent && property->kind != Kind::smooth && property->kind != Kind::holder))
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", text);
+  return *property;
+}
+
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
                             const std::string& certificates) {
-  const auto asked = parse_range_property(property);
-  using Kind = RangeProperty::Kind;
-  if (!property.empty() &&
-      (!asked || (asked->kind != Kind::convergent && asked->kind != Kind::smooth && asked->kind != Kind::holder)))
-    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", property);
+  const auto asked = property.empty() ? std::nullopt : std::optional(read_levels_property(property));
   const MaskListFile read_file = read(file);
   if (!certificates.empty()) require_folder(certificates);
   const Budget budget = options.limits();

@@ -3,10 +3,15 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/family/property_range.hpp>
+
 namespace subcert::cli {
 
 /// `lists:FILE` starts like that.
 inline constexpr const char* lists = "lists:";
+
+/// `convergent`, `C2` or `holder>=3/2`. Errors: throws a usage error for another text.
+RangeProperty read_levels_property(const std::string& text);
 
 /// `property`: empty where none is asked for. `certificates`: a folder, or empty. Errors: throws Error.
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,

@@ -200,3 +200,12 @@ TEST_CASE("values and derivatives are refined") {
   fails("1,2\n3,4\n", hermite + " --boundary reflect", 64,
         "refine: need boundary regression, shrink or periodic, or closed data, for a Hermite scheme, got reflect");
 }
+
+TEST_CASE("refine: axes with one scale have numbers with one step") {
+  const Folder folder;
+  const std::string data = folder.write("square.csv", "0,0\n4,0\n4,4\n0,4\n"), picture = folder / "square.svg";
+  CHECK(run("refine chaikin " + data + " --closed --quiet --plot " + picture).code == 0);
+  // A side of the picture is wider than the other, and alone would have steps of 1/2.
+  CHECK(contains(content(picture), " 3</tspan>"));
+  CHECK_FALSE(contains(content(picture), " 0.5</tspan>"));
+}

@@ -62,9 +62,10 @@ std::vector<Place> places_of(const Figure& figure, std::size_t columns, double& 
 
 constexpr int panel_width = 460, panel_height = 320;  // in pixels
 
-/// Where the axes have numbers: with one scale they have one step, and the numbers of a narrow picture do not meet.
-std::string tics_of(const Panel& panel) {
-  if (!panel.equal_units) return "set xtics autofreq\nset ytics autofreq\n";
+const std::string automatic_tics = "set xtics autofreq\nset ytics autofreq\n";
+
+/// Of axes with one scale: with one step, and so that the numbers of a narrow picture do not meet.
+std::string equal_tics(const Panel& panel) {
   constexpr double inner_width = 0.8 * panel_width, inner_height = 0.65 * panel_height, least_gap = 45;  // in pixels
   double low_x = HUGE_VAL, high_x = -HUGE_VAL, low_y = HUGE_VAL, high_y = -HUGE_VAL;
   for (const Curve& curve : panel.curves)
@@ -73,7 +74,7 @@ std::string tics_of(const Panel& panel) {
       low_y = std::min(low_y, y), high_y = std::max(high_y, y);
     }
   const double unit = std::max((high_x - low_x) / inner_width, (high_y - low_y) / inner_height);  // of a pixel
-  if (!(unit > 0) || !std::isfinite(unit)) return "set xtics autofreq\nset ytics autofreq\n";
+  if (!(unit > 0) || !std::isfinite(unit)) return automatic_tics;
   const double least = least_gap * unit, power = std::pow(10, std::floor(std::log10(least)));
   const double step = power * (least <= power ? 1 : least <= 2 * power ? 2 : least <= 5 * power ? 5 : 10);
   return fmt::format("set xtics {0}\nset ytics {0}\n", step);
@@ -104,19 +105,23 @@ std::vector<std::string> drawn_parts(const Panel& panel, const PictureKind& kind
   return parts;
 }
 
-/// For gnuplot: dates on the axis, where x is one.
-std::string x_ticks(const Panel& panel) {
-  if (panel.date_unit == 0) return "set xtics autofreq\n";
+/// Dates where x is one.
+std::string date_tics(const Panel& panel) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Curve& curve : panel.curves)
     for (const auto& [x, y] : curve.points) low = std::min(low, x), high = std::max(high, x);
   for (const Band& band : panel.bands)
     for (const auto& [x, lower, upper] : band.ends) low = std::min(low, x), high = std::max(high, x);
-  if (!(low < high)) return "set xtics autofreq\n";
+  if (!(low < high)) return automatic_tics;
   std::string text;
   for (const auto& [x, label] : date_ticks(low, high, panel.date_unit))
     text += fmt::format("{}{} {:.17g}", text.empty() ? "" : ", ", quoted(label), x);
-  return "set xtics (" + text + ")\n";
+  return automatic_tics + "set xtics (" + text + ")\n";
+}
+
+/// For gnuplot: what stands at the axes.
+std::string tics_of(const Panel& panel) {
+  return panel.date_unit > 0 ? date_tics(panel) : panel.equal_units ? equal_tics(panel) : automatic_tics;
 }
 
 void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
@@ -128,7 +133,7 @@ void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
           << (panel.log_y
                   ? fmt::format("set logscale y\nset format y '{0}10^{{%T}}{0}'\n", kind.ending == ".tex" ? "$" : "")
                   : std::string("unset logscale y\nset format y '%g'\n"))
-          << (panel.log_x ? "set logscale x\n" : "unset logscale x\n") << x_ticks(panel)
+          << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
           << (panel.equal_units ? "set autoscale noextend\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
               : panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
                                     : "set offsets 0, 0, 0, 0\n" + range_of(panel.cells))

@@ -211,7 +211,7 @@ bool has_symmetry(const SearchFamily& family) {
   return true;
 }
 
-std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry) {
+std::vector<int> without_repetitions(std::vector<int> word) {
   const std::size_t n = word.size();
   for (std::size_t period = 1; period < n; ++period) {
     if (n % period != 0) continue;
@@ -221,6 +221,11 @@ std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count,
     word.resize(period);
     break;
   }
+  return word;
+}
+
+std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry) {
+  word = without_repetitions(std::move(word));
   std::vector<int> best = least_shift(word);
   for (int g = 1; g < symmetry.order(); ++g) best = std::min(best, least_shift(symmetry.word(g, word, letter_count)));
   return best;

@@ -51,6 +51,9 @@ struct ProductLook {
 };
 inline constexpr std::array<ProductLook, 3> product_looks{{{12, 12}, {40, 32}, {200, 100}}};
 
+/// The shortest word of which this one is a power. Cost: O(length) for each divisor of the length.
+std::vector<int> without_repetitions(std::vector<int> word);
+
 /// The canonical form of a word, see Candidate. Domain: 0 <= letters < letter_count. Cost: O(length^2) per element of
 /// the symmetry.
 std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count, const SymmetryGroup& symmetry);

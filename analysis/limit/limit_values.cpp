@@ -288,6 +288,12 @@ LimitValues limit_values(const Mask& mask, int level, int order, const Deadline&
   return result;
 }
 
+std::vector<Rational> point_at(const Dilation& dilation, const LatticePoint& index, int level) {
+  std::vector<Rational> point(index.begin(), index.end());
+  for (int n = 0; n < level; ++n) point = dilation.inverse_times(point);
+  return point;
+}
+
 LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders) {
   require(level >= 0, "limit_values: need level >= 0, got {}", level);
   const auto variables = static_cast<std::size_t>(mask.dimension());

@@ -33,6 +33,9 @@ struct LimitValues {
 /// sec. 2.2].
 LimitValues limit_values(const Mask& mask, int level, int order = 0, const Deadline& deadline = {});
 
+/// M^-level index.
+std::vector<Rational> point_at(const Dilation& dilation, const LatticePoint& index, int level);
+
 /// Of a vector of functions the component is one more coordinate, and the values at lattice points sum to 1, or, where
 /// they sum to 0, the first is 1. i -> (D^orders phi)(M^-level i), where it is not 0; `orders` has the order of the
 /// derivative in each variable, and is empty for phi itself. Domain: a scheme that converges; level >= 0. By factors,

@@ -200,8 +200,7 @@ struct Peak {
   void attain(const Rational& value, const Tile& tile, int level, const Dilation& dilation) {
     if (sign * value <= attained) return;
     attained = sign * value;
-    point.assign(tile.index.begin(), tile.index.end());
-    for (int n = 0; n < level; ++n) point = dilation.inverse_times(point);
+    point = point_at(dilation, tile.index, level);
   }
   Rational above(const Interval& range) const { return sign > 0 ? range.upper : Rational(-range.lower); }
   /// Of the largest value of the sign times the function.

@@ -29,16 +29,6 @@ LatticeSequence combination(const Rational& factor, const LatticeSequence& a, co
   return result;
 }
 
-LatticeSequence shifted(const LatticeSequence& x, std::size_t variable, long by) {
-  LatticeSequence result;
-  for (const auto& [point, value] : x) {
-    LatticePoint moved = point;
-    moved[variable] += by;
-    result.emplace(std::move(moved), value);
-  }
-  return result;
-}
-
 /// The functional that reads one number of the datum at 0.
 LatticeSequence reading(const LatticeMask& mask, std::size_t component) {
   LatticePoint point(mask.dilation().variables(), 0);
@@ -51,7 +41,8 @@ LatticeSequence reading(const LatticeMask& mask, std::size_t component) {
 void add_differences(std::vector<LatticeSequence>& to, const LatticeMask& mask, std::size_t component,
                      const Rational& factor) {
   const LatticeSequence x = reading(mask, component);
-  for (std::size_t v = 0; v < mask.dilation().variables(); ++v) to.push_back(combination(1, x, shifted(x, v, 1)));
+  for (const LatticeSequence& difference : differences_of_delta(mask.dilation().variables(), 1))
+    to.push_back(convolution(difference, x));
   for (const LatticeSequence& next : transitions(mask, x)) to.push_back(combination(factor, next, x));
 }
 
@@ -187,8 +178,9 @@ std::optional<Limits> limits_of(const LatticeMask& mask, std::size_t derivative,
 /// Whether each limit is the derivative of the one before, and the first is not 0.
 Decision are_derivatives(const std::vector<Limits>& limits) {
   if (limits.front().values.empty()) return {Truth::no, "all limits are 0"};
+  const LatticeSequence from_left_to_right{{{-1}, 1}, {{0}, -1}};
   for (std::size_t k = 0; k + 1 < limits.size(); ++k)
-    if (combination(1, shifted(limits[k].values, 0, -1), limits[k].values) != limits[k + 1].integrals)
+    if (convolution(from_left_to_right, limits[k].values) != limits[k + 1].integrals)
       return {Truth::no, fmt::format("limit {} is not the derivative of limit {}", k + 1, k)};
   return {Truth::yes, limits.size() == 2 ? "with the derivative"
                                          : fmt::format("with the derivatives up to order {}", limits.size() - 1)};

@@ -55,9 +55,7 @@ void print_curve_values(const Scheme& scheme, int order, const LimitPageOptions&
 
 /// The coordinates of M^-level index.
 std::string point_text(const Scheme& scheme, const LatticePoint& index, int level) {
-  std::vector<Rational> point(index.begin(), index.end());
-  for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
-  return coordinates_text(point);
+  return coordinates_text(point_at(scheme.mask.dilation(), index, level));
 }
 
 void print_surface_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {

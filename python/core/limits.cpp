@@ -34,8 +34,7 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_val
   require_convergence(scheme.specification, multivariate_regularity(scheme.mask, {Deadline::in(budget)}).converges);
   std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> result;
   for (const auto& [index, value] : limit_values(scheme.mask, level)) {
-    std::vector<Rational>& point = result.first.emplace_back(index.begin(), index.end());
-    for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
+    result.first.push_back(point_at(scheme.mask.dilation(), index, level));
     result.second.push_back(value);
   }
   return result;
@@ -59,8 +58,7 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>
   }
   std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>> result;
   for (auto& [index, list] : values) {
-    std::vector<Rational>& point = result.first.emplace_back(index.begin(), index.end());
-    for (int n = 0; n < level; ++n) point = scheme.mask.dilation().inverse_times(point);
+    result.first.push_back(point_at(scheme.mask.dilation(), index, level));
     result.second.push_back(std::move(list));
   }
   return result;

@@ -1,4 +1,5 @@
 #include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -234,4 +235,31 @@ TEST_CASE("levels: the exponent where values tend to a number") {
   CHECK_FALSE(limit_of("four-point:w", "w=(w+1)/2").exponent.exponent.lower);
   CHECK_FALSE(limit_of_levels(make_parametric_scheme("four-point:w").mask, Recurrence::parse("w=w", "w", 'w'), {0, 1},
                               {Deadline::in(60)}));
+}
+
+TEST_CASE("levels: a value for each new point") {
+  const auto local = [](const char* scheme, const Rational& low, const Rational& high, double seconds = 60) {
+    return local_levels(make_parametric_scheme(scheme).mask, {{low}, {high}}, {Deadline::in(seconds)});
+  };
+  const LocalLevels four = local("four-point:w", Rational(1, 1000), Rational(3, 20));
+  CHECK(four.order == 2);
+  CHECK(four.family.count() == 16);
+  CHECK(four.family.size() == 4);
+  CHECK(*four.exponent.lower > Rational(10058, 10000));
+  CHECK(*four.exponent.upper < Rational(10059, 10000));
+  CHECK(local("six-point:w", Rational(1, 100), Rational(1, 99), 0.1).order == 4);
+  CHECK(local("corner-cutting:w", Rational(1, 5), Rational(1, 4), 0.1).order == 1);
+  CHECK(local("ternary-four-point:w", Rational(1, 12), Rational(1, 11), 0.1).order == 3);
+  // Where all values are alike it is the exponent of that scheme, as the matrices are.
+  const LocalLevels alike = local("four-point:w", Rational(1, 16), Rational(1, 16) + power(Rational(2), -40), 2);
+  CHECK(*alike.exponent.lower > Rational(19, 10));
+  // One value everywhere is among the choices.
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(4)) {
+    const Rational low(random.integer(-10, 10), 40), high = low + Rational(random.integer(1, 10), 40);
+    const LocalLevels found = local("four-point:w", low, high, 1);
+    if (found.exponent.lower && found.exponent.upper) CHECK(*found.exponent.lower <= *found.exponent.upper);
+  }
+  CHECK_THROWS_AS(local("conic-four-point:w", 1, 2), Error);
+  CHECK_THROWS_AS(local("mask:[w^2,1-w^2,1-w^2,w^2]", 0, 1), Error);
 }

@@ -3,6 +3,7 @@
 #include "levels_of_list.hpp"
 
 #include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/pages/plot.hpp>
@@ -49,6 +50,7 @@ struct LevelsCommandOptions : SearchOptions {
   std::string recurrence;
   std::string start;
   int boxes = 0;
+  bool each_point = false;
   PaperForm form;
 };
 
@@ -139,7 +141,7 @@ struct LevelsAnswer {
     return followed->first_level && (levels.holds == Truth::yes || holds_in_limit()) ? Truth::yes : Truth::unknown;
   }
   bool holds_in_limit() const {
-    return followed && followed->limit && holds(followed->limit->exponent, asked) == Truth::yes;
+    return followed && followed->limit && holds(followed->limit->exponent.exponent, asked) == Truth::yes;
   }
 };
 
@@ -290,17 +292,62 @@ void draw(const std::vector<ExponentOfLevels>& growing, const LetteredScheme& sc
   formats::draw_file({"levels", scheme.specification, "", 1, {panel}}, file);
 }
 
+/// Errors: throws a usage error for an option that is given.
+void refuse_with(const char* what, const std::vector<std::pair<const char*, bool>>& options) {
+  for (const auto& [name, is_given] : options)
+    if (is_given) fail(ErrorKind::usage, "{}: cannot be asked for with {}", name, what);
+}
+
+/// One value for each new point of each level.
+ExitCode run_each_point(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box,
+                        const RangeProperty& property) {
+  refuse_with("--each-point", {{"--recurrence", !options.recurrence.empty()},
+                               {"--start", !options.start.empty()},
+                               {"--plot", !options.plot.empty()},
+                               {"--boxes", options.boxes > 0},
+                               {"--certificate", !options.certificate.empty()},
+                               {"--latex or --markdown", options.form.asked_for()}});
+  const Budget budget = options.limits();
+  options.progress("values");
+  const LocalLevels found = local_levels(scheme.mask, box, budget);
+  options.end_progress();
+  const Truth answer = holds(found.exponent, property);
+  const std::string values = box_text(box, scheme),
+                    summary = fmt::format("{} for any choice of {}, one value for each new point of each level",
+                                          answer == Truth::yes  ? options.property
+                                          : answer == Truth::no ? "not " + options.property
+                                                                : options.property + " is not decided",
+                                          values);
+  std::string exponent = found.exponent.lower ? fmt::format("at least {} for all choices", found.exponent.lower_text(8))
+                                              : "no convergence is proved for all choices";
+  if (found.exponent.upper)
+    exponent += fmt::format(", at most {} for one value everywhere", found.exponent.upper_text(8));
+  const Json json{{"family", scheme.specification},
+                  {"property", options.property},
+                  {"summary", summary},
+                  {"order", found.order},
+                  {"matrices", found.family.count()},
+                  {"verdict", verdict_text(answer)},
+                  {"holder", enclosure_json(positive_part(found.exponent))}};
+  options.answer(json,
+                 facts::wrapped(fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nrules        each "
+                                            "keeps polynomials of degree {}\nexponent     {}\n",
+                                            scheme.specification, summary, options.property, found.order - 1, exponent),
+                                13));
+  return exit_code(answer, !budget.deadline.expired());
+}
+
 ExitCode run(const LevelsCommandOptions& options) {
   require_one_form(options, options.form);
   require_picture_name(options.plot);
   if (options.scheme.starts_with(lists)) {
-    for (const auto& [name, is_given] : {std::pair{"--over", !options.over.empty()},
-                                         {"--recurrence", !options.recurrence.empty()},
-                                         {"--start", !options.start.empty()},
-                                         {"--plot", !options.plot.empty()},
-                                         {"--boxes", options.boxes > 0},
-                                         {"--latex or --markdown", options.form.asked_for()}})
-      if (is_given) fail(ErrorKind::usage, "{}: expected a family with a parameter, got a list of masks", name);
+    refuse_with("a list of masks", {{"--over", !options.over.empty()},
+                                    {"--each-point", options.each_point},
+                                    {"--recurrence", !options.recurrence.empty()},
+                                    {"--start", !options.start.empty()},
+                                    {"--plot", !options.plot.empty()},
+                                    {"--boxes", options.boxes > 0},
+                                    {"--latex or --markdown", options.form.asked_for()}});
     return run_levels_of_list(options, options.scheme.substr(std::string_view(lists).size()), options.property,
                               options.certificate);
   }
@@ -311,6 +358,7 @@ ExitCode run(const LevelsCommandOptions& options) {
   LevelsAnswer found{options.property, make_lettered_scheme(options.scheme, options.over), {}, {}, property};
   const LetteredScheme& scheme = found.scheme;
   found.box = read_box(options.over, scheme.names);
+  if (options.each_point) return run_each_point(options, scheme, found.box, property);
   if (!options.certificate.empty() && !scheme.letter)
     fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter",
          found.box.letters());
@@ -364,6 +412,8 @@ void add_levels(Command& app) {
   command.option("--recurrence", options->recurrence,
                  "How each level has its value from the one before: v=sqrt((1+v)/2)");
   command.option("--start", options->start, "With it, the first value or all of them: v0=1/2 or v0=-1..1000");
+  command.flag("--each-point", options->each_point,
+               "A value for each new point of each level, in place of one for each level");
   command.option("--boxes", options->boxes, "Exponents over so many ranges, which grow from the middle to the whole")
       .within(1, 1000);
   command.option("--certificate", options->certificate, "Write the certificate into this folder");

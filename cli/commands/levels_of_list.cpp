@@ -73,9 +73,8 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
 
 }  // namespace
 
-Truth holds(const ExponentOfList& found, const RangeProperty& property) {
+Truth holds(const Enclosure& exponent, const RangeProperty& property) {
   using Kind = RangeProperty::Kind;
-  const Enclosure& exponent = found.exponent;
   if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
   const bool strictly = property.kind == Kind::smooth;
   if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
@@ -101,7 +100,7 @@ ExitCode run_levels_of_list(const SearchOptions& options, const std::string& fil
   options.progress("masks");
   const ExponentOfList found = exponent_of(read_file.list, budget);
   options.end_progress();
-  const Truth answer = asked                                                 ? holds(found, *asked)
+  const Truth answer = asked                                                 ? holds(found.exponent, *asked)
                        : found.exponent.is_bounded() && found.exact.is_yes() ? Truth::yes
                                                                              : Truth::unknown;
   const WrittenCertificate certificate = write_certificate(

@@ -118,8 +118,7 @@ TEST_CASE("levels: lists of masks") {
   refused("masks = [\"dd:n=2\", \"bspline:degree=2,a=3\"]\n", "1, column 20: expected masks of one arity, got 2 and 3");
   CHECK(run("levels lists:" + folder.write("many.toml", masks + "follows = [[0, 1, 1]]")).code == 65);
   CHECK(run("levels lists:" + (folder / "none.toml")).code == 66);
-  check_fails(run("levels lists:" + any + " --over w=0..1"), 64,
-              "--over: expected a family with a parameter, got a list of masks");
+  check_fails(run("levels lists:" + any + " --over w=0..1"), 64, "--over: cannot be asked for with a list of masks");
 }
 
 TEST_CASE("levels: wrong usage") {
@@ -168,4 +167,26 @@ TEST_CASE("levels: the exponent in the limit of a recurrence") {
   // Without a limit the range alone decides.
   CHECK_FALSE(
       says(run("levels four-point:w --over w=1/100..1/8 --property C1 --recurrence 'w=w' --start w0=1/16"), "limit "));
+}
+
+TEST_CASE("levels: a value for each new point") {
+  const std::string family = "levels four-point:w --property C1 --each-point --over ";
+  const Run page = run(family + "w=1/1000..3/20");
+  CHECK(page.code == 0);
+  CHECK(says(page,
+             "answer       C1 for any choice of w from 1/1000 to 3/20, one value for each new point of each "
+             "level\n"));
+  CHECK(says(page, "exponent     at least 1.00580"));
+  // With one value for each level it still is.
+  CHECK(run(family + "w=1/100..17/100").code == 3);
+  CHECK(run("levels four-point:w --property C1 --over w=1/100..17/100").code == 0);
+  CHECK(run(family + "w=1/100..1/4").code == 1);
+  const auto json = run_json(family + "w=1/1000..3/20");
+  CHECK(json.at("order") == 2);
+  CHECK(json.at("matrices") == 16);
+  CHECK(json.at("verdict") == "proved");
+  check_fails(run(family + "w=1/1000..3/20 --certificate proofs"), 64,
+              "--certificate: cannot be asked for with --each-point");
+  check_fails(run("levels conic-four-point:v --property C1 --each-point --over v=1..2"), 64,
+              "levels: need coefficients of degree 1 in each letter, for a value at each point");
 }

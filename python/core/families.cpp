@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
@@ -109,6 +110,14 @@ py::dict limit_of(const ParametricScheme& scheme, const std::string& recurrence,
                   "exact"_a = found->exponent.exact.is_yes());
 }
 
+py::tuple local_of(const ParametricScheme& scheme, const Rational& low, const Rational& high, double seconds,
+                   const py::object& progress) {
+  const LocalLevels found = interruptible(progress, [&] {
+    return local_levels(scheme.mask, {{low}, {high}}, {Deadline::in(seconds)});
+  });
+  return py::make_tuple(found.order, found.exponent);
+}
+
 struct CurveEvidence {
   ParametricScheme scheme;
   ExponentCurve curve;
@@ -160,6 +169,7 @@ void add_families(py::module_& module) {
       });
   module.def("property_of_levels", &levels);
   module.def("limit_of_levels", &limit_of);
+  module.def("local_levels", &local_of);
   py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
       .def_property_readonly("facts", &curve_dict)
       .def("certificates", [](const CurveEvidence& evidence) {

@@ -126,6 +126,9 @@ def property_range(
 def property_of_levels(
     scheme: ParametricScheme, property: str, low: Fraction, high: Fraction, budget: float, progress: _Progress
 ) -> LevelsEvidence: ...
+def local_levels(
+    scheme: ParametricScheme, low: Fraction, high: Fraction, budget: float, progress: object
+) -> tuple[int, Ends]: ...
 def limit_of_levels(
     scheme: ParametricScheme, recurrence: str, low: Fraction, high: Fraction, budget: float, progress: object
 ) -> dict[str, Any]: ...

@@ -282,6 +282,17 @@ class Family(Named):
             exact=facts["exact"],
         )
 
+    def local_levels(self, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None) -> Enclosure:
+        """The exponent where each new point of each level takes a value of its own between low and high: the lower end
+        holds for all choices, the upper one for one value everywhere.
+
+        >>> import subcert
+        >>> subcert.family("four-point:w").local_levels("1/1000", "3/20") > 1
+        <Truth.yes: 'yes'>
+        """
+        _, ends = _core.local_levels(self._handle, fraction(low), fraction(high), budget, progress)
+        return Enclosure._of(ends)
+
     def curve(
         self,
         low: Exact,

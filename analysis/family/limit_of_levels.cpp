@@ -1,5 +1,6 @@
 #include "limit_of_levels.hpp"
 
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 namespace subcert {
@@ -34,6 +35,10 @@ std::optional<InTwoLetters> quotient(const InTwoLetters& p, const LaurentPolynom
   return result;
 }
 
+bool has_no_zero(const LaurentPolynomial& p, const Interval& values) {
+  return values.lower < values.upper ? has_no_real_root(p, values.lower, values.upper) : p(values.lower) != 0;
+}
+
 }  // namespace
 
 int ExponentialSumRules::order() const {
@@ -64,12 +69,22 @@ ExponentialSumRules exponential_sum_rules(const ParametricMask& mask) {
 std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const Recurrence& recurrence,
                                              const Interval& kept, const Budget& budget) {
   const auto value = recurrence.limit_in(kept);
-  if (!value) return std::nullopt;
+  if (!value || !has_no_zero(mask.denominator(), kept)) return std::nullopt;
   ExponentialSumRules rules{sum_rules(mask)};
   if (mask.arity() == 2 && recurrence.halves_angles()) rules = exponential_sum_rules(mask);
   MaskList one{{mask.at(*value)}};
   one.most_rules = rules.order();
   return LimitOfLevels{*value, std::move(rules), exponent_of(one, budget)};
+}
+
+bool masks_exist(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start, int levels) {
+  const LaurentPolynomial below = mask.denominator();
+  std::optional<Interval> values = start;
+  for (int level = 0; level < levels; ++level) {
+    if (!values || !has_no_zero(below, *values)) return false;
+    values = recurrence.image(*values);
+  }
+  return true;
 }
 
 }  // namespace subcert

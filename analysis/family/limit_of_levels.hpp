@@ -38,4 +38,8 @@ struct LimitOfLevels {
 std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const Recurrence& recurrence,
                                              const Interval& kept, const Budget& budget);
 
+/// Whether the masks at so many levels exist for all w_0 in `start`; no where some do not, or may not. Domain: as
+/// above.
+bool masks_exist(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start, int levels);
+
 }  // namespace subcert

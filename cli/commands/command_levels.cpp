@@ -61,6 +61,7 @@ struct Followed {
   Interval start;
   Recurrence recurrence;
   std::optional<int> first_level;
+  bool masks_exist = true;  ///< before that level, for all of `start`
   std::optional<LimitOfLevels> limit = {};
 };
 
@@ -86,11 +87,11 @@ std::optional<Followed> follow(const LevelsCommandOptions& options, const Letter
   if (!scheme.letter) fail(ErrorKind::usage, "--recurrence: expected one range, got {}", box.letters());
   const std::string& name = scheme.names[0];
   try {
-    Followed result{read_start(options.start, name),
-                    Recurrence::parse(plain_text(options.recurrence), name, *scheme.letter),
-                    {},
-                    {}};
+    Followed result{
+        read_start(options.start, name), Recurrence::parse(plain_text(options.recurrence), name, *scheme.letter), {}};
     result.first_level = result.recurrence.first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
+    if (result.first_level)
+      result.masks_exist = masks_exist(scheme.mask, result.recurrence, result.start, *result.first_level);
     return result;
   } catch (const ParseError&) {
     fail(ErrorKind::usage,
@@ -150,10 +151,13 @@ std::string answer_text(const LevelsAnswer& found) {
   const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   if (followed && found.truth() == Truth::yes) {
     const auto& [low, high] = followed->start;
-    return fmt::format(
-        "{} for {} = {} from level to level, {}", property, scheme.names[0], followed->recurrence.text(),
-        low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
-                    : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low), number_text(high)));
+    return fmt::format("{} for {} = {} from level to level, {}", property, scheme.names[0], followed->recurrence.text(),
+                       low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
+                                   : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low),
+                                                 number_text(high))) +
+           (followed->masks_exist ? ""
+            : low == high         ? ", if there is a mask at each level"
+                                  : " that have a mask at each level");
   }
   if (followed && levels.holds == Truth::no)
     return fmt::format("not decided: {} does not hold for every sequence in the range", property);
@@ -221,6 +225,7 @@ Json json_of(const LevelsAnswer& found) {
     recurrence = {{"step", followed->recurrence.text()},
                   {"from", to_text(followed->start.lower)},
                   {"to", to_text(followed->start.upper)},
+                  {"masks_exist", followed->masks_exist},
                   {"first_level", followed->first_level ? Json(*followed->first_level) : Json()},
                   {"limit", followed->limit ? limit_json(*followed->limit) : Json()}};
   return {{"family", scheme.specification},
@@ -364,6 +369,10 @@ ExitCode run(const LevelsCommandOptions& options) {
          found.box.letters());
   if (!options.certificate.empty()) require_folder(options.certificate);
   found.followed = follow(options, scheme, found.box);
+  if (found.followed && found.followed->start.lower == found.followed->start.upper &&
+      scheme.mask.denominator()(found.followed->start.lower) == 0)
+    fail(ErrorKind::domain, "--start: expected a value that has a mask, got {} = {}", scheme.names[0],
+         number_text(found.followed->start.lower));
   options.progress("values");
   const Budget budget = options.limits();
   const bool growing = options.boxes > 0 || !options.plot.empty();

@@ -63,7 +63,11 @@ TEST_CASE("levels: a recurrence") {
   const std::string family = "levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=sqrt((1+v)/2)' ";
   const Run all = run(family + "--start v0=-1..1000000");
   CHECK(all.code == 0);
-  CHECK(says(all, "answer       C1 for v = sqrt((1+v)/2) from level to level, for all v0 from -1 to 1000000\n"));
+  CHECK(says(all,
+             "answer       C1 for v = sqrt((1+v)/2) from level to level, for all v0 from -1 to 1000000 that have a\n   "
+             "          mask at each level\n"));
+  check_fails(run(family + "--start v0=0"), 65, "--start: expected a value that has a mask, got v = 0");
+  CHECK_FALSE(says(run(family + "--start v0=1/100..5"), "mask at each level"));
   CHECK(says(all, "from level 2 on\n"));
   CHECK(run(family + "--start v=0.54").code == 0);
   CHECK(run_json(family + "--start v0=1").at("recurrence").at("first_level") == 0);

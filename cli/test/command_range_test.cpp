@@ -115,7 +115,7 @@ TEST_CASE("range: one sentence that says what is known, and reasons for what is 
   CHECK(contains(run("range four-point:w --over w=1..2 --property C1").out, "answer       C1 for no w from 1 to 2\n"));
   const Run smooth = run("range four-point:r --over r=-1..1 --property C1");
   CHECK(contains(joined(smooth.out),
-                 "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1 but perhaps within "));
+                 "\nanswer       C1 for 0 < r < r1, and for no other r from -1 to 1; open on both sides within "));
   CHECK(contains(joined(smooth.out), " of -1/2, 0, r1; r1 is the zero of -1 + 4*r + 32*r^3 near 0.1927"));
   const Run open = run("range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1");
   CHECK(open.code == 3);  // no budget changes the reason

@@ -264,15 +264,24 @@ std::string text_of(const LevelsAnswer& found) {
   return facts::wrapped(text, 13);
 }
 
+/// `1/20 <= w <= 1/10`, as formulas are written.
+std::string inequalities_text(const Box& box, const LetteredScheme& scheme) {
+  std::vector<std::string> parts;
+  for (std::size_t v = 0; v < box.letters(); ++v)
+    parts.push_back(fmt::format("{} <= {} <= {}", number_text(box.low[v]), scheme.names[v], number_text(box.high[v])));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// The exponents, or else the answer.
 formats::TableRows rows_of(const LevelsAnswer& found) {
   const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   if (growing.empty())
-    return {{"values", "property", "for all sequences"}, {found.values(), property, verdict_text(levels.holds)}};
+    return {{"values", "property", "for all sequences"},
+            {inequalities_text(box, scheme), property, verdict_text(levels.holds)}};
   formats::TableRows rows{{"values", "at least", "at most"}};
   for (const ExponentOfLevels& one : growing) {
     const Enclosure exponent = positive_part(one.exponent);
-    rows.push_back({box_text(one.box, scheme), exponent.lower ? exponent.lower_text(8) : "-",
+    rows.push_back({inequalities_text(one.box, scheme), exponent.lower ? exponent.lower_text(8) : "-",
                     exponent.upper ? exponent.upper_text(8) : "-"});
   }
   return rows;

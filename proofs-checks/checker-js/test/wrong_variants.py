@@ -100,9 +100,10 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             variant = Path(folder) / file.name
             variant.write_text(text[:begin] + new + text[end:])
-            if subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False).returncode:
-                return "do not compile"
-            return "fail" if fails(number, shutil.copy(sources / "main.js", folder)) else "survive"
+            if not fails(number, shutil.copy(sources / "main.js", folder)):
+                return "survive"
+            done = subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False)
+            return "do not compile" if done.returncode else "fail"
 
     if fails(0, sources / "main.js"):
         sys.exit("the checker itself fails")

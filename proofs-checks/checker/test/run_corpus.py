@@ -2,8 +2,7 @@
 """Runs a checker on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER... accept|reject|usage DIRECTORY
 
 Where CHECKER is several words it is started once, with --many: a command line in, a result out, as lists of JSON. Where it is
-`many PROGRAM`, that is made of many.cpp. Instead of a mode, `MODE:N,MODE:N,...` are cases by number, of the corpus whose folders
-are in DIRECTORY; the first failure ends the run."""
+`many PROGRAM`, that is made of many.cpp."""
 import json
 import subprocess
 import sys
@@ -198,14 +197,16 @@ def cases(mode, directory, scratch):
 
 
 class Checker:
-    """A program, or one that is started once in a folder, for many command lines."""
+    """A program, or one that is started once in a folder, for many command lines; with limits, words of the shell."""
 
-    def __init__(self, words, directory):
-        self.words, self.directory = words, directory
+    def __init__(self, words, directory, limits="true", environment=None):
+        self.options = {"cwd": directory, "env": environment}
         self.is_many, self.server = words[0] == "many", None
+        self.words = ["sh", "-c", f'{limits} && exec "$@"', "limited", *words[self.is_many:]]
         if len(words) > 1:
-            command = words[1:] if self.is_many else [*words, "--many"]
-            self.server = subprocess.Popen(command, cwd=directory, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=not self.is_many)
+            command = self.words if self.is_many else [*self.words, "--many"]
+            self.server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=not self.is_many,
+                                           stderr=subprocess.DEVNULL if environment else None, **self.options)
 
     def run(self, arguments):
         """Exit code, standard output, standard error."""
@@ -219,11 +220,12 @@ class Checker:
             self.server.stdin.flush()
             answer = json.loads(self.server.stdout.readline())
             return (answer["exit"], answer["line"], "") if answer["exit"] < 2 else (answer["exit"], "", answer["line"])
-        done = subprocess.run([*self.words, *arguments], cwd=self.directory, capture_output=True, text=True, timeout=60, check=False)
+        done = subprocess.run([*self.words, *arguments], capture_output=True, text=True, check=False, **self.options)
         return done.returncode, done.stdout.strip(), done.stderr.strip()
 
     def close(self):
         if self.server:
+            self.server.kill()
             self.server.communicate()
 
 
@@ -245,25 +247,7 @@ def run_all(words, mode, directory, scratch):
     return bool(failures) or count == 0
 
 
-def run_chosen(words, chosen, corpus, scratch):
-    """Whether one of the chosen cases, (mode, number) each, fails."""
-    checkers, modes = {}, {mode: list(cases(mode, corpus / folder_of(mode), scratch)) for mode in {mode for mode, _ in chosen}}
-    for mode, number in chosen:
-        folder = folder_of(mode)
-        if folder not in checkers:
-            checkers[folder] = Checker(words, corpus / folder)
-        name, arguments, is_right = modes[mode][number]
-        result = checkers[folder].run(arguments)
-        if not is_right(result):
-            print(f"{mode} {name}: {result}")
-            return True
-    return False
-
-
 if __name__ == "__main__":
     *program, what, where = sys.argv[1:]
     with tempfile.TemporaryDirectory() as made:
-        if ":" in what:
-            some = [(case.split(":")[0], int(case.split(":")[1])) for case in what.split(",")]
-            sys.exit(run_chosen(program, some, Path(where), made))
         sys.exit(run_all(program, what, Path(where), made))

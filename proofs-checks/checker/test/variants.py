@@ -63,28 +63,34 @@ class Corpus:
     number, or all where that is None."""
 
     def __init__(self, folder, trace, jobs):
-        self.folder = folder
+        self.scratch = tempfile.TemporaryDirectory()
 
         def traced(case):
             start = time.monotonic_ns()
-            return case[0], trace(folder / run_corpus.folder_of(case[0][0]), case[1]), time.monotonic_ns() - start
-        with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(jobs) as pool:
-            cases = [((mode, number), words) for mode in ("accept", "usage", "reject")
-                     for number, (_, words, _) in enumerate(run_corpus.cases(mode, folder / run_corpus.folder_of(mode), scratch))]
+            return case, trace(*case[:2]), time.monotonic_ns() - start
+        cases = [(folder / run_corpus.folder_of(mode), words, is_right) for mode in ("accept", "usage", "reject") for _, words, is_right
+                 in run_corpus.cases(mode, folder / run_corpus.folder_of(mode), self.scratch.name)]
+        with ThreadPoolExecutor(jobs) as pool:
             self.traces = sorted(pool.map(traced, cases), key=lambda trace: trace[2])
 
     def cases_for(self, number):
-        return [case for case, numbers, _ in self.traces if numbers is None or number in numbers]
+        return [case for case, numbers, _ in self.traces if number == 0 or numbers is None or number in numbers]
 
     def fails(self, checker, number, limits, **environment):
         """Whether a checker, this variant, fails on a case, or exceeds the limits, commands of the shell. Number 0 is none."""
-        cases = self.cases_for(number) if number else [case for case, *_ in self.traces]
-        if not cases:
-            return False
-        words = [sys.executable, "-B", test / "run_corpus.py", *checker, ",".join(f"{mode}:{n}" for mode, n in cases), self.folder]
-        run = subprocess.run(["sh", "-c", f'{limits}; exec "$@"', "limited", *words], capture_output=True, check=False,
-                             env={**os.environ, **environment})
-        return run.returncode != 0
+        started = {}
+        try:
+            for folder, words, is_right in self.cases_for(number):
+                if folder not in started:
+                    started[folder] = run_corpus.Checker(checker, folder, limits, {**os.environ, **environment})
+                if not is_right(started[folder].run(words)):
+                    return True
+        except (OSError, ValueError):  # it has ended
+            return True
+        finally:
+            for one in started.values():
+                one.close()
+        return False
 
 
 def report(chosen, outcome, corpus, jobs, every, same):

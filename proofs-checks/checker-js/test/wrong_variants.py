@@ -3,9 +3,10 @@
 
     wrong_variants.py NODE CORPUS [--only REGEX] [--lines FIRST-LAST] [--list]
 
-A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on those
-cases of the corpus that come to its place, the quickest first, until an outcome is wrong, or for 10 s. Variants that no file can tell from the checker stand in `same.txt`, each with its reason.
-Prints the variants that survive; exit code 1 if there are any, or if a line of `same.txt` fits none."""
+A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on those cases
+of the corpus that come to its place, the quickest first, until an outcome is wrong, or for 10 s. Variants that no file can
+tell from the checker stand in `same.txt`, each with its reason. Prints the variants that survive; exit code 1 if there are
+any, or if a line of `same.txt` fits none."""
 import argparse
 import itertools
 import json

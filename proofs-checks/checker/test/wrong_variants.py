@@ -4,10 +4,10 @@
     wrong_variants.py COMPILER GMP_FLAGS BUILD CORPUS [--checks] [--only REGEX] [--lines FIRST-LAST] [--list]
 
 A variant drops one check, or changes one comparison, condition, rounding, end or sign. All are compiled into one program,
-where a number in the environment chooses one; it is run on those cases of the corpus where
-something of it would have another value, the quickest first, until an outcome is wrong. Variants that no file can
-tell from the checker stand in `same.txt`, each with its reason. Prints the variants that survive; exit code 1 if there are
-any, or if a line of `same.txt` fits none."""
+where a number in the environment chooses one; it is run on those cases of the corpus where something of it would have
+another value, the quickest first, until an outcome is wrong. Variants that no file can tell from the checker stand in
+`same.txt`, each with its reason. Prints the variants that survive; exit code 1 if there are any, or if a line of
+`same.txt` fits none."""
 import argparse
 import concurrent.futures
 import os

@@ -19,8 +19,8 @@ test = Path(__file__).resolve().parent
 def is_code(text, at, quotes, no_code):
     line = text[text.rfind("\n", 0, at) + 1 : text.find("\n", at)]
     column = at - text.rfind("\n", 0, at) - 1
-    comment = line.find("//")
-    in_string = any(line[:column].count(quote) % 2 == 1 for quote in quotes)
+    comment = line.find("//")  # a template of JavaScript may have several lines
+    in_string = any((text[:at] if quote == "`" else line[:column]).count(quote) % 2 == 1 for quote in quotes)
     return not in_string and not 0 <= comment <= column and not line.strip().startswith(no_code)
 
 

@@ -140,6 +140,15 @@ void add_scheme(Command& command, std::string& target, bool any, bool vectors) {
   command.add_to_footer("\n\nSchemes:" + known);
 }
 
+void add_family(Command& command, std::string& target, std::string& over) {
+  command
+      .option("SCHEME", target,
+              "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w, merrien:lambda=-1/8,mu and other families, any letter")
+      .required()
+      .suggest(suggested_schemes);
+  command.option("--over", over, "The values: w=LOW..HIGH").required();
+}
+
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;

@@ -108,6 +108,9 @@ std::vector<Suggestion> suggested_schemes();
 /// of vectors of functions.
 void add_scheme(Command& command, std::string& target, bool any = false, bool vectors = false);
 
+/// The positional argument SCHEME where it is a family with one parameter, and --over, its values.
+void add_family(Command& command, std::string& target, std::string& over);
+
 /// The text with blanks up to this width.
 std::string padded(std::string text, std::size_t width);
 

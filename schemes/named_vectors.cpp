@@ -31,7 +31,7 @@ Scheme make_merrien(Fields& fields) {
   fields.finish();
   return {fmt::format("merrien:lambda={},mu={}", lambda, mu),
           fmt::format("Merrien's Hermite scheme with lambda = {}, mu = {}", lambda, mu),
-          merrien_mask(lambda, mu),
+          make_refinable_scheme(merrien_matrices(to_text(lambda), to_text(mu))).mask,
           {},
           {},
           VectorForm::hermite};

@@ -4,6 +4,7 @@
 #include "classical.hpp"
 #include "plain_text.hpp"
 #include "regression_text.hpp"
+#include "vector_schemes.hpp"
 
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
@@ -376,22 +377,21 @@ bool has_letters(std::string_view family) {
 
 bool is_name(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_letter); }
 
-/// The matrices that `merrien:lambda=-1/8,mu` stands for, typed, as of merrien_mask; a key alone is its own value.
+/// The matrices that `merrien:lambda=-1/8,mu` stands for, typed; a key alone is its own value.
 /// Other specifications as they are.
 std::string typed_out(std::string_view specification) {
   const Piece family = family_of(specification), body = body_of(specification);
   if (family.text != "merrien") return std::string(specification);
-  std::map<std::string_view, std::string> values;
+  std::map<std::string_view, std::string_view> values;
   for (const Piece& field : split(body, ',')) {
     const std::size_t equals = std::min(field.text.find('='), field.text.size());
     const Piece key = trimmed({field.text.substr(0, equals), field.at});
     if (key.text != "lambda" && key.text != "mu") fail(key, std::string("a key of ") + merrien_usage);
     const std::string_view value = equals < field.text.size() ? field.text.substr(equals + 1) : key.text;
-    if (!values.emplace(key.text, fmt::format("({})", value)).second) fail(key, "each key once");
+    if (!values.emplace(key.text, value).second) fail(key, "each key once");
   }
   if (values.size() < 2) fail(family, std::string("the keys lambda and mu, as in ") + merrien_usage);
-  return fmt::format("hermite:[[[1/2,{0}],[1/2-{1}/2,{1}/4]],[[1,0],[0,1/2]],[[1/2,-{0}],[{1}/2-1/2,{1}/4]]]@-1",
-                     values["lambda"], values["mu"]);
+  return merrien_matrices(values["lambda"], values["mu"]);
 }
 
 /// A specification with one letter for the parameter.

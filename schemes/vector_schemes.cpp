@@ -2,6 +2,8 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -84,12 +86,10 @@ RationalMatrix HermiteFit::weights(const Rational& x, int arity) const {
   return powers * coefficients_;
 }
 
-LatticeMask merrien_mask(const Rational& lambda, const Rational& mu) {
-  const Rational half(1, 2), slope = (1 - mu) / 2;
-  return mask_of({{-1, matrix_of(2, {half, slope, lambda, mu / 4})},
-                  {0, matrix_of(2, {1, 0, 0, half})},
-                  {1, matrix_of(2, {half, -slope, -lambda, mu / 4})}},
-                 2);
+std::string merrien_matrices(std::string_view lambda, std::string_view mu) {
+  return fmt::format(
+      "hermite:[[[1/2,({0})],[1/2-({1})/2,({1})/4]],[[1,0],[0,1/2]],[[1/2,-({0})],[({1})/2-1/2,({1})/4]]]@-1", lambda,
+      mu);
 }
 
 LatticeMask hermite_interpolation_mask(int n, int order, int arity) {

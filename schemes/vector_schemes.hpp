@@ -5,6 +5,8 @@
 #include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace subcert {
@@ -28,8 +30,8 @@ class HermiteFit {
 
 /// Merrien's interpolatory 2-point scheme on values and slopes: between data at 0 and 1 it sets f(1/2) = (f0 + f1)/2 +
 /// lambda (f1' - f0') and f'(1/2) = (1 - mu)(f1 - f0) + mu (f0' + f1')/2. Cubic for lambda = -1/8, mu = -1/2; quadratic
-/// splines for mu = -1. Ref: [Mer92].
-LatticeMask merrien_mask(const Rational& lambda, const Rational& mu);
+/// splines for mu = -1. The specification of its matrices, with the two as they are typed. Ref: [Mer92].
+std::string merrien_matrices(std::string_view lambda, std::string_view mu);
 
 /// The interpolatory Hermite scheme whose new values and derivatives, `order` of them at j/arity, are those of the
 /// polynomial that has the `order` data at the 2n points -n+1, ..., n. For order 1 the scheme of Deslauriers and Dubuc.

@@ -9,7 +9,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
-#include <subcert/schemes/vector_schemes.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
@@ -58,6 +58,10 @@ std::string message(const std::function<void()>& run) {
 PropertyRange range_of(const ParametricMask& mask, const char* property, const Rational& low, const Rational& high,
                        const Rational& width = Rational(1, 1000)) {
   return property_range(mask, *parse_range_property(property), low, high, {width, 1, budget});
+}
+
+LatticeMask merrien_mask(const Rational& lambda, const Rational& mu) {
+  return make_refinable_scheme(fmt::format("merrien:lambda={},mu={}", lambda, mu)).mask;
 }
 
 }  // namespace

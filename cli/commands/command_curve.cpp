@@ -228,12 +228,7 @@ void add_curve(Command& app) {
   Command command = add_command(
       app, "curve", "The exponent of a family over its parameter, between certified envelopes",
       "subcert curve four-point:w --over w=0..1/4 --plot curve.svg", options, [=] { return run(*options); });
-  command
-      .option("SCHEME", options->scheme,
-              "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w, merrien:lambda=-1/8,mu and other families, any letter")
-      .required()
-      .suggest(suggested_schemes);
-  command.option("--over", options->over, "The values: w=LOW..HIGH").required();
+  add_family(command, options->scheme, options->over);
   command.option("--pieces", options->pieces, "Intervals, more of them where the envelopes are far apart")
       .within(1, 100'000)
       .with_default();

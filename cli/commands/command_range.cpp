@@ -311,12 +311,7 @@ void add_range(Command& app) {
   Command command = add_command(app, "range", "For which values of its parameter a scheme has a property, with proof",
                                 "subcert range four-point:w --over w=-1..1 --property C1", options,
                                 [=] { return run(*options); });
-  command
-      .option("SCHEME", options->scheme,
-              "mask:[-w,0,1/2+w,1,1/2+w,0,-w], four-point:w, merrien:lambda=-1/8,mu and other families, any letter")
-      .required()
-      .suggest(suggested_schemes);
-  command.option("--over", options->over, "The values: w=LOW..HIGH").required();
+  add_family(command, options->scheme, options->over);
   command.option("--property", options->property, properties).required();
   command.option("--width", options->width, "Of what is left open about an end").exact_number().with_default();
   command.option("--certificate", options->certificate, "Write a certificate for each decided piece into this folder");

@@ -4,7 +4,7 @@
 #include "exact_radius.hpp"
 #include "least_absolute.hpp"
 #include "parameter.hpp"
-#include "surface.hpp"
+#include "surfaces/surface.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "circle.hpp"
 #include "scheme.hpp"
-#include "torus.hpp"
+#include "surfaces/torus.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -6,6 +6,7 @@
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/variance/variance_range.hpp>
@@ -110,13 +111,11 @@ Decision whole_number(long value, const Expectation& expectation) {
   return decided(compare(Rational(value), expectation.relation, expectation.number), "it is " + std::to_string(value));
 }
 
-/// Whether the old values are kept: of the indices in M Z^s only 0 has a coefficient, which is 1.
-bool is_interpolatory(const LatticeMask& mask) {
-  const LatticePoint zero(mask.dilation().variables(), 0);
-  const std::size_t digit = mask.dilation().divide(zero).digit;
-  for (const auto& term : mask.symbol().terms())
-    if (mask.dilation().divide(term.exponents).digit == digit && term.exponents != zero) return false;
-  return mask.symbol().coefficient(zero) == 1;
+/// Whether the data are kept at the old places, derivatives per unit of the finer spacing.
+Decision interpolatory(const Scheme& scheme, const Expectation& expectation, double) {
+  const LatticeMask& mask = scheme.mask;
+  const bool kept = keeps_data(mask.terms(), mask.components(), mask.dilation(), scheme.form == VectorForm::hermite);
+  return matches({kept ? Truth::yes : Truth::no, ""}, expectation.yes);
 }
 
 Decision stable(const Scheme& scheme, const Expectation& expectation, double seconds) {
@@ -194,26 +193,6 @@ Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation
   return whole_number(data::hermite_reproduction(scheme.mask).degree, expectation);
 }
 
-/// Whether the data are kept at the old places, derivatives per unit of the finer spacing.
-bool keeps_vectors(const Scheme& scheme) {
-  const LatticeMask& mask = scheme.mask;
-  const LatticePoint zero(mask.dilation().variables(), 0);
-  const std::size_t digit = mask.dilation().divide(zero).digit;
-  std::size_t kept = 0;
-  for (const LatticeMask::Term& term : mask.terms()) {
-    if (mask.dilation().divide(term.exponents).digit != digit) continue;
-    if (term.exponents != zero || term.row != term.column) return false;
-    const long derivative = scheme.form == VectorForm::hermite ? static_cast<long>(term.row) : 0;
-    if (term.coefficient != (derivative == 0 ? Rational(1) : power(Rational(mask.arity()), -derivative))) return false;
-    ++kept;
-  }
-  return kept == mask.components();
-}
-
-Decision interpolatory_vector(const Scheme& scheme, const Expectation& expectation, double) {
-  return matches({keeps_vectors(scheme) ? Truth::yes : Truth::no, ""}, expectation.yes);
-}
-
 }  // namespace
 
 const std::vector<Property>& known_properties() {
@@ -229,9 +208,6 @@ const std::vector<Property>& known_properties() {
   };
   constexpr auto reproduces = [](S s, E e, double) {
     return s.rounding ? rounded_coefficients() : whole_number(polynomial_reproduction(s.mask).reproduction_degree, e);
-  };
-  constexpr auto interpolatory = [](S s, E e, double) {
-    return matches({is_interpolatory(s.mask) ? Truth::yes : Truth::no, ""}, e.yes);
   };
   static const std::vector<Property> all{
       {"convergent", answer, "uniform convergence for all bounded data", Expects::answer, convergent,
@@ -277,7 +253,7 @@ const std::vector<Property>& known_properties() {
        interpolatory,
        interpolatory,
        {},
-       interpolatory_vector},
+       interpolatory},
       {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", Expects::comparison,
        variance, nullptr}};
   return all;

@@ -13,6 +13,20 @@ LatticeMask matrix_mask(const std::vector<LatticeMask::Term>& terms, std::size_t
   return {std::move(result), dilation};
 }
 
+bool keeps_data(const std::vector<LatticeMask::Term>& terms, std::size_t size, const Dilation& dilation,
+                bool derivatives, const Rational& one) {
+  const LatticePoint zero(dilation.variables(), 0);
+  const std::size_t digit = dilation.divide(zero).digit;
+  std::vector<Rational> diagonal(size, 0), expected(size, one);
+  for (std::size_t i = 1; derivatives && i < size; ++i) expected[i] = expected[i - 1] / dilation.factor().value();
+  for (const LatticeMask::Term& term : terms) {
+    if (term.coefficient == 0 || dilation.divide(term.exponents).digit != digit) continue;
+    if (term.exponents != zero || term.row != term.column) return false;
+    diagonal[term.row] = term.coefficient;
+  }
+  return diagonal == expected;
+}
+
 LatticeMask QuadraticMask::at(const Rational& number) const {
   std::vector<LatticeMask::Term> terms;
   const std::size_t size = components();

@@ -9,6 +9,12 @@ namespace subcert {
 /// throws Error where all are 0.
 LatticeMask matrix_mask(const std::vector<LatticeMask::Term>& terms, std::size_t size, const Dilation& dilation);
 
+/// Whether a scheme with these terms, each entry once, keeps its data: of the A_k with k in M Z^s only A_0 is not 0,
+/// and is `one` times the identity, or with `derivatives`, which are per unit of the spacing, times diag(1, 1/a, 1/a^2,
+/// ...). Domain: rows and columns below `size`; with derivatives a dilation a.
+bool keeps_data(const std::vector<LatticeMask::Term>& terms, std::size_t size, const Dilation& dilation,
+                bool derivatives, const Rational& one = 1);
+
 /// The matrices A_k = P_k + sqrt(root) Q_k by masks of rational matrices of twice as many rows.
 struct QuadraticMask {
   long root;  ///< positive, no square

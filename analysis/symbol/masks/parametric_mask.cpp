@@ -232,9 +232,7 @@ Mask ParametricMask::at(const Values& values) const {
   return {entries_at(values), arity_};
 }
 
-LatticeMask ParametricMask::lattice_mask_at(const Values& values) const {
-  if (components_ == 1) return at(values);
-  const LaurentPolynomial entries = entries_at(values);
+std::vector<LatticeMask::Term> ParametricMask::terms_of(const LaurentPolynomial& entries) const {
   const auto rows = static_cast<long>(components_);
   std::vector<LatticeMask::Term> terms;
   for (long k = 0; k < entries.length(); ++k) {
@@ -244,7 +242,12 @@ LatticeMask ParametricMask::lattice_mask_at(const Values& values) const {
                      static_cast<std::size_t>(modulo(at, rows)),
                      entries.coefficient(at)});
   }
-  return matrix_mask(terms, components_, Dilation::multiple(1, arity_));
+  return terms;
+}
+
+LatticeMask ParametricMask::lattice_mask_at(const Values& values) const {
+  if (components_ == 1) return at(values);
+  return matrix_mask(terms_of(entries_at(values)), components_, Dilation::multiple(1, arity_));
 }
 
 std::optional<std::vector<LaurentPolynomial>> ParametricMask::controls(const Box& box) const {

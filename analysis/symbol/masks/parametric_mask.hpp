@@ -51,6 +51,8 @@ class ParametricMask {
   LaurentPolynomial coefficient(long index) const;
   /// a(z, w). Errors: throws Error where the denominator vanishes.
   LaurentPolynomial entries_at(const Values& values) const;
+  /// Those of a polynomial as a(z, w) is for some w: the entries of the A_k.
+  std::vector<LatticeMask::Term> terms_of(const LaurentPolynomial& entries) const;
   /// Of numbers. Errors: throws Error for matrices, where all coefficients vanish there, or the denominator does.
   Mask at(const Values& values) const;
   Mask at(const Rational& w) const { return at(Values{w}); }

@@ -1,5 +1,7 @@
 #include "polynomial_data.hpp"
 
+#include "matrix_masks.hpp"
+
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 
@@ -50,18 +52,10 @@ class Samples {
     return result;
   }
 
-  bool interpolate() const {
-    return std::ranges::all_of(samples_, [this](const auto& sample) {
-      const long block = components_ * components_;
-      for (long k = 0; k < sample.first.length(); ++k) {
-        const long at = sample.first.lowest() + k, place = modulo(at, block);
-        if (floor_divide(at, block) % arity_ != 0) continue;
-        const bool is_diagonal = at == place && place % (components_ + 1) == 0;
-        if (sample.first.coefficient(at) !=
-            (is_diagonal ? Rational(sample.second * power(Rational(arity_), -(place / components_))) : Rational(0)))
-          return false;
-      }
-      return true;
+  bool interpolate(const ParametricMask& mask) const {
+    return std::ranges::all_of(samples_, [&](const auto& sample) {
+      return keeps_data(mask.terms_of(sample.first), mask.components(), Dilation::multiple(1, mask.arity()), true,
+                        sample.second);
     });
   }
 
@@ -184,7 +178,7 @@ PolynomialData kept_polynomials(const ParametricMask& mask) {
   PolynomialData result{hermite_data(samples, mask.arity(), most)};
   result.hermite = result.data.size() >= mask.components();
   if (result.hermite)
-    result.interpolating = samples.interpolate();
+    result.interpolating = samples.interpolate(mask);
   else
     result.data = other_data(samples, mask.arity(), most);
   return result;

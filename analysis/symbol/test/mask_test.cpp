@@ -1,4 +1,4 @@
-#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -74,4 +74,26 @@ TEST_CASE("factors of a product are scaled so that it has coset sums 1 where the
   CHECK(twice.symbol().coefficient({0, 0}) == Rational(9, 8));
   const Mask vanishing(LaurentPolynomial::parse_mask("[1,-1]"), 2);
   CHECK(tensor_product({chaikin, vanishing}).factors() == std::vector<Mask>{chaikin, vanishing});
+}
+
+TEST_CASE("data are kept where of M Z^s only 0 has a matrix, with derivatives per unit of the spacing") {
+  using Terms = std::vector<LatticeMask::Term>;
+  const Dilation two = Dilation::multiple(1, 2), three = Dilation::multiple(1, 3);
+  const Terms hermite{{{0}, 0, 0, 1}, {{0}, 1, 1, Rational(1, 2)}, {{1}, 0, 1, 7}, {{2}, 1, 0, 0}};
+  CHECK(keeps_data(hermite, 2, two, true));
+  CHECK_FALSE(keeps_data(hermite, 2, two, false));
+  CHECK_FALSE(keeps_data(hermite, 2, three, true));
+  const Terms doubled{{{0}, 0, 0, 3}, {{0}, 1, 1, Rational(3, 2)}};
+  CHECK(keeps_data(doubled, 2, two, true, 3));
+  CHECK_FALSE(keeps_data(doubled, 2, two, true));
+  CHECK_FALSE(keeps_data({{{0}, 0, 0, 1}}, 2, two, true));
+  CHECK(keeps_data({{{0}, 0, 0, 1}, {{0}, 1, 1, Rational(1, 3)}, {{0}, 2, 2, Rational(1, 9)}}, 3, three, true));
+  for (const LatticeMask::Term& more : Terms{{{2}, 0, 0, 1}, {{-2}, 1, 1, 1}, {{0}, 0, 1, 1}, {{4}, 1, 0, 1}}) {
+    Terms terms = hermite;
+    terms.push_back(more);
+    CHECK_FALSE(keeps_data(terms, 2, two, true));
+  }
+  const Dilation quincunx({{1, 1}, {1, -1}});
+  CHECK(keeps_data({{{0, 0}, 0, 0, 1}, {{1, 0}, 0, 0, 5}}, 1, quincunx, false));
+  CHECK_FALSE(keeps_data({{{0, 0}, 0, 0, 1}, {{1, 1}, 0, 0, 5}}, 1, quincunx, false));
 }

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Wrong variants of checker.js: each must fail on a file of the corpus.
 
-    wrong_variants.py NODE CORPUS [--only REGEX] [--list]
+    wrong_variants.py NODE CORPUS [--only REGEX] [--lines FIRST-LAST] [--list]
 
-A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on the corpus until
-an outcome is wrong, or for 10 s. Variants that no file can tell from the checker stand in `same.txt`, each with its reason.
-Prints the variants that survive; exit code 1 if there are any, or if a line of `same.txt` fits none."""
+A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on those cases
+of the corpus that come to its place, the quickest first, until an outcome is wrong, or for 10 s. Variants that no file can
+tell from the checker stand in `same.txt`, each with its reason. Prints the variants that survive; exit code 1 if there are
+any, or if a line of `same.txt` fits none."""
 import argparse
+import itertools
+import json
 import os
 import re
 import shutil
@@ -55,35 +58,57 @@ CHANGES = [
 ]
 
 
+def reached(coverage, chosen):
+    """The numbers of the variants whose place a run came to: the innermost range of V8's report around it counts."""
+    scripts = json.loads(coverage.read_text())["result"]
+    functions = next(script["functions"] for script in scripts if script["url"].endswith("/checker.js"))
+    ranges = sorted((r["startOffset"], -r["endOffset"], r["count"]) for function in functions for r in function["ranges"])
+    places = sorted((begin, number) for number, (_, _, begin, _, _) in chosen.items())
+    numbers, first = {}, 0
+    for start, end, count in ranges:
+        while first < len(places) and places[first][0] < start:
+            first += 1
+        for begin, number in itertools.islice(places, first, None):
+            if begin >= -end:
+                break
+            numbers[number] = count
+    return {number for number, count in numbers.items() if count > 0}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("node")
     parser.add_argument("corpus", type=Path)
-    parser.add_argument("--only", default="", help="variants whose name this matches")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--list", action="store_true")
-    arguments = parser.parse_args()
+    arguments = variants.arguments_of(parser)
     # lines that count work and memory are left out: these limits are the checker's own
     every = list(variants.variants([sources / "checker.js"], CHANGES, "'`", ("spend(", "allow_bits(")))
-    chosen = {n: v for n, v in enumerate(every, 1) if re.search(arguments.only, v[0])}
-    if arguments.list:
-        print("\n".join(name for name, *_ in chosen.values()))
-        return 0
+    chosen = variants.chosen(every, arguments)
+
+    def trace(folder, words):
+        with tempfile.TemporaryDirectory() as coverage:
+            subprocess.run([arguments.node, sources / "main.js", *words], cwd=folder, capture_output=True, check=False,
+                           env={**os.environ, "NODE_V8_COVERAGE": coverage})
+            return reached(next(Path(coverage).iterdir()), chosen)
+
+    corpus = variants.Corpus(arguments.corpus.resolve(), trace, arguments.jobs)
+
+    def fails(number, main_js):
+        return corpus.fails([arguments.node, "--max-old-space-size=2000", main_js], number, "ulimit -t 10")
 
     def outcome(numbered):
-        _, (_, file, begin, end, new) = numbered
+        number, (_, file, begin, end, new) = numbered
         text = file.read_text()
         with tempfile.TemporaryDirectory() as folder:
             variant = Path(folder) / file.name
             variant.write_text(text[:begin] + new + text[end:])
-            if subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False).returncode:
-                return "do not compile"
-            main_js = shutil.copy(sources / "main.js", folder)
-            return "fail" if variants.fails([arguments.node, "--max-old-space-size=2000", main_js], arguments.corpus, "ulimit -t 10") else "survive"
+            if not fails(number, shutil.copy(sources / "main.js", folder)):
+                return "survive"
+            done = subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False)
+            return "do not compile" if done.returncode else "fail"
 
-    if outcome((0, ("", sources / "checker.js", 0, 0, ""))) != "survive":
+    if fails(0, sources / "main.js"):
         sys.exit("the checker itself fails")
-    return variants.report(chosen, outcome, arguments.jobs, every, test / "same.txt")
+    return variants.report(chosen, outcome, corpus, arguments.jobs, every, test / "same.txt")
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@ from pathlib import Path
 compiler, flags, build, corpus = sys.argv[1], shlex.split(sys.argv[2]), Path(sys.argv[3]).resolve(), Path(sys.argv[4])
 test = Path(__file__).resolve().parent
 sources = test.parent
+files = {file.name: file for file in sources.rglob("*.[ch]pp") if test not in file.parents}
 libraries = [flag for flag in flags if not flag.startswith("-I")]
 includes = [flag for flag in flags if flag.startswith("-I")]
 shutil.rmtree(build, ignore_errors=True)
@@ -35,7 +36,7 @@ def compile_one(source):
 
 
 with ThreadPoolExecutor(2) as pool:
-    list(pool.map(compile_one, sources.glob("*.cpp")))
+    list(pool.map(compile_one, (file for file in files.values() if file.suffix == ".cpp")))
 program = build / "subcert-check"
 subprocess.run([compiler, "--coverage", *build.glob("*.o"), "-o", program, *libraries], check=True)
 for mode, folder in (("accept", "accept"), ("reject", "reject"), ("usage", "accept")):
@@ -52,14 +53,14 @@ subprocess.run([gcov, "--branch-probabilities", "--json-format", *build.glob("*.
 
 @functools.lru_cache
 def lines_of(name):
-    return (sources / name).read_text().splitlines()
+    return files[name].read_text().splitlines()
 
 
 taken, runs = collections.Counter(), collections.Counter()  # of (file, line, what of the line), of (file, line)
 for report in build.glob("*.gcov.json.gz"):
     for entry in json.loads(gzip.decompress(report.read_bytes()))["files"]:
         file = Path(entry["file"])
-        for line in entry["lines"] if file.parent.resolve() == sources else []:
+        for line in entry["lines"] if files.get(file.name) == file.resolve() else []:
             at = file.name, line["line_number"]
             text = lines_of(at[0])[at[1] - 1].strip()
             if text in ("}", "};"):  # destructors

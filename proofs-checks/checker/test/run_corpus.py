@@ -1,216 +1,253 @@
 #!/usr/bin/env python3
 """Runs a checker on the corpus and on wrong command lines. Usage: run_corpus.py CHECKER... accept|reject|usage DIRECTORY
+
 Where CHECKER is several words it is started once, with --many: a command line in, a result out, as lists of JSON. Where it is
-`many PROGRAM`, that is made of many.cpp. With SUBCERT_FIRST_FAILURE in the environment the first failure ends the run."""
+`many PROGRAM`, that is made of many.cpp."""
 import json
-import os
 import subprocess
 import sys
 import tempfile
 from fractions import Fraction
 from pathlib import Path
 
-checker, mode, directory = sys.argv[1:-2], sys.argv[-2], Path(sys.argv[-1])
-failures = []
-server = None
-if checker[0] == "many":
-    server = subprocess.Popen(checker[1:], cwd=directory, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-elif len(checker) > 1:
-    server = subprocess.Popen([*checker, "--many"], cwd=directory, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+MORE, MANY, LARGE = FILES = [f"FOLDER/{name}.mat" for name in ("more", "many", "large")]
+GOLDEN = "--matrices golden.mat --upper 2"
+# Exit codes of command lines.
+USAGE = [
+    (64, ""), (64, "golden.cert"), (64, f"{GOLDEN}"), (64, f"{GOLDEN} golden.cert golden.cert"),
+    (64, f"{GOLDEN} --upper 2 golden.cert"), (64, f"{GOLDEN} --other 2 golden.cert"), (64, "golden.cert --upper"),
+    (64, "--matrices golden.mat golden.cert"), (64, "--matrices golden.mat --upper 2/0 golden.cert"),
+    (64, "--mask [1,1] --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --upper 1 golden.cert"),
+    (64, "--mask [1,1] --arity 1 --lower 1 golden.cert"), (64, "--mask [1,1]/0 --arity 2 --lower 1 golden.cert"),
+    (64, "--mask [0] --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1 --arity 2 --lower 1 golden.cert"),
+    (64, "--mask [w,1-w] --arity 2 --lower 1 golden.cert"), (64, "--mask [w,1-w] --arity 2 --for t=0..1 golden.cert"),
+    (64, "--mask [w^13,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w*w,1] --arity 2 --for w=0..1 golden.cert"),
+    (64, "--mask [2w,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [*w,1] --arity 2 --for w=0..1 golden.cert"),
+    (64, "--mask [w^,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [,w] --arity 2 --for w=0..1 golden.cert"),
+    (64, "--mask [w+,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1] --arity 2 --for w=1..1 golden.cert"),
+    (64, "--mask [w,1] --arity 2 --for w=0.1 golden.cert"), (64, "--mask [w,1] --arity 2 --for 1=0..1 golden.cert"),
+    (64, "--mask [w,1] --arity 2 --for w= golden.cert"), (64, "--mask [w,1] --arity 2 --for w=..1 golden.cert"),
+    (64, "--matrices golden.mat --for w=0..1 --upper 2 golden.cert"),
+    (64, "--matrices golden.mat --levels w=0..1 --upper 2 golden.cert"),
+    *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 {more}golden.cert") for more in (
+        "", "--upper 1 ", "--lower 0 --upper 1 ", "--upper C1 ", "--lower 0 --for w=0..1 ", "--lower 0 --within 1/9,1 ",
+        "--lower 0 --levels w=0..1 ", "--lower 0 --exact 1-log|[-1,1]@1,0,1|^1/1 ")),
+    (64, "--mask [w,1-w,1-w,w] --arity 2 --levels w=1..1 --lower 0 golden.cert"),
+    (64, "--mask [w,1-w,1-w,w] --arity 2 --levels v=0..1 --lower 0 golden.cert"),
+    (64, "--matrices golden.mat --within 1/9,1 --upper 2 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 0,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within 1/9 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 1/9,0 golden.cert"), (64, "--mask [1,1] --arity 2 --within -1,1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within , golden.cert"),
+    (64, "--mask [w,1] --arity 2 --within 1/9,1 --for w=0..1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --upper C golden.cert"), (64, "--mask [1,1] --arity 2 --upper C0 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --upper C501 golden.cert"), (64, "--mask [1,1] --arity 2 --upper C-1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1 --upper C1 golden.cert"), (64, "--matrices golden.mat --upper C1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --lower 1 --upper C1 golden.cert"),
+    *((64, f"--matrices golden.mat --exact {exact} golden.cert") for exact in (
+        "", "2-log|[-1,1]@1,0,1|^1/1", "[-1,1]@1,0,1^1/1", "|[-1,1]@1,0,1|", "|[-1,1]@1,0|^1/1", "|[-1,1]@1,0,0|^1/1",
+        "|[-1,1]@1,0,1|^1/0", "|[-1,1]@1,0,1|^1/1001", "|[1]@1,0,1|^1/1", "|[1,0]@1,0,1|^1/1", "|[1/2,1]@1,0,1|^1/1",
+        "|[]@1,0,1|^1/1", "|x-1,1]@1,0,1|^1/1", "|[-1,1]@1,0,-1|^1/1", "|[-1,1]@1,,1|^1/1", "|@1,0,1|^1/1", "|[-1,1|^1/1]@1,0,1")),
+    *((64, f"--mask [1,2,1]/2 --arity 2 --exact {exact} golden.cert") for exact in (
+        "|[-1,1]@1,0,1|^1/1", "log|[-1,1]@1,0,1|^1/1", "501-log|[-1,1]@1,0,1|^1/1", "-1-log|[-1,1]@1,0,1|^1/1")),
+    (64, "--mask [w,1] --arity 2 --for w=0..1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --logarithm 1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm 257 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm -1 golden.cert"),
+    (64, f"{GOLDEN} --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
+    (64, "--mask [w,1]/(w --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1]/() --arity 2 --for w=0..1 golden.cert"),
+    (64, "--mask [1,1]/(2) --arity 2 --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1]] --dilation [2,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1] --dilation [2,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]]@0 --dilation [2,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,65] --lower 1 golden.cert"),
+    (64, "--surface [1] --mask [1] --dilation [2] --arity 2 --lower 1 golden.cert"),
+    (64, "--matrices golden.mat --upper 2/1/1 golden.cert"), (64, "--mask [3.w,1] --arity 2 --for w=0..1 golden.cert"),
+    (64, "--mask [2+wx2,1] --arity 2 --for w=0..1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --for 1=0..1 --lower 1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --for w:0..1 --lower 1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --for w=..1 --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation 2,0;0,2 --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2} --lower 1 golden.cert"),
+    (64, "--surface [1,2,1]/2@0@0 --dilation [2] --lower 1 golden.cert"),
+    (64, "--surface [[[[1,1],[1,1]]]] --dilation [2] --lower 1 golden.cert"),
+    (64, "--surface 1,2,1 --dilation [2] --lower 1 golden.cert"),
+    (64, "--surface [1,2,1]]/2 --dilation [2] --lower 1 golden.cert"),
+    (64, "--mask [1 --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1]x --arity 2 --lower 1 golden.cert"),
+    (64, "--mask [1,1]x2 --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1] --arity 2 --lower 1 golden.cert"),
+    (64, "--mask [1,0] --arity 2 --lower 1 golden.cert"), (64, "--mask [[1,1],[1,1]] --arity 2 --lower 1 golden.cert"),
+    (64, f"--mask [{'1,' * 1000}1] --arity 2 --lower 1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --for {=0..1 golden.cert"), (64, "--mask [1,1] --arity 2 --for _=0..1 golden.cert"),
+    (64, "--surface [1,1] --dilation 2 --lower 1 golden.cert"),
+    (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
+    (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
+    (64, "--mask [0,1] --arity 2 --lower 1 golden.cert"),
+    (64, "--mask [+1,1] --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --for w --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,12] --dilation [2,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation 12,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [1,2,1]/2@-1 --dilation [-65] --lower 1 golden.cert"),
+    (64, "--surface [1,2,1] --dilation [2,0,0,0;0,2,0,0;0,0,2,0;0,0,0,2] --lower 1 golden.cert"),
+    *((64, f"--mask [1/{2**6000},1]/{3**4100} --arity 2{range_} --lower 1 golden.cert") for range_ in ("", " --for w=0..1")),
+    (64, "--mask [1,1]/-1 --arity 2 --lower 1 golden.cert"), (64, "--lower 1 golden.cert"), (64, "--help golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --upper 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]]/-1 --dilation [2,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,15] --dilation [2,0;0,2] --lower 1 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,-65] --lower 1 golden.cert"),
+    (64, f"--surface [{'1,' * 10000}1] --dilation [2] --lower 1 golden.cert"),
+    (65, f"--matrices {MORE} --upper 2 golden.cert"), (65, f"--matrices {MANY} --upper 2 golden.cert"),
+    (65, f"--matrices {LARGE} --upper 2 golden.cert"),
+    (64, "--subradius golden.mat golden.cert"), (64, "--subradius golden.mat --upper C1 golden.cert"),
+    (64, "--subradius golden.mat --matrices golden.mat --upper 2 golden.cert"),
+    (64, "--subradius golden.mat --mask [1,1] --arity 2 --lower 1 golden.cert"),
+    (64, "--subradius golden.mat --surface [1,1] --dilation [2] --lower 1 golden.cert"),
+    *((64, f"--subradius golden.mat --lower 1 {option} golden.cert") for option in (
+        "--exact 1-log|[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--levels w=0..1", "--within 1/9,1",
+        "--arity 2", "--dilation [2]")),
+    (64, "--subradius golden.mat --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
+    (64, "--subradius golden.mat --exact |[-1,1]@1,0,0|^1/1 golden.cert"), (64, "--subradius golden.mat --lower 1"),
+    (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
+    (66, "--subradius golden.mat --upper 2 none.cert"),
+    (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
+    *((64, f"--l1 {rule} golden.cert") for rule in (
+        "6,1", "6,1 --upper 1", "6,1 --contraction 1,1,1 --upper 1", "6,1 --lower 1/2 --upper C1", "6,1 --lower 1/2 --upper x", "14,1 --lower 1", "6,1 --lower 1 --mask [1,1]", "6,1 --lower 1 --arity 2", "6 --lower 1",
+        "6,1,1 --lower 1", "6,1,2 --lower 1", "6,1,17 --lower 1", "6,1,x --lower 1", "6,1,3,3 --lower 1", "6,1, --lower 1", "6,1,3 --contraction 6,1,1", "6,5 --lower 1", "1,0 --lower 1", "17,1 --lower 1", "16,7 --lower 1", "6,-1 --lower 1", "x,1 --lower 1",
+        "6,1 --lower x", "6,1 --exact |[-1,1]@1,0,1|^1/1", "6,1 --lower 1 --matrices golden.mat", "6,1 --lower 1 --logarithm 0",
+        *(f"6,1 --contraction {fields}" for fields in ("1,1", "1,1,1,1", "0,1,1", "9,1,1", "1,0,1", "1,3,1", "1,1,-1", "1,1,x", "")))),
+    (64, "--contraction 1,1,1 golden.cert"), (64, "--contraction 1,1,1 --lower 1/2 golden.cert"), (64, "--l1 6,1 --contraction 1,1,1"), (64, "--l1 6,1 --lower 1"), (66, "--l1 6,1 --lower 1 none.cert"), (66, "--l1 13,1 --lower 1 none.cert"),
+    (64, "--contraction 1,1,1 --mask [1,2,1]/2 --arity 2 --lower 1 golden.cert"),
+    (66, f"{GOLDEN} none.cert"), (66, f"{GOLDEN} ."), (66, f"{GOLDEN} /dev/null"), (64, f"{GOLDEN} --FILE golden.cert"),
+    *((64, f"--refinable {options} golden.cert") for options in (
+        "[[[1]]]", "[[[1]]] --dilation [2]", "[[[1]]] --lower 1", "[[[1]]] --dilation [2] --upper 1", "[[[1]]] --arity 2 --lower 1",
+        "[[[1]]] --dilation [2] --lower 1 --surface [1]", "[[[1]]] --dilation [2] --lower 1 --mask [1] --arity 2",
+        "[[[1]]] --dilation [2] --lower 1 --matrices golden.mat", "[[[1]]] --dilation [2] --lower 1 --logarithm 0",
+        "[[[1]]] --dilation [2] --lower 1 --upper C1", "[[[1]]] --dilation [2] --lower 1 --within 1/9,1", "[[[1]]] --dilation [2] --lower 1 --for w=0..1",
+        *(f"{mask} --dilation [2] --lower 1" for mask in (
+            "[[1]]", "[1]", "1", "[]", "[[[[1]]]]", "[[[[[[1]]]]]]", "[[[1,2]]]", "[[[1],[2]]]", "[[[1,0],[0,1]],[[1]]]", "[[[1,0],[0]]]", "[[[1]]", "[[[1]]]]",
+            "[[[1]]]/0", "[[[1]]]@1,1", "[[[1]]]@", "[[[1]]]/2@x", "[[[w]]]", "[[[]]]", "[[[1]],[[]]]", "[[[1]]]2", "[[[1]]]/2/2")))),
+    (66, "--refinable [[[1]]] --dilation [2] --lower 1 none.cert"), (66, "--refinable [[[[[1]]]]] --dilation [2,0,0;0,2,0;0,0,2] --lower 1 none.cert"),
+    (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{GOLDEN} golden.cert"),
+]
 
 
-def run(arguments):
-    if checker[0] == "many":
-        server.stdin.write(b"".join(word.encode() + b"\0" for word in [str(len(arguments)), *arguments]))
-        server.stdin.flush()
-        code, _, line = server.stdout.readline().decode("latin-1").partition(" ")
-        return (int(code or -1), line.strip(), "") if code in ("", "0", "1") else (int(code), "", line.strip())
-    if server:
-        server.stdin.write(json.dumps(arguments) + "\n")
-        server.stdin.flush()
-        answer = json.loads(server.stdout.readline())
-        return (answer["exit"], answer["line"], "") if answer["exit"] < 2 else (answer["exit"], "", answer["line"])
-    done = subprocess.run([*checker, *arguments], cwd=directory, capture_output=True, text=True, timeout=60)
-    return done.returncode, done.stdout.strip(), done.stderr.strip()
+def usage_cases(directory, scratch):
+    """(name, words, whether a result is right) for each command line of USAGE; files that they name are made in `scratch`."""
+    texts = [(directory / "golden.mat").read_text() + "row 1 1\n", "matrices 4096 256\n",
+             f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n"]
+    for name, text in zip(FILES, texts):
+        Path(name.replace("FOLDER", scratch)).write_text(text)
+    for code, arguments in USAGE:
+        yield arguments, arguments.replace("FOLDER", scratch).split(), lambda result, code=code: (
+            result[0] == code and bool(result[2] if code else result[1]) and (code == 0 or "VERIFIED" not in result[1])
+            and "internal error" not in result[2])
 
 
-def expect(name, condition, result):
-    if not condition:
-        failures.append(f"{name}: {result}")
-        if "SUBCERT_FIRST_FAILURE" in os.environ:
-            sys.exit(failures[0])
+def printed(arguments):
+    """What a checker prints where it accepts a claim."""
+    values = dict(zip(arguments[::2], arguments[1::2]))
+    lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
+    levels = values.pop("--levels", None)
+    range_ = levels or values.get("--for")
+    exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
+    what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
+    what = "joint spectral subradius" if "--subradius" in values else what
+    what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"
+    subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
+                            for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
+    subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
+    relation = "<" if range_ else "<="
+    rough = upper and upper.startswith("C")
+    if rough:
+        what = (f"{what} and no C^" if lower or exact else "no C^") + upper[1:] + " limits"
+    elif range_ and upper and not lower:
+        what = "no convergence, or " + what
+    text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
+    text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
+    text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
+    text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else "")
+    text += f" for all masks within={within}" if within else ""
+    if "--l1" in values:
+        steps, order, bound = values.get("--contraction", "0,0,0").split(",")
+        parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []
+        parts += [f"|D^{order} S^{steps} f| <= {Fraction(bound)} |D^{order} f|"] if "--contraction" in values else []
+        text = f"VERIFIED {' and '.join(parts)} of least absolute deviations {values['--l1']}"
+    return text
 
 
-count = 0
-if mode == "usage":
-    folder = tempfile.TemporaryDirectory()
-    more, many, large = (Path(folder.name) / f"{name}.mat" for name in ("more", "many", "large"))
-    more.write_text((directory / "golden.mat").read_text() + "row 1 1\n")
-    many.write_text("matrices 4096 256\n")
-    large.write_text(f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n")
-    golden = "--matrices golden.mat --upper 2"
-    for code, arguments in [
-            (64, ""), (64, "golden.cert"), (64, f"{golden}"), (64, f"{golden} golden.cert golden.cert"),
-            (64, f"{golden} --upper 2 golden.cert"), (64, f"{golden} --other 2 golden.cert"), (64, "golden.cert --upper"),
-            (64, "--matrices golden.mat golden.cert"), (64, "--matrices golden.mat --upper 2/0 golden.cert"),
-            (64, "--mask [1,1] --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --upper 1 golden.cert"),
-            (64, "--mask [1,1] --arity 1 --lower 1 golden.cert"), (64, "--mask [1,1]/0 --arity 2 --lower 1 golden.cert"),
-            (64, "--mask [0] --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1 --arity 2 --lower 1 golden.cert"),
-            (64, "--mask [w,1-w] --arity 2 --lower 1 golden.cert"), (64, "--mask [w,1-w] --arity 2 --for t=0..1 golden.cert"),
-            (64, "--mask [w^13,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w*w,1] --arity 2 --for w=0..1 golden.cert"),
-            (64, "--mask [2w,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [*w,1] --arity 2 --for w=0..1 golden.cert"),
-            (64, "--mask [w^,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [,w] --arity 2 --for w=0..1 golden.cert"),
-            (64, "--mask [w+,1] --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1] --arity 2 --for w=1..1 golden.cert"),
-            (64, "--mask [w,1] --arity 2 --for w=0.1 golden.cert"), (64, "--mask [w,1] --arity 2 --for 1=0..1 golden.cert"),
-            (64, "--mask [w,1] --arity 2 --for w= golden.cert"), (64, "--mask [w,1] --arity 2 --for w=..1 golden.cert"),
-            (64, "--matrices golden.mat --for w=0..1 --upper 2 golden.cert"),
-            (64, "--matrices golden.mat --levels w=0..1 --upper 2 golden.cert"),
-            *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 {more}golden.cert") for more in (
-                "", "--upper 1 ", "--lower 0 --upper 1 ", "--upper C1 ", "--lower 0 --for w=0..1 ", "--lower 0 --within 1/9,1 ",
-                "--lower 0 --levels w=0..1 ", "--lower 0 --exact 1-log|[-1,1]@1,0,1|^1/1 ")),
-            (64, "--mask [w,1-w,1-w,w] --arity 2 --levels w=1..1 --lower 0 golden.cert"),
-            (64, "--mask [w,1-w,1-w,w] --arity 2 --levels v=0..1 --lower 0 golden.cert"),
-            (64, "--matrices golden.mat --within 1/9,1 --upper 2 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --within 0,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within 1/9 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --within 1/9,0 golden.cert"), (64, "--mask [1,1] --arity 2 --within -1,1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --within 1/9,1,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within , golden.cert"),
-            (64, "--mask [w,1] --arity 2 --within 1/9,1 --for w=0..1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --upper C golden.cert"), (64, "--mask [1,1] --arity 2 --upper C0 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --upper C501 golden.cert"), (64, "--mask [1,1] --arity 2 --upper C-1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --within 1/9,1 --upper C1 golden.cert"), (64, "--matrices golden.mat --upper C1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --lower 1 --upper C1 golden.cert"),
-            *((64, f"--matrices golden.mat --exact {exact} golden.cert") for exact in (
-                "", "2-log|[-1,1]@1,0,1|^1/1", "[-1,1]@1,0,1^1/1", "|[-1,1]@1,0,1|", "|[-1,1]@1,0|^1/1", "|[-1,1]@1,0,0|^1/1",
-                "|[-1,1]@1,0,1|^1/0", "|[-1,1]@1,0,1|^1/1001", "|[1]@1,0,1|^1/1", "|[1,0]@1,0,1|^1/1", "|[1/2,1]@1,0,1|^1/1",
-                "|[]@1,0,1|^1/1", "|x-1,1]@1,0,1|^1/1", "|[-1,1]@1,0,-1|^1/1", "|[-1,1]@1,,1|^1/1", "|@1,0,1|^1/1", "|[-1,1|^1/1]@1,0,1")),
-            *((64, f"--mask [1,2,1]/2 --arity 2 --exact {exact} golden.cert") for exact in (
-                "|[-1,1]@1,0,1|^1/1", "log|[-1,1]@1,0,1|^1/1", "501-log|[-1,1]@1,0,1|^1/1", "-1-log|[-1,1]@1,0,1|^1/1")),
-            (64, "--mask [w,1] --arity 2 --for w=0..1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --within 1/9,1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --logarithm 1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm 257 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm -1 golden.cert"),
-            (64, f"{golden} --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
-            (64, "--mask [w,1]/(w --arity 2 --for w=0..1 golden.cert"), (64, "--mask [w,1]/() --arity 2 --for w=0..1 golden.cert"),
-            (64, "--mask [1,1]/(2) --arity 2 --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --lower 1 golden.cert"), (64, "--mask [1,1] --dilation [2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1]] --dilation [2,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1] --dilation [2,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]]@0 --dilation [2,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,65] --lower 1 golden.cert"),
-            (64, "--surface [1] --mask [1] --dilation [2] --arity 2 --lower 1 golden.cert"),
-            (64, "--matrices golden.mat --upper 2/1/1 golden.cert"), (64, "--mask [3.w,1] --arity 2 --for w=0..1 golden.cert"),
-            (64, "--mask [2+wx2,1] --arity 2 --for w=0..1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --for 1=0..1 --lower 1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --for w:0..1 --lower 1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --for w=..1 --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation 2,0;0,2 --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2} --lower 1 golden.cert"),
-            (64, "--surface [1,2,1]/2@0@0 --dilation [2] --lower 1 golden.cert"),
-            (64, "--surface [[[[1,1],[1,1]]]] --dilation [2] --lower 1 golden.cert"),
-            (64, "--surface 1,2,1 --dilation [2] --lower 1 golden.cert"),
-            (64, "--surface [1,2,1]]/2 --dilation [2] --lower 1 golden.cert"),
-            (64, "--mask [1 --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1]x --arity 2 --lower 1 golden.cert"),
-            (64, "--mask [1,1]x2 --arity 2 --lower 1 golden.cert"), (64, "--mask 1,1] --arity 2 --lower 1 golden.cert"),
-            (64, "--mask [1,0] --arity 2 --lower 1 golden.cert"), (64, "--mask [[1,1],[1,1]] --arity 2 --lower 1 golden.cert"),
-            (64, f"--mask [{'1,' * 1000}1] --arity 2 --lower 1 golden.cert"),
-            (64, "--mask [1,1] --arity 2 --for {=0..1 golden.cert"), (64, "--mask [1,1] --arity 2 --for _=0..1 golden.cert"),
-            (64, "--surface [1,1] --dilation 2 --lower 1 golden.cert"),
-            (64, "--surface [1,1] --dilation [2;2;2;2] --lower 1 golden.cert"),
-            (64, f"--matrices golden.mat --exact |[{'1,' * 257}1]@1,0,1|^1/1 golden.cert"),
-            (64, "--mask [0,1] --arity 2 --lower 1 golden.cert"),
-            (64, "--mask [+1,1] --arity 2 --lower 1 golden.cert"), (64, "--mask [1,1] --arity 2 --for w --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,12] --dilation [2,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation 12,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [1,2,1]/2@-1 --dilation [-65] --lower 1 golden.cert"),
-            (64, "--surface [1,2,1] --dilation [2,0,0,0;0,2,0,0;0,0,2,0;0,0,0,2] --lower 1 golden.cert"),
-            *((64, f"--mask [1/{2**6000},1]/{3**4100} --arity 2{range_} --lower 1 golden.cert") for range_ in ("", " --for w=0..1")),
-            (64, "--mask [1,1]/-1 --arity 2 --lower 1 golden.cert"), (64, "--lower 1 golden.cert"), (64, "--help golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --upper 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]]/-1 --dilation [2,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,15] --dilation [2,0;0,2] --lower 1 golden.cert"),
-            (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,-65] --lower 1 golden.cert"),
-            (64, f"--surface [{'1,' * 10000}1] --dilation [2] --lower 1 golden.cert"),
-            (65, f"--matrices {more} --upper 2 golden.cert"), (65, f"--matrices {many} --upper 2 golden.cert"),
-            (65, f"--matrices {large} --upper 2 golden.cert"),
-            (64, "--subradius golden.mat golden.cert"), (64, "--subradius golden.mat --upper C1 golden.cert"),
-            (64, "--subradius golden.mat --matrices golden.mat --upper 2 golden.cert"),
-            (64, "--subradius golden.mat --mask [1,1] --arity 2 --lower 1 golden.cert"),
-            (64, "--subradius golden.mat --surface [1,1] --dilation [2] --lower 1 golden.cert"),
-            *((64, f"--subradius golden.mat --lower 1 {option} golden.cert") for option in (
-                "--exact 1-log|[-1,1]@1,0,1|^1/1", "--logarithm 0", "--for w=0..1", "--levels w=0..1", "--within 1/9,1",
-                "--arity 2", "--dilation [2]")),
-            (64, "--subradius golden.mat --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
-            (64, "--subradius golden.mat --exact |[-1,1]@1,0,0|^1/1 golden.cert"), (64, "--subradius golden.mat --lower 1"),
-            (65, "--subradius golden.cert --upper 2 golden.cert"), (66, "--subradius none.mat --upper 2 golden.cert"),
-            (66, "--subradius golden.mat --upper 2 none.cert"),
-            (65, "--matrices golden.cert --upper 2 golden.cert"), (66, "--matrices none.mat --upper 2 golden.cert"),
-            *((64, f"--l1 {rule} golden.cert") for rule in (
-                "6,1", "6,1 --upper 1", "6,1 --contraction 1,1,1 --upper 1", "6,1 --lower 1/2 --upper C1", "6,1 --lower 1/2 --upper x", "14,1 --lower 1", "6,1 --lower 1 --mask [1,1]", "6,1 --lower 1 --arity 2", "6 --lower 1",
-                "6,1,1 --lower 1", "6,1,2 --lower 1", "6,1,17 --lower 1", "6,1,x --lower 1", "6,1,3,3 --lower 1", "6,1, --lower 1", "6,1,3 --contraction 6,1,1", "6,5 --lower 1", "1,0 --lower 1", "17,1 --lower 1", "16,7 --lower 1", "6,-1 --lower 1", "x,1 --lower 1",
-                "6,1 --lower x", "6,1 --exact |[-1,1]@1,0,1|^1/1", "6,1 --lower 1 --matrices golden.mat", "6,1 --lower 1 --logarithm 0",
-                *(f"6,1 --contraction {fields}" for fields in ("1,1", "1,1,1,1", "0,1,1", "9,1,1", "1,0,1", "1,3,1", "1,1,-1", "1,1,x", "")))),
-            (64, "--contraction 1,1,1 golden.cert"), (64, "--contraction 1,1,1 --lower 1/2 golden.cert"), (64, "--l1 6,1 --contraction 1,1,1"), (64, "--l1 6,1 --lower 1"), (66, "--l1 6,1 --lower 1 none.cert"), (66, "--l1 13,1 --lower 1 none.cert"),
-            (64, "--contraction 1,1,1 --mask [1,2,1]/2 --arity 2 --lower 1 golden.cert"),
-            (66, f"{golden} none.cert"), (66, f"{golden} ."), (66, f"{golden} /dev/null"), (64, f"{golden} --FILE golden.cert"),
-            *((64, f"--refinable {options} golden.cert") for options in (
-                "[[[1]]]", "[[[1]]] --dilation [2]", "[[[1]]] --lower 1", "[[[1]]] --dilation [2] --upper 1", "[[[1]]] --arity 2 --lower 1",
-                "[[[1]]] --dilation [2] --lower 1 --surface [1]", "[[[1]]] --dilation [2] --lower 1 --mask [1] --arity 2",
-                "[[[1]]] --dilation [2] --lower 1 --matrices golden.mat", "[[[1]]] --dilation [2] --lower 1 --logarithm 0",
-                "[[[1]]] --dilation [2] --lower 1 --upper C1", "[[[1]]] --dilation [2] --lower 1 --within 1/9,1", "[[[1]]] --dilation [2] --lower 1 --for w=0..1",
-                *(f"{mask} --dilation [2] --lower 1" for mask in (
-                    "[[1]]", "[1]", "1", "[]", "[[[[1]]]]", "[[[[[[1]]]]]]", "[[[1,2]]]", "[[[1],[2]]]", "[[[1,0],[0,1]],[[1]]]", "[[[1,0],[0]]]", "[[[1]]", "[[[1]]]]",
-                    "[[[1]]]/0", "[[[1]]]@1,1", "[[[1]]]@", "[[[1]]]/2@x", "[[[w]]]", "[[[]]]", "[[[1]],[[]]]", "[[[1]]]2", "[[[1]]]/2/2")))),
-            (66, "--refinable [[[1]]] --dilation [2] --lower 1 none.cert"), (66, "--refinable [[[[[1]]]]] --dilation [2,0,0;0,2,0;0,0,2] --lower 1 none.cert"),
-            (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{golden} golden.cert")]:
-        result = run(arguments.split())
-        expect(arguments, result[0] == code and bool(result[2] if code else result[1]), result)
-        expect(arguments, code == 0 or "VERIFIED" not in result[1], result)
-        expect(arguments, "internal error" not in result[2], result)
-        count += 1
-else:
+def is_rejected(result, reason):
+    rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]
+    return rejected and reason in result[1] and "internal error" not in result[1]
+
+
+def claim_cases(mode, directory):
+    """(name, words, whether a result is right) for each line of claims.txt."""
     for line in (directory / "claims.txt").read_text().splitlines():
         claim, _, reason = line.partition(" | ")
         name, *arguments = claim.split()
-        result = run(arguments + [f"{name}.cert"])
-        count += 1
         if mode == "accept":
-            values = dict(zip(arguments[::2], arguments[1::2]))
-            lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
-            levels = values.pop("--levels", None)
-            range_ = levels or values.get("--for")
-            exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
-            what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
-            what = "joint spectral subradius" if "--subradius" in values else what
-            what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"
-            subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
-                                    for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
-            subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
-            relation = "<" if range_ else "<="
-            rough = upper and upper.startswith("C")
-            if rough:
-                what = (f"{what} and no C^" if lower or exact else "no C^") + upper[1:] + " limits"
-            elif range_ and upper and not lower:
-                what = "no convergence, or " + what
-            text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
-            text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
-            text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
-            text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else "")
-            text += f" for all masks within={within}" if within else ""
-            if "--l1" in values:
-                steps, order, bound = values.get("--contraction", "0,0,0").split(",")
-                parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []
-                parts += [f"|D^{order} S^{steps} f| <= {Fraction(bound)} |D^{order} f|"] if "--contraction" in values else []
-                text = f"VERIFIED {' and '.join(parts)} of least absolute deviations {values['--l1']}"
-            expect(name, result == (0, text, ""), result)
+            yield name, [*arguments, f"{name}.cert"], lambda result, text=printed(arguments): result == (0, text, "")
         else:
-            rejected = result[0] == 1 and result[1].startswith("REJECTED ") and ", line " in result[1] and not result[2]
-            expect(name, rejected and reason in result[1] and "internal error" not in result[1], result)
-if server:
-    server.communicate()
-print(f"{count} cases, {len(failures)} failures")
-for failure in failures:
-    print(failure)
-sys.exit(bool(failures) or count == 0)
+            yield name, [*arguments, f"{name}.cert"], lambda result, reason=reason: is_rejected(result, reason)
+
+
+def cases(mode, directory, scratch):
+    return usage_cases(directory, scratch) if mode == "usage" else claim_cases(mode, directory)
+
+
+class Checker:
+    """A program, or one that is started once in a folder, for many command lines; with limits, words of the shell."""
+
+    def __init__(self, words, directory, limits="true", environment=None):
+        self.options = {"cwd": directory, "env": environment}
+        self.is_many, self.server = words[0] == "many", None
+        self.words = ["sh", "-c", f'{limits} && exec "$@"', "limited", *words[self.is_many:]]
+        if len(words) > 1:
+            command = self.words if self.is_many else [*self.words, "--many"]
+            self.server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=not self.is_many,
+                                           stderr=subprocess.DEVNULL if environment else None, **self.options)
+
+    def run(self, arguments):
+        """Exit code, standard output, standard error."""
+        if self.is_many:
+            self.server.stdin.write(b"".join(word.encode() + b"\0" for word in [str(len(arguments)), *arguments]))
+            self.server.stdin.flush()
+            code, _, line = self.server.stdout.readline().decode("latin-1").partition(" ")
+            return (int(code or -1), line.strip(), "") if code in ("", "0", "1") else (int(code), "", line.strip())
+        if self.server:
+            self.server.stdin.write(json.dumps(arguments) + "\n")
+            self.server.stdin.flush()
+            answer = json.loads(self.server.stdout.readline())
+            return (answer["exit"], answer["line"], "") if answer["exit"] < 2 else (answer["exit"], "", answer["line"])
+        done = subprocess.run([*self.words, *arguments], capture_output=True, text=True, check=False, **self.options)
+        return done.returncode, done.stdout.strip(), done.stderr.strip()
+
+    def close(self):
+        if self.server:
+            self.server.kill()
+            self.server.communicate()
+
+
+def folder_of(mode):
+    return "reject" if mode == "reject" else "accept"
+
+
+def run_all(words, mode, directory, scratch):
+    checker, count, failures = Checker(words, directory), 0, []
+    for name, arguments, is_right in cases(mode, directory, scratch):
+        count += 1
+        result = checker.run(arguments)
+        if not is_right(result):
+            failures.append(f"{name}: {result}")
+    checker.close()
+    print(f"{count} cases, {len(failures)} failures")
+    for failure in failures:
+        print(failure)
+    return bool(failures) or count == 0
+
+
+if __name__ == "__main__":
+    *program, what, where = sys.argv[1:]
+    with tempfile.TemporaryDirectory() as made:
+        sys.exit(run_all(program, what, Path(where), made))

@@ -33,8 +33,12 @@ SEVENTEEN = times([(2, 0), (-1, 1), (5, -1), (-7, 1), (4, -2), (-7, 1), (5, -1),
 PENTAGON_W, FIFTEEN_W, SEVENTEEN_W = text(PENTAGON, 4), text(FIFTEEN, 1), text(SEVENTEEN, 2)
 # ternary: omega = -1 for w = 1
 TERNARY = "[w,1-w,1,1-w,w]"
-# of modulus sqrt(3)/10 at -omega, omega of order 3
+# that lower bounds of the squares are positive, or not: 1 - w is 20 * 2^-237 where they are 0, 25 if e_l is of L + 1 terms, 11 and
+# less if |.| in them loses a sign
+TERNARY_STABLE, TERNARY_UNDECIDED = (1 - Fraction(k, 2**237) for k in (23, 16))
+# of modulus sqrt(3)/10 at -omega, omega of order 3; the largest integer below |P_0| - e_0, in units of 1/40 W
 NEAR_CYCLE = "[9,1,1,9]/10"
+NEAREST = 200557781673581021134778817087246769345421003578662689422014334114540556586432
 
 
 def case(name, mask, arity, claim, order=1):
@@ -61,7 +65,9 @@ ACCEPTED = [
     case("cycle-17-stable", SEVENTEEN_W, 2, over("43/10..9/2")),
     case("cycle-17-stable-rounded", AWAY_17, 2, within("1/1000000000000,1")),
     case("cycle-2-stable", TERNARY, 3, over("-1..1/2")),
+    case("cycle-2-stable-just", TERNARY, 3, over(f"-1..{TERNARY_STABLE}")),
     case("cycle-3-stable-rounded", NEAR_CYCLE, 2, within("433/10000,1")),
+    case("cycle-3-stable-rounded-just", NEAR_CYCLE, 2, within(f"{Fraction(NEAREST, 40 * 2**256)},1")),
 ]
 UNSTABLE = "stability: the symbol on a cycle of roots of unity of order "
 WRITTEN = [
@@ -71,5 +77,8 @@ WRITTEN = [
     (*case("cycle-17", SEVENTEEN_W, 2, over("41/10..33/8")), UNSTABLE + "17 is not"),
     (*case("cycle-17-rounded", NEAR_SEVENTEEN, 2, within("1/1000000000000,1")), UNSTABLE + "17 may be 0"),
     (*case("cycle-2", TERNARY, 3, over("1/2..3/2")), UNSTABLE + "2 is not"),
+    (*case("cycle-2-undecided", TERNARY, 3, over(f"-1..{TERNARY_UNDECIDED}")), UNSTABLE + "2 is not"),
     (*case("cycle-3-rounded", NEAR_CYCLE, 2, within("434/10000,1")), UNSTABLE + "3 may be 0"),
+    (*case("cycle-3-rounded-just", NEAR_CYCLE, 2, within(f"{(NEAREST + Fraction(255, 256)) / (40 * 2**256)},1")),
+     UNSTABLE + "3 may be 0"),
 ]

@@ -1,10 +1,17 @@
-"""What the tests with wrong variants of the checkers share: where the changes are made, and what the corpus says."""
+"""What the tests with wrong variants of the checkers share: where the changes are made, and what the corpus says.
+
+A variant is run on those cases alone that come to its place, where that can be told with both values there: in all others it
+does what the checker does. The quickest go first, until one fails."""
 import os
 import re
 import subprocess
 import sys
+import tempfile
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+import run_corpus
 
 test = Path(__file__).resolve().parent
 
@@ -12,8 +19,8 @@ test = Path(__file__).resolve().parent
 def is_code(text, at, quotes, no_code):
     line = text[text.rfind("\n", 0, at) + 1 : text.find("\n", at)]
     column = at - text.rfind("\n", 0, at) - 1
-    comment = line.find("//")
-    in_string = any(line[:column].count(quote) % 2 == 1 for quote in quotes)
+    comment = line.find("//")  # a template of JavaScript may have several lines
+    in_string = any((text[:at] if quote == "`" else line[:column]).count(quote) % 2 == 1 for quote in quotes)
     return not in_string and not 0 <= comment <= column and not line.strip().startswith(no_code)
 
 
@@ -31,30 +38,71 @@ def variants(files, changes, quotes, no_code=()):
                     yield f"{file.name}: {what}{column} in: {line}", file, match.start(), match.end(), new
 
 
-def fails(checker, corpus, limits, **environment):
-    """Whether a checker fails on the corpus in a folder, or exceeds the limits, commands of the shell."""
-    for mode, folder in (("accept", "accept"), ("usage", "accept"), ("reject", "reject")):
-        run = subprocess.run(
-            ["sh", "-c", f'{limits}; exec "$@"', "limited", sys.executable, "-B", test / "run_corpus.py", *checker, mode, corpus / folder],
-            capture_output=True,
-            check=False,
-            env={**os.environ, "SUBCERT_FIRST_FAILURE": "1", **environment},
-        )
-        if run.returncode != 0:
+def arguments_of(parser):
+    """The arguments, with those that choose variants."""
+    parser.add_argument("--only", default="", help="variants whose name this matches")
+    parser.add_argument("--lines", default="0-1000000", help="variants in these lines of their files, FIRST-LAST")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--list", action="store_true", help="only name the variants")
+    return parser.parse_args()
+
+
+def chosen(every, arguments):
+    """{number: variant} of those that the arguments choose; without an answer where they are only named."""
+    first, last = map(int, arguments.lines.split("-"))
+    result = {number: variant for number, variant in enumerate(every, 1) if re.search(arguments.only, variant[0])
+              and first <= variant[1].read_text().count("\n", 0, variant[2]) + 1 <= last}
+    if arguments.list:
+        print("\n".join(name for name, *_ in result.values()))
+        sys.exit(0)
+    return result
+
+
+class Corpus:
+    """The cases of a corpus, and which variants each may tell from the checker: those that `trace(folder, words)` gives, by
+    number, or all where that is None."""
+
+    def __init__(self, folder, trace, jobs):
+        self.scratch = tempfile.TemporaryDirectory()
+
+        def traced(case):
+            start = time.monotonic_ns()
+            return case, trace(*case[:2]), time.monotonic_ns() - start
+        cases = [(folder / run_corpus.folder_of(mode), words, is_right) for mode in ("accept", "usage", "reject") for _, words, is_right
+                 in run_corpus.cases(mode, folder / run_corpus.folder_of(mode), self.scratch.name)]
+        with ThreadPoolExecutor(jobs) as pool:
+            self.traces = sorted(pool.map(traced, cases), key=lambda trace: trace[2])
+
+    def cases_for(self, number):
+        return [case for case, numbers, _ in self.traces if number == 0 or numbers is None or number in numbers]
+
+    def fails(self, checker, number, limits, **environment):
+        """Whether a checker, this variant, fails on a case, or exceeds the limits, commands of the shell. Number 0 is none."""
+        started = {}
+        try:
+            for folder, words, is_right in self.cases_for(number):
+                if folder not in started:
+                    started[folder] = run_corpus.Checker(checker, folder, limits, {**os.environ, **environment})
+                if not is_right(started[folder].run(words)):
+                    return True
+        except (OSError, ValueError):  # it has ended
             return True
-    return False
+        finally:
+            for one in started.values():
+                one.close()
+        return False
 
 
-def report(chosen, outcome, jobs, every, same):
+def report(chosen, outcome, corpus, jobs, every, same):
     """Tries the chosen variants, by number, and prints those that survive; 1 if one of them does not stand in the file `same`,
     or if a line of that fits none."""
     counts, survivors = {}, []
     with ThreadPoolExecutor(jobs) as pool:
-        for (name, *_), result in zip(chosen.values(), pool.map(outcome, chosen.items())):
+        for (number, (name, *_)), result in zip(chosen.items(), pool.map(outcome, chosen.items())):
             counts[result] = counts.get(result, 0) + 1
             if result == "survive":
                 survivors.append(name)
-                print(name, flush=True)
+                print(f"{name} # {len(corpus.cases_for(number))} cases come there", flush=True)
     known = [line.split(" # ")[0] for line in same.read_text().splitlines() if " # " in line]
     new = [name for name in survivors if name not in known]
     every, tried = {name for name, *_ in every}, {name for name, *_ in chosen.values()}

@@ -1,10 +1,7 @@
-#include "read_samples.hpp"
-
-#include "uniform_grid.hpp"
+#include "sample_columns.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 
 #include <fmt/format.h>
@@ -16,57 +13,7 @@
 #include <utility>
 
 namespace subcert::data {
-/// Which columns of a table hold what.
-struct ColumnUse {
-  std::optional<std::size_t> x;
-  std::optional<std::size_t> weights;
-  std::vector<std::size_t> values;
-  std::optional<std::size_t> by;
-  std::vector<std::size_t> kept;
-  std::vector<std::size_t> left_out;  ///< text that nobody asked for
-  bool dates = false;                 ///< in x
-};
-
 namespace {
-
-constexpr double largest_value = 1e150;  // squares stay finite
-
-std::string column_name(const Table& table, std::size_t column) {
-  return table.header.empty() ? "column " + std::to_string(column + 1) : table.header[column];
-}
-
-std::size_t find_column(const Table& table, const std::string& option, const std::string& text) {
-  const auto named = std::find(table.header.begin(), table.header.end(), text);
-  if (named != table.header.end()) {
-    const auto first = static_cast<std::size_t>(named - table.header.begin());
-    if (const auto again = std::find(named + 1, table.header.end(), text); again != table.header.end())
-      fail(ErrorKind::usage,
-           "{} {}: expected the name of one column; columns {} and {} have it, and are known by number", option, text,
-           first + 1, again - table.header.begin() + 1);
-    return first;
-  }
-  const auto number = parse_rational(text);
-  if (number && denominator(*number) == 1 && *number >= 1 && *number <= Rational(table.columns))
-    return numerator(*number).convert_to<std::size_t>() - 1;
-  std::string known;
-  for (const std::string& name : table.header) known += (known.empty() ? " or one of " : ", ") + name;
-  fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}{}", option, text, table.columns, known,
-       did_you_mean(text, table.header));
-}
-
-std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
-  return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
-}
-
-/// --spacing, where it is given.
-std::optional<Rational> given_spacing(const SampleOptions& options) {
-  if (options.spacing.empty()) return std::nullopt;
-  auto spacing = parse_number(options.spacing);
-  if (!spacing || *spacing <= 0) fail(ErrorKind::usage, "--spacing {}: expected a number > 0", options.spacing);
-  return spacing;
-}
-
-std::string shown(const Rational& value) { return to_decimal(value, 9, Rounding::nearest); }
 
 /// The fields of a column that the table keeps as they are written.
 const std::vector<std::string>& fields_of(const Table& table, const std::vector<std::size_t>& kept,
@@ -117,29 +64,6 @@ bool read_number_dates(Table& table, std::size_t column) {
   }
   for (std::size_t i = 0; i < table.rows(); ++i) table.values[i * table.columns + column] = days[i];
   return true;
-}
-
-/// The positions in a column; NaN where one is missing and may be. Errors: a data error where none may.
-std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column) {
-  std::vector<double> x;
-  x.reserve(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    x.push_back(table.values[i * table.columns + column]);
-    if (std::isnan(x.back()) && options.missing != "drop")
-      fail(ErrorKind::data, "{}: expected a position; found a missing value (--missing drop leaves the row out)",
-           place(options, table, i, column));
-  }
-  return x;
-}
-
-/// Refuses positions that do not increase, also from the one before these rows.
-void require_increasing(const SampleOptions& options, const Table& table, std::size_t column,
-                        const std::vector<double>& x, std::optional<double> before) {
-  for (std::size_t i = 0; i < x.size(); before = x[i++])
-    if (std::isnan(x[i]) || (before && x[i] <= *before))
-      fail(ErrorKind::data, "{}: expected increasing positions in a stream; found {}{}",
-           place(options, table, i, column), (std::isnan(x[i]) ? "a missing value" : shown(decimal_value(x[i]))),
-           before ? " after " + shown(decimal_value(*before)) : "");
 }
 
 /// Sorts the rows by their positions, which are the answer.
@@ -194,129 +118,6 @@ void set_grid(const SampleOptions& options, const Table& table, std::vector<doub
         options.spacing, shown(grid.spacing)));
 }
 
-/// Prior weights, with 0 for rows that lack a value.
-void set_weights(const SampleOptions& options, const Table& table, const std::vector<std::size_t>& values,
-                 std::optional<std::size_t> weights, Samples& samples) {
-  std::vector<Rational> result;  // none as long as all are 1
-  if (weights) result.reserve(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (weights) {
-      const double value = table.values[i * table.columns + *weights];
-      if (!(value >= 0))
-        fail(ErrorKind::data, "{}: expected a weight >= 0; found {}", place(options, table, i, *weights),
-             (std::isnan(value) ? "a missing value" : shortest_text(value)));
-      result.push_back(decimal_value(value));
-    }
-    for (const std::size_t column : values) {
-      if (!std::isnan(table.values[i * table.columns + column])) continue;
-      if (options.missing != "drop")
-        fail(ErrorKind::data, "{}: expected a number; found a missing value (--missing drop leaves it out)",
-             place(options, table, i, column));
-      if (result.empty()) result.assign(table.rows(), 1);
-      result[i] = 0;
-    }
-  }
-  samples.weights = std::move(result);
-}
-
-bool holds_dates(const Table& table, std::size_t column) {
-  return table.contents[column].numbers == 0 && parse_date(table.contents[column].text);
-}
-
-ColumnUse find_columns(const SampleOptions& options, const Table& table) {
-  ColumnUse use;
-  if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
-  if (!options.by.empty()) use.by = find_column(table, "--by", options.by);
-  const bool none = options.x == "none";
-  if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);
-  for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
-  for (const std::string& text : options.keep) use.kept.push_back(find_column(table, "--keep", text));
-  std::vector<std::size_t> left;
-  for (std::size_t c = 0; c < table.columns; ++c) {
-    if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
-    if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
-    if (!table.contents[c].is_text() || holds_dates(table, c))
-      left.push_back(c);
-    else if (use.values.empty())
-      use.left_out.push_back(c);
-  }
-  if (options.x.empty() && (use.values.empty() ? left.size() > 1 : !left.empty())) {
-    use.x = left.front();
-    left.erase(left.begin());
-  }
-  const auto dates = [&](std::size_t c) { return holds_dates(table, c); };
-  if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), dates);
-  std::erase_if(left, dates);
-  if (use.values.empty()) use.values = left;
-  if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
-  for (const std::size_t c : use.values)
-    if (c == use.weights || c == use.x || c == use.by) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
-  use.dates = use.x && holds_dates(table, *use.x);
-  return use;
-}
-
-/// Refuses text in columns that are to hold numbers.
-void require_numbers(const Table& table, const ColumnUse& use) {
-  std::vector<std::size_t> columns = use.values;
-  if (use.weights) columns.push_back(*use.weights);
-  if (use.x && !use.dates) columns.push_back(*use.x);
-  std::ranges::sort(columns);
-  for (const std::size_t c : columns)
-    if (!table.contents[c].why.empty()) fail(ErrorKind::data, "{}", table.contents[c].why);
-}
-
-NamedSamples named_columns(const Table& table, const ColumnUse& use) {
-  NamedSamples samples;
-  samples.separator = table.columns > 1 ? table.separator : table.decimal == ',' ? ';' : ',';
-  samples.decimal = table.decimal;
-  for (const std::size_t c : use.values) samples.names.push_back(column_name(table, c));
-  // Data that are counted have no column of positions, whose name must be a new one.
-  samples.x_name = use.x ? column_name(table, *use.x) : std::ranges::count(samples.names, "x") > 0 ? "index" : "x";
-  samples.columns.resize(use.values.size());
-  return samples;
-}
-
-/// Sets values and weights to those of the rows.
-void set_rows(const SampleOptions& options, const Table& table, const ColumnUse& use, Samples& samples) {
-  set_weights(options, table, use.values, use.weights, samples);
-  for (std::size_t k = 0; k < use.values.size(); ++k) {
-    auto& column = samples.columns[k];
-    column.clear();
-    column.reserve(table.rows());
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-      const double value = table.values[i * table.columns + use.values[k]];
-      if (std::abs(value) > largest_value)
-        fail(ErrorKind::data, "{}: expected at most 1e150 in modulus; found {}",
-             place(options, table, i, use.values[k]), shortest_text(value));
-      column.push_back(std::isnan(value) ? 0 : value);
-    }
-  }
-}
-
-}  // namespace
-
-std::string SampleOptions::name() const { return runtime::input_name(file); }
-
-TableForm SampleOptions::form() const {
-  TableForm form(Missing::keep);
-  form.text = true;
-  if (delimiter == "tab" || delimiter == "\\t")
-    form.separator = '\t';
-  else if (delimiter == "blank")
-    form.separator = ' ';
-  else if (delimiter.size() == 1)
-    form.separator = delimiter.front();
-  else if (!delimiter.empty())
-    fail(ErrorKind::usage, "--delimiter {}: expected one character, tab or blank", delimiter);
-  form.decimal = decimal.front();
-  if (form.separator == form.decimal || form.separator == '"')
-    fail(ErrorKind::usage, "--delimiter {}: expected another character than the decimal mark and the quote", delimiter);
-  if (header != "auto") form.header = header == "yes";
-  return form;
-}
-
-namespace {
-
 /// The rows of each group, by the fields of a column, in the order of their first rows.
 std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const std::vector<std::string>& fields) {
   std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
@@ -369,6 +170,26 @@ std::vector<std::size_t> columns_as_written(const SampleOptions& options, std::s
 
 }  // namespace
 
+std::string SampleOptions::name() const { return runtime::input_name(file); }
+
+TableForm SampleOptions::form() const {
+  TableForm form(Missing::keep);
+  form.text = true;
+  if (delimiter == "tab" || delimiter == "\\t")
+    form.separator = '\t';
+  else if (delimiter == "blank")
+    form.separator = ' ';
+  else if (delimiter.size() == 1)
+    form.separator = delimiter.front();
+  else if (!delimiter.empty())
+    fail(ErrorKind::usage, "--delimiter {}: expected one character, tab or blank", delimiter);
+  form.decimal = decimal.front();
+  if (form.separator == form.decimal || form.separator == '"')
+    fail(ErrorKind::usage, "--delimiter {}: expected another character than the decimal mark and the quote", delimiter);
+  if (header != "auto") form.header = header == "yes";
+  return form;
+}
+
 std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   const std::string text = runtime::read_input(options.file);
   if (text.starts_with("# vtk DataFile"))
@@ -418,89 +239,5 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
     for (const auto& [name, rows] : groups_of(fields_of(table, form.kept, *use.by))) add(name, selected(table, rows));
   return result;
 }
-
-class SampleStream::State {
- public:
-  explicit State(const SampleOptions& options)
-      : options_(options), input_(options.file), reader_(options.name(), options.form()) {
-    const auto spacing = given_spacing(options);
-    while (!head_ || (use_.x && !spacing && positions_.size() < 2))
-      if (!read()) break;
-    reader_.finish();
-    if (use_.x) {
-      head_->origin = decimal_value(positions_.front());
-      if (positions_.size() > 1) head_->spacing = decimal_value(positions_[1]) - head_->origin;
-    }
-    if (spacing) head_->spacing = *spacing;
-    grid_.emplace(head_->origin, head_->spacing);
-  }
-
-  const NamedSamples& head() const { return *head_; }
-  bool weighted() const { return options_.missing == "drop" || use_.weights; }
-
-  std::optional<NamedSamples> next() {
-    while (rows_.count() == 0)
-      if (!read()) return std::nullopt;
-    for (std::size_t i = 0; i < positions_.size(); ++i)
-      if (!grid_->accepts(positions_[i]))
-        fail(ErrorKind::data,
-             "{}, line {}: expected {}, on the grid of spacing {}; found the position {} (--spacing sets it)",
-             options_.name(), lines_[i], to_decimal(grid_->expected(), 9, Rounding::nearest),
-             to_decimal(head_->spacing, 9, Rounding::nearest), shortest_text(positions_[i]));
-    positions_.clear();
-    lines_.clear();
-    return std::exchange(rows_, NamedSamples{});
-  }
-
- private:
-  /// Adds the rows of the lines that have come; false at the end.
-  bool read() {
-    std::string text;
-    if (!input_.read_lines(text)) return false;
-    const Table& table = reader_.read(text);
-    if (table.rows() == 0) return true;
-    if (!head_) {
-      use_ = find_columns(options_, table);
-      if (use_.dates)
-        fail(ErrorKind::data, "{}: expected positions that are numbers in a stream; found dates", options_.name());
-      head_ = named_columns(table, use_);
-    }
-    require_numbers(table, use_);
-    NamedSamples rows = *head_;
-    set_rows(options_, table, use_, rows);
-    if (rows.weights.empty() && weighted()) rows.weights.assign(rows.count(), 1);
-    if (rows_.count() == 0) {
-      rows_ = std::move(rows);
-    } else {
-      for (std::size_t c = 0; c < rows.columns.size(); ++c)
-        rows_.columns[c].insert(rows_.columns[c].end(), rows.columns[c].begin(), rows.columns[c].end());
-      rows_.weights.insert(rows_.weights.end(), rows.weights.begin(), rows.weights.end());
-    }
-    if (!use_.x) return true;
-    const std::vector<double> x = read_positions(options_, table, *use_.x);
-    require_increasing(options_, table, *use_.x, x, last_);
-    last_ = x.back();
-    positions_.insert(positions_.end(), x.begin(), x.end());
-    lines_.insert(lines_.end(), table.lines.begin(), table.lines.end());
-    return true;
-  }
-
-  SampleOptions options_;
-  runtime::LineInput input_;
-  TableReader reader_;
-  ColumnUse use_;
-  std::optional<NamedSamples> head_;
-  std::optional<GridCheck> grid_;
-  NamedSamples rows_;              // that were read and not taken
-  std::vector<double> positions_;  // of these
-  std::vector<std::size_t> lines_;
-  std::optional<double> last_;
-};
-
-SampleStream::SampleStream(const SampleOptions& options) : state_(std::make_unique<State>(options)) {}
-SampleStream::~SampleStream() = default;
-const NamedSamples& SampleStream::head() const { return state_->head(); }
-bool SampleStream::weighted() const { return state_->weighted(); }
-std::optional<NamedSamples> SampleStream::next() { return state_->next(); }
 
 }  // namespace subcert::data

@@ -1,0 +1,163 @@
+#include "sample_columns.hpp"
+
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace subcert::data {
+namespace {
+
+constexpr double largest_value = 1e150;  // squares stay finite
+
+/// Prior weights, with 0 for rows that lack a value.
+void set_weights(const SampleOptions& options, const Table& table, const std::vector<std::size_t>& values,
+                 std::optional<std::size_t> weights, Samples& samples) {
+  std::vector<Rational> result;  // none as long as all are 1
+  if (weights) result.reserve(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (weights) {
+      const double value = table.values[i * table.columns + *weights];
+      if (!(value >= 0))
+        fail(ErrorKind::data, "{}: expected a weight >= 0; found {}", place(options, table, i, *weights),
+             (std::isnan(value) ? "a missing value" : shortest_text(value)));
+      result.push_back(decimal_value(value));
+    }
+    for (const std::size_t column : values) {
+      if (!std::isnan(table.values[i * table.columns + column])) continue;
+      if (options.missing != "drop")
+        fail(ErrorKind::data, "{}: expected a number; found a missing value (--missing drop leaves it out)",
+             place(options, table, i, column));
+      if (result.empty()) result.assign(table.rows(), 1);
+      result[i] = 0;
+    }
+  }
+  samples.weights = std::move(result);
+}
+
+}  // namespace
+
+std::string shown(const Rational& value) { return to_decimal(value, 9, Rounding::nearest); }
+
+std::string column_name(const Table& table, std::size_t column) {
+  return table.header.empty() ? "column " + std::to_string(column + 1) : table.header[column];
+}
+
+std::size_t find_column(const Table& table, const std::string& option, const std::string& text) {
+  const auto named = std::find(table.header.begin(), table.header.end(), text);
+  if (named != table.header.end()) {
+    const auto first = static_cast<std::size_t>(named - table.header.begin());
+    if (const auto again = std::find(named + 1, table.header.end(), text); again != table.header.end())
+      fail(ErrorKind::usage,
+           "{} {}: expected the name of one column; columns {} and {} have it, and are known by number", option, text,
+           first + 1, again - table.header.begin() + 1);
+    return first;
+  }
+  const auto number = parse_rational(text);
+  if (number && denominator(*number) == 1 && *number >= 1 && *number <= Rational(table.columns))
+    return numerator(*number).convert_to<std::size_t>() - 1;
+  std::string known;
+  for (const std::string& name : table.header) known += (known.empty() ? " or one of " : ", ") + name;
+  fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}{}", option, text, table.columns, known,
+       did_you_mean(text, table.header));
+}
+
+std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
+  return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
+}
+
+std::optional<Rational> given_spacing(const SampleOptions& options) {
+  if (options.spacing.empty()) return std::nullopt;
+  auto spacing = parse_number(options.spacing);
+  if (!spacing || *spacing <= 0) fail(ErrorKind::usage, "--spacing {}: expected a number > 0", options.spacing);
+  return spacing;
+}
+
+bool holds_dates(const Table& table, std::size_t column) {
+  return table.contents[column].numbers == 0 && parse_date(table.contents[column].text);
+}
+
+ColumnUse find_columns(const SampleOptions& options, const Table& table) {
+  ColumnUse use;
+  if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
+  if (!options.by.empty()) use.by = find_column(table, "--by", options.by);
+  const bool none = options.x == "none";
+  if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);
+  for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
+  for (const std::string& text : options.keep) use.kept.push_back(find_column(table, "--keep", text));
+  std::vector<std::size_t> left;
+  for (std::size_t c = 0; c < table.columns; ++c) {
+    if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
+    if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
+    if (!table.contents[c].is_text() || holds_dates(table, c))
+      left.push_back(c);
+    else if (use.values.empty())
+      use.left_out.push_back(c);
+  }
+  if (options.x.empty() && (use.values.empty() ? left.size() > 1 : !left.empty())) {
+    use.x = left.front();
+    left.erase(left.begin());
+  }
+  const auto dates = [&](std::size_t c) { return holds_dates(table, c); };
+  if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), dates);
+  std::erase_if(left, dates);
+  if (use.values.empty()) use.values = left;
+  if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
+  for (const std::size_t c : use.values)
+    if (c == use.weights || c == use.x || c == use.by) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
+  use.dates = use.x && holds_dates(table, *use.x);
+  return use;
+}
+
+void require_numbers(const Table& table, const ColumnUse& use) {
+  std::vector<std::size_t> columns = use.values;
+  if (use.weights) columns.push_back(*use.weights);
+  if (use.x && !use.dates) columns.push_back(*use.x);
+  std::ranges::sort(columns);
+  for (const std::size_t c : columns)
+    if (!table.contents[c].why.empty()) fail(ErrorKind::data, "{}", table.contents[c].why);
+}
+
+std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column) {
+  std::vector<double> x;
+  x.reserve(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    x.push_back(table.values[i * table.columns + column]);
+    if (std::isnan(x.back()) && options.missing != "drop")
+      fail(ErrorKind::data, "{}: expected a position; found a missing value (--missing drop leaves the row out)",
+           place(options, table, i, column));
+  }
+  return x;
+}
+
+NamedSamples named_columns(const Table& table, const ColumnUse& use) {
+  NamedSamples samples;
+  samples.separator = table.columns > 1 ? table.separator : table.decimal == ',' ? ';' : ',';
+  samples.decimal = table.decimal;
+  for (const std::size_t c : use.values) samples.names.push_back(column_name(table, c));
+  // Data that are counted have no column of positions, whose name must be a new one.
+  samples.x_name = use.x ? column_name(table, *use.x) : std::ranges::count(samples.names, "x") > 0 ? "index" : "x";
+  samples.columns.resize(use.values.size());
+  return samples;
+}
+
+void set_rows(const SampleOptions& options, const Table& table, const ColumnUse& use, Samples& samples) {
+  set_weights(options, table, use.values, use.weights, samples);
+  for (std::size_t k = 0; k < use.values.size(); ++k) {
+    auto& column = samples.columns[k];
+    column.clear();
+    column.reserve(table.rows());
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      const double value = table.values[i * table.columns + use.values[k]];
+      if (std::abs(value) > largest_value)
+        fail(ErrorKind::data, "{}: expected at most 1e150 in modulus; found {}",
+             place(options, table, i, use.values[k]), shortest_text(value));
+      column.push_back(std::isnan(value) ? 0 : value);
+    }
+  }
+}
+
+}  // namespace subcert::data

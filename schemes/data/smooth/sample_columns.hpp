@@ -1,0 +1,49 @@
+#pragma once
+/// Which columns of a table hold what, and the samples in its rows. Errors are data errors that name the line.
+
+#include "read_samples.hpp"
+
+namespace subcert::data {
+
+/// Which columns of a table hold what.
+struct ColumnUse {
+  std::optional<std::size_t> x;
+  std::optional<std::size_t> weights;
+  std::vector<std::size_t> values;
+  std::optional<std::size_t> by;
+  std::vector<std::size_t> kept;
+  std::vector<std::size_t> left_out;  ///< text that nobody asked for
+  bool dates = false;                 ///< in x
+};
+
+std::string column_name(const Table& table, std::size_t column);
+
+/// By its name, or its number from 1. Errors: a usage error that names the option.
+std::size_t find_column(const Table& table, const std::string& option, const std::string& text);
+
+/// Where a field stands, for messages.
+std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column);
+
+/// A number as messages show it.
+std::string shown(const Rational& value);
+
+/// --spacing, where it is given.
+std::optional<Rational> given_spacing(const SampleOptions& options);
+
+bool holds_dates(const Table& table, std::size_t column);
+
+ColumnUse find_columns(const SampleOptions& options, const Table& table);
+
+/// Refuses text in columns that are to hold numbers.
+void require_numbers(const Table& table, const ColumnUse& use);
+
+/// The positions in a column; NaN where one is missing and may be.
+std::vector<double> read_positions(const SampleOptions& options, const Table& table, std::size_t column);
+
+/// Samples without data, with the names of their columns.
+NamedSamples named_columns(const Table& table, const ColumnUse& use);
+
+/// Sets values and weights to those of the rows.
+void set_rows(const SampleOptions& options, const Table& table, const ColumnUse& use, Samples& samples);
+
+}  // namespace subcert::data

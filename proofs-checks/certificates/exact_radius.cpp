@@ -76,6 +76,8 @@ std::string coefficients_text(const LaurentPolynomial& p) {
   return text;
 }
 
+std::string numbers_of(const RationalComplex& z) { return to_text(z.re) + " " + to_text(z.im) + " "; }
+
 /// The image that leads a cycle back.
 std::pair<std::size_t, std::size_t> closing_image(const AttainedProof::Cycle& cycle) {
   return {cycle.last, static_cast<std::size_t>(cycle.letters.back())};
@@ -116,14 +118,22 @@ std::optional<NumberLines> number_lines(const AttainedNumber& number) {
                      low};
 }
 
+std::string inverse_text(int bits, const std::vector<std::vector<Integer>>& columns) {
+  std::string text = fmt::format("inverse {}\n", bits);
+  for (std::size_t k = 0; k < columns.size(); ++k) text += fmt::format("column {} {}\n", k, fmt::join(columns[k], " "));
+  return text;
+}
+
 std::string cycle_text(const AttainedProof& proof, const GroupWords& words) {
   std::string text;
   std::set<std::pair<std::size_t, std::size_t>> closing;
   for (const AttainedProof::Cycle& cycle : proof.cycles) {
     const std::string word = words.word(cycle.element) +
                              (cycle.sign == words.sign(cycle.element) ? "" : words.negation());
-    text += fmt::format("cycle {} {} {}\nseed {}\n", cycle.vertex, word.empty() ? "-" : word,
-                        fmt::join(cycle.letters, " "), fmt::join(cycle.seed, " "));
+    text += fmt::format("cycle {} {} {}{}\n", cycle.vertex, word.empty() ? "-" : word,
+                        proof.nearby ? numbers_of(proof.nearby->eigenvalue) : "", fmt::join(cycle.letters, " ")) +
+            (proof.nearby ? inverse_text(proof.nearby->bits, proof.nearby->inverse)
+                          : fmt::format("seed {}\n", fmt::join(cycle.seed, " ")));
     closing.insert(closing_image(cycle));
   }
   for (const auto& [vertex, parent, letter] : proof.origins)

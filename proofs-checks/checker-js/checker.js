@@ -560,7 +560,7 @@ var check_certificate = (() => {
   // ---- Section 7: rounded coefficients ------------------------------------------------------------------------------
   const delta = (k, x, y) => k ? round_up(times(times(k, y), power(plus(x, y), k - 1))) : fraction(0n);
   const norm_of_family = ({den, matrices}) => fraction(largest_by(matrices, column_norm), den);
-  function rounding_of({arity, a}, {eps, order}, family) {
+  function rounding_of({arity, a}, {eps, order, symmetric}, family) {
     let series = Array(a.length).fill(1n);
     for (let m = 0; m < order; ++m) {  // times (1 + z) / (1 - z^A)
       spend(a.length, order);
@@ -568,7 +568,7 @@ var check_certificate = (() => {
       for (let i = arity; i < a.length; ++i) series[i] += series[i - arity];
     }
     const eta = times(eps, BigInt(arity) ** BigInt(order) * largest(series));
-    return {eps, e: times(eta, family.size), nu: norm_of_family(family)};
+    return {eps, e: times(eta, family.size), nu: norm_of_family(family), symmetric};
   }
 
   // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
@@ -805,11 +805,12 @@ var check_certificate = (() => {
         if (less(g, value)) g = value;  // w + |r|_1 E
         if (!exact) return;
         allow_bits(memory += bits(value.n) + 256);
-        values.push(value.n);
+        values.push(rounding ? ceil_div(value.n * (den << scale), value.d) : value.n);
       });
     }
     const attained = Boolean(exact) && reader.peek() === 'cycle';
-    if (attained) new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g}).check(values, den << scale);
+    if (attained)
+      new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g, rounding}).check(values, den << scale);
     return {value: g, level: 1, attained};
   }
   // The vertices and their images under the group, packed; a complex vector is its real and its imaginary part.
@@ -914,6 +915,24 @@ var check_certificate = (() => {
     demand(eps && !more.length && sign(eps) > 0, form);
     return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 1000)};
   }
+  const moduli_between = (re, im, eps, least, most) => {  // of all numbers within eps of re + i im
+    const square = x => times(x, x), [low, high] = [plus(least, eps), minus(most, eps)];
+    const modulus = plus(square(re), square(im));
+    return sign(high) >= 0 && !less(modulus, square(low)) && !less(square(high), modulus);
+  };
+  const wrong_bounds = 'the bounds of the exact radius are wrong';
+  const read_letters = text => {
+    const letters = text.split(',').map(token => small(token, 0, 15));
+    demand(letters.length <= 1000, 'a product of more than 1000 letters');
+    return letters;
+  };
+  function read_attains(reader, {options, within}) {  // section 7.1: the line `attains`, if it is there or needed
+    if (options.attains === undefined && reader.peek() !== 'attains') return null;
+    const [text, ...bounds] = reader.read('attains', 3), [low, high] = bounds.map(rational);
+    demand(options.attains === undefined || text === options.attains, 'the claim is about another product');
+    demand(sign(low) > 0 && sign(high) > 0, 'the bounds of the radius are not positive');
+    return {order: within.order, product: String(read_letters(text)), low, high};
+  }
   // The lines `exact` and `root`, if they are there or the claim needs them: the exact number, with c = y / h near z
   function read_root(reader, {options, of_family}) {
     if (options.exact === undefined && reader.peek() !== 'exact') return null;
@@ -934,9 +953,7 @@ var check_certificate = (() => {
     const bend = horner(p.map((x, k) => abs(x) * BigInt(k * (k - 1))).slice(2), m);
     demand(less(square(times(times(exact.eps, bend), centre.h ** BigInt(n - 1))), slope_0),
            'there may be more than one zero');
-    const [least, most] = [plus(power(low, L), eps), minus(power(high, L), eps)], modulus = squares([re, im]);
-    demand(sign(most) >= 0 && !less(modulus, square(least)) && !less(square(most), modulus),
-           'the bounds of the exact radius are wrong');
+    demand(moduli_between(re, im, eps, power(low, L), power(high, L)), wrong_bounds);
     return {...exact, real: !sign(im) && !sign(exact.im), h, y, m: plus(plus(abs_of(re), abs_of(im)), eps),
             eps, low, high};
   }
@@ -1002,7 +1019,8 @@ var check_certificate = (() => {
     constructor(reader, body, exact, known) {
       super(reader, body, known.matrices);
       Object.assign(this, known, {exact, cycles: new Map(), errors: new Map(), memory: 0});
-      while (reader.peek() === 'cycle') this.read_cycle();
+      if (this.rounding) this.read_near_cycle();
+      else while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
       demand(less(this.e, 1n), 'a vertex is too far from the true one');
@@ -1043,8 +1061,48 @@ var check_certificate = (() => {
              'an eigenvector of a cycle may be negative');
       this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
     }
+    read_near_cycle() {  // section 7.1: complex numbers are written as the matrices of their multiplication
+      const {reader, body, exact: {product, low, high}, den, v_bits, matrices, rounding: {e, symmetric}} = this;
+      const {size: n, parts, has} = body, m = n + 1, last = matrices.length - 1;
+      demand(!has.nonnegative && (!has.symmetric || symmetric),
+             'of all masks near by no cone has true vertices, and a symmetric polytope only where they are symmetric');
+      const [first, turn, ...rest] = reader.read('cycle', 5, 1004), J = this.vertex(first);
+      demand(turn === '-' || (turn === 'f' && has.symmetric), "the word of a cycle is '-' or 'f'");
+      const [re, im] = rest.slice(0, 2).map(rational), word = rest.slice(2).map(t => this.letter(t));
+      demand(!sign(im) || parts === 2, 'a real polytope, but no real eigenvalue');
+      const letters = turn === 'f' ? [...word, ...word.map(t => last - t)] : word;
+      demand(String(has.transposed ? letters : letters.slice().reverse()) === product,
+             'the product of the cycle is not the one of the claim');
+      const N = this.follow(word, identity(n)), D = den ** BigInt(word.length), {den: h, numbers: y} = common([re, im]);
+      if (turn === 'f') N.reverse();
+      const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
+      const kept = size.indexOf(largest(size)), whole = D * h, one = whole << BigInt(v_bits);
+      const pair = (rows, others) => parts === 1 ? rows : [...rows.map((row, i) => [...row, ...others[i].map(x => -x)]),
+                                                          ...others.map((row, i) => [...row, ...rows[i]])];
+      const system = (diagonal, matrix, x, corner) => [...x.map((c, i) => [
+        ...matrix[i].map((entry, k) => entry * h - (i === k ? diagonal * D : 0n) << BigInt(v_bits)), -c * whole]),
+        range_of(m).map(k => k === kept ? corner : 0n)];
+      const B = pair(system(y[0], N, v, one), system(y[1], N.map(row => row.map(() => 0n)), v_im, 0n));
+      const unit = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
+      const columns = range_of(m).map(k => reader.read(`column ${k}`, parts * m).map(integer));
+      const X = pair(...range_of(2).map(part => transpose(columns.map(x => x.slice(part * m, (part + 1) * m)))));
+      const F = multiply(B, [...v, 0n, ...(parts === 2 ? [...v_im, 0n] : [])].map(x => [x]));
+      for (let k = n; k < F.length; k += m) F[k] = [0n];
+      const unity = difference(multiply(X, B), scaled(identity(B.length), one * unit));
+      const length = fraction(sum(size), 1n << BigInt(v_bits)), X_size = fraction(column_norm(X), unit);
+      const moved = times(X_size, delta(word.length, norm_of_family({den, matrices}), e));
+      const contraction = round_up(plus(fraction(column_norm(unity), one * unit), moved));
+      const step = round_up(plus(fraction(column_norm(multiply(X, F)), one * unit << BigInt(v_bits)), times(moved, length)));
+      const left = minus(1n, contraction);
+      demand(sign(left) > 0 && less(times(2n, times(X_size, step)), times(left, left)),
+             'no eigenvector is proved near the first vertex of the cycle');
+      const distance = over(times(2n, step), left);
+      demand(moduli_between(re, im, distance, power(low, word.length), power(high, word.length)), wrong_bounds);
+      this.cycles.set(J, {word});
+      this.enter(J, times(distance, this.E));
+    }
     read_origin() {
-      const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
+      const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this, [first, ...rest] = this.reader.read('origin', 3);
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
       demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
@@ -1054,7 +1112,8 @@ var check_certificate = (() => {
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const [plain, turned] = [low.n * den, -low.n * den].map(away);
       const near = fraction(turned < plain ? turned : plain, low.d * den);
-      const drift = times(minus(high, low), sum(v.map(norm)));
+      const off = rounding ? times(rounding.e, sum(body.coordinates(K).map(norm))) : 0n;
+      const drift = plus(times(minus(high, low), sum(v.map(norm))), off);
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
     }
@@ -1064,6 +1123,10 @@ var check_certificate = (() => {
       const [index, word] = split_index(third), [element] = spell(body.group, word);
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
+      if (this.rounding) {
+        demand(this.is_mirrored(A, B, word), 'nothing says of all masks near by that an image is a vertex');
+        return this.settle(j, T);
+      }
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
       const related = cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more;
       demand(related || body.has.nonnegative, wrong);
@@ -1080,6 +1143,14 @@ var check_certificate = (() => {
       const opposite = () => related && equal(scaled(left, -1n), right);
       demand(body.has.nonnegative ? opposite() || below() : left.every((row, i) => same_row(i)) || opposite(), wrong);
       this.settle(j, T);
+    }
+    is_mirrored(A, B, word) {  // both stem from one vertex that is its own flip, up to its sign, by mirrored letters
+      const {body, matrices} = this, cycle = this.cycles.get(A.source), flipped = letters => letters.map(t => matrices.length - 1 - t);
+      if (word !== 'f' || !body.has.symmetric || A.source !== B.source) return false;
+      if (String(A.letters) !== String(flipped(B.letters))) return false;
+      if (cycle) return String(cycle.word) === String(flipped(cycle.word));
+      const parts = body.coordinates(A.source);
+      return [1n, -1n].some(s => parts.every(x => x.every((c, i) => c === s * x[x.length - 1 - i])));
     }
     check(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
       const {exact: {low}, e, g, matrices} = this, limit = minus(times(low, minus(1n, e)), times(g, e));
@@ -2573,13 +2644,16 @@ var check_certificate = (() => {
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
-       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)
+       subcert-check --mask MASK --arity A --within EPS,M[,symmetric] --attains T1,T2,... FILE    (exponents: M less the
+                     logarithm of the spectral radius of the product T1 T2 ... of L matrices to the power 1/L)
+       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P; so with
+                     --attains)
 a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
     const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'matrices',
-                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
+                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2594,12 +2668,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const curve = has('mask', 'arity') && none('surface', 'refinable', 'dilation', 'matrices', 'subradius') &&
       ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
       (none('levels') || (has('lower') && none('upper'))) &&
-      (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact'));
+      (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
+      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
+      !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'attains', 'logarithm');
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
@@ -2628,6 +2703,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       const range = claim.levels ? options.levels : options.for;
       const letter = range === undefined ? null : read_range(range, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
+      if (options.attains !== undefined) read_letters(options.attains);
       claim.curve = read_curve(options.mask, arity, letter);
       claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
         (claim.within ? ` within=${options.within}` : '');
@@ -2650,10 +2726,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return letter;
   }
   function read_rounding(text) {
-    const [eps, order, more] = text.split(',');
-    const form = 'a rounding is EPS,M with EPS > 0 and the number M of sum rules';
-    demand(order !== undefined && more === undefined, form);
-    const rounding = {eps: rational(eps), order: small(order, 1, 500)};
+    const [eps, order, symmetric, more] = text.split(',');
+    const form = 'a rounding is EPS,M or EPS,M,symmetric with EPS > 0 and the number M of sum rules';
+    demand(order !== undefined && [undefined, 'symmetric'].includes(symmetric) && more === undefined, form);
+    const rounding = {eps: rational(eps), order: small(order, 1, 500), symmetric: symmetric !== undefined};
     demand(sign(rounding.eps) > 0, form);
     return rounding;
   }
@@ -2667,9 +2743,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function text_of({options, of_family, lower, upper, rough, interval, levels}) {
     const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
-    const exact = options.exact !== undefined, power =
+    const {attains} = options, product = attains === undefined ? []
+      : [`${small(options.within.split(',')[1], 1, 500)}-log rho(${attains})^1/${attains.split(',').length}`];
+    const [number_text = options.exact] = product, exact = number_text !== undefined, power =
       options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
-    const number_itself = exact ? `${what} = ${options.exact}` : what;
+    const number_itself = exact ? `${what} = ${number_text}` : what;
     if (rough) what = `${lower || exact ? `${number_itself} and ` : ''}no C^${rough} limits`;
     else what = lower || upper || exact ? number_itself : 'stable integer shifts of the refinable distribution';
     if (!lower && interval && upper) what = `no convergence, or ${what}`;
@@ -2704,7 +2782,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    claim.exact = claim.l1 ? null : read_root(reader, claim);
+    claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }

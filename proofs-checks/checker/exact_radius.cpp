@@ -1,6 +1,8 @@
 
 #include "exact_radius.hpp"
 
+#include "near_eigenvector.hpp"
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -34,6 +36,15 @@ Complex form_value(const Vector& c, const ComplexRatio& at, Arithmetic& arithmet
     arithmetic.add_product(value.re, c[k], scale);
   }
   return value;
+}
+
+constexpr const char* wrong_bounds = "the bounds of the exact radius are wrong";
+
+/// Whether the modulus of each number within `error` of the point does.
+bool lies_between(const mpq_class& re, const mpq_class& im, const mpq_class& error, const mpq_class& low,
+                  const mpq_class& high) {
+  const mpq_class modulus = re * re + im * im, least = low + error, most = high - error;
+  return least * least <= modulus && most >= 0 && modulus <= most * most;
 }
 
 Vector derivative(const Vector& p) {
@@ -129,6 +140,13 @@ ExactRadius parse_exact_radius(std::string_view text) {
   return radius;
 }
 
+std::vector<std::size_t> parse_letters(std::string_view text) {
+  std::vector<std::size_t> letters;
+  for (const std::string_view letter : split(text, ",")) letters.push_back(parse_size(letter, 0, 15));
+  require(letters.size() <= most_letters, "a product of more than 1000 letters");
+  return letters;
+}
+
 void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic) {
   const Fields fields = reader.take("root", 5, 5);
   mpq_class* const numbers[] = {&radius.near_re, &radius.near_im, &radius.error, &radius.low, &radius.high};
@@ -138,11 +156,9 @@ void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic) {
                   high = power(radius.high, radius.length);
   require(error >= 0 && radius.low > 0 && radius.high > 0,
           "the error of a root is negative, or its modulus not positive");
-  const mpq_class away = squared(radius.near_re - radius.re) + squared(radius.near_im - radius.im),
-                  modulus = squared(radius.near_re) + squared(radius.near_im);
+  const mpq_class away = squared(radius.near_re - radius.re) + squared(radius.near_im - radius.im);
   require(error <= radius.within && away <= squared(radius.within - error), "the root is not the one of the claim");
-  require(squared(low + error) <= modulus && high >= error && modulus <= squared(high - error),
-          "the bounds of the exact radius are wrong");
+  require(lies_between(radius.near_re, radius.near_im, error, low, high), wrong_bounds);
   // A zero within n |p/p'| of the point.
   const Vector &p = radius.polynomial, slope = derivative(p);
   const ComplexRatio near(radius.near_re, radius.near_im), centre(radius.re, radius.im);
@@ -164,9 +180,13 @@ namespace {
 /// The polytope with its true vertices.
 class Attained {
  public:
-  Attained(const Polytope& body, const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic)
+  Attained(const Polytope& body, const ExactRadius& radius, const FamilyError& error, Reader& reader,
+           Arithmetic& arithmetic)
       : body_(body),
         radius_(radius),
+        many_(error.entry > 0),
+        symmetric_(error.symmetric),
+        matrix_error_(error.entry * mpz_class(body.size)),
         reader_(reader),
         arithmetic_(arithmetic),
         vertices_(body.vertices.size()),
@@ -175,7 +195,10 @@ class Attained {
   void run() {
     for (const Vector& vertex : body_.vertices)
       largest_ = std::max(largest_, *std::max_element(vertex.begin(), vertex.end()));
-    while (reader_.at("cycle")) read_cycle();
+    if (many_)
+      read_near_cycle();
+    else
+      while (reader_.at("cycle")) read_cycle();
     for (std::size_t j = 0; j < vertices_.size(); ++j)
       if (reader_.at("origin " + std::to_string(j))) read_origin(j);
     for (const Vertex& vertex : vertices_) error_ = std::max(error_, vertex.error);
@@ -225,6 +248,48 @@ class Attained {
     cycles_.push_back(std::move(cycle));
   }
 
+  Complex coordinate_of(const Vector& vertex, std::size_t i) const {
+    return {vertex[i], body_.parts == 2 ? vertex[body_.size + i] : mpz_class(0)};
+  }
+  /// The first of those that are largest.
+  std::size_t largest_coordinate(const Vector& vertex) const {
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < body_.size; ++i)
+      if (norm(coordinate_of(vertex, i)) > norm(coordinate_of(vertex, largest))) largest = i;
+    return largest;
+  }
+
+  /// Section 7.1: the one cycle of all families, and that its product is the one of the claim.
+  void read_near_cycle() {
+    require(!body_.nonnegative && (!body_.symmetric || symmetric_),
+            "of all masks near by no cone has true vertices, and a "
+            "symmetric polytope only where they are symmetric");
+    const Fields fields = reader_.take("cycle", 5, 4 + most_letters);
+    Cycle cycle{parse_size(fields[0], 0, vertices_.size() - 1), {}, std::string(fields[1]), {}};
+    if (cycle.word == "-") cycle.word.clear();
+    require(cycle.word.empty() || (cycle.word == "f" && body_.symmetric), "the word of a cycle is '-' or 'f'");
+    const mpq_class re = parse_rational(fields[2]), im = parse_rational(fields[3]);
+    require(im == 0 || body_.parts == 2, "a real polytope, but no real eigenvalue");
+    const std::size_t count = body_.family.count(), n = body_.size;
+    for (std::size_t k = 4; k < fields.size(); ++k) cycle.letters.push_back(parse_size(fields[k], 0, count - 1));
+    const std::size_t length = cycle.letters.size();
+    std::vector<std::size_t> product = cycle.letters;  // in the order in which the matrices are applied
+    for (std::size_t k = 0; !cycle.word.empty() && k < length; ++k) product.push_back(count - 1 - product[k]);
+    if (!body_.transposed) std::reverse(product.begin(), product.end());
+    require(product == radius_.letters, "the product of the cycle is not the one of the claim");
+    Vector unity(n * n);
+    for (std::size_t i = 0; i < n; ++i) unity[i * n + i] = 1;
+    const Vector& vertex = body_.vertices[cycle.root];
+    const mpq_class distance = distance_to_eigenvector(
+        {around(cycle, unity), power(body_.family.denominator, length).get_num(),
+         change_of_product(largest_column_sum(body_.family), matrix_error_, length), re, im, vertex, n, body_.parts,
+         largest_coordinate(vertex), body_.vertex_one},
+        reader_, arithmetic_);
+    require(lies_between(re, im, distance, power(radius_.low, length), power(radius_.high, length)), wrong_bounds);
+    vertices_[cycle.root] = {0, rounded_up(distance * body_.unit_norm)};
+    cycles_.push_back(std::move(cycle));
+  }
+
   /// How far the eigenvector, scaled so that it has a large coordinate of the given vertex, is from that vertex.
   mpq_class root_error(const Cycle& cycle, const Eigenvector& eigenvector) const {
     require(body_.parts == 2 || (radius_.im == 0 && radius_.near_im == 0), "a real polytope, but no real eigenvalue");
@@ -232,12 +297,8 @@ class Attained {
     const std::size_t n = body_.size;
     // (v_i U - U_i v) / U_i
     const Vector& given = body_.vertices[cycle.root];
-    const auto coordinate = [&](std::size_t i) {
-      return Complex{given[i], body_.parts == 2 ? given[n + i] : mpz_class(0)};
-    };
-    std::size_t largest = 0;
-    for (std::size_t i = 1; i < n; ++i)
-      if (norm(coordinate(i)) > norm(coordinate(largest))) largest = i;
+    const auto coordinate = [&](std::size_t i) { return coordinate_of(given, i); };
+    const std::size_t largest = largest_coordinate(given);
     const Complex& pivot = vector[largest];
     const mpq_class below = std::max(abs(pivot.re), abs(pivot.im)) - off;
     require(below > 0, "the eigenvector of a cycle may be zero where the vertex is large");
@@ -274,7 +335,8 @@ class Attained {
       if (least < 0 || sum < least) least = sum;
     }
     const mpq_class off = ratio(least, left * body_.family.denominator) +
-                          (radius_.high - radius_.low) * norm(body_.vertices[j]);
+                          (radius_.high - radius_.low) * norm(body_.vertices[j]) +
+                          matrix_error_ * norm(body_.vertices[parent]);
     vertices_[j].error = rounded_up((body_.bound * vertices_[parent].error + off * body_.unit_norm / body_.vertex_one) /
                                     radius_.low);
   }
@@ -286,6 +348,11 @@ class Attained {
     const Image image{parse_size(fields[0], 0, vertices_.size() - 1),
                       parse_size(fields[1], 0, body_.family.count() - 1)};
     const auto [target, word] = parse_turned_index(fields[2], vertices_.size());
+    if (many_) {
+      require(is_mirrored(image, target, word), "nothing says of all masks near by that an image is a vertex");
+      met_.insert(image);
+      return;
+    }
     const std::size_t n = body_.size;
     std::vector<bool> equal(body_.parts * n, true), opposite = equal;
     compare(image, target, word, equal, opposite);
@@ -295,6 +362,24 @@ class Attained {
     };
     require(all(equal) || all(opposite), "an image is not the vertex that it is said to be");
     met_.insert(image);
+  }
+
+  /// Whether an image is the flip of a vertex because both stem from one vertex that is its own flip, up to its sign,
+  /// by letters that are those of mirrored matrices.
+  bool is_mirrored(const Image& image, std::size_t target, const std::string& word) {
+    Origins::Way left = origins_.way_to(image.vertex);
+    left.letters.insert(left.letters.begin(), image.letter);
+    const Origins::Way right = origins_.way_to(target);
+    const auto mirrored = [&](std::vector<std::size_t> letters) {
+      for (std::size_t& letter : letters) letter = body_.family.count() - 1 - letter;
+      return letters;
+    };
+    if (word != "f" || !body_.symmetric || left.first != right.first || left.letters != mirrored(right.letters))
+      return false;
+    if (vertices_[left.first].cycle) return cycles_.front().letters == mirrored(cycles_.front().letters);
+    const Vector &vertex = body_.vertices[left.first], flipped = turned(word, vertex);
+    return vertex == flipped || std::equal(vertex.begin(), vertex.end(), flipped.begin(),
+                                           [](const auto& a, const auto& b) { return a == -b; });
   }
 
   /// Marks the coordinates for which no equation says that image and vertex are equal, or opposite.
@@ -342,7 +427,8 @@ class Attained {
       const Image image{i / count, i % count};
       if (origins_.contains(image) || met_.contains(image)) continue;
       const mpq_class weights = ratio(body_.images[i].weights, body_.weight_one),
-                      rest = ratio(body_.images[i].residual * body_.unit_norm, residual_one) +
+                      moved = matrix_error_ * norm(body_.vertices[image.vertex]) / body_.vertex_one,
+                      rest = (ratio(body_.images[i].residual, residual_one) + moved) * body_.unit_norm +
                              (body_.bound + weights) * error_;
       require(weights + rest / (1 - error_) <= radius_.low,
               "image " + std::to_string(image.vertex) + " " + std::to_string(image.letter) + " may lie outside");
@@ -351,6 +437,9 @@ class Attained {
 
   const Polytope& body_;
   const ExactRadius& radius_;
+  bool many_;               // families, those of all masks near one
+  bool symmetric_;          // and all these masks
+  mpq_class matrix_error_;  // of the matrices, in the 1-norm
   Reader& reader_;
   Arithmetic& arithmetic_;
   std::vector<Vertex> vertices_;
@@ -363,8 +452,9 @@ class Attained {
 
 }  // namespace
 
-void check_attained(const Polytope& body, const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic) {
-  Attained(body, radius, reader, arithmetic).run();
+void check_attained(const Polytope& body, const ExactRadius& radius, const FamilyError& error, Reader& reader,
+                    Arithmetic& arithmetic) {
+  Attained(body, radius, error, reader, arithmetic).run();
 }
 
 Image Origins::read(std::size_t j, Reader& reader) {

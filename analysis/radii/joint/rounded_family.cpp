@@ -1,6 +1,12 @@
 #include "rounded_family.hpp"
 
+#include "attained_nearby.hpp"
 #include "one_block.hpp"
+#include "similarity.hpp"
+
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
+#include <subcert/analysis/radii/quadratic/product_tree.hpp>
+#include <subcert/analysis/radii/schedule.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -27,21 +33,56 @@ Rational change_of_product(const Rational& norm, const Rational& error, long fac
   return power(norm + error, factors) - power(norm, factors);
 }
 
-RoundedFamily::RoundedFamily(MatrixFamily family, const Rational& distance)
-    : family_(std::move(family)), distance_(distance), norm_(0), error_(static_cast<long>(family_.size()) * distance) {
+namespace shares = schedule::rounded;
+
+RoundedFamily::RoundedFamily(MatrixFamily family, const Rational& distance, bool symmetric)
+    : family_(symmetric ? std::move(family)
+                        : MatrixFamily(family.matrices(), {MatrixFamily({family[0]}).group().front()})),
+      distance_(distance),
+      norm_(0),
+      error_(static_cast<long>(family_.size()) * distance) {
   for (const RationalMatrix& matrix : family_) norm_ = std::max(norm_, one_norm(matrix));
 }
 
-JointSpectralRadius RoundedFamily::radius(const NormProof& known, const Budget& budget) const {
-  // Any bound will do: nothing can be exact.
+void RoundedFamily::include_errors(PolytopeProof& polytope) const {
+  // What an image moves by is one more residual.
+  const Rational moved = error_ * longest_vertex(polytope);
+  for (Rational& residual : polytope.residuals) residual += moved;
+  polytope.bound += Rational(polytope.unit_norm) * moved;
+}
+
+JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) const {
+  JointSpectralRadius result;
+  result.exact = {Truth::unknown, "the polytope did not close"};
+  const Rational unit = power(Rational(2), scaling_exponent(family_));
+  const MatrixFamily scaled_family = unit == 1 ? family_ : 1 / unit * family_;
+  // Of families near by no cone is kept by all.
+  const PolytopeCandidate candidate = find_polytope(
+      scaled_family, {budget.deadline.after(shares::search), budget.memory}, false, true, quadratic::long_products);
+  auto polytope = candidate.closed ? certify_polytope(scaled_family, candidate, budget) : std::nullopt;
+  if (!polytope) return result;
+  polytope = scaled(std::move(*polytope), unit);
+  include_errors(*polytope);
+  result.exact = product_attains_nearby(family_, error_, candidate, *polytope, bits);
+  if (result.exact.is_yes()) {
+    const NearbyEigenvector& nearby = *polytope->attained->nearby;
+    result.product = prove_product(family_, nearby.product, budget.deadline.later(shares::grace), distance_);
+    result.radius = nearby.radius;
+    result.growth.at_most = 0;
+  }
+  result.proof = std::move(*polytope);
+  return result;
+}
+
+JointSpectralRadius RoundedFamily::radius(const NormProof& known, const Budget& budget, int bits) const {
+  const JointSpectralRadius exact = attained({budget.deadline.after(shares::exact), budget.memory}, bits);
+  if (exact.exact.is_yes()) return exact;
+  // Any bound will do.
   JointSpectralRadius result = family_.size() == 1 ? radius_of_numbers(family_)
                                                    : radius_of_one_block(family_, budget, known, known.bound());
   auto* polytope = std::get_if<PolytopeProof>(&result.proof);
   if (polytope && (polytope->group.size() <= 1 || polytope->is_flip_symmetric())) {
-    // What an image moves by is one more residual.
-    const Rational moved = error_ * longest_vertex(*polytope);
-    for (Rational& residual : polytope->residuals) residual += moved;
-    polytope->bound += Rational(polytope->unit_norm) * moved;
+    include_errors(*polytope);
     result.radius.upper = polytope->bound;
   } else {
     result.proof = known;
@@ -49,7 +90,7 @@ JointSpectralRadius RoundedFamily::radius(const NormProof& known, const Budget& 
   }
   result.product = prove_product(family_, result.product.word, budget.deadline, distance_);
   result.radius.lower = result.product.radius.lower;
-  result.exact = {Truth::unknown, "the coefficients are rounded"};
+  result.exact = exact.exact;
   return result;
 }
 

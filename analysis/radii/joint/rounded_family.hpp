@@ -12,17 +12,22 @@ Rational change_of_product(const Rational& norm, const Rational& error, long fac
 /// All families whose entries differ from those of one by at most a number.
 class RoundedFamily {
  public:
-  /// Domain: distance > 0.
-  RoundedFamily(MatrixFamily family, const Rational& distance);
+  /// `symmetric`: only those that have the symmetries of this one. Domain: distance > 0.
+  RoundedFamily(MatrixFamily family, const Rational& distance, bool symmetric = false);
 
   /// In the 1-norm, of products of so many matrices.
   Rational change_of_products(long length) const { return change_of_product(norm_, error_, length); }
 
-  /// Encloses the joint spectral radii of all of them. `known`: an upper bound of all. Domain: as
+  /// Encloses the joint spectral radii of all of them. `known`: an upper bound of all. `exact` where one product
+  /// attains each of them; then they are within 2^-bits, relatively, if the distance allows it. Domain: as
   /// joint_spectral_radius. Cost: likewise, by a polytope of the whole matrices.
-  JointSpectralRadius radius(const NormProof& known, const Budget& budget) const;
+  JointSpectralRadius radius(const NormProof& known, const Budget& budget, int bits = default_bits) const;
 
  private:
+  /// By a polytope of the very radius; otherwise `exact` says what is missing.
+  JointSpectralRadius attained(const Budget& budget, int bits) const;
+  void include_errors(PolytopeProof& polytope) const;
+
   MatrixFamily family_;
   Rational distance_;
   Rational norm_;   // the largest 1-norm of a matrix

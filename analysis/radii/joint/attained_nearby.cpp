@@ -1,0 +1,307 @@
+#include "attained_nearby.hpp"
+
+#include "attains.hpp"
+#include "rounded_family.hpp"
+
+#include <subcert/analysis/radii/polytope_proof/candidate.hpp>
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace subcert::radius {
+namespace {
+
+constexpr slong inverse_precision = 512;
+constexpr long inverse_accuracy = 80;  // bits of the inverse times the matrix
+constexpr long most_bits = 4000;
+constexpr int most_steps = 20;  // towards an eigenvector
+constexpr int radius_bits = 240;
+
+Rational dyadic(const Rational& x, long bits) {
+  const Rational unit = power(Rational(2), -bits);
+  return unit * Rational(to_integer(x / unit, Rounding::nearest));
+}
+
+/// Real and imaginary parts of vectors and matrices, where the others are real, one below the other.
+std::vector<Rational> in_parts(const ComplexVector& x, bool complex) {
+  std::vector<Rational> parts;
+  for (const RationalComplex& c : x) parts.push_back(c.re);
+  for (std::size_t i = 0; complex && i < x.size(); ++i) parts.push_back(x[i].im);
+  return parts;
+}
+
+/// The equations for an eigenvalue and an eigenvector, one coordinate of which is kept: SPEC.md, 7.1.
+class EigenvectorSystem {
+ public:
+  EigenvectorSystem(RationalMatrix product, Rational error, bool complex, std::size_t kept)
+      : product_(std::move(product)), error_(std::move(error)), complex_(complex), kept_(kept) {}
+
+  /// The derivative there: of real numbers, a complex one as the matrix of its multiplication.
+  RationalMatrix derivative(const RationalComplex& c, const ComplexVector& x) const {
+    const std::size_t n = x.size(), m = n + 1, parts = complex_ ? 2 : 1;
+    RationalMatrix result(parts * m, parts * m);
+    const auto set = [&](std::size_t i, std::size_t j, const RationalComplex& value) {
+      result(i, j) = value.re;
+      if (!complex_) return;
+      result(m + i, m + j) = value.re;
+      result(m + i, j) = value.im;
+      result(i, m + j) = -value.im;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) set(i, j, {product_(i, j), 0});
+      set(i, i, RationalComplex{product_(i, i), 0} - c);
+      set(i, n, Rational(-1) * x[i]);
+    }
+    set(n, kept_, {1, 0});
+    return result;
+  }
+
+  /// An approximate inverse of the derivative, over 2^bits().
+  bool invert(const RationalComplex& c, const ComplexVector& x) {
+    const RationalMatrix there = derivative(c, x);
+    const auto columns = inverse_columns(Rational(-1) * there, {0, 0},
+                                         inverse_precision + 2 * binary_exponent(there).value_or(0));
+    if (!columns) return false;
+    const std::size_t rows = there.rows();
+    bits_ = std::max(0L,
+                     inverse_accuracy + binary_exponent(Rational(one_norm(there) * static_cast<long>(rows * rows))));
+    if (bits_ > most_bits) return false;
+    inverse_ = RationalMatrix(rows, rows);
+    for (std::size_t j = 0; j < rows; ++j)
+      for (std::size_t i = 0; i < rows; ++i) inverse_(i, j) = dyadic((*columns)[j][i].re, bits_);
+    // Of multiplications by complex numbers.
+    const std::size_t m = rows / 2;
+    for (std::size_t j = 0; complex_ && j < m; ++j)
+      for (std::size_t i = 0; i < m; ++i) {
+        inverse_(m + i, m + j) = inverse_(i, j);
+        inverse_(i, m + j) = -inverse_(m + i, j);
+      }
+    return true;
+  }
+
+  /// What the distances of eigenvalue and eigenvector from these add up to at most; nothing where that is not proved.
+  std::optional<Rational> distance(const RationalComplex& c, const ComplexVector& x) const {
+    RationalMatrix unity = inverse_ * derivative(c, x);
+    for (std::size_t i = 0; i < unity.rows(); ++i) unity(i, i) -= 1;
+    const Rational size = one_norm(inverse_), contraction = one_norm(unity) + size * error_, rest = 1 - contraction,
+                   step = one_norm(step_from(c, x)) + size * error_ * subcert::one_norm(x);
+    if (rest <= 0 || 2 * size * step >= rest * rest) return std::nullopt;
+    return 2 * step / rest;
+  }
+
+  /// A step of Newton's method, rounded to so many bits after the point.
+  void improve(RationalComplex& c, ComplexVector& x, long bits) const {
+    const std::vector<Rational> step = step_from(c, x);
+    const std::size_t m = x.size() + 1;
+    const auto moved = [&](RationalComplex& value, std::size_t i) {
+      value.re = dyadic(value.re - step[i], bits);
+      if (complex_) value.im = dyadic(value.im - step[m + i], bits);
+    };
+    for (std::size_t i = 0; i + 1 < m; ++i)
+      if (i != kept_) moved(x[i], i);
+    moved(c, m - 1);
+  }
+
+  int bits() const { return static_cast<int>(bits_); }
+
+  /// Column by column: the real parts and, of complex numbers, the imaginary ones.
+  std::vector<std::vector<Integer>> columns() const {
+    const Rational scale = power(Rational(2), bits_);
+    std::vector<std::vector<Integer>> result;
+    for (std::size_t j = 0; j < inverse_.rows() / (complex_ ? 2 : 1); ++j) {
+      std::vector<Integer>& column = result.emplace_back();
+      for (std::size_t i = 0; i < inverse_.rows(); ++i) column.push_back(numerator(Rational(scale * inverse_(i, j))));
+    }
+    return result;
+  }
+
+ private:
+  static Rational one_norm(const RationalMatrix& m) { return subcert::one_norm(m); }
+  static Rational one_norm(const std::vector<Rational>& x) {
+    Rational sum = 0;
+    for (const Rational& c : x) sum += abs(c);
+    return sum;
+  }
+
+  std::vector<Rational> step_from(const RationalComplex& c, const ComplexVector& x) const {
+    ComplexVector rest = product_ * x;
+    for (std::size_t i = 0; i < x.size(); ++i) rest[i] = rest[i] - c * x[i];
+    rest.emplace_back();
+    return inverse_ * in_parts(rest, complex_);
+  }
+
+  RationalMatrix product_;
+  Rational error_;
+  bool complex_;
+  std::size_t kept_;
+  RationalMatrix inverse_{0, 0};
+  long bits_ = 0;
+};
+
+/// |value|^(1/length) for all numbers within `away` of the point; nothing where that may be 0.
+std::optional<Enclosure> averaged_modulus(const RationalComplex& point, const Rational& away, int length, int bits) {
+  const Enclosure modulus = root_enclosure(point.squared_modulus(), 2, bits);
+  const Rational low = *modulus.lower - away;
+  if (low <= 0) return std::nullopt;
+  return Enclosure{root_enclosure(low, length, bits).lower, root_enclosure(*modulus.upper + away, length, bits).upper};
+}
+
+class NearbyProof {
+ public:
+  NearbyProof(const MatrixFamily& family, const Rational& error, const PolytopeProof& polytope)
+      : error_(error), polytope_(polytope) {
+    for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
+  }
+
+  /// The reason why there is no proof, empty where there is one. `proof`: with the vertices of one cycle.
+  std::string run(AttainedProof& proof, int bits) {
+    if (proof.cycles.size() != 1)
+      return "more than one product seems to attain the radius, and they differ in all families near by";
+    if (std::string missing = enclose_eigenvector(proof, bits); !missing.empty()) return missing;
+    const Rational &low = *coarse_.lower, &high = *coarse_.upper, &growth = polytope_.bound;
+    for (const auto& [vertex, parent, letter] : proof.origins) {
+      const Rational off = distance_to_image(vertex, parent, letter, low) +
+                           (high - low) * one_norm(polytope_.vertex(vertex)) +
+                           error_ * one_norm(polytope_.vertex(parent));
+      errors_[vertex] = (growth * errors_[parent] + off * unit_norm()) / low;
+    }
+    Rational most = 0;
+    for (const auto& [vertex, error] : errors_) most = std::max(most, error);
+    if (most >= 1) return "the vertices are not known well enough";
+    std::set<std::pair<std::size_t, std::size_t>> met{
+        {proof.cycles.front().last, static_cast<std::size_t>(proof.cycles.front().letters.back())}};
+    for (const auto& [vertex, parent, letter] : proof.origins) met.emplace(parent, letter);
+    std::erase_if(proof.coincidences, [&](const AttainedProof::Coincidence& image) {
+      return met.contains({image.vertex, image.letter}) || !is_mirrored(proof, image);
+    });
+    for (const AttainedProof::Coincidence& image : proof.coincidences) met.emplace(image.vertex, image.letter);
+    const std::size_t count = matrices_.size();
+    for (std::size_t i = 0; i < polytope_.images.size(); ++i) {
+      if (met.contains({i / count, i % count})) continue;
+      const Rational rest = polytope_.residuals[i] * unit_norm() + (growth + polytope_.moduli[i]) * most;
+      if (polytope_.moduli[i] + rest / (1 - most) > low) return "an image lies too near to the boundary";
+    }
+    return "";
+  }
+
+ private:
+  Rational unit_norm() const { return Rational(polytope_.unit_norm); }
+
+  std::string enclose_eigenvector(AttainedProof& proof, int bits) {
+    const AttainedProof::Cycle& cycle = proof.cycles.front();
+    RationalMatrix product = polytope_.group[cycle.element].map.matrix();
+    Rational norm = 0;
+    for (const RationalMatrix& m : matrices_) norm = std::max(norm, one_norm(m));
+    for (auto letter = cycle.letters.rbegin(); letter != cycle.letters.rend(); ++letter)
+      product = product * matrices_[static_cast<std::size_t>(*letter)];
+    const int length = static_cast<int>(cycle.letters.size());
+    ComplexVector x = polytope_.vertex(cycle.vertex);
+    std::size_t kept = 0;
+    for (std::size_t i = 1; i < x.size(); ++i)
+      if (one_norm({x[i]}) > one_norm({x[kept]})) kept = i;
+    const bool complex = polytope_.kind == PolytopeKind::complex;
+    EigenvectorSystem system(product, change_of_product(norm, error_, length), complex, kept);
+    RationalComplex c = rayleigh_quotient(x, product * x);
+    const long digits = polytope_.vertex_bits - binary_exponent(one_norm({c}));
+    c = {dyadic(c.re, digits), dyadic(c.im, digits)};
+    const auto away = system.invert(c, x) ? system.distance(c, x) : std::nullopt;
+    const auto coarse = away ? averaged_modulus(c, *away, length, radius_bits) : std::nullopt;
+    if (!coarse) return "the first vertex of the cycle is near no simple eigenvector of all families near by";
+    coarse_ = {dyadic_end(*coarse->lower, Rounding::down), dyadic_end(*coarse->upper, Rounding::up)};
+    errors_[cycle.vertex] = *away * unit_norm();
+    proof.nearby = NearbyEigenvector{c, system.bits(), system.columns(), coarse_, coarse_, product_of(cycle)};
+    for (int step = 0; step < most_steps; ++step) {
+      system.improve(c, x, 2 * bits + 64);
+      const auto nearer = system.distance(c, x);
+      const auto finer = nearer ? averaged_modulus(c, *nearer, length, bits + 8) : std::nullopt;
+      Enclosure& radius = proof.nearby->radius;
+      const Rational width = *radius.upper - *radius.lower;
+      if (!finer || 2 * (*finer->upper - *finer->lower) > width) break;
+      radius = *finer;
+      if (*radius.upper - *radius.lower <= *radius.lower * power(Rational(2), -bits)) break;
+    }
+    return "";
+  }
+
+  static Rational dyadic_end(const Rational& x, Rounding rounding) {
+    const Rational unit = power(Rational(2), binary_exponent(x) - radius_bits);
+    return unit * Rational(to_integer(x / unit, rounding));
+  }
+
+  /// From left to right, of matrices that are not transposed.
+  std::vector<int> product_of(const AttainedProof::Cycle& cycle) const {
+    std::vector<int> word = cycle.letters;
+    if (cycle.element > 0)
+      for (const int letter : cycle.letters) word.push_back(static_cast<int>(matrices_.size()) - 1 - letter);
+    if (!polytope_.transposed) std::reverse(word.begin(), word.end());
+    return word;
+  }
+
+  /// |M parent - (+-) low vertex|
+  Rational distance_to_image(std::size_t vertex, std::size_t parent, std::size_t letter, const Rational& low) const {
+    const ComplexVector image = matrices_[letter] * polytope_.vertex(parent), goal = polytope_.vertex(vertex);
+    std::optional<Rational> least;
+    for (const Rational& factor : {low, Rational(-low)}) {
+      ComplexVector difference;
+      for (std::size_t i = 0; i < goal.size(); ++i) difference.push_back(image[i] - factor * goal[i]);
+      const Rational away = one_norm(difference);
+      if (!least || away < *least) least = away;
+    }
+    return *least;
+  }
+
+  /// Whether image and vertex stem from one vertex that is its own flip, up to its sign, by mirrored letters.
+  bool is_mirrored(const AttainedProof& proof, const AttainedProof::Coincidence& image) const {
+    if (image.element == 0) return false;
+    const AttainedProof::Cycle& cycle = proof.cycles.front();
+    const auto way = [&](std::size_t vertex) {
+      std::vector<std::size_t> letters;
+      for (bool found = true; found;) {
+        const auto at = std::ranges::find(proof.origins, vertex, &AttainedProof::Origin::vertex);
+        if ((found = at != proof.origins.end())) letters.push_back(at->letter), vertex = at->parent;
+      }
+      return std::pair(vertex, letters);
+    };
+    const auto mirrored = [&](std::size_t letter) { return matrices_.size() - 1 - letter; };
+    auto [from, left] = way(image.vertex);
+    auto [to, right] = way(image.target);
+    left.insert(left.begin(), image.letter);
+    std::ranges::transform(right, right.begin(), mirrored);
+    if (from != to || left != right) return false;
+    if (from == cycle.vertex)
+      return std::ranges::all_of(
+          cycle.letters, [&](int t) { return mirrored(static_cast<std::size_t>(t)) == static_cast<std::size_t>(t); });
+    const ComplexVector vertex = polytope_.vertex(from), reversed(vertex.rbegin(), vertex.rend());
+    return vertex == reversed ||
+           std::ranges::equal(vertex, reversed,
+                              [](const RationalComplex& a, const RationalComplex& b) { return a == Rational(-1) * b; });
+  }
+
+  const Rational& error_;
+  const PolytopeProof& polytope_;
+  std::vector<RationalMatrix> matrices_;
+  Enclosure coarse_ = Enclosure::at_least(0);  // of the radius, as the certificate has it
+  std::map<std::size_t, Rational> errors_;
+};
+
+}  // namespace
+
+Decision product_attains_nearby(const MatrixFamily& family, const Rational& error, const PolytopeCandidate& candidate,
+                                PolytopeProof& polytope, int bits) {
+  const auto unknown = [](std::string reason) { return Decision{Truth::unknown, std::move(reason)}; };
+  polytope.attained.reset();
+  if (!candidate.closed) return unknown("the polytope did not close");
+  find_nearby_cycles(family, candidate, polytope);
+  if (!polytope.attained) return unknown(polytope.not_attained);
+  polytope.not_attained = NearbyProof(family, error, polytope).run(*polytope.attained, bits);
+  if (polytope.not_attained.empty())
+    return {Truth::yes,
+            "in all families near by every image is a vertex or lies inside, and the product attains the radius"};
+  polytope.attained.reset();
+  return unknown(polytope.not_attained);
+}
+
+}  // namespace subcert::radius

@@ -194,7 +194,8 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
   if (rounding) {
     require(rounding->sum_rules == rules, "holder_regularity: need a rounded mask with {} sum rules, got {}",
             rounding->sum_rules, rules);
-    const radius::RoundedFamily family(transition_matrices(derived), entry_error(mask, *rounding), rounding->symmetric);
+    const radius::RoundedFamily family(transition_matrices(derived), entry_error(mask, *rounding),
+                                       {rounding->symmetric, true});
     for (HolderBound& bound : result.bounds.levels)
       bound = holder_bound(bound.levels, bound.norm + family.change_of_products(bound.levels), rules, arity);
     result.stable = budget.deadline.expired()

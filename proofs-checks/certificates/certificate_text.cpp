@@ -238,7 +238,7 @@ ExactRadius exact_radius(const JointSpectralRadius& radius) {
   }
   const auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
   if (polytope && polytope->attained && polytope->attained->nearby) {
-    const NearbyEigenvector& nearby = *polytope->attained->nearby;
+    const NearbyCycles& nearby = *polytope->attained->nearby;
     const std::string letters = fmt::format("{}", fmt::join(nearby.product, ","));
     const std::string line = fmt::format("attains {} {} {}\n", letters, to_text(*nearby.bounds.lower),
                                          to_text(*nearby.bounds.upper));

@@ -127,13 +127,14 @@ std::string inverse_text(int bits, const std::vector<std::vector<Integer>>& colu
 std::string cycle_text(const AttainedProof& proof, const GroupWords& words) {
   std::string text;
   std::set<std::pair<std::size_t, std::size_t>> closing;
-  for (const AttainedProof::Cycle& cycle : proof.cycles) {
+  for (std::size_t k = 0; k < proof.cycles.size(); ++k) {
+    const AttainedProof::Cycle& cycle = proof.cycles[k];
     const std::string word = words.word(cycle.element) +
                              (cycle.sign == words.sign(cycle.element) ? "" : words.negation());
+    const NearbyEigenvector* near = proof.nearby ? &proof.nearby->eigenvectors[k] : nullptr;
     text += fmt::format("cycle {} {} {}{}\n", cycle.vertex, word.empty() ? "-" : word,
-                        proof.nearby ? numbers_of(proof.nearby->eigenvalue) : "", fmt::join(cycle.letters, " ")) +
-            (proof.nearby ? inverse_text(proof.nearby->bits, proof.nearby->inverse)
-                          : fmt::format("seed {}\n", fmt::join(cycle.seed, " ")));
+                        near ? numbers_of(near->eigenvalue) : "", fmt::join(cycle.letters, " ")) +
+            (near ? inverse_text(near->bits, near->inverse) : fmt::format("seed {}\n", fmt::join(cycle.seed, " ")));
     closing.insert(closing_image(cycle));
   }
   for (const auto& [vertex, parent, letter] : proof.origins)

@@ -1019,7 +1019,7 @@ var check_certificate = (() => {
     constructor(reader, body, exact, known) {
       super(reader, body, known.matrices);
       Object.assign(this, known, {exact, cycles: new Map(), errors: new Map(), memory: 0});
-      if (this.rounding) this.read_near_cycle();
+      if (this.rounding) this.read_near_cycles();
       else while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
@@ -1061,18 +1061,33 @@ var check_certificate = (() => {
              'an eigenvector of a cycle may be negative');
       this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
     }
-    read_near_cycle() {  // section 7.1: complex numbers are written as the matrices of their multiplication
-      const {reader, body, exact: {product, low, high}, den, v_bits, matrices, rounding: {e, symmetric}} = this;
-      const {size: n, parts, has} = body, m = n + 1, last = matrices.length - 1;
+    read_near_cycles() {  // section 7.1: one, or two whose products have the same eigenvalue for all masks
+      const {reader, body: {has}, exact: {product}, den, matrices, rounding: {e, symmetric}} = this;
       demand(!has.nonnegative && (!has.symmetric || symmetric),
              'of all masks near by no cone has true vertices, and a symmetric polytope only where they are symmetric');
+      const first = this.read_near_cycle(), {letters, re, im, distance} = first;
+      demand(String(has.transposed ? letters : letters.slice().reverse()) === product,
+             'the product of the cycle is not the one of the claim');
+      if (reader.peek() !== 'cycle') return;
+      const second = this.read_near_cycle(), last = matrices.length - 1, ends = [letters, second.letters].sort();
+      const same = (x, y) => !less(x, y) && !less(y, x);
+      demand(!has.symmetric && same(re, second.re) && same(abs_of(im), abs_of(second.im)) && String(ends) === `0,${last}` && letters.length === 1,
+             'nothing says that two products have the same radius for all masks near by');
+      const farther = less(distance, second.distance) ? second.distance : distance, error = plus(farther, e);
+      for (const corner of [matrices[0][0][0], matrices[last].at(-1).at(-1)]) {
+        const away = minus(fraction(corner, den), re);
+        demand(less(times(error, error), plus(times(away, away), times(im, im))), 'a corner of a matrix may be the eigenvalue');
+      }
+    }
+    read_near_cycle() {  // complex numbers are written as the matrices of their multiplication
+      const {reader, body, exact: {low, high}, den, v_bits, matrices, rounding: {e}} = this;
+      const {size: n, parts, has} = body, m = n + 1, last = matrices.length - 1;
       const [first, turn, ...rest] = reader.read('cycle', 5, 1004), J = this.vertex(first);
       demand(turn === '-' || (turn === 'f' && has.symmetric), "the word of a cycle is '-' or 'f'");
+      demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
       const [re, im] = rest.slice(0, 2).map(rational), word = rest.slice(2).map(t => this.letter(t));
       demand(!sign(im) || parts === 2, 'a real polytope, but no real eigenvalue');
       const letters = turn === 'f' ? [...word, ...word.map(t => last - t)] : word;
-      demand(String(has.transposed ? letters : letters.slice().reverse()) === product,
-             'the product of the cycle is not the one of the claim');
       const N = this.follow(word, identity(n)), D = den ** BigInt(word.length), {den: h, numbers: y} = common([re, im]);
       if (turn === 'f') N.reverse();
       const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
@@ -1094,12 +1109,13 @@ var check_certificate = (() => {
       const contraction = round_up(plus(fraction(column_norm(unity), one * unit), moved));
       const step = round_up(plus(fraction(column_norm(multiply(X, F)), one * unit << BigInt(v_bits)), times(moved, length)));
       const left = minus(1n, contraction);
-      demand(sign(left) > 0 && less(times(2n, times(X_size, step)), times(left, left)),
+      demand(sign(left) > 0 && less(times(6n, times(X_size, step)), times(left, left)),
              'no eigenvector is proved near the first vertex of the cycle');
       const distance = over(times(2n, step), left);
       demand(moduli_between(re, im, distance, power(low, word.length), power(high, word.length)), wrong_bounds);
       this.cycles.set(J, {word});
       this.enter(J, times(distance, this.E));
+      return {letters, re, im, distance};
     }
     read_origin() {
       const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this, [first, ...rest] = this.reader.read('origin', 3);

@@ -9,6 +9,8 @@
 
 namespace subcert_check {
 
+constexpr std::size_t most_letters = 1000;  // of a cycle
+
 /// The number |z|^(1/length), z the only zero of a polynomial within a distance of re + i im. Or, of all masks near
 /// one, the spectral radius of the product of these letters, from left to right, to the power 1/length: without
 /// polynomial.
@@ -23,6 +25,12 @@ struct ExactRadius {
 
 /// |[p0,p1,...]@RE,IM,EPS|^1/L
 ExactRadius parse_exact_radius(std::string_view text);
+
+constexpr const char* wrong_bounds = "the bounds of the exact radius are wrong";
+
+/// Whether the modulus of each number within `error` of the point does.
+bool lies_between(const mpq_class& re, const mpq_class& im, const mpq_class& error, const mpq_class& low,
+                  const mpq_class& high);
 
 /// Reads the line `root` and shows that it is right, and that there is only one such zero.
 void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic);

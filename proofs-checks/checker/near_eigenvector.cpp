@@ -87,7 +87,7 @@ mpq_class distance_to_eigenvector(const NearProduct& p, Reader& reader, Arithmet
                   step = few_digits_up(ratio(largest_column(times(inverse, system.rest, m, arithmetic), m), one) +
                                        moved * ratio(length, p.vertex_one)),
                   rest = 1 - contraction;
-  require(rest > 0 && 2 * size * step < rest * rest, "no eigenvector is proved near the first vertex of the cycle");
+  require(rest > 0 && 6 * size * step < rest * rest, "no eigenvector is proved near the first vertex of the cycle");
   return 2 * step / rest;
 }
 

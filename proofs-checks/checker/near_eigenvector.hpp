@@ -16,8 +16,8 @@ struct NearProduct {
   mpz_class vertex_one;
 };
 
-/// Reads the lines `inverse` and `column`. Each of these products has one eigenvalue, a simple one, with an
-/// eigenvector, whose distances from the given ones, sums of |re| + |im|, are together at most what is returned.
+/// Reads the lines `inverse` and `column`. Each of these products has one eigenvalue so near to the given one as is
+/// returned, a simple one, and an eigenvector for it with that distance, a sum of |re| + |im|, from the given one.
 mpq_class distance_to_eigenvector(const NearProduct& product, Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

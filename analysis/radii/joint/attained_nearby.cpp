@@ -19,6 +19,8 @@ constexpr long inverse_accuracy = 80;  // bits of the inverse times the matrix
 constexpr long most_bits = 4000;
 constexpr int most_steps = 20;  // towards an eigenvector
 constexpr int radius_bits = 240;
+constexpr const char* no_eigenvector =
+    "the first vertex of a cycle is near no simple eigenvector of all families near by";
 
 Rational dyadic(const Rational& x, long bits) {
   const Rational unit = power(Rational(2), -bits);
@@ -88,7 +90,7 @@ class EigenvectorSystem {
     for (std::size_t i = 0; i < unity.rows(); ++i) unity(i, i) -= 1;
     const Rational size = one_norm(inverse_), contraction = one_norm(unity) + size * error_, rest = 1 - contraction,
                    step = one_norm(step_from(c, x)) + size * error_ * subcert::one_norm(x);
-    if (rest <= 0 || 2 * size * step >= rest * rest) return std::nullopt;
+    if (rest <= 0 || 6 * size * step >= rest * rest) return std::nullopt;
     return 2 * step / rest;
   }
 
@@ -105,14 +107,11 @@ class EigenvectorSystem {
     moved(c, m - 1);
   }
 
-  int bits() const { return static_cast<int>(bits_); }
-
-  /// Column by column: the real parts and, of complex numbers, the imaginary ones.
-  std::vector<std::vector<Integer>> columns() const {
+  NearbyEigenvector at(const RationalComplex& point) const {
     const Rational scale = power(Rational(2), bits_);
-    std::vector<std::vector<Integer>> result;
+    NearbyEigenvector result{point, static_cast<int>(bits_), {}};
     for (std::size_t j = 0; j < inverse_.rows() / (complex_ ? 2 : 1); ++j) {
-      std::vector<Integer>& column = result.emplace_back();
+      std::vector<Integer>& column = result.inverse.emplace_back();
       for (std::size_t i = 0; i < inverse_.rows(); ++i) column.push_back(numerator(Rational(scale * inverse_(i, j))));
     }
     return result;
@@ -151,16 +150,14 @@ std::optional<Enclosure> averaged_modulus(const RationalComplex& point, const Ra
 
 class NearbyProof {
  public:
-  NearbyProof(const MatrixFamily& family, const Rational& error, const PolytopeProof& polytope)
-      : error_(error), polytope_(polytope) {
+  NearbyProof(const MatrixFamily& family, const Rational& error, const PolytopeProof& polytope, bool is_transition)
+      : error_(error), polytope_(polytope), is_transition_(is_transition) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
   }
 
-  /// The reason why there is no proof, empty where there is one. `proof`: with the vertices of one cycle.
+  /// The reason why there is no proof, empty where there is one. `proof`: what find_nearby_cycles() finds.
   std::string run(AttainedProof& proof, int bits) {
-    if (proof.cycles.size() != 1)
-      return "more than one product seems to attain the radius, and they differ in all families near by";
-    if (std::string missing = enclose_eigenvector(proof, bits); !missing.empty()) return missing;
+    if (const std::string missing = enclose_cycles(proof, bits); !missing.empty()) return missing;
     const Rational &low = *coarse_.lower, &high = *coarse_.upper, &growth = polytope_.bound;
     for (const auto& [vertex, parent, letter] : proof.origins) {
       const Rational off = distance_to_image(vertex, parent, letter, low) +
@@ -171,8 +168,9 @@ class NearbyProof {
     Rational most = 0;
     for (const auto& [vertex, error] : errors_) most = std::max(most, error);
     if (most >= 1) return "the vertices are not known well enough";
-    std::set<std::pair<std::size_t, std::size_t>> met{
-        {proof.cycles.front().last, static_cast<std::size_t>(proof.cycles.front().letters.back())}};
+    std::set<std::pair<std::size_t, std::size_t>> met;
+    for (const AttainedProof::Cycle& cycle : proof.cycles)
+      met.emplace(cycle.last, static_cast<std::size_t>(cycle.letters.back()));
     for (const auto& [vertex, parent, letter] : proof.origins) met.emplace(parent, letter);
     std::erase_if(proof.coincidences, [&](const AttainedProof::Coincidence& image) {
       return met.contains({image.vertex, image.letter}) || !is_mirrored(proof, image);
@@ -190,8 +188,16 @@ class NearbyProof {
  private:
   Rational unit_norm() const { return Rational(polytope_.unit_norm); }
 
-  std::string enclose_eigenvector(AttainedProof& proof, int bits) {
-    const AttainedProof::Cycle& cycle = proof.cycles.front();
+  /// Of one cycle: how far the eigenvalue is from the point, the radius as the certificate has it, and finer.
+  struct CycleEnclosure {
+    Rational away;
+    Enclosure coarse, fine;
+    NearbyEigenvector eigenvector;
+  };
+
+  /// `point`: near the eigenvalue; nothing: by the vertex.
+  std::optional<CycleEnclosure> enclose(const AttainedProof::Cycle& cycle, std::optional<RationalComplex> point,
+                                        int bits) const {
     RationalMatrix product = polytope_.group[cycle.element].map.matrix();
     Rational norm = 0;
     for (const RationalMatrix& m : matrices_) norm = std::max(norm, one_norm(m));
@@ -205,25 +211,65 @@ class NearbyProof {
     const bool complex = polytope_.kind == PolytopeKind::complex;
     EigenvectorSystem system(product, change_of_product(norm, error_, length), complex, kept);
     RationalComplex c = rayleigh_quotient(x, product * x);
-    const long digits = polytope_.vertex_bits - binary_exponent(one_norm({c}));
-    c = {dyadic(c.re, digits), dyadic(c.im, digits)};
+    if (point) {
+      c = c.im * point->im < 0 ? point->conjugate() : *point;
+    } else {
+      const long digits = polytope_.vertex_bits - binary_exponent(one_norm({c}));
+      c = {dyadic(c.re, digits), dyadic(c.im, digits)};
+    }
     const auto away = system.invert(c, x) ? system.distance(c, x) : std::nullopt;
     const auto coarse = away ? averaged_modulus(c, *away, length, radius_bits) : std::nullopt;
-    if (!coarse) return "the first vertex of the cycle is near no simple eigenvector of all families near by";
-    coarse_ = {dyadic_end(*coarse->lower, Rounding::down), dyadic_end(*coarse->upper, Rounding::up)};
-    errors_[cycle.vertex] = *away * unit_norm();
-    proof.nearby = NearbyEigenvector{c, system.bits(), system.columns(), coarse_, coarse_, product_of(cycle)};
+    if (!coarse) return std::nullopt;
+    CycleEnclosure result{*away, *coarse, *coarse, system.at(c)};
     for (int step = 0; step < most_steps; ++step) {
       system.improve(c, x, 2 * bits + 64);
       const auto nearer = system.distance(c, x);
       const auto finer = nearer ? averaged_modulus(c, *nearer, length, bits + 8) : std::nullopt;
-      Enclosure& radius = proof.nearby->radius;
-      const Rational width = *radius.upper - *radius.lower;
-      if (!finer || 2 * (*finer->upper - *finer->lower) > width) break;
-      radius = *finer;
-      if (*radius.upper - *radius.lower <= *radius.lower * power(Rational(2), -bits)) break;
+      Enclosure& fine = result.fine;
+      if (!finer || 2 * (*finer->upper - *finer->lower) > *fine.upper - *fine.lower) break;
+      fine = *finer;
+      if (*fine.upper - *fine.lower <= *fine.lower * power(Rational(2), -bits)) break;
     }
+    return result;
+  }
+
+  std::string enclose_cycles(AttainedProof& proof, int bits) {
+    const auto found = enclose(proof.cycles.front(), {}, bits);
+    if (!found) return no_eigenvector;
+    Enclosure bounds = found->coarse;
+    errors_[proof.cycles.front().vertex] = found->away * unit_norm();
+    const RationalComplex point = found->eigenvector.eigenvalue;
+    proof.nearby = NearbyCycles{{found->eigenvector}, {}, found->fine, product_of(proof.cycles.front())};
+    if (proof.cycles.size() > 1) {
+      const auto other = is_pair(proof) ? enclose(proof.cycles.back(), point, bits) : std::nullopt;
+      if (!other || may_be_corner(point, std::max(found->away, other->away) + error_))
+        return "several products seem to attain the radius, and nothing says so of all families near by";
+      bounds = {std::min(*bounds.lower, *other->coarse.lower), std::max(*bounds.upper, *other->coarse.upper)};
+      errors_[proof.cycles.back().vertex] = other->away * unit_norm();
+      proof.nearby->eigenvectors.push_back(other->eigenvector);
+    }
+    coarse_ = {dyadic_end(*bounds.lower, Rounding::down), dyadic_end(*bounds.upper, Rounding::up)};
+    proof.nearby->bounds = coarse_;
     return "";
+  }
+
+  /// Whether the cycles are those of the first and of the last matrix: but for one corner of each they have the same
+  /// eigenvalues.
+  bool is_pair(const AttainedProof& proof) const {
+    const int last = static_cast<int>(matrices_.size()) - 1;
+    const auto is_letter = [](const AttainedProof::Cycle& cycle, int letter) {
+      return cycle.element == 0 && cycle.letters == std::vector{letter};
+    };
+    const AttainedProof::Cycle &first = proof.cycles.front(), &second = proof.cycles.back();
+    return is_transition_ && proof.cycles.size() == 2 && !polytope_.is_flip_symmetric() &&
+           ((is_letter(first, 0) && is_letter(second, last)) || (is_letter(first, last) && is_letter(second, 0)));
+  }
+  bool may_be_corner(const RationalComplex& point, const Rational& error) const {
+    const std::size_t end = matrices_.front().rows() - 1;
+    return std::ranges::any_of(std::vector{matrices_.front()(0, 0), matrices_.back()(end, end)},
+                               [&](const Rational& c) {
+                                 return (RationalComplex{c, 0} - point).squared_modulus() <= error * error;
+                               });
   }
 
   static Rational dyadic_end(const Rational& x, Rounding rounding) {
@@ -282,6 +328,7 @@ class NearbyProof {
 
   const Rational& error_;
   const PolytopeProof& polytope_;
+  bool is_transition_;
   std::vector<RationalMatrix> matrices_;
   Enclosure coarse_ = Enclosure::at_least(0);  // of the radius, as the certificate has it
   std::map<std::size_t, Rational> errors_;
@@ -290,13 +337,13 @@ class NearbyProof {
 }  // namespace
 
 Decision product_attains_nearby(const MatrixFamily& family, const Rational& error, const PolytopeCandidate& candidate,
-                                PolytopeProof& polytope, int bits) {
+                                PolytopeProof& polytope, bool is_transition, int bits) {
   const auto unknown = [](std::string reason) { return Decision{Truth::unknown, std::move(reason)}; };
   polytope.attained.reset();
   if (!candidate.closed) return unknown("the polytope did not close");
   find_nearby_cycles(family, candidate, polytope);
   if (!polytope.attained) return unknown(polytope.not_attained);
-  polytope.not_attained = NearbyProof(family, error, polytope).run(*polytope.attained, bits);
+  polytope.not_attained = NearbyProof(family, error, polytope, is_transition).run(*polytope.attained, bits);
   if (polytope.not_attained.empty())
     return {Truth::yes,
             "in all families near by every image is a vertex or lies inside, and the product attains the radius"};

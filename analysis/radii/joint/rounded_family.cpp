@@ -35,10 +35,10 @@ Rational change_of_product(const Rational& norm, const Rational& error, long fac
 
 namespace shares = schedule::rounded;
 
-RoundedFamily::RoundedFamily(MatrixFamily family, const Rational& distance, bool symmetric)
-    : family_(symmetric ? std::move(family)
-                        : MatrixFamily(family.matrices(), {MatrixFamily({family[0]}).group().front()})),
+RoundedFamily::RoundedFamily(MatrixFamily family, const Rational& distance, const NearbyFamilies& known)
+    : family_(std::move(family)),
       distance_(distance),
+      known_(known),
       norm_(0),
       error_(static_cast<long>(family_.size()) * distance) {
   for (const RationalMatrix& matrix : family_) norm_ = std::max(norm_, one_norm(matrix));
@@ -54,8 +54,10 @@ void RoundedFamily::include_errors(PolytopeProof& polytope) const {
 JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) const {
   JointSpectralRadius result;
   result.exact = {Truth::unknown, "the polytope did not close"};
-  const Rational unit = power(Rational(2), scaling_exponent(family_));
-  const MatrixFamily scaled_family = unit == 1 ? family_ : 1 / unit * family_;
+  const MatrixFamily family = known_.have_symmetries ? family_
+                                                     : MatrixFamily(family_.matrices(), {family_.group().front()});
+  const Rational unit = power(Rational(2), scaling_exponent(family));
+  const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   // Of families near by no cone is kept by all.
   const PolytopeCandidate candidate = find_polytope(
       scaled_family, {budget.deadline.after(shares::search), budget.memory}, false, true, quadratic::long_products);
@@ -63,9 +65,9 @@ JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) cons
   if (!polytope) return result;
   polytope = scaled(std::move(*polytope), unit);
   include_errors(*polytope);
-  result.exact = product_attains_nearby(family_, error_, candidate, *polytope, bits);
+  result.exact = product_attains_nearby(family, error_, candidate, *polytope, known_.are_transitions, bits);
   if (result.exact.is_yes()) {
-    const NearbyEigenvector& nearby = *polytope->attained->nearby;
+    const NearbyCycles& nearby = *polytope->attained->nearby;
     result.product = prove_product(family_, nearby.product, budget.deadline.later(shares::grace), distance_);
     result.radius = nearby.radius;
     result.growth.at_most = 0;

@@ -9,11 +9,17 @@ namespace subcert::radius {
 /// norms up to `norm` change by `error`: SPEC.md, section 7.
 Rational change_of_product(const Rational& norm, const Rational& error, long factors);
 
+/// What is known of all families near one, beside their distance.
+struct NearbyFamilies {
+  bool have_symmetries = false;  ///< those of the one
+  bool are_transitions = false;  ///< transition matrices of masks of one variable
+};
+
 /// All families whose entries differ from those of one by at most a number.
 class RoundedFamily {
  public:
-  /// `symmetric`: only those that have the symmetries of this one. Domain: distance > 0.
-  RoundedFamily(MatrixFamily family, const Rational& distance, bool symmetric = false);
+  /// Domain: distance > 0.
+  RoundedFamily(MatrixFamily family, const Rational& distance, const NearbyFamilies& known = {});
 
   /// In the 1-norm, of products of so many matrices.
   Rational change_of_products(long length) const { return change_of_product(norm_, error_, length); }
@@ -30,6 +36,7 @@ class RoundedFamily {
 
   MatrixFamily family_;
   Rational distance_;
+  NearbyFamilies known_;
   Rational norm_;   // the largest 1-norm of a matrix
   Rational error_;  // of a matrix, in that norm
 };

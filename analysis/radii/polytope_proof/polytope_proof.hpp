@@ -32,13 +32,20 @@ struct WeightedVertex {
   Integer modulus;
 };
 
-/// An eigenvector of the product of the only cycle near its first vertex, for all families near one: SPEC.md, 7.1.
+/// Near the first vertex of a cycle, for all families near one: a point near the eigenvalue of its product, and an
+/// approximate inverse, over 2^bits, of the equations for both. Columns; of complex numbers the real parts first. Ref:
+/// SPEC.md, 7.1.
 struct NearbyEigenvector {
   RationalComplex eigenvalue;
   int bits;
-  std::vector<std::vector<Integer>> inverse;  ///< columns over 2^bits; of complex numbers the real parts first
+  std::vector<std::vector<Integer>> inverse;
+};
+
+/// That one product attains the radii of all families near one.
+struct NearbyCycles {
+  std::vector<NearbyEigenvector> eigenvectors;  ///< cycle by cycle
   Enclosure bounds, radius;  ///< of the radii of all these families, as the certificate has them and finer
-  std::vector<int> product;  ///< that attains them, from left to right
+  std::vector<int> product;  ///< from left to right
 };
 
 /// That products attain the radius: how true vertices near the rational ones arise from leading eigenvectors, and which
@@ -62,8 +69,8 @@ struct AttainedProof {
   struct Coincidence {
     std::size_t vertex, letter, target, element;
   };
-  AttainedNumber number;                         ///< the radius
-  std::optional<NearbyEigenvector> nearby = {};  ///< of all families near one, whose cycle has no seed and no number
+  AttainedNumber number;                    ///< the radius
+  std::optional<NearbyCycles> nearby = {};  ///< of all families near one, whose cycles have no seeds, no number
   std::vector<Cycle> cycles;
   std::vector<Origin> origins;  ///< in order
   std::vector<Coincidence> coincidences;

@@ -27,6 +27,26 @@ Rational longest_vertex(const PolytopeProof& proof) {
   return Rational(longest) * power(Rational(2), -proof.vertex_bits);
 }
 
+/// The candidate and, of two products, those in which the orbit of one is a little smaller: then what coincides with a
+/// vertex of the other lies inside.
+std::vector<PolytopeCandidate> with_smaller_orbits(const PolytopeCandidate& candidate) {
+  constexpr double smaller = 1 - 0x1p-20;
+  std::vector<PolytopeCandidate> result{candidate};
+  std::vector<int> cycles;  // from which the vertices stem
+  for (const PolytopeCandidate::Vertex& vertex : candidate.vertices)
+    cycles.push_back(vertex.parent >= 0 ? cycles[static_cast<std::size_t>(vertex.parent)] : vertex.cycle);
+  const int last = *std::ranges::max_element(cycles);
+  for (int cycle = last; last == 1 && cycle >= 0; --cycle) {
+    PolytopeCandidate& other = result.emplace_back(candidate);
+    const auto factor = [&](int vertex) { return cycles[static_cast<std::size_t>(vertex)] == cycle ? smaller : 1; };
+    for (std::size_t v = 0; v < cycles.size(); ++v)
+      for (auto& c : other.vertices[v].value) c *= factor(static_cast<int>(v));
+    for (PolytopeCandidate::Image& image : other.images)
+      for (PolytopeCandidate::Term& term : image.terms) term.coefficient *= factor(image.vertex) / factor(term.vertex);
+  }
+  return result;
+}
+
 }  // namespace
 
 Rational change_of_product(const Rational& norm, const Rational& error, long factors) {
@@ -59,20 +79,22 @@ JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) cons
   const Rational unit = power(Rational(2), scaling_exponent(family));
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   // Of families near by no cone is kept by all.
-  const PolytopeCandidate candidate = find_polytope(
-      scaled_family, {budget.deadline.after(shares::search), budget.memory}, false, true, quadratic::long_products);
-  auto polytope = candidate.closed ? certify_polytope(scaled_family, candidate, budget) : std::nullopt;
-  if (!polytope) return result;
-  polytope = scaled(std::move(*polytope), unit);
-  include_errors(*polytope);
-  result.exact = product_attains_nearby(family, error_, candidate, *polytope, known_.are_transitions, bits);
-  if (result.exact.is_yes()) {
-    const NearbyCycles& nearby = *polytope->attained->nearby;
-    result.product = prove_product(family_, nearby.product, budget.deadline.later(shares::grace), distance_);
-    result.radius = nearby.radius;
-    result.growth.at_most = 0;
+  const PolytopeCandidate found = find_polytope(scaled_family, {budget.deadline.after(shares::search), budget.memory},
+                                                false, true, quadratic::long_products);
+  for (const PolytopeCandidate& candidate : found.closed ? with_smaller_orbits(found) : std::vector{found}) {
+    auto polytope = candidate.closed ? certify_polytope(scaled_family, candidate, budget) : std::nullopt;
+    if (!polytope) break;
+    polytope = scaled(std::move(*polytope), unit);
+    include_errors(*polytope);
+    result.exact = product_attains_nearby(family, error_, candidate, *polytope, known_.are_transitions, bits);
+    result.proof = std::move(*polytope);
+    if (result.exact.is_yes()) break;
   }
-  result.proof = std::move(*polytope);
+  if (!result.exact.is_yes()) return result;
+  const NearbyCycles& nearby = *std::get<PolytopeProof>(result.proof).attained->nearby;
+  result.product = prove_product(family_, nearby.product, budget.deadline.later(shares::grace), distance_);
+  result.radius = nearby.radius;
+  result.growth.at_most = 0;
   return result;
 }
 

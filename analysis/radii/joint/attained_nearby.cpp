@@ -18,7 +18,7 @@ constexpr slong inverse_precision = 512;
 constexpr long inverse_accuracy = 80;  // bits of the inverse times the matrix
 constexpr long most_bits = 4000;
 constexpr int most_steps = 20;  // towards an eigenvector
-constexpr int radius_bits = 240;
+constexpr int radius_bits = 240, guard_bits = 60;
 constexpr const char* no_eigenvector =
     "the first vertex of a cycle is near no simple eigenvector of all families near by";
 
@@ -218,7 +218,9 @@ class NearbyProof {
       c = {dyadic(c.re, digits), dyadic(c.im, digits)};
     }
     const auto away = system.invert(c, x) ? system.distance(c, x) : std::nullopt;
-    const auto coarse = away ? averaged_modulus(c, *away, length, radius_bits) : std::nullopt;
+    // Checkers round up.
+    const auto coarse = away ? averaged_modulus(c, *away * (1 + power(Rational(2), -guard_bits)), length, radius_bits)
+                             : std::nullopt;
     if (!coarse) return std::nullopt;
     CycleEnclosure result{*away, *coarse, *coarse, system.at(c)};
     for (int step = 0; step < most_steps; ++step) {

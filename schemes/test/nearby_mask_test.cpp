@@ -40,8 +40,9 @@ TEST_CASE("of decimals the mask with as many sum rules is found") {
       CHECK(sum_rules(nearby) == found->sum_rules);
       Rational change = 0;
       for (std::size_t i = 0; i < printed.size(); ++i)
-        change = std::max(change, Rational(abs(printed[i] - nearby.symbol().coefficient(
-                                                                 mask.symbol().lowest() + static_cast<long>(i)))));
+        change = std::max(
+            change,
+            Rational(abs(printed[i] - nearby.symbol().coefficient(mask.symbol().lowest() + static_cast<long>(i)))));
       CHECK(change == found->change);
     }
   }
@@ -90,8 +91,9 @@ TEST_CASE("no mask is nearer than the one that is found, in the sum of squares")
 }
 
 TEST_CASE("mask:...,nearly= says what it changed") {
-  const Scheme scheme = make_scheme("mask:[0.48296291314453,0.83651630373780,0.22414386804201,-0.12940952255126],"
-                                    "nearly=1e-12");
+  const Scheme scheme = make_scheme(
+      "mask:[0.48296291314453,0.83651630373780,0.22414386804201,-0.12940952255126],"
+      "nearly=1e-12");
   CHECK(sum_rules(scheme.mask.curve()) == 2);
   CHECK(scheme.title.find("2 sum rules") != std::string::npos);
   CHECK(scheme.title.find("changed by") != std::string::npos);

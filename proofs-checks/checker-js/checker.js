@@ -1071,12 +1071,14 @@ var check_certificate = (() => {
       if (reader.peek() !== 'cycle') return;
       const second = this.read_near_cycle(), last = matrices.length - 1, ends = [letters, second.letters].sort();
       const same = (x, y) => !less(x, y) && !less(y, x);
-      demand(!has.symmetric && same(re, second.re) && same(abs_of(im), abs_of(second.im)) && String(ends) === `0,${last}` && letters.length === 1,
+      const equal_moduli = same(re, second.re) && same(abs_of(im), abs_of(second.im));
+      demand(!has.symmetric && equal_moduli && String(ends) === `0,${last}` && letters.length === 1,
              'nothing says that two products have the same radius for all masks near by');
       const farther = less(distance, second.distance) ? second.distance : distance, error = plus(farther, e);
       for (const corner of [matrices[0][0][0], matrices[last].at(-1).at(-1)]) {
         const away = minus(fraction(corner, den), re);
-        demand(less(times(error, error), plus(times(away, away), times(im, im))), 'a corner of a matrix may be the eigenvalue');
+        demand(less(times(error, error), plus(times(away, away), times(im, im))),
+               'a corner of a matrix may be the eigenvalue');
       }
     }
     read_near_cycle() {  // complex numbers are written as the matrices of their multiplication
@@ -1092,8 +1094,8 @@ var check_certificate = (() => {
       if (turn === 'f') N.reverse();
       const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
       const kept = size.indexOf(largest(size)), whole = D * h, one = whole << BigInt(v_bits);
-      const pair = (rows, others) => parts === 1 ? rows : [...rows.map((row, i) => [...row, ...others[i].map(x => -x)]),
-                                                          ...others.map((row, i) => [...row, ...rows[i]])];
+      const pair = (rows, others) => parts === 1 ? rows : [
+        ...rows.map((row, i) => [...row, ...others[i].map(x => -x)]), ...others.map((row, i) => [...row, ...rows[i]])];
       const system = (diagonal, matrix, x, corner) => [...x.map((c, i) => [
         ...matrix[i].map((entry, k) => entry * h - (i === k ? diagonal * D : 0n) << BigInt(v_bits)), -c * whole]),
         range_of(m).map(k => k === kept ? corner : 0n)];
@@ -1107,7 +1109,8 @@ var check_certificate = (() => {
       const length = fraction(sum(size), 1n << BigInt(v_bits)), X_size = fraction(column_norm(X), unit);
       const moved = times(X_size, delta(word.length, norm_of_family({den, matrices}), e));
       const contraction = round_up(plus(fraction(column_norm(unity), one * unit), moved));
-      const step = round_up(plus(fraction(column_norm(multiply(X, F)), one * unit << BigInt(v_bits)), times(moved, length)));
+      const off = fraction(column_norm(multiply(X, F)), one * unit << BigInt(v_bits));
+      const step = round_up(plus(off, times(moved, length)));
       const left = minus(1n, contraction);
       demand(sign(left) > 0 && less(times(6n, times(X_size, step)), times(left, left)),
              'no eigenvector is proved near the first vertex of the cycle');
@@ -1118,7 +1121,8 @@ var check_certificate = (() => {
       return {letters, re, im, distance};
     }
     read_origin() {
-      const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this, [first, ...rest] = this.reader.read('origin', 3);
+      const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this;
+      const [first, ...rest] = this.reader.read('origin', 3);
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
       demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
@@ -1161,7 +1165,8 @@ var check_certificate = (() => {
       this.settle(j, T);
     }
     is_mirrored(A, B, word) {  // both stem from one vertex that is its own flip, up to its sign, by mirrored letters
-      const {body, matrices} = this, cycle = this.cycles.get(A.source), flipped = letters => letters.map(t => matrices.length - 1 - t);
+      const {body, matrices} = this, cycle = this.cycles.get(A.source);
+      const flipped = letters => letters.map(t => matrices.length - 1 - t);
       if (word !== 'f' || !body.has.symmetric || A.source !== B.source) return false;
       if (String(A.letters) !== String(flipped(B.letters))) return false;
       if (cycle) return String(cycle.word) === String(flipped(cycle.word));

@@ -76,8 +76,6 @@ std::string coefficients_text(const LaurentPolynomial& p) {
   return text;
 }
 
-std::string numbers_of(const RationalComplex& z) { return to_text(z.re) + " " + to_text(z.im) + " "; }
-
 /// The image that leads a cycle back.
 std::pair<std::size_t, std::size_t> closing_image(const AttainedProof::Cycle& cycle) {
   return {cycle.last, static_cast<std::size_t>(cycle.letters.back())};
@@ -133,7 +131,7 @@ std::string cycle_text(const AttainedProof& proof, const GroupWords& words) {
                              (cycle.sign == words.sign(cycle.element) ? "" : words.negation());
     const NearbyEigenvector* near = proof.nearby ? &proof.nearby->eigenvectors[k] : nullptr;
     text += fmt::format("cycle {} {} {}{}\n", cycle.vertex, word.empty() ? "-" : word,
-                        near ? numbers_of(near->eigenvalue) : "", fmt::join(cycle.letters, " ")) +
+                        near ? to_text(near->eigenvalue) + " " : "", fmt::join(cycle.letters, " ")) +
             (near ? inverse_text(near->bits, near->inverse) : fmt::format("seed {}\n", fmt::join(cycle.seed, " ")));
     closing.insert(closing_image(cycle));
   }

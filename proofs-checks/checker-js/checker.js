@@ -1063,62 +1063,50 @@ var check_certificate = (() => {
     }
     read_near_cycles() {  // section 7.1: one, or two whose products have the same eigenvalue for all masks
       const {reader, body: {has}, exact: {product}, den, matrices, rounding: {e, symmetric}} = this;
-      demand(!has.nonnegative && (!has.symmetric || symmetric),
-             'of all masks near by no cone has true vertices, and a symmetric polytope only where they are symmetric');
-      const first = this.read_near_cycle(), {letters, re, im, distance} = first;
+      demand(!has.complex && !has.nonnegative && (!has.symmetric || symmetric),
+             'of all masks near by a complex polytope, a cone, and a symmetric polytope where they are not prove nothing');
+      const {letters, c, distance} = this.read_near_cycle();
       demand(String(has.transposed ? letters : letters.slice().reverse()) === product,
              'the product of the cycle is not the one of the claim');
       if (reader.peek() !== 'cycle') return;
       const second = this.read_near_cycle(), last = matrices.length - 1, ends = [letters, second.letters].sort();
-      const same = (x, y) => !less(x, y) && !less(y, x);
-      const equal_moduli = same(re, second.re) && same(abs_of(im), abs_of(second.im));
-      demand(!has.symmetric && equal_moduli && String(ends) === `0,${last}` && letters.length === 1,
+      demand(!has.symmetric && !less(c, second.c) && !less(second.c, c) && String(ends) === `0,${last}`,
              'nothing says that two products have the same radius for all masks near by');
-      const farther = less(distance, second.distance) ? second.distance : distance, error = plus(farther, e);
-      for (const corner of [matrices[0][0][0], matrices[last].at(-1).at(-1)]) {
-        const away = minus(fraction(corner, den), re);
-        demand(less(times(error, error), plus(times(away, away), times(im, im))),
-               'a corner of a matrix may be the eigenvalue');
-      }
+      const error = plus(less(distance, second.distance) ? second.distance : distance, e);
+      for (const corner of [matrices[0][0][0], matrices[last].at(-1).at(-1)])
+        demand(less(error, abs_of(minus(fraction(corner, den), c))), 'a corner of a matrix may be the eigenvalue');
     }
-    read_near_cycle() {  // complex numbers are written as the matrices of their multiplication
+    read_near_cycle() {
       const {reader, body, exact: {low, high}, den, v_bits, matrices, rounding: {e}} = this;
-      const {size: n, parts, has} = body, m = n + 1, last = matrices.length - 1;
-      const [first, turn, ...rest] = reader.read('cycle', 5, 1004), J = this.vertex(first);
+      const {size: n, has} = body, last = matrices.length - 1;
+      const [first, turn, ...rest] = reader.read('cycle', 4, 1003), J = this.vertex(first);
       demand(turn === '-' || (turn === 'f' && has.symmetric), "the word of a cycle is '-' or 'f'");
       demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
-      const [re, im] = rest.slice(0, 2).map(rational), word = rest.slice(2).map(t => this.letter(t));
-      demand(!sign(im) || parts === 2, 'a real polytope, but no real eigenvalue');
+      const c = rational(rest[0]), word = rest.slice(1).map(t => this.letter(t));
       const letters = turn === 'f' ? [...word, ...word.map(t => last - t)] : word;
-      const N = this.follow(word, identity(n)), D = den ** BigInt(word.length), {den: h, numbers: y} = common([re, im]);
+      const N = this.follow(word, identity(n)), D = den ** BigInt(word.length);
       if (turn === 'f') N.reverse();
-      const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
-      const kept = size.indexOf(largest(size)), whole = D * h, one = whole << BigInt(v_bits);
-      const pair = (rows, others) => parts === 1 ? rows : [
-        ...rows.map((row, i) => [...row, ...others[i].map(x => -x)]), ...others.map((row, i) => [...row, ...rows[i]])];
-      const system = (diagonal, matrix, x, corner) => [...x.map((c, i) => [
-        ...matrix[i].map((entry, k) => entry * h - (i === k ? diagonal * D : 0n) << BigInt(v_bits)), -c * whole]),
-        range_of(m).map(k => k === kept ? corner : 0n)];
-      const B = pair(system(y[0], N, v, one), system(y[1], N.map(row => row.map(() => 0n)), v_im, 0n));
+      const [v] = body.coordinates(J), size = v.map(abs), kept = size.indexOf(largest(size)), shift_by = BigInt(v_bits);
+      const whole = D * c.d, one = whole << shift_by;
+      const less_c = N.map((row, i) => row.map((x, k) => x * c.d - (i === k ? c.n * D : 0n)));
+      const B = less_c.map((row, i) => [...row.map(x => x << shift_by), -v[i] * whole]);
+      B.push(range_of(n + 1).map(k => k === kept ? one : 0n));
       const unit = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
-      const columns = range_of(m).map(k => reader.read(`column ${k}`, parts * m).map(integer));
-      const X = pair(...range_of(2).map(part => transpose(columns.map(x => x.slice(part * m, (part + 1) * m)))));
-      const F = multiply(B, [...v, 0n, ...(parts === 2 ? [...v_im, 0n] : [])].map(x => [x]));
-      for (let k = n; k < F.length; k += m) F[k] = [0n];
-      const unity = difference(multiply(X, B), scaled(identity(B.length), one * unit));
-      const length = fraction(sum(size), 1n << BigInt(v_bits)), X_size = fraction(column_norm(X), unit);
+      const X = transpose(range_of(n + 1).map(k => reader.read(`column ${k}`, n + 1).map(integer)));
+      const F = [...multiply(less_c, v.map(x => [x])), [0n]];
+      const unity = difference(multiply(X, B), scaled(identity(n + 1), one * unit));
+      const X_size = fraction(column_norm(X), unit);
       const moved = times(X_size, delta(word.length, norm_of_family({den, matrices}), e));
       const contraction = round_up(plus(fraction(column_norm(unity), one * unit), moved));
-      const off = fraction(column_norm(multiply(X, F)), one * unit << BigInt(v_bits));
-      const step = round_up(plus(off, times(moved, length)));
-      const left = minus(1n, contraction);
+      const off = plus(fraction(column_norm(multiply(X, F)), whole * unit), times(moved, sum(size)));
+      const step = round_up(times(off, fraction(1n, 1n << shift_by))), left = minus(1n, contraction);
       demand(sign(left) > 0 && less(times(6n, times(X_size, step)), times(left, left)),
              'no eigenvector is proved near the first vertex of the cycle');
-      const distance = over(times(2n, step), left);
-      demand(moduli_between(re, im, distance, power(low, word.length), power(high, word.length)), wrong_bounds);
+      const distance = over(times(2n, step), left), zero = fraction(0n);
+      demand(moduli_between(c, zero, distance, power(low, word.length), power(high, word.length)), wrong_bounds);
       this.cycles.set(J, {word});
       this.enter(J, times(distance, this.E));
-      return {letters, re, im, distance};
+      return {letters, c, distance};
     }
     read_origin() {
       const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this;

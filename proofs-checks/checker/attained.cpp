@@ -91,57 +91,57 @@ class Attained {
   }
 
   /// Of all families near by: a product, its letters in the order in which they are applied, and how far its eigenvalue
-  /// is from a point.
+  /// is from a number.
   struct NearCycle {
     std::vector<std::size_t> product;
-    mpq_class re, im, distance;
+    mpq_class eigenvalue, distance;
   };
 
   /// Section 7.1: one cycle, or two whose products have the same eigenvalue in all families.
   void read_near_cycles() {
-    require(!body_.nonnegative && (!body_.symmetric || symmetric_),
-            "of all masks near by no cone has true vertices, and a symmetric polytope only where they are symmetric");
+    require(
+        body_.parts == 1 && !body_.nonnegative && (!body_.symmetric || symmetric_),
+        "of all masks near by a complex polytope, a cone, and a symmetric polytope where they are not prove nothing");
     NearCycle first = read_near_cycle();
     std::vector<std::size_t> product = first.product;
     if (!body_.transposed) std::reverse(product.begin(), product.end());
     require(product == radius_.letters, "the product of the cycle is not the one of the claim");
     if (!reader_.at("cycle")) return;
     const NearCycle second = read_near_cycle();
-    const std::size_t last = body_.family.count() - 1, n = body_.size;
-    require(!body_.symmetric && first.re == second.re && abs(first.im) == abs(second.im) && first.product.size() == 1 &&
-                second.product.size() == 1 && first.product[0] + second.product[0] == last &&
-                first.product[0] * second.product[0] == 0,
+    const std::size_t last = body_.family.count() - 1;
+    const std::vector<std::size_t> ends{std::min(first.product[0], second.product[0]),
+                                        std::max(first.product[0], second.product[0])};
+    require(!body_.symmetric && first.eigenvalue == second.eigenvalue &&
+                first.product.size() + second.product.size() == 2 && ends == std::vector<std::size_t>{0, last},
             "nothing says that two products have the same radius for all masks near by");
     const mpq_class error = std::max(first.distance, second.distance) + matrix_error_;
-    for (const mpz_class& corner : {body_.family.matrix(0)[0], body_.family.matrix(last)[n * n - 1]}) {
-      const mpq_class away = ratio(corner, body_.family.denominator) - first.re;
-      require(away * away + first.im * first.im > error * error, "a corner of a matrix may be the eigenvalue");
-    }
+    for (const mpz_class& corner : {body_.family.matrix(0).front(), body_.family.matrix(last).back()})
+      require(abs(ratio(corner, body_.family.denominator) - first.eigenvalue) > error,
+              "a corner of a matrix may be the eigenvalue");
   }
 
   NearCycle read_near_cycle() {
-    const Fields fields = reader_.take("cycle", 5, 4 + most_letters);
+    const Fields fields = reader_.take("cycle", 4, 3 + most_letters);
     Cycle cycle{parse_size(fields[0], 0, vertices_.size() - 1), {}, std::string(fields[1]), {}};
     if (cycle.word == "-") cycle.word.clear();
     require(cycle.word.empty() || (cycle.word == "f" && body_.symmetric), "the word of a cycle is '-' or 'f'");
     require(!vertices_[cycle.root].cycle, "a vertex is the first one of two cycles");
-    const mpq_class re = parse_rational(fields[2]), im = parse_rational(fields[3]);
-    require(im == 0 || body_.parts == 2, "a real polytope, but no real eigenvalue");
+    NearCycle near{{}, parse_rational(fields[2]), 0};
     const std::size_t count = body_.family.count(), n = body_.size;
-    for (std::size_t k = 4; k < fields.size(); ++k) cycle.letters.push_back(parse_size(fields[k], 0, count - 1));
-    const std::size_t length = cycle.letters.size();
-    NearCycle near{cycle.letters, re, im, 0};
-    for (std::size_t k = 0; !cycle.word.empty() && k < length; ++k)
-      near.product.push_back(count - 1 - cycle.letters[k]);
+    for (std::size_t k = 3; k < fields.size(); ++k) cycle.letters.push_back(parse_size(fields[k], 0, count - 1));
+    near.product = cycle.letters;
+    if (!cycle.word.empty())
+      for (const std::size_t letter : cycle.letters) near.product.push_back(count - 1 - letter);
     Vector unity(n * n);
     for (std::size_t i = 0; i < n; ++i) unity[i * n + i] = 1;
     const Vector& vertex = body_.vertices[cycle.root];
-    near.distance = distance_to_eigenvector(
-        {around(cycle, unity), power(body_.family.denominator, length).get_num(),
-         change_of_product(largest_column_sum(body_.family), matrix_error_, length), re, im, vertex, n, body_.parts,
-         largest_coordinate(vertex), body_.vertex_one},
-        reader_, arithmetic_);
-    require(lies_between(re, im, near.distance, power(radius_.low, length), power(radius_.high, length)), wrong_bounds);
+    const std::size_t length = cycle.letters.size();
+    near.distance = distance_to_eigenvector({around(cycle, unity), power(body_.family.denominator, length).get_num(),
+                                             change_of_product(largest_column_sum(body_.family), matrix_error_, length),
+                                             near.eigenvalue, vertex, largest_coordinate(vertex), body_.vertex_one},
+                                            reader_, arithmetic_);
+    require(lies_between(near.eigenvalue, 0, near.distance, power(radius_.low, length), power(radius_.high, length)),
+            wrong_bounds);
     vertices_[cycle.root] = {cycles_.size(), rounded_up(near.distance * body_.unit_norm)};
     cycles_.push_back(std::move(cycle));
     return near;

@@ -22,95 +22,64 @@ constexpr int radius_bits = 240, guard_bits = 60;
 constexpr const char* no_eigenvector =
     "the first vertex of a cycle is near no simple eigenvector of all families near by";
 
+using Vector = std::vector<Rational>;
+
+/// |x|_1
+Rational length_of(const Vector& x) {
+  Rational sum = 0;
+  for (const Rational& c : x) sum += abs(c);
+  return sum;
+}
+
 Rational dyadic(const Rational& x, long bits) {
   const Rational unit = power(Rational(2), -bits);
   return unit * Rational(to_integer(x / unit, Rounding::nearest));
 }
 
-/// Real and imaginary parts of vectors and matrices, where the others are real, one below the other.
-std::vector<Rational> in_parts(const ComplexVector& x, bool complex) {
-  std::vector<Rational> parts;
-  for (const RationalComplex& c : x) parts.push_back(c.re);
-  for (std::size_t i = 0; complex && i < x.size(); ++i) parts.push_back(x[i].im);
-  return parts;
-}
-
 /// The equations for an eigenvalue and an eigenvector, one coordinate of which is kept: SPEC.md, 7.1.
 class EigenvectorSystem {
  public:
-  EigenvectorSystem(RationalMatrix product, Rational error, bool complex, std::size_t kept)
-      : product_(std::move(product)), error_(std::move(error)), complex_(complex), kept_(kept) {}
+  EigenvectorSystem(RationalMatrix product, Rational error, std::size_t kept)
+      : product_(std::move(product)), error_(std::move(error)), kept_(kept) {}
 
-  /// The derivative there: of real numbers, a complex one as the matrix of its multiplication.
-  RationalMatrix derivative(const RationalComplex& c, const ComplexVector& x) const {
-    const std::size_t n = x.size(), m = n + 1, parts = complex_ ? 2 : 1;
-    RationalMatrix result(parts * m, parts * m);
-    const auto set = [&](std::size_t i, std::size_t j, const RationalComplex& value) {
-      result(i, j) = value.re;
-      if (!complex_) return;
-      result(m + i, m + j) = value.re;
-      result(m + i, j) = value.im;
-      result(i, m + j) = -value.im;
-    };
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) set(i, j, {product_(i, j), 0});
-      set(i, i, RationalComplex{product_(i, i), 0} - c);
-      set(i, n, Rational(-1) * x[i]);
-    }
-    set(n, kept_, {1, 0});
-    return result;
-  }
-
-  /// An approximate inverse of the derivative, over 2^bits().
-  bool invert(const RationalComplex& c, const ComplexVector& x) {
+  /// An approximate inverse of the derivative.
+  bool invert(const Rational& c, const Vector& x) {
     const RationalMatrix there = derivative(c, x);
+    const std::size_t size = there.rows();
     const auto columns = inverse_columns(Rational(-1) * there, {0, 0},
-                                         inverse_precision + 2 * binary_exponent(there).value_or(0));
+                                         inverse_precision + 2 * std::abs(binary_exponent(there).value_or(0)));
     if (!columns) return false;
-    const std::size_t rows = there.rows();
     bits_ = std::max(0L,
-                     inverse_accuracy + binary_exponent(Rational(one_norm(there) * static_cast<long>(rows * rows))));
+                     inverse_accuracy + binary_exponent(Rational(one_norm(there) * static_cast<long>(size * size))));
     if (bits_ > most_bits) return false;
-    inverse_ = RationalMatrix(rows, rows);
-    for (std::size_t j = 0; j < rows; ++j)
-      for (std::size_t i = 0; i < rows; ++i) inverse_(i, j) = dyadic((*columns)[j][i].re, bits_);
-    // Of multiplications by complex numbers.
-    const std::size_t m = rows / 2;
-    for (std::size_t j = 0; complex_ && j < m; ++j)
-      for (std::size_t i = 0; i < m; ++i) {
-        inverse_(m + i, m + j) = inverse_(i, j);
-        inverse_(i, m + j) = -inverse_(m + i, j);
-      }
+    inverse_ = RationalMatrix(size, size);
+    for (std::size_t j = 0; j < size; ++j)
+      for (std::size_t i = 0; i < size; ++i) inverse_(i, j) = dyadic((*columns)[j][i].re, bits_);
     return true;
   }
 
   /// What the distances of eigenvalue and eigenvector from these add up to at most; nothing where that is not proved.
-  std::optional<Rational> distance(const RationalComplex& c, const ComplexVector& x) const {
+  std::optional<Rational> distance(const Rational& c, const Vector& x) const {
     RationalMatrix unity = inverse_ * derivative(c, x);
     for (std::size_t i = 0; i < unity.rows(); ++i) unity(i, i) -= 1;
-    const Rational size = one_norm(inverse_), contraction = one_norm(unity) + size * error_, rest = 1 - contraction,
-                   step = one_norm(step_from(c, x)) + size * error_ * subcert::one_norm(x);
-    if (rest <= 0 || 6 * size * step >= rest * rest) return std::nullopt;
+    const Rational moved = one_norm(inverse_) * error_, rest = 1 - (one_norm(unity) + moved),
+                   step = length_of(step_from(c, x)) + moved * length_of(x);
+    if (rest <= 0 || 6 * one_norm(inverse_) * step >= rest * rest) return std::nullopt;
     return 2 * step / rest;
   }
 
   /// A step of Newton's method, rounded to so many bits after the point.
-  void improve(RationalComplex& c, ComplexVector& x, long bits) const {
-    const std::vector<Rational> step = step_from(c, x);
-    const std::size_t m = x.size() + 1;
-    const auto moved = [&](RationalComplex& value, std::size_t i) {
-      value.re = dyadic(value.re - step[i], bits);
-      if (complex_) value.im = dyadic(value.im - step[m + i], bits);
-    };
-    for (std::size_t i = 0; i + 1 < m; ++i)
-      if (i != kept_) moved(x[i], i);
-    moved(c, m - 1);
+  void improve(Rational& c, Vector& x, long bits) const {
+    const Vector step = step_from(c, x);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (i != kept_) x[i] = dyadic(x[i] - step[i], bits);
+    c = dyadic(c - step.back(), bits);
   }
 
-  NearbyEigenvector at(const RationalComplex& point) const {
+  NearbyEigenvector at(const Rational& point) const {
     const Rational scale = power(Rational(2), bits_);
     NearbyEigenvector result{point, static_cast<int>(bits_), {}};
-    for (std::size_t j = 0; j < inverse_.rows() / (complex_ ? 2 : 1); ++j) {
+    for (std::size_t j = 0; j < inverse_.rows(); ++j) {
       std::vector<Integer>& column = result.inverse.emplace_back();
       for (std::size_t i = 0; i < inverse_.rows(); ++i) column.push_back(numerator(Rational(scale * inverse_(i, j))));
     }
@@ -118,34 +87,37 @@ class EigenvectorSystem {
   }
 
  private:
-  static Rational one_norm(const RationalMatrix& m) { return subcert::one_norm(m); }
-  static Rational one_norm(const std::vector<Rational>& x) {
-    Rational sum = 0;
-    for (const Rational& c : x) sum += abs(c);
-    return sum;
+  RationalMatrix derivative(const Rational& c, const Vector& x) const {
+    const std::size_t n = x.size();
+    RationalMatrix result(n + 1, n + 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) result(i, j) = product_(i, j);
+      result(i, i) -= c;
+      result(i, n) = -x[i];
+    }
+    result(n, kept_) = 1;
+    return result;
   }
 
-  std::vector<Rational> step_from(const RationalComplex& c, const ComplexVector& x) const {
-    ComplexVector rest = product_ * x;
-    for (std::size_t i = 0; i < x.size(); ++i) rest[i] = rest[i] - c * x[i];
-    rest.emplace_back();
-    return inverse_ * in_parts(rest, complex_);
+  Vector step_from(const Rational& c, const Vector& x) const {
+    Vector rest = product_ * x;
+    for (std::size_t i = 0; i < x.size(); ++i) rest[i] -= c * x[i];
+    rest.emplace_back(0);
+    return inverse_ * rest;
   }
 
   RationalMatrix product_;
   Rational error_;
-  bool complex_;
   std::size_t kept_;
   RationalMatrix inverse_{0, 0};
-  long bits_ = 0;
+  long bits_ = 0;  // after the point, of its entries
 };
 
 /// |value|^(1/length) for all numbers within `away` of the point; nothing where that may be 0.
-std::optional<Enclosure> averaged_modulus(const RationalComplex& point, const Rational& away, int length, int bits) {
-  const Enclosure modulus = root_enclosure(point.squared_modulus(), 2, bits);
-  const Rational low = *modulus.lower - away;
+std::optional<Enclosure> averaged_modulus(const Rational& point, const Rational& away, int length, int bits) {
+  const Rational low = abs(point) - away;
   if (low <= 0) return std::nullopt;
-  return Enclosure{root_enclosure(low, length, bits).lower, root_enclosure(*modulus.upper + away, length, bits).upper};
+  return Enclosure{root_enclosure(low, length, bits).lower, root_enclosure(abs(point) + away, length, bits).upper};
 }
 
 class NearbyProof {
@@ -153,6 +125,10 @@ class NearbyProof {
   NearbyProof(const MatrixFamily& family, const Rational& error, const PolytopeProof& polytope, bool is_transition)
       : error_(error), polytope_(polytope), is_transition_(is_transition) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
+    for (std::size_t v = 0; v < polytope.vertices.size(); ++v) {
+      Vector& vertex = vertices_.emplace_back();
+      for (const RationalComplex& c : polytope.vertex(v)) vertex.push_back(c.re);
+    }
   }
 
   /// The reason why there is no proof, empty where there is one. `proof`: what find_nearby_cycles() finds.
@@ -161,8 +137,7 @@ class NearbyProof {
     const Rational &low = *coarse_.lower, &high = *coarse_.upper, &growth = polytope_.bound;
     for (const auto& [vertex, parent, letter] : proof.origins) {
       const Rational off = distance_to_image(vertex, parent, letter, low) +
-                           (high - low) * one_norm(polytope_.vertex(vertex)) +
-                           error_ * one_norm(polytope_.vertex(parent));
+                           (high - low) * length_of(vertices_[vertex]) + error_ * length_of(vertices_[parent]);
       errors_[vertex] = (growth * errors_[parent] + off * unit_norm()) / low;
     }
     Rational most = 0;
@@ -196,7 +171,7 @@ class NearbyProof {
   };
 
   /// `point`: near the eigenvalue; nothing: by the vertex.
-  std::optional<CycleEnclosure> enclose(const AttainedProof::Cycle& cycle, std::optional<RationalComplex> point,
+  std::optional<CycleEnclosure> enclose(const AttainedProof::Cycle& cycle, const std::optional<Rational>& point,
                                         int bits) const {
     RationalMatrix product = polytope_.group[cycle.element].map.matrix();
     Rational norm = 0;
@@ -204,19 +179,14 @@ class NearbyProof {
     for (auto letter = cycle.letters.rbegin(); letter != cycle.letters.rend(); ++letter)
       product = product * matrices_[static_cast<std::size_t>(*letter)];
     const int length = static_cast<int>(cycle.letters.size());
-    ComplexVector x = polytope_.vertex(cycle.vertex);
+    Vector x = vertices_[cycle.vertex];
     std::size_t kept = 0;
     for (std::size_t i = 1; i < x.size(); ++i)
-      if (one_norm({x[i]}) > one_norm({x[kept]})) kept = i;
-    const bool complex = polytope_.kind == PolytopeKind::complex;
-    EigenvectorSystem system(product, change_of_product(norm, error_, length), complex, kept);
-    RationalComplex c = rayleigh_quotient(x, product * x);
-    if (point) {
-      c = c.im * point->im < 0 ? point->conjugate() : *point;
-    } else {
-      const long digits = polytope_.vertex_bits - binary_exponent(one_norm({c}));
-      c = {dyadic(c.re, digits), dyadic(c.im, digits)};
-    }
+      if (abs(x[i]) > abs(x[kept])) kept = i;
+    EigenvectorSystem system(product, change_of_product(norm, error_, length), kept);
+    Rational c = point ? *point
+                       : rayleigh_quotient(polytope_.vertex(cycle.vertex), product * polytope_.vertex(cycle.vertex)).re;
+    if (!point && c != 0) c = dyadic(c, polytope_.vertex_bits - binary_exponent(c));
     const auto away = system.invert(c, x) ? system.distance(c, x) : std::nullopt;
     // Checkers round up.
     const auto coarse = away ? averaged_modulus(c, *away * (1 + power(Rational(2), -guard_bits)), length, radius_bits)
@@ -240,7 +210,7 @@ class NearbyProof {
     if (!found) return no_eigenvector;
     Enclosure bounds = found->coarse;
     errors_[proof.cycles.front().vertex] = found->away * unit_norm();
-    const RationalComplex point = found->eigenvector.eigenvalue;
+    const Rational point = found->eigenvector.eigenvalue;
     proof.nearby = NearbyCycles{{found->eigenvector}, {}, found->fine, product_of(proof.cycles.front())};
     if (proof.cycles.size() > 1) {
       const auto other = is_pair(proof) ? enclose(proof.cycles.back(), point, bits) : std::nullopt;
@@ -266,12 +236,9 @@ class NearbyProof {
     return is_transition_ && proof.cycles.size() == 2 && !polytope_.is_flip_symmetric() &&
            ((is_letter(first, 0) && is_letter(second, last)) || (is_letter(first, last) && is_letter(second, 0)));
   }
-  bool may_be_corner(const RationalComplex& point, const Rational& error) const {
+  bool may_be_corner(const Rational& point, const Rational& error) const {
     const std::size_t end = matrices_.front().rows() - 1;
-    return std::ranges::any_of(std::vector{matrices_.front()(0, 0), matrices_.back()(end, end)},
-                               [&](const Rational& c) {
-                                 return (RationalComplex{c, 0} - point).squared_modulus() <= error * error;
-                               });
+    return abs(matrices_.front()(0, 0) - point) <= error || abs(matrices_.back()(end, end) - point) <= error;
   }
 
   static Rational dyadic_end(const Rational& x, Rounding rounding) {
@@ -290,12 +257,11 @@ class NearbyProof {
 
   /// |M parent - (+-) low vertex|
   Rational distance_to_image(std::size_t vertex, std::size_t parent, std::size_t letter, const Rational& low) const {
-    const ComplexVector image = matrices_[letter] * polytope_.vertex(parent), goal = polytope_.vertex(vertex);
+    const Vector image = matrices_[letter] * vertices_[parent], &goal = vertices_[vertex];
     std::optional<Rational> least;
     for (const Rational& factor : {low, Rational(-low)}) {
-      ComplexVector difference;
-      for (std::size_t i = 0; i < goal.size(); ++i) difference.push_back(image[i] - factor * goal[i]);
-      const Rational away = one_norm(difference);
+      Rational away = 0;
+      for (std::size_t i = 0; i < goal.size(); ++i) away += abs(image[i] - factor * goal[i]);
       if (!least || away < *least) least = away;
     }
     return *least;
@@ -322,16 +288,16 @@ class NearbyProof {
     if (from == cycle.vertex)
       return std::ranges::all_of(
           cycle.letters, [&](int t) { return mirrored(static_cast<std::size_t>(t)) == static_cast<std::size_t>(t); });
-    const ComplexVector vertex = polytope_.vertex(from), reversed(vertex.rbegin(), vertex.rend());
+    const Vector &vertex = vertices_[from], reversed(vertex.rbegin(), vertex.rend());
     return vertex == reversed ||
-           std::ranges::equal(vertex, reversed,
-                              [](const RationalComplex& a, const RationalComplex& b) { return a == Rational(-1) * b; });
+           std::ranges::equal(vertex, reversed, [](const Rational& a, const Rational& b) { return a == -b; });
   }
 
   const Rational& error_;
   const PolytopeProof& polytope_;
   bool is_transition_;
   std::vector<RationalMatrix> matrices_;
+  std::vector<Vector> vertices_;
   Enclosure coarse_ = Enclosure::at_least(0);  // of the radius, as the certificate has it
   std::map<std::size_t, Rational> errors_;
 };
@@ -343,6 +309,7 @@ Decision product_attains_nearby(const MatrixFamily& family, const Rational& erro
   const auto unknown = [](std::string reason) { return Decision{Truth::unknown, std::move(reason)}; };
   polytope.attained.reset();
   if (!candidate.closed) return unknown("the polytope did not close");
+  if (polytope.kind != PolytopeKind::real) return unknown("the leading eigenvalue is not real");
   find_nearby_cycles(family, candidate, polytope);
   if (!polytope.attained) return unknown(polytope.not_attained);
   polytope.not_attained = NearbyProof(family, error, polytope, is_transition).run(*polytope.attained, bits);

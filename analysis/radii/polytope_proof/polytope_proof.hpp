@@ -32,11 +32,10 @@ struct WeightedVertex {
   Integer modulus;
 };
 
-/// Near the first vertex of a cycle, for all families near one: a point near the eigenvalue of its product, and an
-/// approximate inverse, over 2^bits, of the equations for both. Columns; of complex numbers the real parts first. Ref:
-/// SPEC.md, 7.1.
+/// Near the first vertex of a cycle, for all families near one: a number near the eigenvalue of its product, and the
+/// columns of an approximate inverse, over 2^bits, of the equations for both. Ref: SPEC.md, 7.1.
 struct NearbyEigenvector {
-  RationalComplex eigenvalue;
+  Rational eigenvalue;
   int bits;
   std::vector<std::vector<Integer>> inverse;
 };

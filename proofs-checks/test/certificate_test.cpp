@@ -1,7 +1,9 @@
 #include "checker.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/random.hpp>
 
 using namespace subcert;
@@ -291,7 +293,7 @@ TEST_CASE("the exponent of D4 is 2 - log2(1 + sqrt 3)") {
 namespace {
 
 /// What a checker is asked of all masks near a rounded one.
-std::string subject_of(const Scheme& scheme, const std::string& distance = {}) {
+std::string nearby_subject(const Scheme& scheme, const std::string& distance = {}) {
   const MaskRounding& rounding = *scheme.rounding;
   return subject_of(scheme.mask.curve()) + " --within " + (distance.empty() ? to_text(rounding.distance) : distance) +
          "," + std::to_string(rounding.sum_rules) + (rounding.symmetric ? ",symmetric" : "");
@@ -318,14 +320,14 @@ TEST_CASE("rounded masks: one product attains the radius of all masks nearby") {
     CHECK(*exponent.upper - *exponent.lower < power(Rational(2), -155));
     const Certificate certificate = exponent_certificate(mask, regularity, scheme.rounding);
     REQUIRE(certificate.claim.attains);
-    const std::string attains = " --attains " + *certificate.claim.attains, subject = subject_of(scheme);
+    const std::string attains = " --attains " + *certificate.claim.attains, subject = nearby_subject(scheme);
     CHECK(certificate.claim.logarithm == 0);
     CHECK(proves(subject + attains + " --logarithm 0", *certificate.claim.lower, *certificate.claim.upper,
                  certificate.text()));
     CHECK(proves(subject + attains, "", "", certificate.text()));
     CHECK_FALSE(proves(subject + attains + ",0", "", "", certificate.text()));
     CHECK_FALSE(proves(subject + attains + " --logarithm 1", "", "", certificate.text()));
-    CHECK_FALSE(proves(subject_of(scheme, "1/10") + attains, "", "", certificate.text()));
+    CHECK_FALSE(proves(nearby_subject(scheme, "1/10") + attains, "", "", certificate.text()));
     CHECK(proves(subject, *certificate.claim.lower, *certificate.claim.upper, certificate.of_bounds().text()));
   }
 }

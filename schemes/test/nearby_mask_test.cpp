@@ -1,4 +1,4 @@
-#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>

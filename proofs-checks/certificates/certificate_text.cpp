@@ -24,14 +24,6 @@ bool is_exactly_given(const ProductEvidence& product) {
   return product.eigenvalue.squared_modulus() == power(*product.radius.lower, 2 * letters);
 }
 
-/// The lines `inverse` and `column`.
-std::string inverse_text(const ApproximateInverse& inverse) {
-  std::string text = fmt::format("inverse {}\n", inverse.bits);
-  for (std::size_t k = 0; k < inverse.columns.size(); ++k)
-    text += fmt::format("column {}{}\n", k, numbers_text(inverse.columns[k]));
-  return text;
-}
-
 std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind, const GroupWords& group) {
   std::string text;
   for (const WeightedVertex& term : terms) {
@@ -214,7 +206,7 @@ std::string product_text(const MatrixFamily& family, const JointSpectralRadius& 
   const MatrixFamily its = blocks ? blocks->triangular.block(block) : family;
   if (its.size() >= least_inverted && !product.exact && !is_exactly_given(product))
     if (const auto inverse = approximate_inverse(its, product))
-      return product_text(block, inverse->point, product.word) + inverse_text(*inverse);
+      return product_text(block, inverse->point, product.word) + inverse_text(inverse->bits, inverse->columns);
   return product_text(block, product.eigenvalue, product.word);
 }
 
@@ -243,6 +235,14 @@ ExactRadius exact_radius(const JointSpectralRadius& radius) {
     const auto number = number_of(single->growth);
     const auto lines = number ? number_lines(*number) : std::nullopt;
     return lines ? ExactRadius{lines->number, lines->root, {}, {}, single->growth.power == 0} : ExactRadius{};
+  }
+  const auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
+  if (polytope && polytope->attained && polytope->attained->nearby) {
+    const NearbyCycles& nearby = *polytope->attained->nearby;
+    const std::string letters = fmt::format("{}", fmt::join(nearby.product, ","));
+    const std::string line = fmt::format("attains {} {} {}\n", letters, to_text(*nearby.bounds.lower),
+                                         to_text(*nearby.bounds.upper));
+    return {letters, line, {}, {true}, true, true};
   }
   const BlockProof* blocks = radius.by_blocks();
   const std::size_t count = blocks ? blocks->blocks.size() : 1, leading = blocks ? blocks->leading : 0;
@@ -277,7 +277,10 @@ Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) 
 void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before) {
   certificate.missing = exact.missing;
   if (exact.number.empty()) return;
-  certificate.claim.exact = before + exact.number;
+  if (exact.is_product)
+    certificate.claim.attains = exact.number;
+  else
+    certificate.claim.exact = before + exact.number;
   certificate.sections.push_back({exact.root, ""});
 }
 

@@ -41,10 +41,11 @@ inline const char* full_text(bool full) { return full ? " full" : ""; }
 
 /// What says that the product attains the radius.
 struct ExactRadius {
-  std::string number = {}, root = {};  // empty where nothing says so,
+  std::string number = {}, root = {};  // empty where nothing says so; the letters of the product, of rounded families,
   std::string missing = {};            // and why
   std::vector<bool> blocks = {};       // those with products that attain the radius
   bool grows_like_powers = false;      // products of length n have norms between multiples of radius^n
+  bool is_product = false;             // the number is given by letters
 };
 
 ExactRadius exact_radius(const JointSpectralRadius& radius);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t longest_head = 2'000'000;  // characters in which the first four lines end
 constexpr std::string_view within = "within=";
-constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
+constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view levels = "levels", all_levels = "all levels ";
 
@@ -227,7 +227,9 @@ CertificateClaim read_claim(const std::string& text, const std::string& file) {
     std::replace(rule->contraction.begin(), rule->contraction.end(), ' ', ',');
   }
   if (exact.starts_with(is_exactly)) claim.exact = exact.substr(is_exactly.size());
-  if (!claim.lower && !claim.exact && !may_lack_lower(claim))
+  if (exact.starts_with(attains))
+    claim.attains = exact.substr(attains.size(), exact.find(' ', attains.size()) - attains.size());
+  if (!claim.lower && !claim.exact && !claim.attains && !may_lack_lower(claim))
     fail(ErrorKind::data, "{}, line 3: expected a bound, as no claim of this kind has 'bounds {} {}'", file, lower,
          upper);
   constexpr std::string_view power = "\nlogarithm ";
@@ -247,6 +249,7 @@ std::vector<std::string> checker_arguments(const CertificateClaim& claim, const 
   if (claim.lower) add("--lower", *claim.lower);
   if (claim.upper) add("--upper", *claim.upper);
   if (claim.exact) add("--exact", *claim.exact);
+  if (claim.attains) add("--attains", *claim.attains);
   if (claim.logarithm) add("--logarithm", std::to_string(*claim.logarithm));
   arguments.push_back(file);
   return arguments;

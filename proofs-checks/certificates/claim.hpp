@@ -13,7 +13,7 @@ struct MaskSubject {
   std::string mask, arity;
   std::string range = {};   ///< w=LOW..HIGH, or empty
   bool is_levels = false;   ///< with a range: of all sequences of its values, one for each level
-  std::string within = {};  ///< EPS,M of a mask with rounded coefficients, or empty; not with a range
+  std::string within = {};  ///< EPS,M[,symmetric] of a mask with rounded coefficients, or empty; not with a range
 };
 struct SurfaceSubject {
   std::string mask, dilation;
@@ -44,7 +44,9 @@ struct CertificateClaim : ClaimedEnds {
   ClaimSubject subject = {};
   /// What the radius or the exponent is: `2-log|[-4,1]@4,0,1/1000|^1/1`, see SPEC.md, section 4.10.
   std::optional<std::string> exact = {};
-  /// Beside an exact exponent: the power of |log h| in the modulus of continuity, see section 4.12.
+  /// Of rounded coefficients: the letters of the product whose spectral radius the exponent is from, `1,1,0,0`.
+  std::optional<std::string> attains = {};
+  /// Beside an exact exponent, or such letters: the power of |log h| in the modulus of continuity, see section 4.12.
   std::optional<int> logarithm = {};
 };
 

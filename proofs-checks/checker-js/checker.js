@@ -560,7 +560,7 @@ var check_certificate = (() => {
   // ---- Section 7: rounded coefficients ------------------------------------------------------------------------------
   const delta = (k, x, y) => k ? round_up(times(times(k, y), power(plus(x, y), k - 1))) : fraction(0n);
   const norm_of_family = ({den, matrices}) => fraction(largest_by(matrices, column_norm), den);
-  function rounding_of({arity, a}, {eps, order}, family) {
+  function rounding_of({arity, a}, {eps, order, symmetric}, family) {
     let series = Array(a.length).fill(1n);
     for (let m = 0; m < order; ++m) {  // times (1 + z) / (1 - z^A)
       spend(a.length, order);
@@ -568,7 +568,7 @@ var check_certificate = (() => {
       for (let i = arity; i < a.length; ++i) series[i] += series[i - arity];
     }
     const eta = times(eps, BigInt(arity) ** BigInt(order) * largest(series));
-    return {eps, e: times(eta, family.size), nu: norm_of_family(family)};
+    return {eps, e: times(eta, family.size), nu: norm_of_family(family), symmetric};
   }
 
   // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
@@ -805,11 +805,12 @@ var check_certificate = (() => {
         if (less(g, value)) g = value;  // w + |r|_1 E
         if (!exact) return;
         allow_bits(memory += bits(value.n) + 256);
-        values.push(value.n);
+        values.push(rounding ? ceil_div(value.n * (den << scale), value.d) : value.n);
       });
     }
     const attained = Boolean(exact) && reader.peek() === 'cycle';
-    if (attained) new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g}).check(values, den << scale);
+    if (attained)
+      new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g, rounding}).check(values, den << scale);
     return {value: g, level: 1, attained};
   }
   // The vertices and their images under the group, packed; a complex vector is its real and its imaginary part.
@@ -914,6 +915,24 @@ var check_certificate = (() => {
     demand(eps && !more.length && sign(eps) > 0, form);
     return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 1000)};
   }
+  const moduli_between = (re, im, eps, least, most) => {  // of all numbers within eps of re + i im
+    const square = x => times(x, x), [low, high] = [plus(least, eps), minus(most, eps)];
+    const modulus = plus(square(re), square(im));
+    return sign(high) >= 0 && !less(modulus, square(low)) && !less(square(high), modulus);
+  };
+  const wrong_bounds = 'the bounds of the exact radius are wrong';
+  const read_letters = text => {
+    const letters = text.split(',').map(token => small(token, 0, 15));
+    demand(letters.length <= 1000, 'a product of more than 1000 letters');
+    return letters;
+  };
+  function read_attains(reader, {options, within}) {  // section 7.1: the line `attains`, if it is there or needed
+    if (options.attains === undefined && reader.peek() !== 'attains') return null;
+    const [text, ...bounds] = reader.read('attains', 3), [low, high] = bounds.map(rational);
+    demand(options.attains === undefined || text === options.attains, 'the claim is about another product');
+    demand(sign(low) > 0 && sign(high) > 0, 'the bounds of the radius are not positive');
+    return {order: within.order, product: String(read_letters(text)), low, high};
+  }
   // The lines `exact` and `root`, if they are there or the claim needs them: the exact number, with c = y / h near z
   function read_root(reader, {options, of_family}) {
     if (options.exact === undefined && reader.peek() !== 'exact') return null;
@@ -934,9 +953,7 @@ var check_certificate = (() => {
     const bend = horner(p.map((x, k) => abs(x) * BigInt(k * (k - 1))).slice(2), m);
     demand(less(square(times(times(exact.eps, bend), centre.h ** BigInt(n - 1))), slope_0),
            'there may be more than one zero');
-    const [least, most] = [plus(power(low, L), eps), minus(power(high, L), eps)], modulus = squares([re, im]);
-    demand(sign(most) >= 0 && !less(modulus, square(least)) && !less(square(most), modulus),
-           'the bounds of the exact radius are wrong');
+    demand(moduli_between(re, im, eps, power(low, L), power(high, L)), wrong_bounds);
     return {...exact, real: !sign(im) && !sign(exact.im), h, y, m: plus(plus(abs_of(re), abs_of(im)), eps),
             eps, low, high};
   }
@@ -1002,7 +1019,8 @@ var check_certificate = (() => {
     constructor(reader, body, exact, known) {
       super(reader, body, known.matrices);
       Object.assign(this, known, {exact, cycles: new Map(), errors: new Map(), memory: 0});
-      while (reader.peek() === 'cycle') this.read_cycle();
+      if (this.rounding) this.read_near_cycles();
+      else while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
       demand(less(this.e, 1n), 'a vertex is too far from the true one');
@@ -1043,8 +1061,56 @@ var check_certificate = (() => {
              'an eigenvector of a cycle may be negative');
       this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
     }
+    read_near_cycles() {  // section 7.1: one, or two whose products have the same eigenvalue for all masks
+      const {reader, body: {has}, exact: {product}, den, matrices, rounding: {e, symmetric}} = this;
+      demand(!has.complex && !has.nonnegative && (!has.symmetric || symmetric),
+             'of all masks near by a complex polytope, a cone, and a symmetric polytope where they are not prove nothing');
+      const {letters, c, distance} = this.read_near_cycle();
+      demand(String(has.transposed ? letters : letters.slice().reverse()) === product,
+             'the product of the cycle is not the one of the claim');
+      if (reader.peek() !== 'cycle') return;
+      const second = this.read_near_cycle(), last = matrices.length - 1, ends = [letters, second.letters].sort();
+      demand(!has.symmetric && !less(c, second.c) && !less(second.c, c) && String(ends) === `0,${last}`,
+             'nothing says that two products have the same radius for all masks near by');
+      const error = plus(less(distance, second.distance) ? second.distance : distance, e);
+      for (const corner of [matrices[0][0][0], matrices[last].at(-1).at(-1)])
+        demand(less(error, abs_of(minus(fraction(corner, den), c))), 'a corner of a matrix may be the eigenvalue');
+    }
+    read_near_cycle() {
+      const {reader, body, exact: {low, high}, den, v_bits, matrices, rounding: {e}} = this;
+      const {size: n, has} = body, last = matrices.length - 1;
+      const [first, turn, ...rest] = reader.read('cycle', 4, 1003), J = this.vertex(first);
+      demand(turn === '-' || (turn === 'f' && has.symmetric), "the word of a cycle is '-' or 'f'");
+      demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
+      const c = rational(rest[0]), word = rest.slice(1).map(t => this.letter(t));
+      const letters = turn === 'f' ? [...word, ...word.map(t => last - t)] : word;
+      const N = this.follow(word, identity(n)), D = den ** BigInt(word.length);
+      if (turn === 'f') N.reverse();
+      const [v] = body.coordinates(J), size = v.map(abs), kept = size.indexOf(largest(size)), shift_by = BigInt(v_bits);
+      const whole = D * c.d, one = whole << shift_by;
+      const less_c = N.map((row, i) => row.map((x, k) => x * c.d - (i === k ? c.n * D : 0n)));
+      const B = less_c.map((row, i) => [...row.map(x => x << shift_by), -v[i] * whole]);
+      B.push(range_of(n + 1).map(k => k === kept ? one : 0n));
+      const unit = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
+      const X = transpose(range_of(n + 1).map(k => reader.read(`column ${k}`, n + 1).map(integer)));
+      const F = [...multiply(less_c, v.map(x => [x])), [0n]];
+      const unity = difference(multiply(X, B), scaled(identity(n + 1), one * unit));
+      const X_size = fraction(column_norm(X), unit);
+      const moved = times(X_size, delta(word.length, norm_of_family({den, matrices}), e));
+      const contraction = round_up(plus(fraction(column_norm(unity), one * unit), moved));
+      const off = plus(fraction(column_norm(multiply(X, F)), whole * unit), times(moved, sum(size)));
+      const step = round_up(times(off, fraction(1n, 1n << shift_by))), left = minus(1n, contraction);
+      demand(sign(left) > 0 && less(times(6n, times(X_size, step)), times(left, left)),
+             'no eigenvector is proved near the first vertex of the cycle');
+      const distance = over(times(2n, step), left), zero = fraction(0n);
+      demand(moduli_between(c, zero, distance, power(low, word.length), power(high, word.length)), wrong_bounds);
+      this.cycles.set(J, {word});
+      this.enter(J, times(distance, this.E));
+      return {letters, c, distance};
+    }
     read_origin() {
-      const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
+      const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this;
+      const [first, ...rest] = this.reader.read('origin', 3);
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
       demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
@@ -1054,7 +1120,8 @@ var check_certificate = (() => {
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const [plain, turned] = [low.n * den, -low.n * den].map(away);
       const near = fraction(turned < plain ? turned : plain, low.d * den);
-      const drift = times(minus(high, low), sum(v.map(norm)));
+      const off = rounding ? times(rounding.e, sum(body.coordinates(K).map(norm))) : 0n;
+      const drift = plus(times(minus(high, low), sum(v.map(norm))), off);
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
     }
@@ -1064,6 +1131,10 @@ var check_certificate = (() => {
       const [index, word] = split_index(third), [element] = spell(body.group, word);
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
+      if (this.rounding) {
+        demand(this.is_mirrored(A, B, word), 'nothing says of all masks near by that an image is a vertex');
+        return this.settle(j, T);
+      }
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
       const related = cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more;
       demand(related || body.has.nonnegative, wrong);
@@ -1080,6 +1151,15 @@ var check_certificate = (() => {
       const opposite = () => related && equal(scaled(left, -1n), right);
       demand(body.has.nonnegative ? opposite() || below() : left.every((row, i) => same_row(i)) || opposite(), wrong);
       this.settle(j, T);
+    }
+    is_mirrored(A, B, word) {  // both stem from one vertex that is its own flip, up to its sign, by mirrored letters
+      const {body, matrices} = this, cycle = this.cycles.get(A.source);
+      const flipped = letters => letters.map(t => matrices.length - 1 - t);
+      if (word !== 'f' || !body.has.symmetric || A.source !== B.source) return false;
+      if (String(A.letters) !== String(flipped(B.letters))) return false;
+      if (cycle) return String(cycle.word) === String(flipped(cycle.word));
+      const parts = body.coordinates(A.source);
+      return [1n, -1n].some(s => parts.every(x => x.every((c, i) => c === s * x[x.length - 1 - i])));
     }
     check(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
       const {exact: {low}, e, g, matrices} = this, limit = minus(times(low, minus(1n, e)), times(g, e));
@@ -2573,13 +2653,16 @@ var check_certificate = (() => {
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
-       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)
+       subcert-check --mask MASK --arity A --within EPS,M[,symmetric] --attains T1,T2,... FILE    (exponents: M less the
+                     logarithm of the spectral radius of the product T1 T2 ... of L matrices to the power 1/L)
+       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P; so with
+                     --attains)
 a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
     const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'matrices',
-                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
+                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2594,12 +2677,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const curve = has('mask', 'arity') && none('surface', 'refinable', 'dilation', 'matrices', 'subradius') &&
       ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
       (none('levels') || (has('lower') && none('upper'))) &&
-      (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact'));
+      (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
+      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
+      !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'attains', 'logarithm');
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
@@ -2628,6 +2712,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       const range = claim.levels ? options.levels : options.for;
       const letter = range === undefined ? null : read_range(range, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
+      if (options.attains !== undefined) read_letters(options.attains);
       claim.curve = read_curve(options.mask, arity, letter);
       claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
         (claim.within ? ` within=${options.within}` : '');
@@ -2650,10 +2735,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return letter;
   }
   function read_rounding(text) {
-    const [eps, order, more] = text.split(',');
-    const form = 'a rounding is EPS,M with EPS > 0 and the number M of sum rules';
-    demand(order !== undefined && more === undefined, form);
-    const rounding = {eps: rational(eps), order: small(order, 1, 500)};
+    const [eps, order, symmetric, more] = text.split(',');
+    const form = 'a rounding is EPS,M or EPS,M,symmetric with EPS > 0 and the number M of sum rules';
+    demand(order !== undefined && [undefined, 'symmetric'].includes(symmetric) && more === undefined, form);
+    const rounding = {eps: rational(eps), order: small(order, 1, 500), symmetric: symmetric !== undefined};
     demand(sign(rounding.eps) > 0, form);
     return rounding;
   }
@@ -2667,9 +2752,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function text_of({options, of_family, lower, upper, rough, interval, levels}) {
     const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
-    const exact = options.exact !== undefined, power =
+    const {attains} = options, product = attains === undefined ? []
+      : [`${small(options.within.split(',')[1], 1, 500)}-log rho(${attains})^1/${attains.split(',').length}`];
+    const [number_text = options.exact] = product, exact = number_text !== undefined, power =
       options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
-    const number_itself = exact ? `${what} = ${options.exact}` : what;
+    const number_itself = exact ? `${what} = ${number_text}` : what;
     if (rough) what = `${lower || exact ? `${number_itself} and ` : ''}no C^${rough} limits`;
     else what = lower || upper || exact ? number_itself : 'stable integer shifts of the refinable distribution';
     if (!lower && interval && upper) what = `no convergence, or ${what}`;
@@ -2704,7 +2791,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    claim.exact = claim.l1 ? null : read_root(reader, claim);
+    claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }

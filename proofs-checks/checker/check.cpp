@@ -36,7 +36,10 @@ class Checker {
       parse_size(bounds[1].substr(1), 1, 500);
     else if (bounds[1] != "-")
       parse_rational(bounds[1]);
-    if (claim_.exact || (!claim_.l1 && reader_.at("exact"))) read_exact();
+    if (claim_.rounding && (claim_.exact || reader_.at("attains")))
+      read_product_of_claim();
+    else if (claim_.exact || (!claim_.l1 && reader_.at("exact")))
+      read_exact();
     if (claim_.subradius)
       read_subradius(claim_.family, {claim_.lower, claim_.upper, exact_}, reader_, arithmetic_);
     else if (claim_.l1)
@@ -88,6 +91,18 @@ class Checker {
       std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask.has_value());
     }
     read_root(*exact_, reader_, arithmetic_);
+  }
+
+  /// Section 7.1: the product that attains the radius for all masks near by.
+  void read_product_of_claim() {
+    const Fields fields = reader_.take("attains", 3, 3);
+    require(!claim_.exact || fields[0] == claim_.exact_text, "the claim is about another product");
+    exact_.emplace();
+    exact_->letters = parse_letters(fields[0]);
+    exact_->low = parse_rational(fields[1]);
+    exact_->high = parse_rational(fields[2]);
+    require(exact_->low > 0 && exact_->high > 0, "the bounds of the radius are not positive");
+    exact_order_ = claim_.rounding->sum_rules;
   }
 
   /// Section 4.9: the exponent of another mask, and convergence of the scheme.
@@ -329,7 +344,8 @@ class Checker {
 
   void use_polytope(const Polytope& body) {
     const bool attained = exact_ && reader_.at("cycle");
-    if (attained) check_attained(body, *exact_, reader_, arithmetic_);
+    const FamilyError error{entry_error_, claim_.rounding && claim_.rounding->symmetric};
+    if (attained) check_attained(body, *exact_, error, reader_, arithmetic_);
     use_graph({body.bound, attained});
   }
   /// Of a polytope as well.

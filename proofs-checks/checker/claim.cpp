@@ -29,7 +29,13 @@ const char* const usage =
     "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the\n"
     "                     logarithm to the base A of |z|^(1/L), z the only zero of p0 + p1 x + ...\n"
     "                     within EPS of RE + i IM; radii: without M-log; beside bounds, or without)\n"
-    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n"
+    "       subcert-check --mask MASK --arity A --within EPS,M[,symmetric] --attains T1,T2,... FILE    (exponents: M "
+    "less\n"
+    "                     the logarithm of the spectral radius of the product T1 T2 ... of L matrices to the power "
+    "1/L)\n"
+    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P; so "
+    "with\n"
+    "                     --attains)\n"
     "a mask and no bounds: its integer shifts are stable\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
@@ -42,7 +48,7 @@ Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
        {"--mask", "--arity", "--for", "--levels", "--within", "--surface", "--refinable", "--dilation", "--matrices",
-        "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+        "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--attains", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -122,8 +128,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
              &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
              &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
              &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
-             &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
-             &contraction = given["--contraction"], &file = given["FILE"];
+             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const int subjects = mask.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
@@ -131,8 +137,9 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   require(file && subjects == 1 && mask.has_value() == arity.has_value() &&
               surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
               !(values && levels) && !(levels && (upper || !lower)) && !(exact && (range || rounding)) &&
-              (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
-              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
+              (!attains || rounding) &&
+              (exact || attains || lower || (upper ? matrices || range || rough : mask.has_value())) &&
+              (!rough || (mask && !rounding)) && (!logarithm || (mask && (exact || attains))),
           usage);
   Claim claim;
   claim.file = *file;
@@ -142,6 +149,10 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (exact) {
     std::tie(claim.exact, claim.exact_order) = parse_exact(*exact, !matrices);
     claim.exact_text = *exact;
+  }
+  if (attains) {
+    claim.exact.emplace().letters = parse_letters(*attains);
+    claim.exact_text = *attains;
   }
   if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
   if (range) claim.range = parse_range(*range);
@@ -164,8 +175,12 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.subject = *matrices;
   }
   if (exact) claim.text += " = " + *exact;
-  const std::string number = lower || exact ? claim.text + " and " : "";
-  if (!lower && !upper && !exact) claim.text = "stable integer shifts of the refinable distribution";
+  if (attains)
+    claim.text += " = " + std::to_string(claim.rounding->sum_rules) + "-log rho(" + *attains + ")^1/" +
+                  std::to_string(claim.exact->letters.size());
+  const bool is_number = exact || attains;
+  const std::string number = lower || is_number ? claim.text + " and " : "";
+  if (!lower && !upper && !is_number) claim.text = "stable integer shifts of the refinable distribution";
   const std::string relation = range ? " < " : " <= ";
   const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
   if (diverges)

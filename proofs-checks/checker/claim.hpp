@@ -34,7 +34,7 @@ struct Claim {
   std::optional<std::size_t> rough;
   std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
   std::size_t exact_order = 0;
-  std::string exact_text;
+  std::string exact_text;  // with --attains the letters
   std::optional<std::size_t> logarithm;
   std::optional<L1Rule> l1;
   std::optional<Contraction> contraction;

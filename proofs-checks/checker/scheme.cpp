@@ -202,10 +202,11 @@ mpq_class few_digits_up(const mpq_class& x) {
 }
 
 Rounding parse_rounding(std::string_view text) {
+  constexpr const char* expected = "a rounding is EPS,M or EPS,M,symmetric with EPS > 0 and the number M of sum rules";
   const Fields fields = split(text, ",");
-  require(fields.size() == 2, "a rounding is EPS,M with EPS > 0 and the number M of sum rules");
-  Rounding rounding{parse_rational(fields[0]), parse_size(fields[1], 1, 500)};
-  require(rounding.distance > 0, "a rounding is EPS,M with EPS > 0 and the number M of sum rules");
+  require(fields.size() == 2 || (fields.size() == 3 && fields[2] == "symmetric"), expected);
+  Rounding rounding{parse_rational(fields[0]), parse_size(fields[1], 1, 500), fields.size() == 3};
+  require(rounding.distance > 0, expected);
   return rounding;
 }
 

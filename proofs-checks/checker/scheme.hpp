@@ -55,16 +55,18 @@ Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules
 /// Condition (i) of Theorem 4, for a mask without a parameter.
 void check_no_leading_factors(const Mask& mask, unsigned arity);
 
-/// All masks whose coefficients differ from the given ones by at most `distance`, with so many sum rules.
+/// All masks whose coefficients differ from the given ones by at most `distance`, with so many sum rules; or only those
+/// among them that are their own mirror images.
 struct Rounding {
   mpq_class distance;
   std::size_t sum_rules;
+  bool symmetric;
 };
 
 /// At least x > 0, with 128 binary digits.
 mpq_class few_digits_up(const mpq_class& x);
 
-/// EPS,M
+/// EPS,M or EPS,M,symmetric
 Rounding parse_rounding(std::string_view text);
 
 /// What the errors of the coefficients make of the entries of the transition matrices.

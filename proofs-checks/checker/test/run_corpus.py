@@ -52,6 +52,14 @@ USAGE = [
     (64, "--mask [w,1] --arity 2 --for w=0..1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
     (64, "--mask [1,1] --arity 2 --within 1/9,1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
     (64, "--mask [1,1] --arity 2 --logarithm 1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --attains 0 golden.cert"), (64, "--matrices golden.mat --upper 2 --attains 0 golden.cert"),
+    (64, "--mask [w,1] --arity 2 --for w=0..1 --lower 0 --attains 0 golden.cert"),
+    (64, "--surface [1,1] --dilation [2] --lower 1 --attains 0 golden.cert"),
+    *((64, f"--mask [1,1] --arity 2 --within 1/9,1 {more} golden.cert") for more in (
+        "--attains", "--attains ,", "--attains 16", "--attains -1", "--attains 0,", f"--attains {'0,' * 1000}0", "--attains 0 --attains 0",
+        "--attains 0 --exact 1-log|[-1,1]@1,0,1|^1/1", "--attains 0 --upper C1", "--attains 0 --logarithm 257", "--logarithm 0")),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1,symmetric,1 --attains 0 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1, --attains 0 golden.cert"),
     (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm 257 golden.cert"),
     (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm -1 golden.cert"),
     (64, f"{GOLDEN} --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
@@ -151,6 +159,8 @@ def printed(arguments):
     levels = values.pop("--levels", None)
     range_ = levels or values.get("--for")
     exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
+    if attains := values.pop("--attains", None):
+        exact = f"{within.split(',')[1]}-log rho({attains})^1/{attains.count(',') + 1}"
     what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
     what = "joint spectral subradius" if "--subradius" in values else what
     what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"

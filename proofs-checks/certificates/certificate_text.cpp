@@ -237,7 +237,7 @@ std::string blocks_text(const JointSpectralRadius& radius) {
          rows_text("inverse", solve(basis, RationalMatrix::identity(basis.rows())));
 }
 
-ExactRadius exact_radius(const JointSpectralRadius& radius) {
+ExactRadius exact_radius(const JointSpectralRadius& radius, std::size_t first_block) {
   if (!radius.exact.is_yes()) return {};
   if (const auto* single = std::get_if<SingleRadiusProof>(&radius.proof)) {
     const auto number = number_of(single->growth);
@@ -250,7 +250,7 @@ ExactRadius exact_radius(const JointSpectralRadius& radius) {
   if (!first.lines) return {{}, {}, first.missing};
   ExactRadius exact{first.lines->number, first.lines->root, {}, std::vector<bool>(count), true};
   exact.blocks[leading] = true;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = first_block; i < count; ++i) {
     if (i == leading || blocks->blocks[i].proved_upper() < first.lines->low) continue;
     exact.grows_like_powers = false;
     if (blocks->blocks[i].proved_upper() == first.lines->low) continue;
@@ -262,7 +262,7 @@ ExactRadius exact_radius(const JointSpectralRadius& radius) {
   return exact;
 }
 
-Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) {
+Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact, std::size_t first) {
   const auto of_block = [&](const JointSpectralRadius& block, std::size_t i) {
     const auto* graph = std::get_if<GraphProof>(&block.proof);
     return graph && i < exact.blocks.size() && exact.blocks[i] ? *graph->attained->radius.upper : block.proved_upper();
@@ -270,7 +270,7 @@ Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) 
   const BlockProof* blocks = radius.by_blocks();
   if (!blocks) return of_block(radius, 0);
   Rational most = 0;
-  for (std::size_t i = 0; i < blocks->blocks.size(); ++i) most = std::max(most, of_block(blocks->blocks[i], i));
+  for (std::size_t i = first; i < blocks->blocks.size(); ++i) most = std::max(most, of_block(blocks->blocks[i], i));
   return most;
 }
 

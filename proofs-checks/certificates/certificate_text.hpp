@@ -47,10 +47,11 @@ struct ExactRadius {
   bool grows_like_powers = false;      // products of length n have norms between multiples of radius^n
 };
 
-ExactRadius exact_radius(const JointSpectralRadius& radius);
+/// `first`: the first of the diagonal blocks whose radius is meant.
+ExactRadius exact_radius(const JointSpectralRadius& radius, std::size_t first = 0);
 
 /// The upper end of the radius that is proved; where letters of a graph are kept, by its product.
-Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact);
+Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact, std::size_t first = 0);
 
 /// What the number is: `before` the logarithm of the radius, or the radius. Domain: the first section.
 void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before = "");

@@ -17,7 +17,8 @@ struct MaskSubject {
 };
 struct SurfaceSubject {
   std::string mask, dilation;
-  bool is_refinable = false;  ///< a vector of functions, given by its refinement equation
+  bool is_refinable = false;   ///< a vector of functions, given by its refinement equation
+  std::string component = {};  ///< the number, from 0, of the one that is meant, or empty
 };
 struct FamilySubject {
   bool is_subradius = false;
@@ -56,7 +57,8 @@ std::string head_text(const CertificateClaim& claim);
 CertificateClaim read_claim(const std::string& text, const std::string& file);
 
 /// A claim in words: `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, blanks around the signs. EXACT is a
-/// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, whose exponent is meant; a family
+/// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, or `component K of` it with K = 1,
+/// 2, ..., whose exponent is meant; a family
 /// with a parameter, as `four-point:w for w=1/100..19/100`, or `for all levels w=...`, where each level has a value; or
 /// `radius FILE` or `subradius FILE`, of the matrices in that file. LOWER and UPPER are exact numbers, UPPER also `C2`,
 /// for limits that are not C^2; without both the integer shifts are stable. Of `l1:points=6,d=1` the rule of least

@@ -77,27 +77,38 @@ std::string gram_text(const LatticeSequence& gram) {
   return "gram" + terms_text(half, common_denominator({half}), gram.begin()->first.size());
 }
 
+/// How many of the blocks, the first ones, are of what the component does not show.
+std::size_t unobservable_blocks(const ComponentProof& proof) {
+  std::size_t count = 0;
+  for (std::size_t sum = 0; sum < proof.unobservable; ++count) sum += proof.radius.by_blocks()->triangular.sizes[count];
+  return count;
+}
+
 }  // namespace
 
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity) {
   require(regularity.radius && regularity.space,
           "certificate: need a joint spectral radius, got none (of a tensor product, certify the factors)");
-  const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
-  const DifferenceSpace& space = *regularity.space;
   const FunctionVector* vector = regularity.vector ? &*regularity.vector : nullptr;
+  const bool is_one = vector && vector->components.size() == 1;
   require(!vector || vector->root == 0, "certificate: need rational matrices, got some with the square root of {}",
           vector ? vector->root : 0);
   require(!vector || vector->solutions == 1,
           "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
           vector ? vector->solutions : 0);
+  require(!is_one || vector->proof, "certificate: need a proof of the exponent of the function, got none");
+  const ComponentProof* component = is_one ? &*vector->proof : nullptr;
+  const JointSpectralRadius& radius = component ? component->radius : *regularity.radius;
+  const DifferenceSpace& space = component ? component->space : *regularity.space;
   require(!space.is_of_values() || vector || regularity.shrinking,
           "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone (with a "
           "longer budget a proof may be found)");
+  const std::size_t first_block = component ? unobservable_blocks(*component) : 0;
   const auto exponent = [&](const ExactRadius& exact) {
-    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact)}, dilation.classes(),
-                                        dilation.variables());
+    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact, first_block)},
+                                        dilation.classes(), dilation.variables());
     ends.lower = std::min(ends.lower.value_or(0), Rational(space.order));
     return ends;
   };
@@ -105,17 +116,20 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const std::optional<Rational>&lower = ends.lower, &upper = ends.upper;
   require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
-  require(!vector || vector->components.size() == mask.components(),
-          "certificate: that of a vector of functions is about the worst of them, not about one that is chosen");
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
-  const ExactRadius exact = tells_upper_end ? exact_radius(radius) : ExactRadius{};
-  Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr}}, {}};
+  const ExactRadius exact = tells_upper_end ? exact_radius(radius, first_block) : ExactRadius{};
+  Certificate certificate{
+      {{},
+       SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr,
+                      is_one ? std::to_string(vector->components.front().component) : ""}},
+      {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
   certificate.bounds = {outward(*lower, Rounding::down), certificate.claim.upper};
   claim_exact(certificate, exact, "0-log");
   std::string text = space_text(space, dilation);
   if (tells_upper_end && !space.is_of_values()) text += gram_text(*regularity.gram);
+  if (component) text += fmt::format("unobservable {}\n", component->unobservable);
   text += blocks_text(radius);
   if (tells_upper_end) text += product_text(space.family, radius);
   certificate.sections.push_back({std::move(text)});

@@ -572,25 +572,55 @@ var check_certificate = (() => {
   }
 
   // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
-  function read_blocks(reader, {size, den, weights, matrices}) {
+  function read_blocks(reader, {size, den, weights, matrices}, part = null) {
     const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
     demand(sizes.reduce((x, y) => x + y) === size, 'the block sizes do not sum to n');
     const square = words => {
       const {den: by, numbers} = common(reader.rows(words, size, size, rational).flat());
       return {by, rows: range_of(size).map(i => numbers.slice(i * size, (i + 1) * size))};
     };
-    const basis = square('basis'), inverse = square('inverse'), by = basis.by * inverse.by;
+    const ends = sizes.map((_, i) => sum_of(sizes.slice(0, i))), hidden = part ? ends.indexOf(part.unobservable) : 0;
+    demand(hidden >= 0, 'what is unobservable consists of no blocks');
+    const basis = square('basis');
+    if (part) check_unobservable(part, basis.rows);
+    const inverse = square('inverse'), by = basis.by * inverse.by;
     demand(equal(multiply(basis.rows, inverse.rows), scaled(identity(size), by)),
            'basis times inverse is not the unit matrix');
     const all = matrices.map(matrix => multiply(multiply(inverse.rows, matrix), basis.rows));
     return sizes.map((n, block) => {
-      const first = sizes.slice(0, block).reduce((x, y) => x + y, 0), within = row => row.slice(first, first + n);
+      const first = ends[block], within = row => row.slice(first, first + n);
       demand(all.every(m => m.slice(first + n).every(row => within(row).every(x => !x))), 'not block upper triangular');
       const entries = all.map(m => m.slice(first, first + n).map(within));
       const factor = common_factor(den * by, entries.flat(2));
       const matrices = entries.map(m => m.map(row => row.map(x => x / factor)));
-      return {size: n, den: den * by / factor, weights, matrices};
+      return {size: n, den: den * by / factor, weights, matrices, hidden: block < hidden};
     });
+  }
+
+  // 5.9: the first columns of the basis are 0 under the readings of a component, and no larger invariant space is
+  function check_unobservable({readings, unobservable}, basis) {
+    const zero = readings.length && unobservable ? multiply(readings, basis.map(row => row.slice(0, unobservable))) : [];
+    demand(zero.flat().every(x => !x), 'the component shows what is said to be unobservable');
+  }
+  function check_observable({readings, unobservable}, {size, matrices}) {
+    const p = 2n ** 32n - 5n, rest = x => (x % p + p) % p, rows = [];  // each with its pivot, where it is 1
+    const extend = row => {
+      spend(size * (rows.length + 2), 64);
+      const x = row.map(rest);
+      for (const {at, row: y} of rows) {
+        const factor = x[at];
+        if (factor) y.forEach((value, k) => { x[k] = rest(x[k] - factor * value); });
+      }
+      const at = x.findIndex(value => value);
+      if (at < 0) return;
+      let by = 1n;
+      for (let e = p - 2n, square = x[at]; e; e /= 2n, square = square * square % p) if (e % 2n) by = by * square % p;
+      rows.push({at, row: x.map(value => value * by % p)});
+    };
+    readings.forEach(extend);
+    for (let i = 0; i < rows.length; ++i)
+      for (const matrix of matrices) extend(multiply([rows[i].row], matrix)[0]);
+    demand(rows.length + unobservable >= size, 'more than what is said to be unobservable may be so');
   }
 
   // ---- 4.5: lower bounds by a product -------------------------------------------------------------------------------
@@ -606,7 +636,7 @@ var check_certificate = (() => {
   }
   function read_word(reader, blocks, letters) {
     const [number, re, im, ...word] = reader.read('product', 4, 4099);
-    const block = blocks[small(number, 0, blocks.length - 1)];
+    const block = blocks[small(number, blocks.filter(({hidden}) => hidden).length, blocks.length - 1)];
     return {block, c: [re, im].map(rational), word: word.map(t => small(t, 0, letters - 1))};
   }
   // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors`
@@ -1615,10 +1645,11 @@ var check_certificate = (() => {
     return read(reader, family, fields, rounding, exact);
   }
   function prove(reader, family, goal, options = {}) {
-    const {first_column = false, rounding = null, product = read_product, exact = null} = options;
+    const {first_column = false, rounding = null, product = read_product, exact = null, part = null} = options;
     const in_blocks = reader.peek() === 'blocks';
     demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
-    const blocks = in_blocks ? read_blocks(reader, family) : [family];
+    demand(in_blocks || !part || !part.unobservable, "expected 'blocks', those of what is unobservable first");
+    const blocks = in_blocks ? read_blocks(reader, family, part) : [family];
     if (goal.above || reader.peek() === 'product') {
       const {radius, length} = product(reader, blocks, rounding);
       if (goal.above) goal.above(radius, length);
@@ -1626,6 +1657,11 @@ var check_certificate = (() => {
     const sections = [];
     if (goal.below || exact || reader.peek() === 'block')
       blocks.forEach((block, i) => {
+        if (block.hidden) {  // phi is continuous: their radius is below 1
+          const {value, level} = read_section(reader, i, block, false, null, null);
+          at_most(fraction(1n), true)(value, level);
+          return;
+        }
         const section = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
         const {value, level, attained} = section;
         demand(!exact || attained || !less(power(exact.low, level), value),
@@ -2110,7 +2146,7 @@ var check_certificate = (() => {
       demand(!rest.size, 'a transition operator leads out of the space');
       return at;
     }));
-    return {size: vectors.length, den: pivot * den, matrices: columns.map(transpose)};
+    return {size: vectors.length, den: pivot * den, matrices: columns.map(transpose), vectors};
   }
   // 5.5: the g_k, each for k and -k, are a fixed point of the transfer operator, and the sum over them is positive
   function check_gram(reader, transition, den) {
@@ -2248,7 +2284,19 @@ var check_certificate = (() => {
     });
     demand(images.filter(x => !x).length <= 1, 'the refinement equation may have several continuous solutions');
   }
-  function check_surface(reader, {lower, upper, surface, dilation, exact}) {
+  function read_component(reader, {size, vectors}, component) {  // what reads it on the space, by points
+    const readings = new Map();
+    vectors.forEach((v, k) => {
+      for (const [key, [p, value]] of v)
+        if (p[p.length - 1] === component) {
+          spend(readings.has(key) ? 1 : size);
+          if (!readings.has(key)) readings.set(key, Array(size).fill(0n));
+          readings.get(key)[k] = value;
+        }
+    });
+    return {readings: [...readings.values()], unobservable: small(reader.read('unobservable', 1)[0], 0, size - 1)};
+  }
+  function check_surface(reader, {lower, upper, surface, dilation, component, exact}) {
     const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
     const order = order_in_space(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0]);
     check_ends(lower, upper, 1);
@@ -2267,6 +2315,8 @@ var check_certificate = (() => {
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
     const family = by_values ? read_values(reader, transition, order, den, both, components)
       : read_differences(reader, transition, order, den);
+    const part = component === undefined ? null : read_component(reader, family, component);
+    if (part && both) check_observable(part, family);
     if (!by_values && (both || reader.peek() === 'gram')) check_gram(reader, transition, den);
     const within = lower && at_most(power_below(base, minus(0n, lower)), false);
     const reached = upper && at_least(over(1n, power_below(base, upper)));
@@ -2276,7 +2326,7 @@ var check_certificate = (() => {
         demand(less(power(fraction(1n, base), order * length), power(radius, dimension)), no_exponent);
         reached(power(radius, dimension), length);
       }),
-    }, {exact});
+    }, {exact, part});
     if (!by_values || components) return;
     const rules = order_in_space(reader.read('sum-rules', 1)[0]);  // 5.6: the scheme converges
     prove(reader, read_differences(reader, transition, rules, den), {below: at_most(fraction(1n), true)});
@@ -2564,7 +2614,8 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
-                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to a factor)
+                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k),
+                     one up to a factor; of phi_C alone, C = 0, 1, ...)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
        subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
@@ -2578,8 +2629,8 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'matrices',
-                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
+    const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation',
+                   'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2591,15 +2642,16 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
-    const curve = has('mask', 'arity') && none('surface', 'refinable', 'dilation', 'matrices', 'subradius') &&
+    const curve = has('mask', 'arity') && none('surface', 'refinable', 'component', 'dilation', 'matrices', 'subradius') &&
       ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
       (none('levels') || (has('lower') && none('upper'))) &&
       (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
+      (has('refinable') || none('component')) &&
       none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation', 'logarithm');
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
@@ -2622,6 +2674,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       [claim.surface, claim.dilation] = [read_surface(text, kind_of === 'refinable'), read_dilation(options.dilation)];
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
+      if (options.component !== undefined) {
+        claim.component = small(options.component, 0, claim.surface.components - 1);
+        claim.head += ` component=${options.component}`;
+      }
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
       claim.levels = options.levels !== undefined;
@@ -2675,7 +2731,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     if (!lower && interval && upper) what = `no convergence, or ${what}`;
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
-    const mask = options.refinable === undefined ? options.surface : `the refinable functions of ${options.refinable}`;
+    const one = options.component === undefined ? '' : `component ${options.component} of `;
+    const mask = options.refinable === undefined ? options.surface : `${one}the refinable functions of ${options.refinable}`;
     const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}`
       : `${options.mask} with arity ${options.arity}`;
     return `${ends} of ${subject}` +

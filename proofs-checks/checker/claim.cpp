@@ -18,9 +18,9 @@ const char* const usage =
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
-    "                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to "
-    "a "
-    "factor)\n"
+    "                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - "
+    "k),\n"
+    "                     one up to a factor; of phi_C alone, C = 0, 1, ...)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
     "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE\n"
@@ -41,8 +41,8 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask", "--arity", "--for", "--levels", "--within", "--surface", "--refinable", "--dilation", "--matrices",
-        "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+       {"--mask", "--arity", "--for", "--levels", "--within", "--surface", "--refinable", "--component", "--dilation",
+        "--matrices", "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -119,7 +119,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
              &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
-             &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
+             &refinable = given["--refinable"], &component = given["--component"],
+             &surface = refinable ? refinable : scheme,
              &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
              &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
              &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
@@ -132,7 +133,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
               !(values && levels) && !(levels && (upper || !lower)) && !(exact && (range || rounding)) &&
               (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
-              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
+              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)) && (!component || refinable),
           usage);
   Claim claim;
   claim.file = *file;
@@ -149,6 +150,11 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (rounding) claim.rounding = parse_rounding(*rounding);
   if (mask) read_scheme_claim("arity", *mask, *arity, claim);
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (component) {
+    claim.component = parse_size(*component, 0, claim.mask->components - 1);
+    claim.head += " component=" + *component;
+    claim.subject = "component " + *component + " of " + claim.subject;
+  }
   if (matrices) {
     read(*matrices, 65, [&](Reader& reader) {
       const Fields fields = reader.take("matrices", 2, 2);

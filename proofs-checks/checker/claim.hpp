@@ -28,6 +28,7 @@ struct Claim {
   bool levels = false;
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
+  std::optional<std::size_t> component;  // of matrices: of one function alone
   Family family;
   bool subradius = false;
   std::optional<mpq_class> lower, upper;

@@ -47,6 +47,21 @@ class Surface {
     return result;
   }
 
+  /// Section 5.9: what reads a component on the space, and the line that says what it does not show.
+  Component read_component(std::size_t number) {
+    std::map<Point, Vector> readings;
+    for (std::size_t k = 0; k < space_.size(); ++k)
+      for (const auto& [place, value] : space_[k].values)
+        if (place.component == number) {
+          arithmetic_.spend(100 * space_.size());
+          readings.try_emplace(place.point, space_.size()).first->second[k] = value;
+        }
+    Component result;
+    for (auto& [point, reading] : readings) result.readings.push_back(std::move(reading));
+    result.unobservable = parse_size(reader_.take("unobservable", 1, 1)[0], 0, space_.size() - 1);
+    return result;
+  }
+
   /// Section 5.7: whether the linear map, with some shift, permutes the points of the mask and keeps the coefficients.
   bool is_symmetry(const Matrix& g) {
     const auto image = [&g](const Point& p) {
@@ -245,12 +260,15 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   const Dilation used = turned ? read_turned(mask, dilation, reader, arithmetic) : dilation;
   const auto surface = std::make_shared<Surface>(mask, used, reader, arithmetic);
   surface->read_digits();
-  if (mask.components > 0) return {surface->of_values(order, upper), {}};
+  if (mask.components > 0)
+    return {surface->of_values(order, upper), {}, [surface](std::size_t c) { return surface->read_component(c); }};
   if (of_values)
-    return {surface->of_values(order, upper), [surface, &reader] {
+    return {surface->of_values(order, upper),
+            [surface, &reader] {
               return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order));
-            }};
-  SurfaceFamily result{surface->of_scheme(order), {}};
+            },
+            {}};
+  SurfaceFamily result{surface->of_scheme(order), {}, {}};
   if (upper || reader.at("gram")) surface->check_stability();
   return result;
 }

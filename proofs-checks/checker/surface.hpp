@@ -1,8 +1,8 @@
 // Schemes and refinable functions of one, two and three variables: section 5 of ../certificates/SPEC.md.
 #pragma once
 
+#include "component.hpp"
 #include "dilation.hpp"
-#include "scheme.hpp"
 
 #include <functional>
 
@@ -13,6 +13,8 @@ struct SurfaceFamily {
   /// Where the differences are those of phi: reads the lines of a space of differences of the scheme, section 5.6, and
   /// returns the matrices there. The scheme converges if their radius is below 1.
   std::function<Family()> of_scheme;
+  /// Of matrices: the rest of what is said of one component, from the line `unobservable` on.
+  std::function<Component(std::size_t)> of_component;
 };
 
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this

@@ -19,7 +19,7 @@ let usage =
    exponents, and about surfaces, refinable functions and least absolute deviations, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--within"; "--surface"; "--refinable"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--logarithm"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--within"; "--surface"; "--refinable"; "--component"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--logarithm"; "--theorem" ]
 
 let rec options given = function
   | [] -> given

@@ -163,6 +163,12 @@ if mode == "usage":
                 *(f"{mask} --dilation [2] --lower 1" for mask in (
                     "[[1]]", "[1]", "1", "[]", "[[[[1]]]]", "[[[[[[1]]]]]]", "[[[1,2]]]", "[[[1],[2]]]", "[[[1,0],[0,1]],[[1]]]", "[[[1,0],[0]]]", "[[[1]]", "[[[1]]]]",
                     "[[[1]]]/0", "[[[1]]]@1,1", "[[[1]]]@", "[[[1]]]/2@x", "[[[w]]]", "[[[]]]", "[[[1]],[[]]]", "[[[1]]]2", "[[[1]]]/2/2")))),
+            *((64, f"{subject} --component {component} golden.cert") for subject, component in (
+                ("--refinable [[[1]]] --dilation [2] --lower 1", "1"), ("--refinable [[[1]]] --dilation [2] --lower 1", "-1"),
+                ("--refinable [[[1]]] --dilation [2] --lower 1", "x"), ("--surface [1] --dilation [2] --lower 1", "0"),
+                ("--mask [1] --arity 2 --lower 1", "0"), (golden, "0"), ("--subradius golden.mat --lower 1", "0"),
+                ("--l1 6,1 --lower 1/2", "0"))),
+            (66, "--refinable [[[1]]] --dilation [2] --component 0 --lower 1 none.cert"),
             (66, "--refinable [[[1]]] --dilation [2] --lower 1 none.cert"), (66, "--refinable [[[[[1]]]]] --dilation [2,0,0;0,2,0;0,0,2] --lower 1 none.cert"),
             (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{golden} golden.cert")]:
         result = run(arguments.split())
@@ -181,13 +187,14 @@ else:
             lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
             levels = values.pop("--levels", None)
             range_ = levels or values.get("--for")
-            exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
+            exact, logarithm, component = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component"))
             what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
             what = "joint spectral subradius" if "--subradius" in values else what
             what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"
             subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                                     for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
             subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
+            subject = f"component {component} of {subject}" if component else subject
             relation = "<" if range_ else "<="
             rough = upper and upper.startswith("C")
             if rough:

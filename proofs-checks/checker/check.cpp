@@ -178,8 +178,32 @@ class Checker {
       use_polytope(read_polytope(block, fields, entry_error_, reader_, arithmetic_));
   }
 
+  /// Section 6.7: of a vector scheme with a parameter.
+  Family read_vectors(const Mask& mask) {
+    const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = mask.components;
+    show_exponent(claim_.arity, power(claim_.arity, order), order);
+    require(!claim_.lower || *claim_.lower < mpz_class(order), "the lower end is not below the number of sum rules");
+    VectorScheme scheme{mask, std::vector<Rationals>(order, Rationals(size))};
+    if (claim_.hermite) {
+      const mpz_class least = size - 1, most = order - 1;
+      require(claim_.lower.value_or(least) >= least && claim_.upper.value_or(least) >= least &&
+                  claim_.upper.value_or(least) <= most,
+              "a Hermite scheme is asked for fewer derivatives than it has data, or refuted for more than its data tell");
+      require(order >= size, "a Hermite scheme keeps data of all its derivatives");
+      for (std::size_t s = 0; s < size; ++s) scheme.data[s][s] = 1;
+      if (claim_.upper) check_interpolation(mask, claim_.arity);
+    } else {
+      for (Rationals& y : scheme.data) {
+        const Fields fields = reader_.take("data", size, size);
+        std::transform(fields.begin(), fields.end(), y.begin(), parse_rational);
+      }
+    }
+    return read_vector_scheme(scheme, claim_.arity, reader_, arithmetic_);
+  }
+
   /// The transition matrices of the mask, and what is to be shown of them.
   Family read_scheme(const Mask& mask) {
+    if (mask.components > 0 && claim_.range) return read_vectors(mask);
     const bool of_values = claim_.dilation && (mask.components > 0 || reader_.at("differences"));
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);

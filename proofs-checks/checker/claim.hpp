@@ -25,6 +25,7 @@ struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
   std::optional<Range> range;
+  bool hermite = false;  // of matrices with an arity: HC^k of a Hermite scheme, not the exponent of limits
   bool levels = false;
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;

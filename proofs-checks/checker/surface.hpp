@@ -17,6 +17,16 @@ struct SurfaceFamily {
   std::function<Component(std::size_t)> of_component;
 };
 
+/// f'_i = sum over j of A_(i-aj)^T f_j, and y_0, ..., y_m of the data that it keeps: section 6.7.
+struct VectorScheme {
+  const Mask& mask;
+  std::vector<Rationals> data;
+};
+
+/// arity^(m+1) times the transition matrices of all powers of the parameter, one after another for each digit, on the
+/// space of the certificate; reads its lines from `digits` on.
+Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic);
+
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
 /// order; they are those of the scheme, or with `of_values` those of phi, as they always are for a mask of matrices.
 /// With `upper` the radius is shown to tell the exponent from above as well, provided that it tells it from below: the

@@ -75,7 +75,7 @@ ACCEPTED = [
              "; product 2 1/2 0 0; " + NORMS_3, component=0),
     accepted("vector-component-rough", ROUGH_BUBBLE, "415/1000 4151/10000", BUBBLE_SPACE + "unobservable 0; blocks 1 1 1; " + UNIT_3 +
              "; product 0 3/4 0 0; " + NORMS_3, component=1),
-    accepted("vector-component-whole", ROUGH_BUBBLE, "2/5", BUBBLE_SPACE + "unobservable 0; block 0 norm 16; end", component=0),
+    accepted("vector-component-whole", ROUGH_BUBBLE, "1/5", BUBBLE_SPACE + "unobservable 0; block 0 norm 16; end", component=0),
     ("vector-component-exact", f"--refinable {ROUGH_BUBBLE} --dilation [2] --component 0 --exact 0-log|[-1,2]@1/2,0,1/4|^1/1",
      f"refinable {ROUGH_BUBBLE} [2] component=0; bounds - -; exact 0-log|[-1,2]@1/2,0,1/4|^1/1; root 1/2 0 0 1/2 1/2; {BUBBLE_SPACE}"
      f"unobservable 2; blocks 2 1; {UNIT_3}; block 0 norm 1; block 1 polytope 1 0 1; vertex 1; unit 0 0:2; image 0 0 0:1; image 0 1; "
@@ -168,13 +168,13 @@ EDITED = [
      [(ROUGH_BUBBLE, HAT_HAAR), ("[-3,4]@3/4", "[-1,1]@1"), ("root 3/4 0 0 3/4 3/4", "root 1 0 0 1 1")]),
     # one component
     ("vector-component-other", "vector-component", of_component(1), "expected 'refinable ", []),
-    ("vector-component-of-all", "vector-component", claim(ROUGH_BUBBLE), "expected 'refinable ", []),
+    ("vector-component-of-all", "vector-component", claim(ROUGH_BUBBLE), "wrong number of fields", []),
     ("vector-component-in-all", "vector-component", claim(ROUGH_BUBBLE, ends="--lower 2/5"), "expected 'block 0'",
      [(" component=0", ""), ("; product 1 1/2 0 0", "")]),
     ("vector-component-no-line", "vector-component", None, "expected 'unobservable'", [("unobservable 2; ", "")]),
     *((f"vector-component-{name}", "vector-component", None, "number outside 0..2", [("unobservable 2", f"unobservable {size}")])
       for name, size in (("minus", -1), ("all", 3))),
-    ("vector-component-part", "vector-component", None, "consists of no blocks", [("unobservable 2", "unobservable 1")]),
+    ("vector-component-part", "vector-component", of_component(0, ends="--lower 1"), "consists of no blocks", [("unobservable 2", "unobservable 1")]),
     ("vector-component-less", "vector-component-blocks", None, "more than what is said to be unobservable may be so",
      [("unobservable 2", "unobservable 1")]),
     ("vector-component-none", "vector-component", None, "more than what is said to be unobservable may be so",
@@ -195,7 +195,7 @@ EDITED = [
     ("vector-component-rough-lower", "vector-component-rough", of_component(1, ends="--lower 416/1000"), "the bound does not prove the claim", []),
     ("vector-component-attained-there", "vector-component-exact", of_component(0, ends="--exact 0-log|[-3,4]@3/4,0,1/4|^1/1"),
      "no block attains the exact radius", [("[-1,2]@1/2", "[-3,4]@3/4"), ("root 1/2 0 0 1/2 1/2", "root 3/4 0 0 3/4 3/4"), ("; cycle 0 - 0; seed 1", "")]),
-    ("vector-component-surface", "hat-lower", None, "expected 'surface ", [("[2]", "[2] component=0")]),
+    ("vector-component-surface", "hat-lower", None, "wrong number of fields", [("[2]", "[2] component=0")]),
     # the dilation, the digits, sizes
     ("vector-digits-class", "vector-by-hand", None, "two digits of one class", [("digits 0 1", "digits 0 2")]),
     ("vector-not-isotropic", "vector-courant", claim(COURANT, "[2,0;0,3]"), "not isotropic", [("[2,0;0,2]", "[2,0;0,3]")]),

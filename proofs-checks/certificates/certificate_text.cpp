@@ -169,6 +169,13 @@ BlockNumber number_of(const RadiusProof& proof) {
   return {{}, polytope ? polytope->not_attained : "neither a polytope nor a form names it"};
 }
 
+/// Of a sequence of vectors the component is one more coordinate.
+std::string point_text(const LatticePoint& point, std::size_t variables) {
+  const auto end = point.begin() + static_cast<std::ptrdiff_t>(variables);
+  std::string text = fmt::format("{}", fmt::join(point.begin(), end, ","));
+  return end == point.end() ? text : fmt::format("{}.{}", text, *end);
+}
+
 }  // namespace
 
 std::string outward(const Rational& value, Rounding rounding) {
@@ -178,6 +185,33 @@ std::string outward(const Rational& value, Rounding rounding) {
   digits.erase(digits.find('.'), 1);
   const Rational rounded = *parse_rational(digits) * power(Rational(10), -places);
   return to_text(rounded);
+}
+
+Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
+  Integer common = 1;
+  for (const LatticeSequence& sequence : sequences)
+    for (const auto& [point, value] : sequence) common = lcm(common, denominator(value));
+  return common;
+}
+
+std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
+                       const LatticePoint& first) {
+  std::string text;
+  const auto append = [&](const LatticePoint& point, const Rational& value) {
+    text += " " + point_text(point, variables) + ":" + to_text(Rational(factor * value));
+  };
+  if (const auto at = sequence.find(first); at != sequence.end()) append(first, at->second);
+  for (const auto& [point, value] : sequence)
+    if (point != first) append(point, value);
+  return text + "\n";
+}
+
+std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
+                         std::size_t variables) {
+  std::string text = fmt::format("space {}\n", basis.size());
+  const Rational factor = common_denominator(basis);
+  for (std::size_t c = 0; c < basis.size(); ++c) text += "vector" + terms_text(basis[c], factor, variables, pivots[c]);
+  return text;
 }
 
 std::string numbers_text(const std::vector<Integer>& numbers) {

@@ -14,6 +14,17 @@ std::string outward(const Rational& value, Rounding rounding);
 /// Each after a blank.
 std::string numbers_text(const std::vector<Integer>& numbers);
 
+Integer common_denominator(const std::vector<LatticeSequence>& sequences);
+
+/// POINT:INTEGER after blanks, of a sequence of vectors POINT.COMPONENT:INTEGER, of the sequence times a factor, and an
+/// end of line; the point `first` leads, if it is one of them.
+std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
+                       const LatticePoint& first = {});
+
+/// The lines `space` and `vector`, times their common denominator.
+std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
+                         std::size_t variables);
+
 /// The head, and the coefficients from that of z^0 on.
 std::string polynomial_text(const std::string& head, const LaurentPolynomial& p);
 

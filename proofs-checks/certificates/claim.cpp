@@ -21,7 +21,7 @@ constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view levels = "levels", all_levels = "all levels ", belongs_to = " of ";
-constexpr std::string_view component = "component";
+constexpr std::string_view component = "component", hc = "HC of ";
 
 /// The parts between `<=`.
 std::vector<std::string> parts_of(const std::string& claim) {
@@ -68,12 +68,16 @@ ClaimSubject stated_subject(const std::string& subject) {
   if (subject.starts_with(radius)) return FamilySubject{false, {}, {}, trimmed(subject.substr(radius.size()))};
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (const std::size_t at = subject.find(range); at != std::string::npos) {
-    const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
+    const bool hermite = subject.starts_with(hc);
+    const std::size_t begin = hermite ? hc.size() : 0;
+    const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(begin, at - begin)));
     std::string values = trimmed(subject.substr(at + range.size()));
     const bool is_levels = values.starts_with(all_levels);
     if (is_levels) values = trimmed(values.substr(all_levels.size()));
+    const bool is_of_matrices = family.mask.components() > 1;
+    if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", subject);
     return MaskSubject{family.mask.to_text(family.letter), std::to_string(family.mask.arity()),
-                       with_letter(family, values), is_levels};
+                       with_letter(family, values), is_levels, {}, hermite ? "hermite" : is_of_matrices ? "vectors" : ""};
   }
   if (is_l1_specification(subject)) return l1_subject(subject);
   std::string scheme_text = subject;
@@ -117,8 +121,9 @@ std::optional<CertificateClaim> stated_contraction(const std::string& words) {
 struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
-    return fmt::format("{} {} {}{}{}", of.is_levels ? levels : "exponent", of.mask, of.arity, more.empty() ? "" : " ",
-                       more);
+    const std::string_view of_numbers = of.is_levels ? levels : "exponent";
+    return fmt::format("{} {} {}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices, of.mask, of.arity,
+                       more.empty() ? "" : " ", more);
   }
   std::string operator()(const SurfaceSubject& of) const {
     return fmt::format("{} {} {}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
@@ -140,12 +145,13 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   const bool rounded = more.starts_with(within);
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
   if (kind == "exponent" || kind == levels) return MaskSubject{first, second, more, kind == levels};
+  if (kind == "vectors" || kind == "hermite") return MaskSubject{first, second, more, false, {}, kind};
   if (kind == "refinable" && more.starts_with(component))
     return SurfaceSubject{first, second, true, more.substr(std::min(more.size(), component.size() + 1))};
   if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
-  fail(ErrorKind::data, "{}, line 2: expected exponent, levels, surface, refinable, radius, subradius or l1", file);
+  fail(ErrorKind::data, "{}, line 2: expected exponent, levels, vectors, hermite, surface, refinable, radius, subradius or l1", file);
 }
 
 /// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of
@@ -161,7 +167,8 @@ struct SubjectArguments {
   const std::string& file;
 
   std::vector<std::string> operator()(const MaskSubject& of) const {
-    std::vector<std::string> arguments{"--mask", of.mask, "--arity", of.arity};
+    std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask, "--arity",
+                                       of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
     if (!of.range.empty()) arguments.insert(arguments.end(), {of.is_levels ? "--levels" : "--for", of.range});
     return arguments;

@@ -13,59 +13,23 @@ namespace {
 
 using namespace certificate_text;
 
-/// Of a sequence of vectors the component is one more coordinate.
-std::string point_text(const LatticePoint& point, std::size_t variables) {
-  const auto end = point.begin() + static_cast<std::ptrdiff_t>(variables);
-  std::string text = fmt::format("{}", fmt::join(point.begin(), end, ","));
-  return end == point.end() ? text : fmt::format("{}.{}", text, *end);
-}
-
-Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
-  Integer common = 1;
-  for (const LatticeSequence& sequence : sequences)
-    for (const auto& [point, value] : sequence) common = lcm(common, denominator(value));
-  return common;
-}
-
-/// The sequences times a factor; the point `first` leads, if it is one of them.
-std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
-                       const LatticePoint& first = {}) {
-  std::string text;
-  const auto append = [&](const LatticePoint& point, const Rational& value) {
-    text += " " + point_text(point, variables) + ":" + to_text(Rational(factor * value));
-  };
-  if (const auto at = sequence.find(first); at != sequence.end()) append(first, at->second);
-  for (const auto& [point, value] : sequence)
-    if (point != first) append(point, value);
-  return text + "\n";
-}
-
-/// The vectors of the space, times their common denominator.
-std::string vectors_text(const DifferenceSpace& space) {
-  std::string text = fmt::format("space {}\n", space.basis.size());
-  const Rational factor = common_denominator(space.basis);
-  for (std::size_t c = 0; c < space.basis.size(); ++c)
-    text += "vector" + terms_text(space.basis[c], factor, space.dilation.variables(), space.pivots[c]);
-  return text;
-}
-
 /// The lines from the order of the differences to the vectors of the space.
 std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
   if (space.dilation.rows() != dilation.rows()) text += fmt::format("turned {}\n", space.dilation.to_text());
   text += "digits";
-  for (const LatticePoint& digit : space.dilation.digits()) text += " " + point_text(digit, digit.size());
+  for (const LatticePoint& digit : space.dilation.digits()) text += fmt::format(" {}", fmt::join(digit, ","));
   text += "\n";
   if (space.is_of_values())
     text += "values" + terms_text(space.values, common_denominator({space.values}), dilation.variables());
-  return text + vectors_text(space);
+  return text + vectors_text(space.basis, space.pivots, space.dilation.variables());
 }
 
 /// That the scheme converges, after a proof by differences of phi.
 void add_shrinking(Certificate& certificate, const ShrinkingDifferences& differences) {
   const DifferenceSpace& space = differences.space;
   certificate.sections.push_back(
-      {fmt::format("sum-rules {}\n", space.order) + vectors_text(space) + blocks_text(differences.radius)});
+      {fmt::format("sum-rules {}\n", space.order) + vectors_text(space.basis, space.pivots, space.dilation.variables()) + blocks_text(differences.radius)});
   add_sections(certificate, differences.radius.proof, space.family.count());
 }
 
@@ -98,6 +62,7 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   require(!vector || vector->solutions == 1,
           "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
           vector ? vector->solutions : 0);
+  require(!is_one || !vector->components.front().is_zero, "certificate: need a function that is not 0");
   require(!is_one || vector->proof, "certificate: need a proof of the exponent of the function, got none");
   const ComponentProof* component = is_one ? &*vector->proof : nullptr;
   const JointSpectralRadius& radius = component ? component->radius : *regularity.radius;

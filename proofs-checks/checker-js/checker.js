@@ -277,9 +277,10 @@ var check_certificate = (() => {
   }
   // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), polynomials given by
   // their integer coefficients; without a parameter q is the denominator of the mask.
-  function read_curve(text, arity, letter) {
-    const parts = mask_parts(text), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
-    demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
+  function read_curve(text, arity, letter, inner = 0) {  // `inner`: 2 where the coefficients are matrices
+    const parts = mask_parts(text, inner), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
+    demand(parts.depth === 1 + inner && (!parts.first || parts.first.length === 1), outside);
+    demand(!inner || parts.sizes[0] === parts.sizes[1], 'a coefficient of a mask is no square matrix');
     demand(parts.coefficients.length <= 1000, outside);
     const read = c => letter ? polynomial(c, letter) : [rational(c)], by = parts.den === undefined ? '1' : parts.den;
     const quotient = letter && /^\((.*)\)$/.exec(by), q = read(quotient ? quotient[1] : '1');
@@ -291,7 +292,8 @@ var check_certificate = (() => {
     demand(letter || (numbers[0] && numbers[numbers.length - 1]), outside);
     const all = [...divisor.numbers.map(x => x * den), ...numbers], g = all.reduce(gcd, 0n) || 1n;
     const row = i => all.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
-    return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1))};
+    const matrices = inner ? {components: parts.sizes[0], first: parts.first ? parts.first[0] : 0n} : {};
+    return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1)), ...matrices};
   }
 
   // ---- 4.1 and section 6: b = A^M a / sigma^M, times q, and the families --------------------------------------------
@@ -327,15 +329,27 @@ var check_certificate = (() => {
     }
     return all;
   }
+  function weights_of(q, interval, degree) {  // and the sign that was turned
+    const weights = form_of(q, interval, degree), turn = weights[0] < 0n ? -1n : 1n;
+    demand(weights.every(x => x * turn > 0n), 'the denominator of the mask changes its sign, or may do so');
+    return {turn, weights: weights.map(x => x * turn)};
+  }
+  // 6.7: the same of matrices of polynomials over `den` q, one for each digit
+  function controls_of({den, degree, q, matrices}, interval) {
+    const {turn, weights} = weights_of(q, interval, degree), all = weights.reduce(lcm, 1n), size = matrices[0].length;
+    spend(matrices.length * size * size * (degree + 1) ** 3);
+    const forms = matrices.map(m => m.map(row => row.map(p =>
+      form_of(p, interval, degree).map((x, j) => x * turn * (all / weights[j])))));
+    const factor = common_factor(all * den, forms.flat(3));
+    const controls = forms.flatMap(m => weights.map((_, l) => m.map(row => row.map(form => form[l] / factor))));
+    return {size, den: all * den / factor, weights, matrices: controls, symbol: null};
+  }
   // The family of control matrices on an interval, in the order of 6.1; that of the T_t where there is no interval
   function control_family(symbol, interval) {
     const {arity, degree, q, b, size} = symbol;
+    if (symbol.matrices) return controls_of(symbol, interval);
     demand(size <= 256, 'transition matrices larger than 256');
-    let weights = form_of(q, interval, degree);
-    const turn = weights[0] < 0n ? -1n : 1n;
-    weights = weights.map(x => x * turn);
-    demand(weights.every(x => x > 0n), 'the denominator of the mask changes its sign, or may do so');
-    const all = weights.reduce(lcm, 1n);
+    const {turn, weights} = weights_of(q, interval, degree), all = weights.reduce(lcm, 1n);
     const numbers = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (all / weights[j])));
     const factor = common_factor(all, numbers.flat()), den = all / factor;
     const entries = numbers.map(row => row.map(x => x / factor));
@@ -2035,6 +2049,7 @@ var check_certificate = (() => {
       return String(times_point(this.adjugate, point).map(x => (x % D + D) % D));
     }
     divide(point) { return times_point(this.adjugate, point).map(x => x / this.det || 0); }  // M^(-1) point
+    images(v) { return this.digits.map(t => this.apply(t, v)); }
     apply(t, v) {
       const result = new Map(), n = t.length;
       for (const [k, value] of v.values()) {
@@ -2090,7 +2105,7 @@ var check_certificate = (() => {
   // (iii): bases, modulo the space of `rows`, of the span of the T_w x with x in `start` and words w of at least i
   // letters, i = 0, 1, ..., until it is 0 or stays the same, or for a number of steps
   function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
-    const images = x => transition.digits.map(t => transition.apply(t, x)), all = new Span(rows, prime);
+    const images = x => transition.images(x), all = new Span(rows, prime);
     let last = [];
     for (let queue = start; queue.length;) {
       const found = queue.map(x => all.extend(x)).filter(x => x);
@@ -2295,6 +2310,90 @@ var check_certificate = (() => {
         }
     });
     return {readings: [...readings.values()], unobservable: small(reader.read('unobservable', 1)[0], 0, size - 1)};
+  }
+  // 6.7: vector schemes with a parameter. sum_k x_k . e_l(-k) is 0 for all l
+  function annihilates(x, data) {
+    const moments = data.map(y => y.map(() => fraction(0n)));  // of (-k)^t / t!
+    for (const [[k, c], value] of x.values()) {
+      let term = fraction(value);
+      for (let t = 0; t < data.length; ++t, term = times(term, fraction(BigInt(-k), BigInt(t)))) {
+        spend(8, bits(term.n), 64);
+        moments[t][c] = reduced(plus(moments[t][c], term));
+      }
+    }
+    return data.every((_, l) => !sign(range_of(l + 1).reduce((total, s) =>
+      data[s].reduce((inner, y, c) => reduced(plus(inner, times(y, moments[l - s][c]))), total), fraction(0n))));
+  }
+  function read_generators(reader, data) {  // shifts of these are all that annihilates the data
+    const first = data[0].findIndex(sign), delta = new Map();
+    demand(first >= 0, 'the constant data are 0');
+    add(delta, [0, first], 1n);
+    const others = range_of(data[0].length).filter(c => c !== first).map(c => {
+      const x = read_sequence(reader.read('reading', 1, 2 ** 24), 1, data[0].length), places = [...x.values()].map(([p]) => p[1]);
+      demand(places.every(at => at === c || at === first), "a line 'reading' has a component too many");
+      demand(places.filter(at => at === c).length === 1, "a line 'reading' has not one number of its component");
+      return x;
+    });
+    return [...differences(delta, data.length, 1), ...others];
+  }
+  function check_interpolation({arity, degree, q, a, components: r, first}) {
+    const wrong = 'the scheme does not interpolate';
+    let origin = false;
+    a.forEach((p, i) => {
+      const inside = i % (r * r), k = first + BigInt((i - inside) / (r * r)), column = inside % r, row = (inside - column) / r;
+      if (k % BigInt(arity)) return;
+      origin = origin || !k;
+      range_of(degree + 1).forEach(j =>
+        demand(p[j] * BigInt(arity) ** BigInt(row) === (!k && row === column ? q[j] : 0n), wrong));
+    });
+    demand(origin, wrong);
+  }
+  function check_vectors(reader, claim) {
+    const {lower, upper, hermite, curve, interval} = claim, {arity, degree, q, a, components: r, first} = curve, base = BigInt(arity);
+    const order = small(reader.read('sum-rules', 1)[0], 1, 64);
+    check_ends(lower, upper, 0);
+    const end = lower || upper;
+    demand(less(end, order), 'the end is not below the number of sum rules');
+    demand(!hermite || !less(end, r - 1), 'a Hermite scheme is asked for fewer derivatives than its data are');
+    if (hermite && upper) check_interpolation(curve);
+    const unit = s => range_of(r).map(c => fraction(c === s ? 1n : 0n));
+    const data = range_of(order).map(s => hermite ? unit(s) : reader.read('data', r).map(rational));
+    const surface = {sizes: [a.length / (r * r)], components: r, first: [first]};
+    const powers = range_of(degree + 1).map(k => mask_sequence({...surface, numbers: a.map(p => p[k])}));
+    const digits = reader.read('digits', arity).map(token => read_point(token, 1));
+    const transitions = powers.map(mask => new Transition(mask, [[arity]], digits));
+    demand(new Set(digits.map(t => transitions[0].class_of(t))).size === arity, 'two digits of one class');
+    powers.forEach((mask, k) => {
+      const sums = digits.map(() => unit(-1)), index = new Map(digits.map((t, i) => [transitions[0].class_of(t), i]));
+      for (const [[i, row, column], value] of mask.values()) {
+        const of = sums[index.get(transitions[0].class_of([i]))];
+        of[column] = plus(of[column], times(data[0][row], fraction(value)));
+      }
+      demand(sums.every(y => y.every((x, c) => !sign(minus(x, times(data[0][c], fraction(q[k])))))),
+             'the scheme does not keep the constant data');
+    });
+    const all = {digits, images: x => digits.flatMap(t => transitions.map(one => one.apply(t, x)))};
+    const start = read_generators(reader, data);
+    for (const x of start) {
+      demand(annihilates(x, data), "a line 'reading' does not annihilate the data");
+      demand(all.images(x).every(y => annihilates(y, data)), 'the scheme does not keep the data');
+    }
+    const vectors = read_space(reader, 1, r), families = transitions.map(one => () => space_family(vectors, one, 1n));
+    demand(vectors.every(x => annihilates(x, data)), 'a vector does not annihilate the data');
+    const by_power = families.map(make => make());
+    long_words(start, vectors.map(row => ({key: first_key(row), row})), all);
+    const scale = base ** BigInt(order);
+    const matrices = digits.map((_, t) => vectors.map((_row, i) => vectors.map((_column, k) =>
+      by_power.map(({matrices: m}) => scale * m[t][i][k]))));
+    const goal = {below: lower && at_most(power_below(base, minus(order, lower)), true)};
+    if (upper) {
+      const reached = at_least(over(1n, power_below(base, minus(upper, order))));
+      goal.above = (radius, length) => {
+        demand(!less(radius, 1n), no_exponent);
+        reached(radius, length);
+      };
+    }
+    check_intervals(reader, {arity, degree, q, den: by_power[0].den, matrices}, goal, {levels: false, interval});
   }
   function check_surface(reader, {lower, upper, surface, dilation, component, exact}) {
     const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
@@ -2616,6 +2715,9 @@ var check_certificate = (() => {
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
                      [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k),
                      one up to a factor; of phi_C alone, C = 0, 1, ...)
+       subcert-check --vectors '[[[w,b],[c,d]],...]@first' --arity A --for 'w=LOW..HIGH' --lower P/Q FILE
+                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it diverges)
+       subcert-check --hermite MASK --arity A --for RANGE --lower K FILE    (it is HC^K; --upper K: it is not)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
        subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
@@ -2630,7 +2732,7 @@ prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
     const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation',
-                   'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
+                   'vectors', 'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2652,11 +2754,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation', 'logarithm');
+    const of_vectors = has('vectors') !== has('hermite') && has('arity', 'for') && has('lower') !== has('upper') &&
+      (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
+      none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
-    demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
+    const others = none('l1', 'contraction', 'vectors', 'hermite');
+    demand(has('FILE') && (l1 || of_vectors || ((curve || surface || family) && others)), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: l1 ? check_l1 : curve ? check_curve : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? check_curve : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
@@ -2678,6 +2784,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
         claim.component = small(options.component, 0, claim.surface.components - 1);
         claim.head += ` component=${options.component}`;
       }
+    } else if (kind === check_vectors) {
+      claim.hermite = options.hermite !== undefined;
+      const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range(options.for, claim);
+      if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
+      claim.curve = read_curve(options[kind_of], small(options.arity, 2, 16), letter, 2);
+      claim.head = `${kind_of} ${options[kind_of]} ${options.arity} ${options.for}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
       claim.levels = options.levels !== undefined;
@@ -2719,6 +2831,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return [lower && `${number(lower)} <= Hoelder exponent${upper ? ` <= ${number(upper)}` : ''}`,
             contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
       ` of least absolute deviations ${options.l1}`;
+  }
+  function text_of_vectors({options, hermite, lower, upper}) {
+    const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
+      : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
+    return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
+      `${options.arity} for all ${options.for}`;
   }
   function text_of({options, of_family, lower, upper, rough, interval, levels}) {
     const relation = interval ? ' < ' : ' <= ';
@@ -2804,7 +2922,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     } catch (error) {
       return {exit: 1, line: `REJECTED ${reason(error)}, line ${reader.line}`};
     }
-    return {exit: 0, line: `VERIFIED ${(claim.l1 ? text_of_l1 : text_of)(claim)}`};
+    const words_of = claim.l1 ? text_of_l1 : claim.kind === check_vectors ? text_of_vectors : text_of;
+    return {exit: 0, line: `VERIFIED ${words_of(claim)}`};
   };
 })();
 

@@ -182,14 +182,11 @@ class Checker {
   Family read_vectors(const Mask& mask) {
     const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = mask.components;
     show_exponent(claim_.arity, power(claim_.arity, order), order);
-    require(!claim_.lower || *claim_.lower < mpz_class(order), "the lower end is not below the number of sum rules");
+    const mpq_class end = claim_.lower ? *claim_.lower : *claim_.upper;
+    require(end < mpz_class(order), "the end is not below the number of sum rules");
+    require(!claim_.hermite || end + 1 >= mpz_class(size), "a Hermite scheme is asked for fewer derivatives than its data are");
     VectorScheme scheme{mask, std::vector<Rationals>(order, Rationals(size))};
     if (claim_.hermite) {
-      const mpz_class least = size - 1, most = order - 1;
-      require(claim_.lower.value_or(least) >= least && claim_.upper.value_or(least) >= least &&
-                  claim_.upper.value_or(least) <= most,
-              "a Hermite scheme is asked for fewer derivatives than it has data, or refuted for more than its data tell");
-      require(order >= size, "a Hermite scheme keeps data of all its derivatives");
       for (std::size_t s = 0; s < size; ++s) scheme.data[s][s] = 1;
       if (claim_.upper) check_interpolation(mask, claim_.arity);
     } else {

@@ -172,7 +172,8 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
     ClaimedEnds lower, upper;
     if (piece.exponent.lower && *piece.exponent.lower > strictly) {
       above.above = piece.proof.above;
-      lower.lower = outward(*piece.exponent.lower - strictly, Rounding::down);
+      const Rational most = of_matrices.empty() ? *piece.exponent.lower : Rational(curve.sum_rules);
+      lower.lower = outward(std::min(*piece.exponent.lower, most) - strictly, Rounding::down);
     }
     if (piece.exponent.upper && of_matrices.empty()) {
       below.below = piece.proof.below;

@@ -2,8 +2,8 @@
 /// Families of matrices that depend linearly on a mask with letters.
 
 #include <subcert/analysis/symbol/masks/polynomial_data.hpp>
-#include <subcert/analysis/transition/lattice_window.hpp>
 #include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/transition/lattice_window.hpp>
 
 #include <functional>
 #include <optional>

@@ -244,10 +244,10 @@ ComponentRegularity regularity_of_component(const Parts& parts, const std::vecto
     const auto found = observed(*space, parts, component);
     if (!found) return result;
     if (found->rows.empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
-    const bool is_whole =
-        space->order == first.order &&
-        (found->rows.size() == first.family.size() ||
-         (parts.root == 0 && !proof && has_radius_of(whole, first.family, found->operators, budget.deadline)));
+    const bool is_whole = space->order == first.order &&
+                          (found->rows.size() == first.family.size() ||
+                           (parts.root == 0 && !proof &&
+                            has_radius_of(whole, first.family, found->operators, budget.deadline)));
     Told told = is_whole ? whole
                          : exponent_of(operators_of(found->operators, parts), parts.root, space->order,
                                        parts.mask.dilation(), budget, bits);

@@ -209,8 +209,9 @@ TEST_CASE("the exponent of a vector of functions has a certificate") {
   const std::string knots = "bspline:degree=4,multiplicity=4";
   CHECK(run("regularity " + knots + " --component 2 --certificate " + file).code == 0);
   CHECK(contains(run_command("cat " + file).out, "\nunobservable 1\n"));
-  CHECK(asked("2 <= component 2 of " + knots + " <= 2").out.find(": VERIFIED 2 <= Hoelder exponent <= 2 of component 1 "
-                                                                 "of the refinable functions of ") != std::string::npos);
+  CHECK(asked("2 <= component 2 of " + knots + " <= 2")
+            .out.find(": VERIFIED 2 <= Hoelder exponent <= 2 of component 1 "
+                      "of the refinable functions of ") != std::string::npos);
   CHECK(asked("2 <= component 1 of " + knots).code == 1);
   CHECK(asked("1 <= " + knots).code == 1);
   for (const char* wrong : {"component 5 of ", "component 0 of ", "component x of "})

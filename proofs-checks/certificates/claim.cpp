@@ -76,8 +76,14 @@ ClaimSubject stated_subject(const std::string& subject) {
     if (is_levels) values = trimmed(values.substr(all_levels.size()));
     const bool is_of_matrices = family.mask.components() > 1;
     if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", subject);
-    return MaskSubject{family.mask.to_text(family.letter), std::to_string(family.mask.arity()),
-                       with_letter(family, values), is_levels, {}, hermite ? "hermite" : is_of_matrices ? "vectors" : ""};
+    return MaskSubject{family.mask.to_text(family.letter),
+                       std::to_string(family.mask.arity()),
+                       with_letter(family, values),
+                       is_levels,
+                       {},
+                       hermite          ? "hermite"
+                       : is_of_matrices ? "vectors"
+                                        : ""};
   }
   if (is_l1_specification(subject)) return l1_subject(subject);
   std::string scheme_text = subject;
@@ -151,7 +157,8 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
-  fail(ErrorKind::data, "{}, line 2: expected exponent, levels, vectors, hermite, surface, refinable, radius, subradius or l1", file);
+  fail(ErrorKind::data,
+       "{}, line 2: expected exponent, levels, vectors, hermite, surface, refinable, radius, subradius or l1", file);
 }
 
 /// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of

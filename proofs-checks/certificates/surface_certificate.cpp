@@ -28,8 +28,9 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
 /// That the scheme converges, after a proof by differences of phi.
 void add_shrinking(Certificate& certificate, const ShrinkingDifferences& differences) {
   const DifferenceSpace& space = differences.space;
-  certificate.sections.push_back(
-      {fmt::format("sum-rules {}\n", space.order) + vectors_text(space.basis, space.pivots, space.dilation.variables()) + blocks_text(differences.radius)});
+  certificate.sections.push_back({fmt::format("sum-rules {}\n", space.order) +
+                                  vectors_text(space.basis, space.pivots, space.dilation.variables()) +
+                                  blocks_text(differences.radius)});
   add_sections(certificate, differences.radius.proof, space.family.count());
 }
 
@@ -83,11 +84,10 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
           to_decimal(*lower, 6, Rounding::nearest));
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
   const ExactRadius exact = tells_upper_end ? exact_radius(radius, first_block) : ExactRadius{};
-  Certificate certificate{
-      {{},
-       SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr,
-                      is_one ? std::to_string(vector->components.front().component) : ""}},
-      {}};
+  Certificate certificate{{{},
+                           SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr,
+                                          is_one ? std::to_string(vector->components.front().component) : ""}},
+                          {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
   certificate.bounds = {outward(*lower, Rounding::down), certificate.claim.upper};

@@ -184,7 +184,8 @@ class Checker {
     show_exponent(claim_.arity, power(claim_.arity, order), order);
     const mpq_class end = claim_.lower ? *claim_.lower : *claim_.upper;
     require(end < mpz_class(order), "the end is not below the number of sum rules");
-    require(!claim_.hermite || end + 1 >= mpz_class(size), "a Hermite scheme is asked for fewer derivatives than its data are");
+    require(!claim_.hermite || end + 1 >= mpz_class(size),
+            "a Hermite scheme is asked for fewer derivatives than its data are");
     VectorScheme scheme{mask, std::vector<Rationals>(order, Rationals(size))};
     if (claim_.hermite) {
       for (std::size_t s = 0; s < size; ++s) scheme.data[s][s] = 1;
@@ -292,7 +293,8 @@ class Checker {
     require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == n, "the block sizes do not sum to n");
     unobservable_blocks_ = 0;
     for (std::size_t sum = 0; sum < component_.unobservable; sum += sizes[unobservable_blocks_++])
-      require(sum + sizes[unobservable_blocks_] <= component_.unobservable, "what is unobservable consists of no blocks");
+      require(sum + sizes[unobservable_blocks_] <= component_.unobservable,
+              "what is unobservable consists of no blocks");
     const Family basis = read_family(reader_, "basis", 1, n);
     check_unobservable(component_, basis.entries, n, arithmetic_);
     const Family inverse = read_family(reader_, "inverse", 1, n);
@@ -446,7 +448,7 @@ class Checker {
   bool strict_;
   mpq_class above_ = 0;
   std::size_t root_ = 1;
-  std::function<Family()> of_scheme_;  // with `values`: what tells whether the scheme converges
+  std::function<Family()> of_scheme_;    // with `values`: what tells whether the scheme converges
   Component component_;                  // of which the claim is,
   std::size_t unobservable_blocks_ = 0;  // and the first blocks, which it does not show
   std::optional<ExactRadius> exact_;

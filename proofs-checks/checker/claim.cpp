@@ -18,11 +18,13 @@ const char* const usage =
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
-    "                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - "
+    "                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x "
+    "- "
     "k),\n"
     "                     one up to a factor; of phi_C alone, C = 0, 1, ...)\n"
     "       subcert-check --vectors '[[[w,b],[c,d]],...]@first' --arity A --for 'w=LOW..HIGH' --lower P/Q FILE\n"
-    "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it diverges)\n"
+    "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it "
+    "diverges)\n"
     "       subcert-check --hermite MASK --arity A --for RANGE --lower K FILE    (it is HC^K; --upper K: it is not)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
@@ -44,8 +46,9 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask", "--arity", "--for", "--levels", "--within", "--surface", "--refinable", "--component", "--dilation",
-        "--vectors", "--hermite", "--matrices", "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+       {"--mask",        "--arity",    "--for",     "--levels",  "--within",    "--surface",   "--refinable",
+        "--component",   "--dilation", "--vectors", "--hermite", "--matrices",  "--subradius", "--l1",
+        "--contraction", "--lower",    "--upper",   "--exact",   "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -130,10 +133,9 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
              &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
              &refinable = given["--refinable"], &component = given["--component"],
-             &surface = refinable ? refinable : scheme,
-             &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
-             &vectors = given["--vectors"], &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite,
-             &curve = mask ? mask : of_matrices,
+             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &radius = given["--matrices"],
+             &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
+             &of_matrices = vectors ? vectors : hermite, &curve = mask ? mask : of_matrices,
              &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
              &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
              &contraction = given["--contraction"], &file = given["FILE"];

@@ -158,8 +158,7 @@ class Surface {
     std::vector<Sequence> result(operators_.classes() * (1 + more_powers_.size()));
     for (std::size_t p = 0; p <= more_powers_.size(); ++p) {
       std::vector<Sequence> moved = operators_.of(power(p), x);
-      for (std::size_t d = 0; d < moved.size(); ++d)
-        result[d * (1 + more_powers_.size()) + p] = std::move(moved[d]);
+      for (std::size_t d = 0; d < moved.size(); ++d) result[d * (1 + more_powers_.size()) + p] = std::move(moved[d]);
     }
     return result;
   }
@@ -273,8 +272,7 @@ class Surface {
   /// coefficient of the vectors.
   Family restricted() {
     const std::size_t count = operators_.classes() * (1 + more_powers_.size());
-    Family result{space_.size(), Vector(count * space_.size() * space_.size()),
-                  operators_.denominator() * factor_};
+    Family result{space_.size(), Vector(count * space_.size() * space_.size()), operators_.denominator() * factor_};
     for (std::size_t k = 0; k < space_.size(); ++k) {
       std::vector<Sequence> moved = images(space_[k].values);
       for (std::size_t d = 0; d < moved.size(); ++d) {
@@ -361,11 +359,10 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   if (mask.components > 0)
     return {surface->of_values(order, upper), {}, [surface](std::size_t c) { return surface->read_component(c); }};
   if (of_values)
-    return {surface->of_values(order, upper),
-            [surface, &reader] {
-              return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order));
-            },
-            {}};
+    return {
+        surface->of_values(order, upper),
+        [surface, &reader] { return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order)); },
+        {}};
   SurfaceFamily result{surface->of_scheme(order), {}, {}};
   if (upper || reader.at("gram")) surface->check_stability();
   return result;

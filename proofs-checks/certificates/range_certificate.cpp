@@ -140,6 +140,7 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
       if (!proofs.empty()) add(proofs.front().low, proofs.back().high, piece.holds, ends, proofs);
       proofs.clear();
     };
+    while (proof != range.proofs.end() && proof->low < piece.low) ++proof;  // of pieces without a certificate
     for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) {
       if (!proofs.empty() && proofs.back().high < proof->low) add_run();
       proofs.push_back(*proof);

@@ -4,6 +4,10 @@ CORNERS = "[[[w,0],[0,1/2]],[[1-w,0],[0,1/2]],[[1-w,0],[0,0]],[[w,0],[0,0]]]@0" 
 QUOTIENT = "[[[w,0],[0,1/2+1/2*w]],[[1,0],[0,1/2+1/2*w]],[[1,0],[0,0]],[[w,0],[0,0]]]/(1+w)@0"
 MERRIEN = "[[[1/2,1/2-1/2*m],[-1/8,1/4*m]],[[1,0],[0,1/2]],[[1/2,-1/2+1/2*m],[1/8,1/4*m]]]@-1"  # HC^1 for -3 < m < 1
 LINES = ("sum-rules 1; data 1 0; digits 0 1; reading 0.1:1; space 3; vector 0.1:1; vector 0.0:1 1.0:-1; vector 2.0:1 1.0:-1; ")
+OTHER_WAY = "[[[1/2,0],[0,w]],[[1/2,0],[0,1-w]],[[0,0],[0,1-w]],[[0,0],[0,w]]]@0"
+THREE = "[[[w,0,0],[0,1/2,0],[0,0,1/2]],[[1-w,0,0],[0,1/2,0],[0,0,1/2]],[[1-w,0,0],[0,0,0],[0,0,0]],[[w,0,0],[0,0,0],[0,0,0]]]@0"
+THREE_LINES = LINES.replace("data 1 0", "data 1 0 0").replace("reading 0.1:1", "reading 0.1:1; reading 0.2:1").replace(
+    "space 3; vector 0.1:1", "space 4; vector 0.1:1; vector 0.2:1")
 HERMITE = ("sum-rules 3; digits 0 1; reading 0.0:-3 0.1:2 1.0:4 2.0:-1; space 3; vector 0.1:1 -1.0:-2 -1.1:1 0.0:2; "
            "vector 1.0:1 -1.0:3 -1.1:-2 0.0:-4; vector 1.1:1 -1.0:-4 -1.1:3 0.0:4; ")
 AS_VECTORS = HERMITE.replace("sum-rules 3; ", "sum-rules 3; data 1 0; data 0 1; data 0 0; ")
@@ -34,6 +38,9 @@ ACCEPTED = [
              LINES + "to 1/4; block 0 norm 1; to 2/5; block 0 norm 1; "),
     accepted("vectors-holder", "vectors", CORNERS, "w=1/5..3/10", "--lower 1/4", LINES + "to 3/10; block 0 norm 1; "),
     accepted("vectors-diverges", "vectors", CORNERS, "w=11/10..3/2", "--upper 0", LINES + "to 3/2; product 0 -2 0 0; "),
+    accepted("vectors-other-way", "vectors", OTHER_WAY, "w=1/100..49/100", "--lower 0",
+             LINES.replace("data 1 0", "data 0 1").replace(".0:", ".2:").replace(".1:", ".0:").replace(".2:", ".1:") + "to 49/100; block 0 norm 1; "),
+    accepted("vectors-three", "vectors", THREE, "w=1/100..49/100", "--lower 0", THREE_LINES + "to 49/100; block 0 norm 1; "),
     accepted("vectors-quotient", "vectors", QUOTIENT, "w=1/100..99/100", "--lower 0", LINES + "to 99/100; block 0 norm 1; "),
     accepted("vectors-other-digits", "vectors", CORNERS, "w=1/5..3/10", "--lower 0",
              LINES.replace("digits 0 1", "digits 2 -1").replace("space 3; vector 0.1:1; vector 0.0:1 1.0:-1; vector 2.0:1 1.0:-1",
@@ -92,6 +99,9 @@ EDITED = [
     corners("vectors-leads-out", "a transition operator leads out of the space", (CORNERS, LEADS_OUT),
             claim=of("vectors", LEADS_OUT, "w=1/100..49/100", "--lower 0")),
     corners("vectors-stability", "expected 'digits'", ("digits", "stability; digits")),
+    ("vectors-three-readings", "vectors-three", None, "has a component too many", [("reading 0.1:1", "reading 0.1:1 0.2:1")]),
+    ("vectors-three-order", "vectors-three", None, "has a component too many",
+     [("reading 0.1:1; reading 0.2:1", "reading 0.2:1; reading 0.1:1")]),
     ("vectors-diverges-elsewhere", "vectors-diverges", of("vectors", CORNERS, "w=9/10..3/2", "--upper 0"), "characteristic polynomial",
      [("w=11/10..3/2", "w=9/10..3/2")]),
     ("vectors-diverges-little", "vectors-diverges", None, "does not prove the claim", [("product 0 -2 0 0", "product 0 -3/2 0 0")]),

@@ -49,6 +49,8 @@ ACCEPTED = [
     accepted("hermite-merrien", "hermite", MERRIEN, "m=-1..0", "--lower 1", HERMITE + "to 0; " + GRAPH),
     accepted("hermite-as-vectors", "vectors", MERRIEN, "m=-1..0", "--lower 1", AS_VECTORS + "to 0; " + GRAPH),
     accepted("hermite-refuted", "hermite", MERRIEN, "m=2..3", "--upper 1", HERMITE + "to 3; product 0 0 642119/131072 0; "),
+    accepted("hermite-refuted-zeros", "hermite", MERRIEN.replace("]]]@-1", "]],[[0,0],[0,0]]]@-1"), "m=2..3", "--upper 1",
+             HERMITE + "to 3; product 0 0 642119/131072 0; "),
     accepted("hermite-refuted-2", "hermite", MERRIEN, "m=2..3", "--upper 2", HERMITE + "to 3; product 0 0 642119/131072 0; "),
 ]
 
@@ -112,6 +114,7 @@ EDITED = [
     hermite("hermite-with-data", "expected 'digits'", ("digits 0 1", "data 1 0; digits 0 1")),
     hermite("hermite-no-hermite", "expected 'product'", claim=of("hermite", MERRIEN, "m=-1..0", "--upper 1")),
     hermite("hermite-reading", "a line 'reading' does not annihilate the data", ("reading 0.0:-3 0.1:2", "reading 0.0:-3 0.1:1")),
+    hermite("hermite-slopes", "the scheme does not keep the data", (MERRIEN, NO_INTERPOLATION), claim=of("hermite", NO_INTERPOLATION, "m=-1..0", "--lower 1")),
     ("hermite-refuted-3", "hermite-refuted", of("hermite", MERRIEN, "m=2..3", "--upper 3"), "the end is not below the number of sum rules", []),
     ("hermite-refuted-0", "hermite-refuted", of("hermite", MERRIEN, "m=2..3", "--upper 0"), "fewer derivatives than its data are", []),
     ("hermite-refuted-little", "hermite-refuted", of("hermite", MERRIEN, "m=9/10..19/20", "--upper 1"), "does not prove the claim",

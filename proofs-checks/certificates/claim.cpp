@@ -37,8 +37,8 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'component K of SCHEME', 'FAMILY for w=LOW..HIGH', 'FAMILY for all levels w=LOW..HIGH', 'radius "
-       "FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "scheme, 'component K of SCHEME', '[HC of] FAMILY for w=LOW..HIGH', 'FAMILY for all levels "
+       "w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
        "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
@@ -75,6 +75,7 @@ ClaimSubject stated_subject(const std::string& subject) {
     const bool is_levels = values.starts_with(all_levels);
     if (is_levels) values = trimmed(values.substr(all_levels.size()));
     const bool is_of_matrices = family.mask.components() > 1;
+    if (is_levels && is_of_matrices) fail(ErrorKind::usage, "--claim: {}: levels are of masks of numbers", subject);
     if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", subject);
     return MaskSubject{family.mask.to_text(family.letter),
                        std::to_string(family.mask.arity()),

@@ -293,8 +293,8 @@ ExitCode run(const ParameterRangeOptions& options) {
   WrittenCertificates written;
   if (!options.certificate.empty()) {
     const auto certificates = range_certificates(scheme.mask, scheme.letter, *property, range, *width);
-    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"},
-                                 scheme.form ? "matrices with a parameter" : "this property", json);
+    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, "this property",
+                                 json);
   }
   if (options.form.latex)
     options.answer(latex_of(range, options, scheme));

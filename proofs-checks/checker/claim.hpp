@@ -25,9 +25,11 @@ struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
   std::optional<Range> range;
+  bool hermite = false;  // of matrices with an arity: HC^k of a Hermite scheme, not the exponent of limits
   bool levels = false;
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
+  std::optional<std::size_t> component;  // of matrices: of one function alone
   Family family;
   bool subradius = false;
   std::optional<mpq_class> lower, upper;

@@ -46,11 +46,15 @@ struct Mask {
 Mask parse_mask(std::string_view text, char letter);
 
 /// [[[1,0],[0,1]],...]/D@first: nested lists as above, with a matrix, row by row, in place of each number.
-Mask parse_matrix_mask(std::string_view text);
+Mask parse_matrix_mask(std::string_view text, char letter);
 
 /// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each
 /// matrix those of all powers, one after another.
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules);
+
+/// Rejects unless a mask of matrices of one variable has A_0 = diag(1, 1/arity, 1/arity^2, ...), if it has A_0, and
+/// A_k = 0 for the other multiples k of the arity. One without A_0 keeps no constant data.
+void check_interpolation(const Mask& mask, unsigned arity);
 
 /// Condition (i) of Theorem 4, for a mask without a parameter.
 void check_no_leading_factors(const Mask& mask, unsigned arity);

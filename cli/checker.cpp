@@ -18,6 +18,7 @@ Json claim_json(const CertificateClaim& claim) {
   return {{"lower", optional_json(claim.lower)},
           {"upper", optional_json(claim.upper)},
           {"exact", optional_json(claim.exact)},
+          {"attains", optional_json(claim.attains)},
           {"logarithm", optional_json(claim.logarithm)}};
 }
 
@@ -33,7 +34,7 @@ std::string WrittenCertificate::text(bool attained) const {
   const std::string line = fmt::format(
       "certificate  {}, verified: {}", file,
       claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
-      : claim->exact   ? "the bounds, and that the product attains the radius"
+      : claim->exact || claim->attains ? "the bounds, and that the product attains the radius"
       : attained && claim->lower != claim->upper
           ? "the bounds, but not that the product attains the radius" + (reason.empty() ? "" : ": " + reason)
           : "the bounds");

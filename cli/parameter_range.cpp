@@ -59,9 +59,17 @@ std::vector<std::string> read_names(const std::vector<std::string>& over) {
   return names;
 }
 
-std::string number_text(const Rational& value, Rounding rounding) {
+std::string number_text(const Rational& value, Rounding rounding, int digits) {
   const std::string exact = to_text(value);
-  return exact.size() <= 12 ? exact : to_decimal(value, 12, rounding);
+  return exact.size() <= 12 ? exact : to_decimal(value, digits, rounding);
+}
+
+int digits_apart(const Rational& low, const Rational& high) {
+  int digits = 12;
+  if (low < high)
+    for (Rational ends = std::max(abs(low), abs(high)) / (high - low) * 4; ends > power(Rational(10), digits - 1);)
+      ++digits;
+  return digits;
 }
 
 std::string number_text(const Enclosure& value) {

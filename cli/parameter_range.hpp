@@ -21,8 +21,10 @@ Box read_box(const std::vector<std::string>& over, const std::vector<std::string
 /// The names of two or three parameters, in the order of --over. Errors: throws a usage error.
 std::vector<std::string> read_names(const std::vector<std::string>& over);
 
-/// Exact where that is short, else rounded to 12 digits.
-std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest);
+/// Exact where that is short, else rounded to so many digits.
+std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest, int digits = 12);
+/// So many digits that the ends of an interval differ as they are printed, 12 at least.
+int digits_apart(const Rational& low, const Rational& high);
 std::string number_text(const Enclosure& value);
 
 /// `proved`, `refuted` or `undecided`.

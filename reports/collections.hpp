@@ -19,7 +19,7 @@ Report report_least_squares_surfaces(const ReportOptions& options);
 /// Ranges of parameters. Errors: as property_range.
 Report report_families(const ReportOptions& options);
 
-/// With a certificate for each of D4, ..., D42.
+/// With a certificate for each of D4, ..., D50.
 Report report_daubechies(const ReportOptions& options);
 
 /// Hermite schemes and multiwavelets. Errors: as regularity_of.

@@ -55,6 +55,14 @@ const std::vector<ClassicalFamily>& classical_families() {
     return ClassicalFamily{std::move(name), std::move(title), std::move(example),
                            ParametricMask(functions, -static_cast<long>(functions.size() / 2), arity)};
   };
+  const auto exponential_six_point = [&] {
+    const std::string first = "(1+2*w)*(1+2*w+2*w^2)*(4*w^2+2*w-1)/(32*w^3*(1+w)^2)",
+                      second = "-(1+4*w)*(4*w^2+2*w-1)/(64*w^3*(1+w)^2)", third = "(1+2*w)/(64*w^3*(1+w)^2)";
+    const char *a = first.c_str(), *b = second.c_str(), *c = third.c_str();
+    return family("exponential-six-point",
+                  "interpolatory 6-point scheme for 1, x, cos(tx) and x cos(tx) with w = cos t", "1/2",
+                  {c, "0", b, "0", a, "1", a, "0", b, "0", c}, 2);
+  };
   static const std::vector<ClassicalFamily> all{
       family("four-point", "4-point scheme with tension", "1/16", {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, 2),
       family("six-point", "interpolatory 6-point scheme with the parameter", "1/100",
@@ -67,7 +75,14 @@ const std::vector<ClassicalFamily>& classical_families() {
       family("ternary-four-point", "ternary interpolatory 4-point scheme with the parameter", "1/11",
              {"-1/18+1/6*w", "-1/18-1/6*w", "0", "7/18-1/2*w", "13/18+1/2*w", "1", "13/18+1/2*w", "7/18-1/2*w", "0",
               "-1/18-1/6*w", "-1/18+1/6*w"},
-             3)};
+             3),
+      family(
+          "conic-four-point", "interpolatory 4-point scheme for conics with w = cos t", "1/2",
+          {"-1/(8*w+8*w^2)", "0", "(1+4*w+4*w^2)/(8*w+8*w^2)", "1", "(1+4*w+4*w^2)/(8*w+8*w^2)", "0", "-1/(8*w+8*w^2)"},
+          2),
+      exponential_six_point(),
+      family("exponential-bspline", "exponential B-spline of order 4 with w = cos t", "1/2",
+             {"1/(4+4*w)", "1/2", "(1+2*w)/(2+2*w)", "1/2", "1/(4+4*w)"}, 2)};
   return all;
 }
 

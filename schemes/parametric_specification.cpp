@@ -359,7 +359,8 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
       if (const long k = term.exponents.front(); k > 0) slope += abs(term.coefficient) * k * power(most, k - 1);
     distance = std::max(distance, Rational(slope * away));
   }
-  if (distance > 0) scheme.rounding = {power(Rational(2), binary_exponent(distance) + 1), sum_rules(mask)};
+  const bool symmetric = std::equal(text.coefficients.begin(), text.coefficients.end(), text.coefficients.rbegin());
+  if (distance > 0) scheme.rounding = {power(Rational(2), binary_exponent(distance) + 1), sum_rules(mask), symmetric};
   return scheme;
 }
 

@@ -1,9 +1,13 @@
 #include "specification.hpp"
 
 #include "classical.hpp"
+#include "nearby_mask.hpp"
 #include "regression_text.hpp"
 
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,6 +18,8 @@ namespace subcert {
 namespace {
 
 using namespace specification_text;
+
+constexpr std::size_t most_nearby = 200;
 
 std::string number(long value) { return std::to_string(value); }
 
@@ -149,13 +155,36 @@ Scheme mask_of(const Piece& body, const LaurentPolynomial& symbol, long arity) {
           "mask given by its coefficients", mask};
 }
 
+/// `mask:[...],nearly=1e-9`: of coefficients that were rounded.
+Scheme make_nearby_mask(const Piece& body, const std::vector<Rational>& coefficients, long first, long arity,
+                        const Piece& nearly) {
+  const auto accuracy = parse_number(nearly.text);
+  if (!accuracy || *accuracy <= 0 || *accuracy >= 1) fail(nearly, "an accuracy above 0 and below 1, as 1e-9");
+  if (coefficients.size() > most_nearby)
+    fail(body, fmt::format("up to {} coefficients where they are rounded", most_nearby));
+  const auto found = nearby_mask(coefficients, first, static_cast<int>(arity), *accuracy);
+  if (!found)
+    fail(body, fmt::format("coefficients within {} of a mask: their sum is {}, 1 or the root of {}, and those of each "
+                           "residue class mod {} have the same sum",
+                           nearly.text, arity, arity, arity));
+  return {fmt::format("mask:{}{},nearly={}", LaurentPolynomial(coefficients, first).to_mask_text(),
+                      arity == 2 ? "" : ",arity=" + number(arity), nearly.text),
+          fmt::format("the mask with {} next to the coefficients{}, changed by {} at most",
+                      found->sum_rules == 1 ? "1 sum rule" : number(found->sum_rules) + " sum rules",
+                      found->factor == 1 ? "" : " times " + to_decimal(found->factor, 12, Rounding::nearest),
+                      to_decimal(found->change, 2, Rounding::up)),
+          Mask(found->symbol, static_cast<int>(arity))};
+}
+
 Scheme make_mask(const Piece& family, const Piece& body, const std::string& usage) {
   if (body.text.find(",where=") != std::string_view::npos) return make_algebraic_mask(family, body);
   auto [parts, fields] = read_mask(family, body, usage, 1, 4 * max_points);
   const long arity = read_arity(fields);
+  const auto nearly = fields.optional("nearly");
   fields.finish();
   const long first = parts.first ? parts.first->front() : -static_cast<long>(parts.coefficients.size() / 2);
-  return mask_of(body, LaurentPolynomial(parts.coefficients, first), arity);
+  return nearly ? make_nearby_mask(body, parts.coefficients, first, arity, *nearly)
+                : mask_of(body, LaurentPolynomial(parts.coefficients, first), arity);
 }
 
 Scheme make_symbol(const Piece& family, const Piece& body, const std::string& usage) {
@@ -181,9 +210,11 @@ const std::vector<Family>& table() {
          from_fields(make_daubechies)},
         {{"cdf", "cdf:n=2,m=2", "dual of the B-spline of order n with m sum rules"}, from_fields(make_dual_spline)}};
     for (const ClassicalFamily& family : classical_families()) list.push_back(at_numbers(family));
-    list.push_back({{"mask", "mask:[1,3,3,1]/4@-2,arity=2",
-                     "any mask; centred and binary unless said otherwise; where=t^2-3:1.7..1.8 for a number t"},
-                    make_mask});
+    list.push_back(
+        {{"mask", "mask:[1,3,3,1]/4@-2,arity=2",
+          "any mask; centred and binary unless said otherwise; where=t^2-3:1.7..1.8 for a number t, nearly=1e-9 for "
+          "rounded coefficients"},
+         make_mask});
     list.push_back(
         {{"symbol", "symbol:(1+z)^3/(4*z^2),arity=2", "the mask of a symbol, the sum of a_i z^i"}, make_symbol});
     list.push_back({{"regression", "regression:stencils=[-1..1;-1..2],at=[0;1/2],d=1",

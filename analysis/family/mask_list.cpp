@@ -41,8 +41,8 @@ std::optional<Mask> in_one(const std::vector<Mask>& masks, const std::vector<std
   return levels_as_one(levels);
 }
 
-int common_sum_rules(const std::vector<Mask>& masks) {
-  int rules = sum_rules(masks.front());
+int common_sum_rules(const std::vector<Mask>& masks, const std::optional<int>& most) {
+  int rules = most ? std::min(*most, sum_rules(masks.front())) : sum_rules(masks.front());
   for (const Mask& mask : masks) rules = std::min(rules, sum_rules(mask));
   return rules;
 }
@@ -101,7 +101,7 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
     masks = {*one};
   }
   const auto arity = static_cast<std::size_t>(masks.front().arity());
-  const int common = common_sum_rules(masks);
+  const int common = common_sum_rules(masks, list.most_rules);
   ExponentOfList result{common, {}, {}, {}, {}, matrices_of(masks, common), {}};
   std::vector<int> letters;
   if (!list.follows.empty()) {

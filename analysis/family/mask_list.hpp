@@ -4,22 +4,24 @@
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/symbol/masks/mask.hpp>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace subcert {
 
 /// f_{k+1} = S_k f_k with S_k by one of the masks, and which of them may follow which. Canonical: one arity, a sum rule
-/// for all; numbers of masks; of `period` and `follows` one is empty.
+/// for all; most_rules >= 1; numbers of masks; of `period` and `follows` one is empty.
 struct MaskList {
   std::vector<Mask> masks;
   std::vector<std::size_t> period = {};                           ///< these again and again, the coarsest level first
   std::vector<std::pair<std::size_t, std::size_t>> follows = {};  ///< mask `second` may follow mask `first`
+  std::optional<int> most_rules = {};                             ///< of which use is made
 };
 
 /// The least exponent of all sequences.
 struct ExponentOfList {
-  int sum_rules = 0;                  ///< that all masks have
+  int sum_rules = 0;                  ///< that all masks have, and of which use is made
   Enclosure exponent;                 ///< no ends where no convergence is proved; the upper one is that of `sequence`
   Decision exact;                     ///< both ends are proved to be one number, which `exponent` encloses
   Decision stable;                    ///< of the shifts of `sequence`, for the upper end

@@ -1,9 +1,7 @@
 #include "parametric_family.hpp"
 
 #include <subcert/analysis/symbol/masks/matrix_masks.hpp>
-#include <subcert/analysis/symbol/masks/polynomial_data.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
-#include <subcert/analysis/transition/lattice_window.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
 namespace subcert {
@@ -68,12 +66,16 @@ std::vector<Annihilator> annihilators(const PolynomialData& polynomials, const s
   return result;
 }
 
+/// The window of the sequences.
+std::vector<LatticePoint> window_points(const ParametricMask& mask, const PolynomialData& polynomials) {
+  constexpr std::size_t most_numbers = 256;
+  return LatticeWindow(pattern_of(mask), generating_points(polynomials), most_numbers).points();
+}
+
 /// Of masks of matrices.
 ParametricFamily annihilating_matrices(const ParametricMask& mask) {
-  constexpr std::size_t most_numbers = 256;
   const PolynomialData polynomials = kept_polynomials(mask);
-  const std::vector<LatticePoint> points = LatticeWindow(pattern_of(mask), generating_points(polynomials), most_numbers)
-                                               .points();
+  const std::vector<LatticePoint> points = window_points(mask, polynomials);
   const auto rows = static_cast<long>(mask.components());
   return {mask, [arity = static_cast<long>(mask.arity()), rows, points, basis = annihilators(polynomials, points),
                  scale = power(Rational(mask.arity()), static_cast<long>(polynomials.data.size()))](
@@ -122,6 +124,28 @@ ParametricFamily transition_matrices(const ParametricMask& mask) {
 ParametricFamily difference_matrices(const ParametricMask& mask) {
   return mask.components() == 1 ? transition_matrices(divided_difference_scheme(mask, sum_rules(mask)))
                                 : annihilating_matrices(mask);
+}
+
+AnnihilatingSpace annihilating_space(const ParametricMask& mask) {
+  AnnihilatingSpace result{kept_polynomials(mask), {}, {}, {}};
+  const std::vector<LatticePoint> points = window_points(mask, result.polynomials);
+  for (const Annihilator& one : annihilators(result.polynomials, points)) {
+    LatticeSequence& sequence = result.basis.emplace_back();
+    for (const auto& [place, value] : one.values) sequence.emplace(points[place], value);
+    result.pivots.push_back(points[one.pivot]);
+  }
+  const Values& constant = result.polynomials.data.front();
+  const auto first = std::ranges::find_if(constant, [](const Rational& y) { return y != 0; }) - constant.begin();
+  for (long c = 0; c < static_cast<long>(constant.size()); ++c) {
+    if (c == first) continue;
+    std::vector<LatticePoint> places{{0, c}};
+    for (long k = 0; k < static_cast<long>(result.polynomials.data.size()); ++k) places.push_back({k, first});
+    const auto one = kernel(conditions(result.polynomials, places));
+    LatticeSequence& reading = result.readings.emplace_back();
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (one.front()[k] != 0) reading.emplace(places[k], one.front()[k] / one.front()[0]);
+  }
+  return result;
 }
 
 ParametricFamily central_matrices(const ParametricMask& mask) {

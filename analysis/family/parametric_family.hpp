@@ -1,8 +1,9 @@
 #pragma once
 /// Families of matrices that depend linearly on a mask with letters.
 
-#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
+#include <subcert/analysis/symbol/masks/polynomial_data.hpp>
 #include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/transition/lattice_window.hpp>
 
 #include <functional>
 #include <optional>
@@ -34,6 +35,19 @@ ParametricFamily transition_matrices(const ParametricMask& mask);
 /// the data of kept_polynomials, sum over k of u_k . e_l(-k) = 0, on a window into which long words lead all of them.
 /// Domain: m >= 1. Errors: throws Error where the window needs more than 256 numbers. Proof: docs/vectors.md.
 ParametricFamily difference_matrices(const ParametricMask& mask);
+
+/// What of a mask of matrices annihilates the data of its polynomials.
+struct AnnihilatingSpace {
+  PolynomialData polynomials;
+  std::vector<LatticeSequence> basis;  ///< that of difference_matrices, on one window
+  std::vector<LatticePoint> pivots;    ///< where one of them is 1 and the others 0
+  /// Component by component but for the first one, b, of which y_0 is not 0: a sequence that is 1 at 0 in that
+  /// component, and 0 but in b elsewhere. Their shifts and those of the differences of b of order m + 1 span all.
+  std::vector<LatticeSequence> readings;
+};
+
+/// Domain, errors and cost: as above, of matrices.
+AnnihilatingSpace annihilating_space(const ParametricMask& mask);
 
 /// The one matrix central_matrix(b(z) b(1/z)) for b = mask.at(w), which gives the Sobolev exponent. Domain: one letter.
 ParametricFamily central_matrices(const ParametricMask& mask);

@@ -1,6 +1,10 @@
 #include "recurrence.hpp"
 
 #include <subcert/analysis/symbol/masks/parametric_mask.hpp>
+#include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -43,23 +47,44 @@ Rational shortened(const Rational& x, Rounding rounding) {
   return denominator(x) <= unit ? x : Rational(to_integer(x * unit, rounding), unit);
 }
 
+RationalFunction derivative(const RationalFunction& r) {
+  const LaurentPolynomial &p = r.numerator(), &q = r.denominator();
+  return {p.derivative() * q - p * q.derivative(), q * q};
+}
+
+/// That part of so many equal ones.
+Interval part_of(const Interval& w, int number, int count) {
+  const auto at = [&](int place) { return Rational(w.lower + w.width() * Rational(place, count)); };
+  return {at(number), at(number + 1)};
+}
+
+int count_of_parts(const Interval& w) { return w.lower == w.upper ? 1 : parts; }
+
 }  // namespace
 
-Recurrence Recurrence::parse(std::string_view text, char letter) {
+Recurrence Recurrence::parse(std::string_view written, std::string_view name, char letter) {
   constexpr std::string_view root = "sqrt(";
+  std::string without_blanks(written);
+  std::erase(without_blanks, ' ');
+  const std::string_view text = without_blanks;
+  if (!text.starts_with(name) || text.substr(name.size(), 1) != "=")
+    throw ParseError("recurrence", text, 1, fmt::format("{}=...", name));
   Recurrence result;
-  result.is_root_ = text.starts_with(root) && text.ends_with(')');
-  if (result.is_root_) text = text.substr(root.size(), text.size() - root.size() - 1);
-  result.function_ = RationalFunction::parse(text, {&letter, 1});
+  result.text_ = text.substr(name.size() + 1);
+  std::string right = result.text_;
+  for (std::size_t at = 0; name.size() > 1 && (at = right.find(name, at)) != std::string::npos; ++at)
+    right.replace(at, name.size(), 1, letter);
+  result.is_root_ = right.starts_with(root) && right.ends_with(')');
+  if (result.is_root_) right = right.substr(root.size(), right.size() - root.size() - 1);
+  result.function_ = RationalFunction::parse(right, {&letter, 1});
   return result;
 }
 
 std::optional<Interval> Recurrence::image(const Interval& w) const {
   std::optional<Interval> result;
-  const int count = w.lower == w.upper ? 1 : parts;
+  const int count = count_of_parts(w);
   for (int k = 0; k < count; ++k) {
-    const auto at = [&](int place) { return Rational(w.lower + w.width() * Rational(place, count)); };
-    auto part = range_of(function_, {at(k), at(k + 1)});
+    auto part = range_of(function_, part_of(w, k, count));
     if (!part || (is_root_ && part->lower < 0)) return std::nullopt;
     if (is_root_)
       part = Interval{*root_enclosure(part->lower, 2, root_bits).lower,
@@ -80,6 +105,51 @@ std::optional<int> Recurrence::first_level_in(const Interval& kept, const Interv
     values = *image_of_values;
   }
   return std::nullopt;
+}
+
+bool Recurrence::contracts(const Interval& w) const {
+  const RationalFunction slope = derivative(function_);
+  const int count = count_of_parts(w);
+  for (int k = 0; k < count; ++k) {
+    const Interval part = part_of(w, k, count);
+    const auto slopes = range_of(slope, part);
+    if (!slopes) return false;
+    const Rational steepest = std::max(abs(slopes->lower), abs(slopes->upper));
+    // |sqrt(r)'| = |r'| / (2 sqrt(r))
+    Rational least = 1;
+    if (is_root_) {
+      const auto values = range_of(function_, part);
+      if (!values || values->lower <= 0) return false;
+      least = 2 * *root_enclosure(values->lower, 2, root_bits).lower;
+    }
+    if (steepest >= least) return false;
+  }
+  return true;
+}
+
+std::optional<Rational> Recurrence::limit_in(const Interval& kept) const {
+  constexpr int most_steps = 64;
+  Interval values = kept;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto next = image(values);
+    if (!next || !contains(values, *next)) return std::nullopt;
+    if (contracts(values)) break;
+    values = *next;
+  }
+  if (!contracts(values)) return std::nullopt;
+  const LaurentPolynomial &p = function_.numerator(), &q = function_.denominator(),
+                          w = LaurentPolynomial::monomial(1, 1);
+  for (const PolynomialFactor& factor : irreducible_factors(p - (is_root_ ? w * w : w) * q)) {
+    const LaurentPolynomial& f = factor.polynomial;
+    if (f.highest() != 1) continue;
+    const Rational zero = -f.coefficient(0) / f.coefficient(1);
+    if (values.contains(zero) && (!is_root_ || zero >= 0)) return zero;
+  }
+  return std::nullopt;
+}
+
+bool Recurrence::halves_angles() const {
+  return is_root_ && function_ == RationalFunction({{Rational(1, 2), Rational(1, 2)}, 0});
 }
 
 }  // namespace subcert

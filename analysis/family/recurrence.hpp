@@ -5,6 +5,7 @@
 #include <subcert/analysis/symbol/polynomials/rational_function.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace subcert {
@@ -12,8 +13,12 @@ namespace subcert {
 /// w_{k+1} = r(w_k), or the square root of that.
 class Recurrence {
  public:
-  /// `sqrt((1+w)/2)` or what RationalFunction::parse reads. Errors: throws ParseError.
-  static Recurrence parse(std::string_view text, char letter);
+  /// `w=sqrt((1+w)/2)`, or behind the sign what RationalFunction::parse reads. The letter stands for the name within.
+  /// Errors: throws ParseError.
+  static Recurrence parse(std::string_view written, std::string_view name, char letter);
+
+  /// What stands behind the sign, as it is written, without blanks.
+  const std::string& text() const { return text_; }
 
   /// An interval that contains the values for all w in this one; nothing where some w has none, or may have none.
   /// Error: the ends are exact or rounded outward; with many zeros of r' the interval may be larger than needed. Cost:
@@ -24,7 +29,17 @@ class Recurrence {
   /// proved within `most` levels: where `kept` is not mapped into itself, for one. Domain: most >= 0.
   std::optional<int> first_level_in(const Interval& kept, const Interval& start, int most) const;
 
+  /// The rational number to which w_k tends for all w_0 in `kept`; nothing where that is not proved: where `kept` is
+  /// not mapped into itself, or no part of it into which all values come has |r'| < 1 throughout.
+  std::optional<Rational> limit_in(const Interval& kept) const;
+
+  /// Whether w_{k+1} = sqrt((1 + w_k)/2), which cos(t/2) is of cos(t).
+  bool halves_angles() const;
+
  private:
+  bool contracts(const Interval& w) const;
+
+  std::string text_;
   RationalFunction function_;
   bool is_root_ = false;
 };

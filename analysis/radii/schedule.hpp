@@ -31,6 +31,13 @@ inline constexpr double grace = 0.5;            ///< seconds that a proof may ta
 inline constexpr double grace_of_short = 0.1;   ///< the same for products of few letters
 }  // namespace block
 
+/// Families near one: rounded_family.cpp.
+namespace rounded {
+inline constexpr double exact = 0.5;   ///< for a product that attains the radii of all of them
+inline constexpr double search = 0.6;  ///< of that, for its polytope
+inline constexpr double grace = 0.5;   ///< seconds, to enclose its eigenvalue
+}  // namespace rounded
+
 /// A polytope: polytope_search.cpp. What closes exactly is worth most of the time; enclosing gets the rest.
 namespace polytope {
 inline constexpr double races = 0.91;            ///< whole: all but enclosing

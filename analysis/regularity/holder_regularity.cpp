@@ -194,7 +194,8 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
   if (rounding) {
     require(rounding->sum_rules == rules, "holder_regularity: need a rounded mask with {} sum rules, got {}",
             rounding->sum_rules, rules);
-    const radius::RoundedFamily family(transition_matrices(derived), entry_error(mask, *rounding));
+    const radius::RoundedFamily family(transition_matrices(derived), entry_error(mask, *rounding),
+                                       {rounding->symmetric, true});
     for (HolderBound& bound : result.bounds.levels)
       bound = holder_bound(bound.levels, bound.norm + family.change_of_products(bound.levels), rules, arity);
     result.stable = budget.deadline.expired()
@@ -202,7 +203,7 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
                         : has_stable_shifts(mask, rounding->distance, rules);
     result.single.applies = {Truth::unknown, "the coefficients are rounded"};
     const HolderBound& best = result.bounds.best();
-    result.radius = family.radius({best.levels, best.norm}, budget);
+    result.radius = family.radius({best.levels, best.norm}, budget, bits + 2);
   } else {
     const HolderBound& best = result.bounds.best();
     result.stable = has_stable_shifts(mask);
@@ -210,7 +211,7 @@ HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budg
     result.radius = radius_or_frequencies(derived, result.single, {best.levels, best.norm}, budget);
   }
   // Two bits are lost by the logarithm and by both ends.
-  if (result.radius.exact.is_yes() && derived.symbol().length() <= most_rows * (arity - 1))
+  if (!rounding && result.radius.exact.is_yes() && derived.symbol().length() <= most_rows * (arity - 1))
     sharpen(result.radius, transition_matrices(derived), bits + 2, budget.deadline);
   const HolderBound& best = result.bounds.best();
   const Enclosure& radius = result.radius.radius;

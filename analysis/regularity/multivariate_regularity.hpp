@@ -28,6 +28,15 @@ struct ComponentRegularity {
   std::size_t component = 0;
 };
 
+/// What tells the exponent of one function: the operators on the space modulo the largest invariant subspace of
+/// sequences that do not show it.
+struct ComponentProof {
+  DifferenceSpace space;
+  std::size_t unobservable = 0;  ///< the dimension of that subspace
+  /// On the space; the proof has the blocks of that subspace first, which are below 1, and all else is of the others.
+  JointSpectralRadius radius;
+};
+
 /// HC^order of a Hermite scheme on r data: values and derivatives of data converge to those of a function that has
 /// `order` >= r - 1 continuous derivatives.
 struct HermiteOrder {
@@ -43,6 +52,8 @@ struct FunctionVector {
   long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none
   std::vector<ComponentRegularity> components;
+  /// Of the function that was asked for, where the matrices are rational and a proof was found.
+  std::optional<ComponentProof> proof = std::nullopt;
   std::optional<HermiteOrder> hermite = std::nullopt;  ///< of a Hermite scheme
 };
 

@@ -101,7 +101,7 @@ Decision parts_converge(const Parts& parts, const Budget& budget) {
     return {Truth::no, "no vector but 0 is kept by the sums of the P_k over all classes, so limits could only be 0"};
   std::vector<LatticeSequence> starts;
   for (std::size_t c = 0; c < parts.mask.components(); ++c) add_differences(starts, parts.mask, c, 1);
-  const Decision found = shrinking(parts, starts, 1, budget).contract;
+  Decision found = shrinking(parts, starts, 1, budget).contract;
   if (found.is_yes()) return {Truth::yes, "the differences of its data shrink: " + found.reason};
   if (found.is_no()) return {Truth::no, "the differences of its data do not shrink: " + found.reason};
   return found;

@@ -15,7 +15,7 @@ constexpr long most_small_coefficients = 120;
 
 }  // namespace
 
-SobolevRegularity sobolev_regularity(const Mask& mask) { return *sobolev_regularity(mask, Deadline()); }
+SobolevRegularity sobolev_regularity(const Mask& mask) { return *sobolev_regularity(mask, Deadline::never()); }
 
 std::optional<SobolevRegularity> sobolev_regularity(const Mask& mask, const Deadline& deadline) {
   const ReducedMask other = reduced(mask);

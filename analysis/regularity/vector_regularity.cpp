@@ -104,11 +104,14 @@ Told exponent_of(const Operators& operators, long number, int order, const Dilat
   return result;
 }
 
-/// The transition operators on the space modulo its largest invariant subspace of sequences whose component is 0: by
-/// the span of all functionals u -> (T_w u)_k of this component. Nothing where its numbers are not recognised modulo a
-/// prime; an empty family where the component is 0.
-std::optional<std::vector<RationalMatrix>> operators_of_component(const DifferenceSpace& space, const Parts& parts,
-                                                                  std::size_t component) {
+/// A space modulo its largest invariant subspace of sequences whose component is 0.
+struct Observed {
+  std::vector<RationalMatrix> operators;  // in the coordinates that the rows are; none where the component is 0
+  std::vector<radius::Vector> rows;       // a reduced basis of the span of all functionals u -> (T_w u)_k
+};
+
+/// Nothing where its numbers are not recognised modulo a prime.
+std::optional<Observed> observed(const DifferenceSpace& space, const Parts& parts, std::size_t component) {
   const std::vector<RationalMatrix> all = operators_of(space, parts).matrices();
   const MatrixFamily family = transposed(MatrixFamily(all));
   const std::vector<std::size_t> rational = parts.parts_of(component);
@@ -117,7 +120,7 @@ std::optional<std::vector<RationalMatrix>> operators_of_component(const Differen
     for (const auto& [point, value] : space.basis[k])
       if (std::ranges::find(rational, static_cast<std::size_t>(point.back())) != rational.end())
         functionals.try_emplace(point, space.basis.size(), 0).first->second[k] = value;
-  if (functionals.empty()) return std::vector<RationalMatrix>{};
+  if (functionals.empty()) return Observed{};
   const auto modular = radius::modulo_prime(family);
   if (!modular) return std::nullopt;
   std::vector<radius::ModVector> starts;
@@ -125,7 +128,7 @@ std::optional<std::vector<RationalMatrix>> operators_of_component(const Differen
     starts.push_back(radius::modulo_prime(radius::primitive(functional)));
   const auto rows = span_of_words(*modular, starts).recognised();
   if (!rows) return std::nullopt;
-  if (rows->size() == space.basis.size()) return all;
+  if (rows->size() == space.basis.size()) return Observed{all, *rows};
   // The rows are reduced: what a vector of their span has in the first columns of rows are its coordinates.
   std::vector<std::size_t> pivots;
   for (const radius::Vector& row : *rows)
@@ -144,15 +147,78 @@ std::optional<std::vector<RationalMatrix>> operators_of_component(const Differen
   };
   for (const auto& [point, functional] : functionals)
     if (!coordinates(functional)) return std::nullopt;
-  std::vector<RationalMatrix> result;
+  Observed result{{}, *rows};
   for (const RationalMatrix& matrix : family) {
-    RationalMatrix& restricted = result.emplace_back(rows->size(), rows->size());
+    RationalMatrix& restricted = result.operators.emplace_back(rows->size(), rows->size());
     for (std::size_t r = 0; r < rows->size(); ++r) {
       const auto image = coordinates(matrix * (*rows)[r]);
       if (!image) return std::nullopt;
       for (std::size_t j = 0; j < rows->size(); ++j) restricted(r, j) = (*image)[j];
     }
   }
+  return result;
+}
+
+/// A proof by diagonal blocks, of which there may be one.
+BlockProof in_blocks(const MatrixFamily& family, const JointSpectralRadius& radius) {
+  if (const BlockProof* blocks = radius.by_blocks()) return *blocks;
+  return {{{family.size()}, RationalMatrix::identity(family.size()), family.matrices(), {{}}}, {radius}, 0};
+}
+
+/// That of a subspace and that of the rest, in a basis of this family of which the first columns are the subspace.
+BlockProof joined(const MatrixFamily& family, const RationalMatrix& basis, const BlockProof& first,
+                  const BlockProof& rest) {
+  BlockProof result = first;
+  RationalMatrix change(basis.rows(), basis.rows());
+  std::size_t start = 0;
+  for (const BlockProof* one : {&first, &rest}) {
+    const RationalMatrix& own = one->triangular.basis;
+    for (std::size_t i = 0; i < own.rows(); ++i)
+      for (std::size_t k = 0; k < own.rows(); ++k) change(start + i, start + k) = own(i, k);
+    start += own.rows();
+  }
+  BlockTriangular& triangular = result.triangular;
+  triangular.sizes.insert(triangular.sizes.end(), rest.triangular.sizes.begin(), rest.triangular.sizes.end());
+  triangular.irreducible.insert(triangular.irreducible.end(), rest.triangular.irreducible.begin(),
+                                rest.triangular.irreducible.end());
+  triangular.groups.clear();
+  triangular.basis = basis * change;
+  triangular.triangular.clear();
+  for (const RationalMatrix& matrix : family)
+    triangular.triangular.push_back(solve(triangular.basis, matrix * triangular.basis));
+  result.blocks.insert(result.blocks.end(), rest.blocks.begin(), rest.blocks.end());
+  result.leading = first.blocks.size() + rest.leading;
+  return result;
+}
+
+/// `quotient`: the radius on what is observed. Nothing where that of the rest is not proved to be below 1.
+std::optional<ComponentProof> component_proof(const DifferenceSpace& space, const Observed& seen,
+                                              const JointSpectralRadius& quotient, const Budget& budget) {
+  const std::size_t size = space.family.size(), observable = seen.rows.size(), unobservable = size - observable;
+  if (unobservable == 0) return ComponentProof{space, 0, quotient};
+  // The kernel of the rows, and a vector for each row on which it is 1 and the others 0.
+  RationalMatrix rows(observable, size), basis(size, size);
+  for (std::size_t r = 0; r < observable; ++r)
+    for (std::size_t k = 0; k < size; ++k) rows(r, k) = seen.rows[r][k];
+  const auto unseen = kernel(rows);
+  for (std::size_t c = 0; c < unobservable; ++c)
+    for (std::size_t k = 0; k < size; ++k) basis(k, c) = unseen[c][k];
+  const std::vector<std::size_t> pivots = pivot_columns(rows);
+  for (std::size_t r = 0; r < observable; ++r) basis(pivots[r], unobservable + r) = 1 / rows(r, pivots[r]);
+  std::vector<RationalMatrix> first;
+  for (const RationalMatrix& matrix : space.family) {
+    const RationalMatrix image = solve(basis, matrix * basis);
+    RationalMatrix& corner = first.emplace_back(unobservable, unobservable);
+    for (std::size_t i = 0; i < unobservable; ++i)
+      for (std::size_t k = 0; k < unobservable; ++k) corner(i, k) = image(i, k);
+  }
+  const MatrixFamily family(std::move(first));
+  const NormProof norms = norm_of_products(family, {budget.deadline.after(shares::norms), budget.memory});
+  const JointSpectralRadius hidden = joint_spectral_radius(family, budget, norms, 1 - power(Rational(2), -20));
+  if (!(hidden.proved_upper() < 1)) return std::nullopt;
+  ComponentProof result{space, unobservable, quotient};
+  result.radius.proof = joined(space.family, basis, in_blocks(family, hidden),
+                               in_blocks(MatrixFamily(seen.operators), quotient));
   return result;
 }
 
@@ -166,23 +232,26 @@ bool has_radius_of(const Told& whole, const MatrixFamily& space, const MatrixFam
                                      : radius::is_dominated(quotient, here, space, product, deadline);
 }
 
-/// By differences of higher orders, until one is above the exponent. `whole`: what the space tells of the worst.
+/// By differences of higher orders, until one is above the exponent. `whole`: what the space tells of the worst. What
+/// is asked for by itself gets its proof.
 ComponentRegularity regularity_of_component(const Parts& parts, const std::vector<LatticeSequence>& solutions,
                                             const DifferenceSpace& first, const Told& whole, std::size_t component,
-                                            const Budget& budget, int bits) {
+                                            const Budget& budget, int bits, std::optional<ComponentProof>* proof) {
   ComponentRegularity result{
       {}, {Truth::unknown, "its differences span no space that is small enough"}, false, component};
   std::optional<DifferenceSpace> space = first;
   while (space && space->family.size() <= largest_space) {
-    const auto found = operators_of_component(*space, parts, component);
+    const auto found = observed(*space, parts, component);
     if (!found) return result;
-    if (found->empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
+    if (found->rows.empty()) return {{}, {Truth::no, "the component is 0"}, true, component};
     const bool is_whole = space->order == first.order &&
-                          (found->front().rows() == first.family.size() ||
-                           (parts.root == 0 && has_radius_of(whole, first.family, *found, budget.deadline)));
+                          (found->rows.size() == first.family.size() ||
+                           (parts.root == 0 && !proof &&
+                            has_radius_of(whole, first.family, found->operators, budget.deadline)));
     Told told = is_whole ? whole
-                         : exponent_of(operators_of(*found, parts), parts.root, space->order, parts.mask.dilation(),
-                                       budget, bits);
+                         : exponent_of(operators_of(found->operators, parts), parts.root, space->order,
+                                       parts.mask.dilation(), budget, bits);
+    if (proof && parts.root == 0) *proof = component_proof(*space, *found, told.radius, budget);
     if (told.exponent.lower && whole.exponent.lower && *told.exponent.lower < *whole.exponent.lower)
       told.exponent.lower = whole.exponent.lower;  // that of the worst function
     result = {told.exponent, told.radius.exact, false, component};
@@ -263,7 +332,8 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
     for (std::size_t c = first; c <= last; ++c) {
       const double share = 1.0 / static_cast<double>(last + 1 - c);
       vector.components.push_back(regularity_of_component(parts, solutions, space, told, c,
-                                                          {budget.deadline.after(share), budget.memory}, bits));
+                                                          {budget.deadline.after(share), budget.memory}, bits,
+                                                          component ? &vector.proof : nullptr));
     }
   }
   result.bound = HolderBound{

@@ -1,5 +1,6 @@
+#include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
-#include <subcert/analysis/family/recurrence.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
@@ -118,8 +119,9 @@ TEST_CASE("levels: what is refused") {
 }
 
 TEST_CASE("recurrences: images") {
-  const Recurrence halves = Recurrence::parse("w/2+1", 'w'), square = Recurrence::parse("2*w^2-1", 'w'),
-                   root = Recurrence::parse("sqrt((1+w)/2)", 'w'), quotient = Recurrence::parse("1/w", 'w');
+  const Recurrence halves = Recurrence::parse("w=w/2+1", "w", 'w'), square = Recurrence::parse("w=2*w^2-1", "w", 'w'),
+                   root = Recurrence::parse("w=sqrt((1+w)/2)", "w", 'w'),
+                   quotient = Recurrence::parse("w=1/w", "w", 'w');
   const auto is = [](const std::optional<Interval>& found, const Rational& low, const Rational& high) {
     return found && found->lower == low && found->upper == high;
   };
@@ -127,8 +129,8 @@ TEST_CASE("recurrences: images") {
   CHECK(is(halves.image(interval(5, 5)), Rational(7, 2), Rational(7, 2)));
   CHECK(is(root.image(interval(-1, 7)), 0, 2));
   CHECK_FALSE(root.image(interval(-2, 7)));
-  CHECK(is(Recurrence::parse("0*w", 'w').image(interval(2, 4)), 0, 0));
-  CHECK(is(Recurrence::parse("1/16", 'w').image(interval(2, 4)), Rational(1, 16), Rational(1, 16)));
+  CHECK(is(Recurrence::parse("w=0*w", "w", 'w').image(interval(2, 4)), 0, 0));
+  CHECK(is(Recurrence::parse("w=1/16", "w", 'w').image(interval(2, 4)), Rational(1, 16), Rational(1, 16)));
   CHECK(is(quotient.image(interval(2, 4)), Rational(1, 4), Rational(1, 2)));
   CHECK_FALSE(quotient.image(interval(-1, 4)));
   CHECK_FALSE(quotient.image(interval(0, 0)));
@@ -137,12 +139,12 @@ TEST_CASE("recurrences: images") {
   CHECK(parabola->lower <= -1);
   CHECK(parabola->lower > Rational(-101, 100));
   CHECK(parabola->upper == 1);
-  for (const char* bad : {"", "sqrt(", "sqrt()", "sin(w)", "w+v", "sqrt(sqrt(w))"})
-    CHECK_THROWS_AS(Recurrence::parse(bad, 'w'), ParseError);
+  for (const char* bad : {"", "w", "v=w", "w=", "w=sqrt(", "w=sqrt()", "w=sin(w)", "w=w+v", "w=sqrt(sqrt(w))"})
+    CHECK_THROWS_AS(Recurrence::parse(bad, "w", 'w'), ParseError);
 }
 
 TEST_CASE("recurrences: the level from which on values stay") {
-  const Recurrence root = Recurrence::parse("sqrt((1+w)/2)", 'w');
+  const Recurrence root = Recurrence::parse("w=sqrt((1+w)/2)", "w", 'w');
   const Interval kept{Rational(9, 20), 1000};
   CHECK(root.first_level_in(kept, interval(-1, 1000000), 100) == 2);
   CHECK(root.first_level_in(kept, interval(1, 1), 0) == 0);
@@ -150,7 +152,114 @@ TEST_CASE("recurrences: the level from which on values stay") {
   CHECK_FALSE(root.first_level_in(kept, interval(0, 0), 0));
   CHECK_FALSE(root.first_level_in(kept, interval(-2, 1), 100));
   // It leads out of the interval, or never into it.
-  CHECK_FALSE(Recurrence::parse("2*w^2-1", 'w').first_level_in(kept, interval(1, 2), 100));
-  CHECK_FALSE(Recurrence::parse("w", 'w').first_level_in(kept, interval(0, 1), 100));
-  CHECK(Recurrence::parse("w", 'w').first_level_in(kept, interval(1, 2), 100) == 0);
+  CHECK_FALSE(Recurrence::parse("w=2*w^2-1", "w", 'w').first_level_in(kept, interval(1, 2), 100));
+  CHECK_FALSE(Recurrence::parse("w=w", "w", 'w').first_level_in(kept, interval(0, 1), 100));
+  CHECK(Recurrence::parse("w=w", "w", 'w').first_level_in(kept, interval(1, 2), 100) == 0);
+}
+
+TEST_CASE("recurrences: the number to which values tend") {
+  const auto limit = [](const char* text, const Rational& low, const Rational& high) {
+    return Recurrence::parse(text, "w", 'w').limit_in({low, high});
+  };
+  CHECK(limit("w=sqrt((1+w)/2)", Rational(9, 20), 1000) == 1);
+  CHECK(limit("w=sqrt((1+w)/2)", -1, 1) == 1);  // not steeper than 1 after some steps
+  CHECK(limit("w=w/2+1", -9, 5) == 2);
+  CHECK(limit("w=w/3", -1, 1) == 0);
+  CHECK(limit("w=-w/2", -1, 1) == 0);
+  CHECK(limit("w=1/16", 0, 1) == Rational(1, 16));
+  CHECK(limit("w=sqrt(w)", Rational(1, 4), 4) == 1);
+  CHECK(limit("w=(w+2/w)/2", 1, 2) == std::nullopt);  // the root of 2
+  CHECK(limit("w=w", 0, 1) == std::nullopt);
+  CHECK(limit("w=1-w", 0, 1) == std::nullopt);      // 0, 1, 0, 1, ...
+  CHECK(limit("w=w^2", 0, 1) == std::nullopt);      // 1 stays 1
+  CHECK(limit("w=sqrt(w)", 0, 4) == std::nullopt);  // 0 stays 0
+  CHECK(limit("w=2*w", 1, 2) == std::nullopt);      // not into itself
+  CHECK(Recurrence::parse("w=sqrt((1+w)/2)", "w", 'w').halves_angles());
+  CHECK(Recurrence::parse("mu=sqrt(1/2+mu/2)", "mu", 'm').halves_angles());
+  for (const char* other : {"w=(1+w)/2", "w=sqrt((1+w)/3)", "w=sqrt((2+w)/2)"})
+    CHECK_FALSE(Recurrence::parse(other, "w", 'w').halves_angles());
+}
+
+namespace {
+
+ExponentialSumRules rules_of(const char* scheme) { return exponential_sum_rules(make_parametric_scheme(scheme).mask); }
+
+LimitOfLevels limit_of(const char* scheme, const char* recurrence = "w=sqrt((1+w)/2)") {
+  const auto found = limit_of_levels(make_parametric_scheme(scheme).mask, Recurrence::parse(recurrence, "w", 'w'),
+                                     {Rational(1, 2), 2}, {Deadline::in(60)});
+  REQUIRE(found);
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("levels: exponentials that a symbol generates") {
+  CHECK(rules_of("four-point:w") == ExponentialSumRules{2, {}});
+  CHECK(rules_of("conic-four-point:w") == ExponentialSumRules{2, {1}});
+  CHECK(rules_of("exponential-six-point:w") == ExponentialSumRules{2, {2}});
+  CHECK(rules_of("exponential-bspline:w") == ExponentialSumRules{2, {1}});
+  CHECK(rules_of("exponential-six-point:w").order() == 6);
+  // The double angle: cos(2t) = 2 w^2 - 1.
+  CHECK(rules_of("symbol:2*((1+z)/2)*((1+2*w*z+z^2)/(2+2*w))^3*((1+2*(2*w^2-1)*z+z^2)/(4*w^2))") ==
+        ExponentialSumRules{1, {3, 1}});
+  CHECK(rules_of("symbol:(1+z)*((1+2*(2*w^2-1)*z+z^2)/(4*w^2))") == ExponentialSumRules{1, {0, 1}});
+  CHECK(rules_of("symbol:(1+z)*((1-2*w*z+z^2)/(2-2*w))") == ExponentialSumRules{1, {}});
+  CHECK_THROWS_AS(rules_of("ternary-four-point:w"), Error);
+  CHECK_THROWS_AS(rules_of("merrien:lambda=-1/8,mu"), Error);
+}
+
+TEST_CASE("levels: the exponent where values tend to a number") {
+  const LimitOfLevels conic_limit = limit_of("conic-four-point:w");
+  CHECK(conic_limit.value == 1);
+  CHECK(conic_limit.exponent.sum_rules == 4);
+  CHECK(conic_limit.exponent.exact.is_yes());
+  CHECK(conic_limit.exponent.exponent.contains(2));
+  // [CCGP17]: without the exponentials no more than 2 would be proved.
+  const LimitOfLevels six = limit_of("exponential-six-point:w");
+  CHECK(six.exponent.sum_rules == 6);
+  CHECK(six.exponent.exact.is_yes());
+  CHECK(*six.exponent.exponent.lower > Rational(283007, 100000));
+  CHECK(*six.exponent.exponent.upper < Rational(283008, 100000));
+  const Enclosure stationary = holder_regularity(make_scheme("dd:n=3").mask.curve(), 8, {Deadline::in(60)})
+                                   .proved_exponent();
+  CHECK(*six.exponent.exponent.lower <= *stationary.upper);
+  CHECK(*stationary.lower <= *six.exponent.exponent.upper);
+  // The spline of order 4 has the exponent 3 of the cubic one; with another recurrence its two sum rules prove 2.
+  CHECK(limit_of("exponential-bspline:w").exponent.exponent.contains(3));
+  const LimitOfLevels other = limit_of("exponential-bspline:w", "w=(1+2*w)/3");
+  CHECK(other.exponent.sum_rules == 2);
+  CHECK(other.exponent.exponent.lower == Rational(2));
+  CHECK_FALSE(other.exponent.exponent.upper);
+  CHECK_FALSE(other.exponent.exact.is_yes());
+  // It tends to a mask that does not converge: nothing is claimed.
+  CHECK_FALSE(limit_of("four-point:w", "w=(w+1)/2").exponent.exponent.lower);
+  CHECK_FALSE(limit_of_levels(make_parametric_scheme("four-point:w").mask, Recurrence::parse("w=w", "w", 'w'), {0, 1},
+                              {Deadline::in(60)}));
+}
+
+TEST_CASE("levels: a value for each new point") {
+  const auto local = [](const char* scheme, const Rational& low, const Rational& high, double seconds = 60) {
+    return local_levels(make_parametric_scheme(scheme).mask, {{low}, {high}}, {Deadline::in(seconds)});
+  };
+  const LocalLevels four = local("four-point:w", Rational(1, 1000), Rational(3, 20));
+  CHECK(four.order == 2);
+  CHECK(four.family.count() == 16);
+  CHECK(four.family.size() == 4);
+  CHECK(*four.exponent.lower > Rational(10058, 10000));
+  CHECK(*four.exponent.upper < Rational(10059, 10000));
+  CHECK(local("six-point:w", Rational(1, 100), Rational(1, 99), 0.1).order == 4);
+  CHECK(local("corner-cutting:w", Rational(1, 5), Rational(1, 4), 0.1).order == 1);
+  CHECK(local("ternary-four-point:w", Rational(1, 12), Rational(1, 11), 0.1).order == 3);
+  // Where all values are alike it is the exponent of that scheme, as the matrices are.
+  const LocalLevels alike = local("four-point:w", Rational(1, 16), Rational(1, 16) + power(Rational(2), -40), 2);
+  CHECK(*alike.exponent.lower > Rational(19, 10));
+  // One value everywhere is among the choices.
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(4)) {
+    const Rational low(random.integer(-10, 10), 40), high = low + Rational(random.integer(1, 10), 40);
+    const LocalLevels found = local("four-point:w", low, high, 1);
+    if (found.exponent.lower && found.exponent.upper) CHECK(*found.exponent.lower <= *found.exponent.upper);
+  }
+  CHECK_THROWS_AS(local("conic-four-point:w", 1, 2), Error);
+  CHECK_THROWS_AS(local("mask:[w^2,1-w^2,1-w^2,w^2]", 0, 1), Error);
 }

@@ -210,7 +210,7 @@ ExitCode run(const CurveCommandOptions& options) {
     std::vector<NamedCertificate> certificates;
     for (const RangeCertificate& one : curve_certificates(scheme.mask, scheme.letter, curve))
       certificates.push_back({fmt::format("{:05}-piece", certificates.size() + 1), one.certificate});
-    written = write_certificates(options.certificate, certificates, {"-piece"}, "matrices with a parameter", json);
+    written = write_certificates(options.certificate, certificates, {"-piece"}, "these pieces", json);
   }
   if (!options.plot.empty()) draw(curve, scheme, options.plot);
   if (options.form.asked_for())

@@ -2,8 +2,9 @@
 
 #include "levels_of_list.hpp"
 
+#include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
-#include <subcert/analysis/family/recurrence.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/paper_form.hpp>
@@ -49,6 +50,7 @@ struct LevelsCommandOptions : SearchOptions {
   std::string recurrence;
   std::string start;
   int boxes = 0;
+  bool each_point = false;
   PaperForm form;
 };
 
@@ -56,9 +58,11 @@ constexpr int most_levels = 1000;  // until a recurrence is to be in the range
 
 /// Values of which each follows from the one before, and the level from which on they are in the range.
 struct Followed {
-  std::string step;  ///< as it is written
   Interval start;
+  Recurrence recurrence;
   std::optional<int> first_level;
+  bool masks_exist = true;  ///< before that level, for all of `start`
+  std::optional<LimitOfLevels> limit = {};
 };
 
 /// `v0=1/2` or `v0=-1..1000`.
@@ -81,20 +85,19 @@ std::optional<Followed> follow(const LevelsCommandOptions& options, const Letter
     fail(ErrorKind::usage, "--recurrence and --start: expected both or none");
   if (options.recurrence.empty()) return std::nullopt;
   if (!scheme.letter) fail(ErrorKind::usage, "--recurrence: expected one range, got {}", box.letters());
-  const std::string &name = scheme.names[0], head = name + "=", text = plain_text(options.recurrence);
-  Followed result{text.starts_with(head) ? text.substr(head.size()) : "", read_start(options.start, name), {}};
-  std::string step = result.step;
-  for (std::size_t at = 0; name.size() > 1 && (at = step.find(name, at)) != std::string::npos; ++at)
-    step.replace(at, name.size(), 1, *scheme.letter);
+  const std::string& name = scheme.names[0];
   try {
-    result.first_level = Recurrence::parse(step, *scheme.letter)
-                             .first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
+    Followed result{
+        read_start(options.start, name), Recurrence::parse(plain_text(options.recurrence), name, *scheme.letter), {}};
+    result.first_level = result.recurrence.first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
+    if (result.first_level)
+      result.masks_exist = masks_exist(scheme.mask, result.recurrence, result.start, *result.first_level);
+    return result;
   } catch (const ParseError&) {
     fail(ErrorKind::usage,
-         "--recurrence: expected {0}EXPRESSION or {0}sqrt(EXPRESSION), as {0}sqrt((1+{1})/2), got {2}", head, name,
+         "--recurrence: expected {0}=EXPRESSION or {0}=sqrt(EXPRESSION), as {0}=sqrt((1+{0})/2), got {1}", name,
          in_quotes(options.recurrence));
   }
-  return result;
 }
 
 /// `w = 1/16`, `v = 0 and w = 1`.
@@ -128,6 +131,7 @@ struct LevelsAnswer {
   LetteredScheme scheme;
   Box box;
   std::optional<Followed> followed;
+  RangeProperty asked = {};
   PropertyOfLevels levels = {};
   std::vector<ExponentOfLevels> growing = {};
 
@@ -135,19 +139,25 @@ struct LevelsAnswer {
   /// What fails for some sequence may hold for those of a recurrence.
   Truth truth() const {
     if (!followed) return levels.holds;
-    return followed->first_level && levels.holds == Truth::yes ? Truth::yes : Truth::unknown;
+    return followed->first_level && (levels.holds == Truth::yes || holds_in_limit()) ? Truth::yes : Truth::unknown;
+  }
+  bool holds_in_limit() const {
+    return followed && followed->limit && holds(followed->limit->exponent.exponent, asked) == Truth::yes;
   }
 };
 
 /// `C1 for every sequence of w from 1/1000 to 19/100, one for each level`
 std::string answer_text(const LevelsAnswer& found) {
-  const auto& [property, scheme, box, followed, levels, growing] = found;
+  const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   if (followed && found.truth() == Truth::yes) {
     const auto& [low, high] = followed->start;
-    return fmt::format(
-        "{} for {} = {} from level to level, {}", property, scheme.names[0], followed->step,
-        low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
-                    : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low), number_text(high)));
+    return fmt::format("{} for {} = {} from level to level, {}", property, scheme.names[0], followed->recurrence.text(),
+                       low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
+                                   : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low),
+                                                 number_text(high))) +
+           (followed->masks_exist ? ""
+            : low == high         ? ", if there is a mask at each level"
+                                  : " that have a mask at each level");
   }
   if (followed && levels.holds == Truth::no)
     return fmt::format("not decided: {} does not hold for every sequence in the range", property);
@@ -161,8 +171,49 @@ std::string answer_text(const LevelsAnswer& found) {
   return fmt::format("not {} for every sequence: not for {}", property, last);
 }
 
+/// `1, x and x^i e^(+-tx) for i < 2`
+std::string generated_text(const ExponentialSumRules& rules) {
+  std::vector<std::string> parts;
+  for (int i = 0; i < rules.sum_rules; ++i) parts.push_back(i == 0 ? "1" : i == 1 ? "x" : fmt::format("x^{}", i));
+  for (std::size_t j = 0; j < rules.exponentials.size(); ++j)
+    for (int i = 0; i < rules.exponentials[j]; ++i)
+      parts.push_back(fmt::format("{}e^(+-{}tx)",
+                                  i == 0   ? ""
+                                  : i == 1 ? "x "
+                                           : fmt::format("x^{} ", i),
+                                  j == 0 ? "" : std::to_string(j + 1)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// What the masks at late levels tell of all limits.
+std::string limit_text(const LimitOfLevels& limit, const std::string& name) {
+  std::string text = fmt::format("limit        {} tends to {} for all of them\n", name, number_text(limit.value));
+  if (!limit.rules.exponentials.empty())
+    text += fmt::format("generates    {}, where {} is cos(t h) at the level with distances h\n",
+                        generated_text(limit.rules), name);
+  const ExponentOfList& found = limit.exponent;
+  const Enclosure& exponent = found.exponent;
+  text += "exponent     ";
+  if (!exponent.lower) return text + "not bounded: the mask in the limit was not proved to converge\n";
+  if (found.exact.is_yes()) return text + enclosure_text(exponent, 12) + "  (exact)\n";
+  text += "at least " + exponent.lower_text(12);
+  if (exponent.upper) text += fmt::format(", at most {}", exponent.upper_text(12));
+  return text + "\n";
+}
+
+Json limit_json(const LimitOfLevels& limit) {
+  const ExponentOfList& found = limit.exponent;
+  return {{"value", to_text(limit.value)},
+          {"sum_rules", limit.rules.sum_rules},
+          {"exponentials", limit.rules.exponentials},
+          {"holder", enclosure_json(positive_part(found.exponent))},
+          {"exact", found.exact.is_yes()},
+          {"exactness", found.exact.reason},
+          {"stable", found.stable.is_yes()}};
+}
+
 Json json_of(const LevelsAnswer& found) {
-  const auto& [property, scheme, box, followed, levels, growing] = found;
+  const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   Json period = Json::array(), boxes = Json::array();
   for (const Values& values : levels.period) period.push_back(values_json(values));
   for (const ExponentOfLevels& one : growing)
@@ -171,10 +222,12 @@ Json json_of(const LevelsAnswer& found) {
                      {"holder", enclosure_json(positive_part(one.exponent))}});
   Json recurrence;
   if (followed)
-    recurrence = {{"step", followed->step},
+    recurrence = {{"step", followed->recurrence.text()},
                   {"from", to_text(followed->start.lower)},
                   {"to", to_text(followed->start.upper)},
-                  {"first_level", followed->first_level ? Json(*followed->first_level) : Json()}};
+                  {"masks_exist", followed->masks_exist},
+                  {"first_level", followed->first_level ? Json(*followed->first_level) : Json()},
+                  {"limit", followed->limit ? limit_json(*followed->limit) : Json()}};
   return {{"family", scheme.specification},
           {"recurrence", recurrence},
           {"property", property},
@@ -189,7 +242,7 @@ Json json_of(const LevelsAnswer& found) {
 }
 
 std::string text_of(const LevelsAnswer& found) {
-  const auto& [property, scheme, box, followed, levels, growing] = found;
+  const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   std::string text = fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nsum rules    {} for all {}\n",
                                  scheme.specification, answer_text(found), property, levels.sum_rules,
                                  fmt::join(scheme.names, " and "));
@@ -198,8 +251,9 @@ std::string text_of(const LevelsAnswer& found) {
                 ? fmt::format("levels       {} is from {} to {} from level {} on\n", scheme.names[0],
                               number_text(box.low[0]), number_text(box.high[0]), *followed->first_level)
                 : fmt::format("levels       {} = {} was not proved to lead into the range and to stay in it\n",
-                              scheme.names[0], followed->step);
-  if (!levels.reason.empty()) text += "open         " + levels.reason + "\n";
+                              scheme.names[0], followed->recurrence.text());
+  if (followed && followed->limit) text += limit_text(*followed->limit, scheme.names[0]);
+  if (found.truth() == Truth::unknown && !levels.reason.empty()) text += "open         " + levels.reason + "\n";
   for (const ExponentOfLevels& one : growing) {
     const Enclosure exponent = positive_part(one.exponent);
     text += fmt::format("exponent     {}: {}\n", box_text(one.box, scheme),
@@ -210,15 +264,24 @@ std::string text_of(const LevelsAnswer& found) {
   return facts::wrapped(text, 13);
 }
 
+/// `1/20 <= w <= 1/10`, as formulas are written.
+std::string inequalities_text(const Box& box, const LetteredScheme& scheme) {
+  std::vector<std::string> parts;
+  for (std::size_t v = 0; v < box.letters(); ++v)
+    parts.push_back(fmt::format("{} <= {} <= {}", number_text(box.low[v]), scheme.names[v], number_text(box.high[v])));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// The exponents, or else the answer.
 formats::TableRows rows_of(const LevelsAnswer& found) {
-  const auto& [property, scheme, box, followed, levels, growing] = found;
+  const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   if (growing.empty())
-    return {{"values", "property", "for all sequences"}, {found.values(), property, verdict_text(levels.holds)}};
+    return {{"values", "property", "for all sequences"},
+            {inequalities_text(box, scheme), property, verdict_text(levels.holds)}};
   formats::TableRows rows{{"values", "at least", "at most"}};
   for (const ExponentOfLevels& one : growing) {
     const Enclosure exponent = positive_part(one.exponent);
-    rows.push_back({box_text(one.box, scheme), exponent.lower ? exponent.lower_text(8) : "-",
+    rows.push_back({inequalities_text(one.box, scheme), exponent.lower ? exponent.lower_text(8) : "-",
                     exponent.upper ? exponent.upper_text(8) : "-"});
   }
   return rows;
@@ -243,17 +306,62 @@ void draw(const std::vector<ExponentOfLevels>& growing, const LetteredScheme& sc
   formats::draw_file({"levels", scheme.specification, "", 1, {panel}}, file);
 }
 
+/// Errors: throws a usage error for an option that is given.
+void refuse_with(const char* what, const std::vector<std::pair<const char*, bool>>& options) {
+  for (const auto& [name, is_given] : options)
+    if (is_given) fail(ErrorKind::usage, "{}: cannot be asked for with {}", name, what);
+}
+
+/// One value for each new point of each level.
+ExitCode run_each_point(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box,
+                        const RangeProperty& property) {
+  refuse_with("--each-point", {{"--recurrence", !options.recurrence.empty()},
+                               {"--start", !options.start.empty()},
+                               {"--plot", !options.plot.empty()},
+                               {"--boxes", options.boxes > 0},
+                               {"--certificate", !options.certificate.empty()},
+                               {"--latex or --markdown", options.form.asked_for()}});
+  const Budget budget = options.limits();
+  options.progress("values");
+  const LocalLevels found = local_levels(scheme.mask, box, budget);
+  options.end_progress();
+  const Truth answer = holds(found.exponent, property);
+  const std::string values = box_text(box, scheme),
+                    summary = fmt::format("{} for any choice of {}, one value for each new point of each level",
+                                          answer == Truth::yes  ? options.property
+                                          : answer == Truth::no ? "not " + options.property
+                                                                : options.property + " is not decided",
+                                          values);
+  std::string exponent = found.exponent.lower ? fmt::format("at least {} for all choices", found.exponent.lower_text(8))
+                                              : "no convergence is proved for all choices";
+  if (found.exponent.upper)
+    exponent += fmt::format(", at most {} for one value everywhere", found.exponent.upper_text(8));
+  const Json json{{"family", scheme.specification},
+                  {"property", options.property},
+                  {"summary", summary},
+                  {"order", found.order},
+                  {"matrices", found.family.count()},
+                  {"verdict", verdict_text(answer)},
+                  {"holder", enclosure_json(positive_part(found.exponent))}};
+  options.answer(json,
+                 facts::wrapped(fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nrules        each "
+                                            "keeps polynomials of degree {}\nexponent     {}\n",
+                                            scheme.specification, summary, options.property, found.order - 1, exponent),
+                                13));
+  return exit_code(answer, !budget.deadline.expired());
+}
+
 ExitCode run(const LevelsCommandOptions& options) {
   require_one_form(options, options.form);
   require_picture_name(options.plot);
   if (options.scheme.starts_with(lists)) {
-    for (const auto& [name, is_given] : {std::pair{"--over", !options.over.empty()},
-                                         {"--recurrence", !options.recurrence.empty()},
-                                         {"--start", !options.start.empty()},
-                                         {"--plot", !options.plot.empty()},
-                                         {"--boxes", options.boxes > 0},
-                                         {"--latex or --markdown", options.form.asked_for()}})
-      if (is_given) fail(ErrorKind::usage, "{}: expected a family with a parameter, got a list of masks", name);
+    refuse_with("a list of masks", {{"--over", !options.over.empty()},
+                                    {"--each-point", options.each_point},
+                                    {"--recurrence", !options.recurrence.empty()},
+                                    {"--start", !options.start.empty()},
+                                    {"--plot", !options.plot.empty()},
+                                    {"--boxes", options.boxes > 0},
+                                    {"--latex or --markdown", options.form.asked_for()}});
     return run_levels_of_list(options, options.scheme.substr(std::string_view(lists).size()), options.property,
                               options.certificate);
   }
@@ -261,17 +369,26 @@ ExitCode run(const LevelsCommandOptions& options) {
        {std::pair{"--over", !options.over.empty()}, {"--property", !options.property.empty()}})
     if (!is_given) fail(ErrorKind::usage, "{} is required with a family that has a parameter", name);
   const RangeProperty property = read_levels_property(options.property);
-  LevelsAnswer found{options.property, make_lettered_scheme(options.scheme, options.over), {}, {}};
+  LevelsAnswer found{options.property, make_lettered_scheme(options.scheme, options.over), {}, {}, property};
   const LetteredScheme& scheme = found.scheme;
   found.box = read_box(options.over, scheme.names);
+  if (options.each_point) return run_each_point(options, scheme, found.box, property);
   if (!options.certificate.empty() && !scheme.letter)
     fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter",
          found.box.letters());
   if (!options.certificate.empty()) require_folder(options.certificate);
   found.followed = follow(options, scheme, found.box);
+  if (found.followed && found.followed->start.lower == found.followed->start.upper &&
+      scheme.mask.denominator()(found.followed->start.lower) == 0)
+    fail(ErrorKind::domain, "--start: expected a value that has a mask, got {} = {}", scheme.names[0],
+         number_text(found.followed->start.lower));
   options.progress("values");
   const Budget budget = options.limits();
   const bool growing = options.boxes > 0 || !options.plot.empty();
+  if (found.followed && found.followed->first_level)
+    found.followed->limit = limit_of_levels(scheme.mask, found.followed->recurrence,
+                                            {found.box.low[0], found.box.high[0]},
+                                            {budget.deadline.after(0.4), budget.memory});
   found.levels = property_of_levels(scheme.mask, property, found.box,
                                     growing ? Budget{budget.deadline.after(0.5), budget.memory} : budget);
   if (growing)
@@ -313,6 +430,8 @@ void add_levels(Command& app) {
   command.option("--recurrence", options->recurrence,
                  "How each level has its value from the one before: v=sqrt((1+v)/2)");
   command.option("--start", options->start, "With it, the first value or all of them: v0=1/2 or v0=-1..1000");
+  command.flag("--each-point", options->each_point,
+               "A value for each new point of each level, in place of one for each level");
   command.option("--boxes", options->boxes, "Exponents over so many ranges, which grow from the middle to the whole")
       .within(1, 1000);
   command.option("--certificate", options->certificate, "Write the certificate into this folder");

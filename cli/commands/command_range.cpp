@@ -35,6 +35,7 @@ struct ParameterRangeOptions : SearchOptions {
 };
 
 constexpr std::size_t longest_polynomial = 12;  // coefficients, in text
+const Rational small(1, 1'000'000);             // share of the range, of pieces that are open after the time
 
 /// How formulas are printed.
 using Formula = std::function<std::string(const std::string&)>;
@@ -70,7 +71,7 @@ struct Border {
 };
 
 /// Puts together for which values the property holds, where all pieces, ends and special values leave no more open
-/// than the width that was asked for.
+/// than the width that was asked for, or little.
 class Summary {
  public:
   Summary(const PropertyRange& range, const ParametricScheme& scheme, Formula formula)
@@ -81,15 +82,21 @@ class Summary {
     for (std::size_t k = 0; k < range_.pieces.size(); ++k)
       if (!add(k)) return std::nullopt;
     if (open_) close({last(), true});
+    if (!range_.complete && gap_ > (range_.pieces.back().high - range_.pieces.front().low) * small) return std::nullopt;
     const std::string among = fmt::format(" from {} to {}", formula_(number_text(range_.pieces.front().low)),
                                           formula_(last()));
     std::string text = values_.empty() ? fmt::format("{} for no {}", property, name_)
-                       : near_.empty() ? fmt::format("{} exactly for {}, of all {}", property, values_, name_)
-                                       : fmt::format("{} for {}, and for no other {}", property, values_, name_);
+                       : near_.empty() && left_open_ == 0
+                           ? fmt::format("{} exactly for {}, of all {}", property, values_, name_)
+                           : fmt::format("{} for {}, and for no other {}", property, values_, name_);
     text += among;
     std::string near;
     for (const std::string& value : near_) near += (near.empty() ? "" : ", ") + formula_(value);
-    if (!near.empty()) text += fmt::format(" but perhaps within {} of {}", to_decimal(gap_, 2, Rounding::up), near);
+    if (!near.empty())
+      text += fmt::format("; open on both sides within {} of {}", to_decimal(gap_, 2, Rounding::up), near);
+    if (left_open_ > 0)
+      text += fmt::format("; open in {} other piece{} of at most {}", left_open_, left_open_ == 1 ? "" : "s",
+                          to_decimal(gap_, 2, Rounding::up));
     for (const auto& [meaning, name] : roots_) text += fmt::format("; {} is {}", formula_(name), meaning);
     return text;
   }
@@ -130,6 +137,7 @@ class Summary {
     for (const SpecialValue& value : range_.special)
       if (inside(*value.value.lower, *value.value.upper))
         points.emplace_back(value_text(value.polynomial, *value.value.lower), value.holds);
+    if (points.empty()) return leave_open(k);
     if (points.size() != 1 || points.front().second == Truth::unknown) return false;
     const auto& [value, holds] = points.front();
     if (piece.low < piece.high) near_.push_back(value);
@@ -140,6 +148,14 @@ class Summary {
     if (open_ && !(at && after)) close({value, at});
     if (!open_ && after) open_ = Border{value, at};
     return true;
+  }
+
+  /// Between two pieces with one verdict.
+  bool leave_open(std::size_t k) {
+    if (k == 0 || k + 1 >= range_.pieces.size()) return false;
+    const Truth before = range_.pieces[k - 1].holds;
+    ++left_open_;
+    return before != Truth::unknown && before == range_.pieces[k + 1].holds;
   }
 
   void close(const Border& end) {
@@ -158,29 +174,29 @@ class Summary {
   std::optional<Border> open_;
   std::string values_;                                      // `w = 0 and 1 < w <= 2`
   Rational gap_ = 0;                                        // the width of the widest piece that is not decided
+  int left_open_ = 0;                                       // such pieces without a value that is decided
   std::vector<std::string> near_;                           // what lies in such pieces
   std::vector<std::pair<std::string, std::string>> roots_;  // what they are, and their names
 };
 
 /// The answer in one sentence, or nothing.
 std::string summary(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
-  if (!range.complete) return "";
   return Summary(range, scheme, as_text).sentence(options.property).value_or("");
 }
 
 /// The same in LaTeX, or what is not decided.
 std::string latex_of(const PropertyRange& range, const ParameterRangeOptions& options, const ParametricScheme& scheme) {
   const std::string head = "% " + scheme.specification + ", " + options.over + "\n";
-  const auto text = range.complete ? Summary(range, scheme, as_latex).sentence(property_latex(options.property))
-                                   : std::nullopt;
+  const auto text = Summary(range, scheme, as_latex).sentence(property_latex(options.property));
   if (text) return head + *text + "\n";
   formats::TableRows rows{{"from", "to", "verdict"}};
   for (const RangePiece& piece : range.pieces) {
     const bool open = piece.holds == Truth::unknown, one = piece.low == piece.high;
+    const int digits = digits_apart(piece.low, piece.high);
     rows.push_back({as_latex((piece.low_included ? "" : "> ") +
-                             number_text(piece.low, open || one ? Rounding::down : Rounding::up)),
+                             number_text(piece.low, open || one ? Rounding::down : Rounding::up, digits)),
                     as_latex((piece.high_included ? "" : "< ") +
-                             number_text(piece.high, open || one ? Rounding::up : Rounding::down)),
+                             number_text(piece.high, open || one ? Rounding::up : Rounding::down, digits)),
                     verdict_text(piece.holds)});
   }
   return head + "% " + property_latex(options.property) + ", needs \\usepackage{booktabs}\n" +
@@ -228,11 +244,13 @@ std::string text_of(const PropertyRange& range, const ParameterRangeOptions& opt
     page << padded(verdict_text(piece.holds), 13);
     // What is said of a piece is true as it is printed.
     const bool open = piece.holds == Truth::unknown;
+    const int digits = digits_apart(piece.low, piece.high);
     if (piece.low == piece.high)
       page << w << " = " << number_text(piece.low);
     else
-      page << number_text(piece.low, open ? Rounding::down : Rounding::up) << (piece.low_included ? " <= " : " < ") << w
-           << (piece.high_included ? " <= " : " < ") << number_text(piece.high, open ? Rounding::up : Rounding::down);
+      page << number_text(piece.low, open ? Rounding::down : Rounding::up, digits)
+           << (piece.low_included ? " <= " : " < ") << w << (piece.high_included ? " <= " : " < ")
+           << number_text(piece.high, open ? Rounding::up : Rounding::down, digits);
     if (open && piece.low < piece.high)
       page << "  (width " << to_decimal(piece.high - piece.low, 2, Rounding::up) << ")";
     if (open) page << ": " << piece.reason;
@@ -275,8 +293,8 @@ ExitCode run(const ParameterRangeOptions& options) {
   WrittenCertificates written;
   if (!options.certificate.empty()) {
     const auto certificates = range_certificates(scheme.mask, scheme.letter, *property, range, *width);
-    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"},
-                                 scheme.form ? "matrices with a parameter" : "this property", json);
+    written = write_certificates(options.certificate, named(certificates), {"-proved", "-refuted"}, "this property",
+                                 json);
   }
   if (options.form.latex)
     options.answer(latex_of(range, options, scheme));

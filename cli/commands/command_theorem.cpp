@@ -14,7 +14,7 @@ using theorems::TheoremEntry;
 struct TheoremOptions : CommonOptions {
   std::string id = "list";
   std::optional<int> degree = {};
-  std::string family = "primal";
+  std::string family = {};  ///< empty: that of the theorem
   bool all = false;
 };
 
@@ -49,13 +49,17 @@ ExitCode run(const TheoremOptions& options) {
     return done;
   }
   const int degree = options.degree.value_or(least_degree(options.id));
-  if (options.family.starts_with("primal") && degree % 2 == 0)
+  const bool of_dual = options.id == "smoothness-dual";
+  const std::string family = !options.family.empty() ? options.family : of_dual ? "dual" : "primal";
+  if (of_dual && !family.starts_with("dual"))
+    fail(ErrorKind::usage, "--family {}: expected dual or dual-odd, of which {} speaks", family, options.id);
+  if (family.starts_with("primal") && degree % 2 == 0)
     fail(ErrorKind::usage, "--d {}: expected an odd degree; {} schemes of degree {} are those of degree {}", degree,
-         options.family, degree, degree + 1);
+         family, degree, degree + 1);
   options.progress("theorem " + options.id);
-  const Theorem theorem = theorems::prove(
-      options.id, degree, theorems::stated_constants(options.id, degree, options.family, options.threads()),
-      options.threads(), options.family);
+  const Theorem theorem = theorems::prove(options.id, degree,
+                                          theorems::stated_constants(options.id, degree, family, options.threads()),
+                                          options.threads(), family);
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
   return exit_code(theorem.decision.truth);
@@ -76,9 +80,8 @@ void add_theorem(Command& app) {
               "Degree, by default the least of the list; for conjecture-8-d the smaller one of two neighbouring odd "
               "degrees")
       .within(1, theorems::largest_degree);
-  command.option("--family", options->family, "Family of the schemes, for the conjectures")
-      .one_of({"primal", "primal-odd", "dual", "dual-odd"})
-      .with_default();
+  command.option("--family", options->family, "Family of the schemes, by default primal; for smoothness-dual dual")
+      .one_of({"primal", "primal-odd", "dual", "dual-odd"});
   command.flag("--all", options->all, "Every single inequality, also where many differ in n only");
 }
 

@@ -25,17 +25,6 @@ MaskListFile read(const std::string& file) {
   }
 }
 
-/// Of all sequences.
-Truth holds(const ExponentOfList& found, const RangeProperty& property) {
-  using Kind = RangeProperty::Kind;
-  const Enclosure& exponent = found.exponent;
-  if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
-  const bool strictly = property.kind == Kind::smooth;
-  if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
-    return Truth::yes;
-  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
-}
-
 std::string order_text(const MaskList& list) {
   if (!list.period.empty()) return fmt::format("{} again and again", fmt::join(list.period, ", "));
   if (list.follows.empty()) return "any";
@@ -84,6 +73,15 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
 
 }  // namespace
 
+Truth holds(const Enclosure& exponent, const RangeProperty& property) {
+  using Kind = RangeProperty::Kind;
+  if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
+  const bool strictly = property.kind == Kind::smooth;
+  if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
+    return Truth::yes;
+  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
+}
+
 RangeProperty read_levels_property(const std::string& text) {
   using Kind = RangeProperty::Kind;
   const auto property = parse_range_property(text);
@@ -102,7 +100,7 @@ ExitCode run_levels_of_list(const SearchOptions& options, const std::string& fil
   options.progress("masks");
   const ExponentOfList found = exponent_of(read_file.list, budget);
   options.end_progress();
-  const Truth answer = asked                                                 ? holds(found, *asked)
+  const Truth answer = asked                                                 ? holds(found.exponent, *asked)
                        : found.exponent.is_bounded() && found.exact.is_yes() ? Truth::yes
                                                                              : Truth::unknown;
   const WrittenCertificate certificate = write_certificate(

@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 
+#include <subcert/analysis/family/mask_list.hpp>
 #include <subcert/analysis/family/property_range.hpp>
 
 namespace subcert::cli {
@@ -12,6 +13,10 @@ inline constexpr const char* lists = "lists:";
 
 /// `convergent`, `C2` or `holder>=3/2`. Errors: throws a usage error for another text.
 RangeProperty read_levels_property(const std::string& text);
+
+/// Whether all limits have the property; no where some have not. `exponent`: no lower end where no convergence is
+/// proved; the upper one is that of some.
+Truth holds(const Enclosure& exponent, const RangeProperty& property);
 
 /// `property`: empty where none is asked for. `certificates`: a folder, or empty. Errors: throws Error.
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,

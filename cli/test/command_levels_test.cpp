@@ -63,7 +63,11 @@ TEST_CASE("levels: a recurrence") {
   const std::string family = "levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=sqrt((1+v)/2)' ";
   const Run all = run(family + "--start v0=-1..1000000");
   CHECK(all.code == 0);
-  CHECK(says(all, "answer       C1 for v = sqrt((1+v)/2) from level to level, for all v0 from -1 to 1000000\n"));
+  CHECK(says(all,
+             "answer       C1 for v = sqrt((1+v)/2) from level to level, for all v0 from -1 to 1000000 that have a\n   "
+             "          mask at each level\n"));
+  check_fails(run(family + "--start v0=0"), 64, "--start: expected a value that has a mask, got v = 0");
+  CHECK_FALSE(says(run(family + "--start v0=1/100..5"), "mask at each level"));
   CHECK(says(all, "from level 2 on\n"));
   CHECK(run(family + "--start v=0.54").code == 0);
   CHECK(run_json(family + "--start v0=1").at("recurrence").at("first_level") == 0);
@@ -71,7 +75,7 @@ TEST_CASE("levels: a recurrence") {
   CHECK(run(family + "--start v0=-2..1").code == 3);
   CHECK(run("levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=2*v^2-1' --start v0=1").code == 3);
   // The property fails for some sequence of the range, which this one need not be.
-  CHECK(run("levels four-point:w --over w=0..1/4 --property C1 --recurrence 'w=w/2+1/32' --start w0=1/8").code == 3);
+  CHECK(run("levels four-point:w --over w=0..1/4 --property C1 --recurrence 'w=w/2' --start w0=1/8").code == 3);
   CHECK(run("levels four-point:omega --over omega=1/32..1/8 --property C1 --recurrence 'omega=omega/2+1/32' --start "
             "omega=-100..1000")
             .code == 0);
@@ -118,8 +122,7 @@ TEST_CASE("levels: lists of masks") {
   refused("masks = [\"dd:n=2\", \"bspline:degree=2,a=3\"]\n", "1, column 20: expected masks of one arity, got 2 and 3");
   CHECK(run("levels lists:" + folder.write("many.toml", masks + "follows = [[0, 1, 1]]")).code == 65);
   CHECK(run("levels lists:" + (folder / "none.toml")).code == 66);
-  check_fails(run("levels lists:" + any + " --over w=0..1"), 64,
-              "--over: expected a family with a parameter, got a list of masks");
+  check_fails(run("levels lists:" + any + " --over w=0..1"), 64, "--over: cannot be asked for with a list of masks");
 }
 
 TEST_CASE("levels: wrong usage") {
@@ -140,4 +143,54 @@ TEST_CASE("levels: wrong usage") {
   CHECK(run("levels four-point:w --over v=0..1 --property C1").code == 64);
   CHECK(run("levels chaikin --over w=0..1 --property C1").code == 64);
   CHECK(run("levels four-point:w --over w=1..0 --property C1").code == 64);
+}
+
+TEST_CASE("levels: the exponent in the limit of a recurrence") {
+  const std::string halving = " --recurrence 'v=sqrt((1+v)/2)' --start v0=-1/2..9";
+  const std::string six = "levels exponential-six-point:v --over v=1/2..10 --property ";
+  const Run page = run(six + "C2" + halving);
+  CHECK(page.code == 0);
+  CHECK(says(page,
+             "limit        v tends to 1 for all of them\ngenerates    1, x, e^(+-tx), x e^(+-tx), where v is "
+             "cos(t h) at the level with distances h\nexponent     2.83007499"));
+  CHECK(says(page, "  (exact)\n"));
+  // Though it is not known of all sequences of values.
+  CHECK(run(six + "C2").code != 0);
+  CHECK(run(six + "C3" + halving).code == 3);
+  const auto json = run_json(six + "'holder>=283/100'" + halving).at("recurrence").at("limit");
+  CHECK(json.at("value") == "1");
+  CHECK(json.at("exponentials") == std::vector<int>{2});
+  CHECK(json.at("exact") == true);
+  const Run names = run(
+      "levels exponential-bspline:mu --over mu=1/2..2 --property C2 --recurrence "
+      "'mu = sqrt((1+mu)/2)' --start mu0=1");
+  CHECK(names.code == 0);
+  CHECK(says(names, "C2 for mu = sqrt((1+mu)/2) from level to level, mu0 = 1\n"));
+  // Not for all values of the range, but w tends to 1/16.
+  CHECK(run("levels four-point:w --over w=0..1/4 --property C1 --recurrence 'w=w/2+1/32' --start w0=1/8").code == 0);
+  // Without a limit the range alone decides.
+  CHECK_FALSE(
+      says(run("levels four-point:w --over w=1/100..1/8 --property C1 --recurrence 'w=w' --start w0=1/16"), "limit "));
+}
+
+TEST_CASE("levels: a value for each new point") {
+  const std::string family = "levels four-point:w --property C1 --each-point --over ";
+  const Run page = run(family + "w=1/1000..3/20");
+  CHECK(page.code == 0);
+  CHECK(says(page,
+             "answer       C1 for any choice of w from 1/1000 to 3/20, one value for each new point of each "
+             "level\n"));
+  CHECK(says(page, "exponent     at least 1.00580"));
+  // With one value for each level it still is.
+  CHECK(run(family + "w=1/100..17/100").code == 3);
+  CHECK(run("levels four-point:w --property C1 --over w=1/100..17/100").code == 0);
+  CHECK(run(family + "w=1/100..1/4").code == 1);
+  const auto json = run_json(family + "w=1/1000..3/20");
+  CHECK(json.at("order") == 2);
+  CHECK(json.at("matrices") == 16);
+  CHECK(json.at("verdict") == "proved");
+  check_fails(run(family + "w=1/1000..3/20 --certificate proofs"), 64,
+              "--certificate: cannot be asked for with --each-point");
+  check_fails(run("levels conic-four-point:v --property C1 --each-point --over v=1..2"), 64,
+              "levels: need coefficients of degree 1 in each letter, for a value at each point");
 }

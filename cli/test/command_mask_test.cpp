@@ -78,6 +78,7 @@ TEST_CASE("mask and regularity for papers") {
                  "\n  scheme & dd:n=2 & bspline:degree=2 \\\\\n  \\midrule\n"));
   CHECK(contains(run("compare dd:n=2 chaikin --latex").out, "& $\\frac{1}{4} z^{-2} + \\frac{3}{4} z^{-1}"));
   CHECK(contains(run("range four-point:mu --over mu=0..1/4 --property C1 --latex").out,
-                 "$C^{1}$ for $0 < \\mu < r$, and for no other $\\mu$ from $0$ to $\\frac{1}{4}$ but perhaps within "));
+                 "$C^{1}$ for $0 < \\mu < r$, and for no other $\\mu$ from $0$ to $\\frac{1}{4}$; open on both "
+                 "sides within "));
   check_fails(run("mask dd:n=2 --latex --json"), 64, "expected one of --json, --latex and --markdown");
 }

@@ -206,8 +206,17 @@ TEST_CASE("the exponent of a vector of functions has a certificate") {
   CHECK(asked("2 <= refinable:" + hermite + " <= 1.9").code == 1);
   CHECK(asked("2 <= refinable:" + of_scheme).code == 1);
   // One function of them, and a space of solutions.
-  CHECK(joined(run("regularity 'refinable:" + hermite + "' --component 2 --certificate " + file).out)
-            .find("about the worst of them") != std::string::npos);
+  const std::string knots = "bspline:degree=4,multiplicity=4";
+  CHECK(run("regularity " + knots + " --component 2 --certificate " + file).code == 0);
+  CHECK(contains(run_command("cat " + file).out, "\nunobservable 1\n"));
+  CHECK(asked("2 <= component 2 of " + knots + " <= 2")
+            .out.find(": VERIFIED 2 <= Hoelder exponent <= 2 of component 1 "
+                      "of the refinable functions of ") != std::string::npos);
+  CHECK(asked("2 <= component 1 of " + knots).code == 1);
+  CHECK(asked("1 <= " + knots).code == 1);
+  for (const char* wrong : {"component 5 of ", "component 0 of ", "component x of "})
+    CHECK(asked("1 <= " + (wrong + knots)).code == 64);
+  CHECK(asked("1 <= component 1 of dd:n=2").code == 64);
   CHECK(joined(run("regularity 'refinable:[[[1,0],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1' --certificate " + file).out)
             .find("the only one up to a factor, got up to 2") != std::string::npos);
 }

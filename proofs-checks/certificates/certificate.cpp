@@ -104,7 +104,7 @@ void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegula
   if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
     claim.upper = decimal;
   ExactRadius exact;
-  if (claim.upper && by_product && !rounding) exact = exact_radius(radius);
+  if (claim.upper && by_product) exact = exact_radius(radius);
   claim.lower = outward(lower_end(mask, regularity, exact), Rounding::down);
   certificate.bounds = {outward(lower_end(mask, regularity), Rounding::down), claim.upper};
   claim_exact(certificate, exact, whole + "-log");
@@ -112,7 +112,7 @@ void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegula
       {fmt::format("{}sum-rules {}{}\n{}", reduced, rules, full_text(claim.upper && !by_product),
                    claim.upper ? "stability\n" : "")});
   add_radius(certificate, mask, regularity, claim.upper && by_product, exact.blocks);
-  const auto logarithm = claim.exact ? logarithm_lines(mask, regularity, exact) : std::nullopt;
+  const auto logarithm = claim.exact || claim.attains ? logarithm_lines(mask, regularity, exact) : std::nullopt;
   if (!logarithm) return;
   claim.logarithm = logarithm->first;
   certificate.sections.push_back({logarithm->second, ""});
@@ -148,7 +148,9 @@ Certificate exponent_certificate(const Mask& mask, const HolderRegularity& found
   require(lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(lower, 6, Rounding::nearest));
   MaskSubject subject{mask.symbol().to_mask_text(), std::to_string(mask.arity())};
-  if (rounding) subject.within = fmt::format("{},{}", to_text(rounding->distance), rules);
+  if (rounding)
+    subject.within = fmt::format("{},{}{}", to_text(rounding->distance), rules,
+                                 rounding->symmetric ? ",symmetric" : "");
   Certificate certificate{{{}, subject}, {}};
   if (!other) {
     add_exponent(certificate, mask, regularity, rounding);

@@ -64,8 +64,8 @@ struct RangeCertificate {
 /// order, with order 0 for convergence; stability has no bounds, and smoothness of an order from the number of sum
 /// rules on is refuted between the values that have more of them. Where the polynomial vanishes that proves stability
 /// of a range, single values have certificates of their own. Where the ends of a piece are not included, the
-/// certificate stays away from them by `margin`. None for properties that are decided by signs or a spectral radius,
-/// and for masks of matrices.
+/// certificate stays away from them by `margin`. None for properties that are decided by signs or a spectral radius. Of
+/// masks of matrices pieces of HC^k and of convergence, and proved ones of exponents.
 /// Domain: `range` is that of the mask and the property; margin > 0.
 std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, char letter, const RangeProperty& property,
                                                  const PropertyRange& range, const Rational& margin);
@@ -75,8 +75,8 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
 std::optional<Certificate> levels_certificate(const ParametricMask& mask, char letter, const RangeProperty& property,
                                               const Box& box, const PropertyOfLevels& levels);
 
-/// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence. None
-/// for masks of matrices.
+/// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence. Of
+/// masks of matrices the lower one alone.
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve);
 
 /// Proves bounds of the joint spectral radius of these matrices. Domain: `radius` is that of the family.

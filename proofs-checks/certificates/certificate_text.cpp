@@ -24,14 +24,6 @@ bool is_exactly_given(const ProductEvidence& product) {
   return product.eigenvalue.squared_modulus() == power(*product.radius.lower, 2 * letters);
 }
 
-/// The lines `inverse` and `column`.
-std::string inverse_text(const ApproximateInverse& inverse) {
-  std::string text = fmt::format("inverse {}\n", inverse.bits);
-  for (std::size_t k = 0; k < inverse.columns.size(); ++k)
-    text += fmt::format("column {}{}\n", k, numbers_text(inverse.columns[k]));
-  return text;
-}
-
 std::string terms_text(const std::vector<WeightedVertex>& terms, PolytopeKind kind, const GroupWords& group) {
   std::string text;
   for (const WeightedVertex& term : terms) {
@@ -169,6 +161,13 @@ BlockNumber number_of(const RadiusProof& proof) {
   return {{}, polytope ? polytope->not_attained : "neither a polytope nor a form names it"};
 }
 
+/// Of a sequence of vectors the component is one more coordinate.
+std::string point_text(const LatticePoint& point, std::size_t variables) {
+  const auto end = point.begin() + static_cast<std::ptrdiff_t>(variables);
+  std::string text = fmt::format("{}", fmt::join(point.begin(), end, ","));
+  return end == point.end() ? text : fmt::format("{}.{}", text, *end);
+}
+
 }  // namespace
 
 std::string outward(const Rational& value, Rounding rounding) {
@@ -178,6 +177,33 @@ std::string outward(const Rational& value, Rounding rounding) {
   digits.erase(digits.find('.'), 1);
   const Rational rounded = *parse_rational(digits) * power(Rational(10), -places);
   return to_text(rounded);
+}
+
+Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
+  Integer common = 1;
+  for (const LatticeSequence& sequence : sequences)
+    for (const auto& [point, value] : sequence) common = lcm(common, denominator(value));
+  return common;
+}
+
+std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
+                       const LatticePoint& first) {
+  std::string text;
+  const auto append = [&](const LatticePoint& point, const Rational& value) {
+    text += " " + point_text(point, variables) + ":" + to_text(Rational(factor * value));
+  };
+  if (const auto at = sequence.find(first); at != sequence.end()) append(first, at->second);
+  for (const auto& [point, value] : sequence)
+    if (point != first) append(point, value);
+  return text + "\n";
+}
+
+std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
+                         std::size_t variables) {
+  std::string text = fmt::format("space {}\n", basis.size());
+  const Rational factor = common_denominator(basis);
+  for (std::size_t c = 0; c < basis.size(); ++c) text += "vector" + terms_text(basis[c], factor, variables, pivots[c]);
+  return text;
 }
 
 std::string numbers_text(const std::vector<Integer>& numbers) {
@@ -214,7 +240,7 @@ std::string product_text(const MatrixFamily& family, const JointSpectralRadius& 
   const MatrixFamily its = blocks ? blocks->triangular.block(block) : family;
   if (its.size() >= least_inverted && !product.exact && !is_exactly_given(product))
     if (const auto inverse = approximate_inverse(its, product))
-      return product_text(block, inverse->point, product.word) + inverse_text(*inverse);
+      return product_text(block, inverse->point, product.word) + inverse_text(inverse->bits, inverse->columns);
   return product_text(block, product.eigenvalue, product.word);
 }
 
@@ -237,12 +263,20 @@ std::string blocks_text(const JointSpectralRadius& radius) {
          rows_text("inverse", solve(basis, RationalMatrix::identity(basis.rows())));
 }
 
-ExactRadius exact_radius(const JointSpectralRadius& radius) {
+ExactRadius exact_radius(const JointSpectralRadius& radius, std::size_t first_block) {
   if (!radius.exact.is_yes()) return {};
   if (const auto* single = std::get_if<SingleRadiusProof>(&radius.proof)) {
     const auto number = number_of(single->growth);
     const auto lines = number ? number_lines(*number) : std::nullopt;
     return lines ? ExactRadius{lines->number, lines->root, {}, {}, single->growth.power == 0} : ExactRadius{};
+  }
+  const auto* polytope = std::get_if<PolytopeProof>(&radius.proof);
+  if (polytope && polytope->attained && polytope->attained->nearby) {
+    const NearbyCycles& nearby = *polytope->attained->nearby;
+    const std::string letters = fmt::format("{}", fmt::join(nearby.product, ","));
+    const std::string line = fmt::format("attains {} {} {}\n", letters, to_text(*nearby.bounds.lower),
+                                         to_text(*nearby.bounds.upper));
+    return {letters, line, {}, {true}, true, true};
   }
   const BlockProof* blocks = radius.by_blocks();
   const std::size_t count = blocks ? blocks->blocks.size() : 1, leading = blocks ? blocks->leading : 0;
@@ -250,7 +284,7 @@ ExactRadius exact_radius(const JointSpectralRadius& radius) {
   if (!first.lines) return {{}, {}, first.missing};
   ExactRadius exact{first.lines->number, first.lines->root, {}, std::vector<bool>(count), true};
   exact.blocks[leading] = true;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = first_block; i < count; ++i) {
     if (i == leading || blocks->blocks[i].proved_upper() < first.lines->low) continue;
     exact.grows_like_powers = false;
     if (blocks->blocks[i].proved_upper() == first.lines->low) continue;
@@ -262,7 +296,7 @@ ExactRadius exact_radius(const JointSpectralRadius& radius) {
   return exact;
 }
 
-Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) {
+Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact, std::size_t first) {
   const auto of_block = [&](const JointSpectralRadius& block, std::size_t i) {
     const auto* graph = std::get_if<GraphProof>(&block.proof);
     return graph && i < exact.blocks.size() && exact.blocks[i] ? *graph->attained->radius.upper : block.proved_upper();
@@ -270,14 +304,17 @@ Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact) 
   const BlockProof* blocks = radius.by_blocks();
   if (!blocks) return of_block(radius, 0);
   Rational most = 0;
-  for (std::size_t i = 0; i < blocks->blocks.size(); ++i) most = std::max(most, of_block(blocks->blocks[i], i));
+  for (std::size_t i = first; i < blocks->blocks.size(); ++i) most = std::max(most, of_block(blocks->blocks[i], i));
   return most;
 }
 
 void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before) {
   certificate.missing = exact.missing;
   if (exact.number.empty()) return;
-  certificate.claim.exact = before + exact.number;
+  if (exact.is_product)
+    certificate.claim.attains = exact.number;
+  else
+    certificate.claim.exact = before + exact.number;
   certificate.sections.push_back({exact.root, ""});
 }
 

@@ -14,6 +14,17 @@ std::string outward(const Rational& value, Rounding rounding);
 /// Each after a blank.
 std::string numbers_text(const std::vector<Integer>& numbers);
 
+Integer common_denominator(const std::vector<LatticeSequence>& sequences);
+
+/// POINT:INTEGER after blanks, of a sequence of vectors POINT.COMPONENT:INTEGER, of the sequence times a factor, and an
+/// end of line; the point `first` leads, if it is one of them.
+std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
+                       const LatticePoint& first = {});
+
+/// The lines `space` and `vector`, times their common denominator.
+std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
+                         std::size_t variables);
+
 /// The head, and the coefficients from that of z^0 on.
 std::string polynomial_text(const std::string& head, const LaurentPolynomial& p);
 
@@ -41,16 +52,18 @@ inline const char* full_text(bool full) { return full ? " full" : ""; }
 
 /// What says that the product attains the radius.
 struct ExactRadius {
-  std::string number = {}, root = {};  // empty where nothing says so,
+  std::string number = {}, root = {};  // empty where nothing says so; the letters of the product, of rounded families,
   std::string missing = {};            // and why
   std::vector<bool> blocks = {};       // those with products that attain the radius
   bool grows_like_powers = false;      // products of length n have norms between multiples of radius^n
+  bool is_product = false;             // the number is given by letters
 };
 
-ExactRadius exact_radius(const JointSpectralRadius& radius);
+/// `first`: the first of the diagonal blocks whose radius is meant.
+ExactRadius exact_radius(const JointSpectralRadius& radius, std::size_t first = 0);
 
 /// The upper end of the radius that is proved; where letters of a graph are kept, by its product.
-Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact);
+Rational upper_end(const JointSpectralRadius& radius, const ExactRadius& exact, std::size_t first = 0);
 
 /// What the number is: `before` the logarithm of the radius, or the radius. Domain: the first section.
 void claim_exact(Certificate& certificate, const ExactRadius& exact, const std::string& before = "");

@@ -18,9 +18,10 @@ namespace {
 
 constexpr std::size_t longest_head = 2'000'000;  // characters in which the first four lines end
 constexpr std::string_view within = "within=";
-constexpr std::string_view is_exactly = "exact ";  // the line after the bounds
+constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
-constexpr std::string_view levels = "levels", all_levels = "all levels ";
+constexpr std::string_view levels = "levels", all_levels = "all levels ", belongs_to = " of ";
+constexpr std::string_view component = "component", hc = "HC of ";
 
 /// The parts between `<=`.
 std::vector<std::string> parts_of(const std::string& claim) {
@@ -36,8 +37,8 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'FAMILY for w=LOW..HIGH', 'FAMILY for all levels w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or "
-       "NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "scheme, 'component K of SCHEME', '[HC of] FAMILY for w=LOW..HIGH', 'FAMILY for all levels "
+       "w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
        "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
@@ -55,26 +56,54 @@ std::string with_letter(const ParametricScheme& family, const std::string& range
   return range.starts_with(family.name + "=") ? family.letter + range.substr(family.name.size()) : range;
 }
 
+/// A power of a logarithm, or the number of a component.
+std::optional<int> whole_number(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
 ClaimSubject stated_subject(const std::string& subject) {
   constexpr std::string_view radius = "radius ", subradius = "subradius ", range = " for ";
   if (subject.starts_with(radius)) return FamilySubject{false, {}, {}, trimmed(subject.substr(radius.size()))};
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (const std::size_t at = subject.find(range); at != std::string::npos) {
-    const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(0, at)));
+    const bool hermite = subject.starts_with(hc);
+    const std::size_t begin = hermite ? hc.size() : 0;
+    const ParametricScheme family = make_parametric_scheme(trimmed(subject.substr(begin, at - begin)));
     std::string values = trimmed(subject.substr(at + range.size()));
     const bool is_levels = values.starts_with(all_levels);
     if (is_levels) values = trimmed(values.substr(all_levels.size()));
-    return MaskSubject{family.mask.to_text(family.letter), std::to_string(family.mask.arity()),
-                       with_letter(family, values), is_levels};
+    const bool is_of_matrices = family.mask.components() > 1;
+    if (is_levels && is_of_matrices) fail(ErrorKind::usage, "--claim: {}: levels are of masks of numbers", subject);
+    if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", subject);
+    return MaskSubject{family.mask.to_text(family.letter),
+                       std::to_string(family.mask.arity()),
+                       with_letter(family, values),
+                       is_levels,
+                       {},
+                       hermite          ? "hermite"
+                       : is_of_matrices ? "vectors"
+                                        : ""};
   }
   if (is_l1_specification(subject)) return l1_subject(subject);
-  const Scheme scheme = make_refinable_scheme(subject);
+  std::string scheme_text = subject;
+  std::optional<int> number;
+  if (const std::size_t at = subject.find(belongs_to); subject.starts_with(component) && at != std::string::npos) {
+    number = whole_number(trimmed(subject.substr(component.size(), at - component.size()))).value_or(0);
+    scheme_text = trimmed(subject.substr(at + belongs_to.size()));
+  }
+  const Scheme scheme = make_refinable_scheme(scheme_text);
+  const auto components = static_cast<int>(scheme.mask.components());
+  if (number && (components == 1 || *number < 1 || *number > components))
+    fail(ErrorKind::usage, "--claim: {}: need a mask of matrices and one of its components, counted from 1", subject);
   const bool is_refinable = scheme.mask.components() > 1;
   if (scheme.quadratic)
     fail(ErrorKind::usage, "--claim: need rational coefficients, got {}; there are no certificates for others",
          subject);
   if (scheme.mask.dimension() > 1 || is_refinable)
-    return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text(), is_refinable};
+    return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text(), is_refinable,
+                          number ? std::to_string(*number - 1) : ""};
   if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
   return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};
@@ -82,13 +111,12 @@ ClaimSubject stated_subject(const std::string& subject) {
 
 /// `contraction STEPS,ORDER of SCHEME <= BOUND`, if the claim is one.
 std::optional<CertificateClaim> stated_contraction(const std::string& words) {
-  constexpr std::string_view of = " of ";
   const std::vector<std::string> parts = parts_of(words);
   if (!parts[0].starts_with(contracts)) return std::nullopt;
-  const std::size_t at = parts[0].find(of);
+  const std::size_t at = parts[0].find(belongs_to);
   const std::optional<Rational> bound = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
   if (!bound || at == std::string::npos) refuse(words);
-  L1Subject subject = l1_subject(trimmed(parts[0].substr(at + of.size())));
+  L1Subject subject = l1_subject(trimmed(parts[0].substr(at + belongs_to.size())));
   subject.contraction = fmt::format("{},{}", trimmed(parts[0].substr(contracts.size(), at - contracts.size())),
                                     to_text(*bound));
   CertificateClaim claim;
@@ -96,22 +124,17 @@ std::optional<CertificateClaim> stated_contraction(const std::string& words) {
   return claim;
 }
 
-/// A power of a logarithm.
-std::optional<int> read_power(std::string_view text) {
-  int power = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), power);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(power) : std::nullopt;
-}
-
 /// The line of a certificate that says what it is about.
 struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
-    return fmt::format("{} {} {}{}{}", of.is_levels ? levels : "exponent", of.mask, of.arity, more.empty() ? "" : " ",
-                       more);
+    const std::string_view of_numbers = of.is_levels ? levels : "exponent";
+    return fmt::format("{} {} {}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices, of.mask, of.arity,
+                       more.empty() ? "" : " ", more);
   }
   std::string operator()(const SurfaceSubject& of) const {
-    return fmt::format("{} {} {}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation);
+    return fmt::format("{} {} {}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+                       of.component.empty() ? "" : fmt::format(" {}={}", component, of.component));
   }
   std::string operator()(const FamilySubject& of) const {
     return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
@@ -129,10 +152,14 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   const bool rounded = more.starts_with(within);
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
   if (kind == "exponent" || kind == levels) return MaskSubject{first, second, more, kind == levels};
+  if (kind == "vectors" || kind == "hermite") return MaskSubject{first, second, more, false, {}, kind};
+  if (kind == "refinable" && more.starts_with(component))
+    return SurfaceSubject{first, second, true, more.substr(std::min(more.size(), component.size() + 1))};
   if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
-  fail(ErrorKind::data, "{}, line 2: expected exponent, levels, surface, refinable, radius, subradius or l1", file);
+  fail(ErrorKind::data,
+       "{}, line 2: expected exponent, levels, vectors, hermite, surface, refinable, radius, subradius or l1", file);
 }
 
 /// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of
@@ -148,13 +175,17 @@ struct SubjectArguments {
   const std::string& file;
 
   std::vector<std::string> operator()(const MaskSubject& of) const {
-    std::vector<std::string> arguments{"--mask", of.mask, "--arity", of.arity};
+    std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask, "--arity",
+                                       of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
     if (!of.range.empty()) arguments.insert(arguments.end(), {of.is_levels ? "--levels" : "--for", of.range});
     return arguments;
   }
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
-    return {of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation", of.dilation};
+    std::vector<std::string> arguments{of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation",
+                                       of.dilation};
+    if (!of.component.empty()) arguments.insert(arguments.end(), {"--component", of.component});
+    return arguments;
   }
   std::vector<std::string> operator()(const FamilySubject& of) const {
     return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};
@@ -196,7 +227,7 @@ CertificateClaim stated_claim(const std::string& words) {
   CertificateClaim claim;
   claim.subject = stated_subject(trimmed(text.substr(0, equal)));
   if (equal != std::string::npos) claim.exact = trimmed(text.substr(equal + is.size(), power - equal - is.size()));
-  if (power != std::string::npos && !(claim.logarithm = read_power(trimmed(text.substr(power + logarithm.size())))))
+  if (power != std::string::npos && !(claim.logarithm = whole_number(trimmed(text.substr(power + logarithm.size())))))
     refuse(words);
   const auto end_of = [&](const std::string& end, bool roughness) {
     const auto value = number(end);
@@ -227,13 +258,15 @@ CertificateClaim read_claim(const std::string& text, const std::string& file) {
     std::replace(rule->contraction.begin(), rule->contraction.end(), ' ', ',');
   }
   if (exact.starts_with(is_exactly)) claim.exact = exact.substr(is_exactly.size());
-  if (!claim.lower && !claim.exact && !may_lack_lower(claim))
+  if (exact.starts_with(attains))
+    claim.attains = exact.substr(attains.size(), exact.find(' ', attains.size()) - attains.size());
+  if (!claim.lower && !claim.exact && !claim.attains && !may_lack_lower(claim))
     fail(ErrorKind::data, "{}, line 3: expected a bound, as no claim of this kind has 'bounds {} {}'", file, lower,
          upper);
   constexpr std::string_view power = "\nlogarithm ";
   if (const std::size_t at = text.find(power); at != std::string::npos && !exact.empty()) {
     const std::size_t begin = at + power.size(), end = text.find_first_of(" \n", begin);
-    if (!(claim.logarithm = read_power(std::string_view(text).substr(begin, end - begin))))
+    if (!(claim.logarithm = whole_number(std::string_view(text).substr(begin, end - begin))))
       fail(ErrorKind::data, "{}: expected a power after 'logarithm', as in 'logarithm 1'", file);
   }
   return claim;
@@ -247,6 +280,7 @@ std::vector<std::string> checker_arguments(const CertificateClaim& claim, const 
   if (claim.lower) add("--lower", *claim.lower);
   if (claim.upper) add("--upper", *claim.upper);
   if (claim.exact) add("--exact", *claim.exact);
+  if (claim.attains) add("--attains", *claim.attains);
   if (claim.logarithm) add("--logarithm", std::to_string(*claim.logarithm));
   arguments.push_back(file);
   return arguments;

@@ -13,11 +13,15 @@ struct MaskSubject {
   std::string mask, arity;
   std::string range = {};   ///< w=LOW..HIGH, or empty
   bool is_levels = false;   ///< with a range: of all sequences of its values, one for each level
-  std::string within = {};  ///< EPS,M of a mask with rounded coefficients, or empty; not with a range
+  std::string within = {};  ///< EPS,M[,symmetric] of a mask with rounded coefficients, or empty; not with a range
+  /// Of masks of matrices, with a range: `vectors`, of the limits of f'_i = sum over j of A_(i-aj)^T f_j, or `hermite`,
+  /// of HC^k of a Hermite scheme, of which k is the lower end, or the upper one where it is refuted; or empty.
+  std::string of_matrices = {};
 };
 struct SurfaceSubject {
   std::string mask, dilation;
-  bool is_refinable = false;  ///< a vector of functions, given by its refinement equation
+  bool is_refinable = false;   ///< a vector of functions, given by its refinement equation
+  std::string component = {};  ///< the number, from 0, of the one that is meant, or empty
 };
 struct FamilySubject {
   bool is_subradius = false;
@@ -44,7 +48,9 @@ struct CertificateClaim : ClaimedEnds {
   ClaimSubject subject = {};
   /// What the radius or the exponent is: `2-log|[-4,1]@4,0,1/1000|^1/1`, see SPEC.md, section 4.10.
   std::optional<std::string> exact = {};
-  /// Beside an exact exponent: the power of |log h| in the modulus of continuity, see section 4.12.
+  /// Of rounded coefficients: the letters of the product whose spectral radius the exponent is from, `1,1,0,0`.
+  std::optional<std::string> attains = {};
+  /// Beside an exact exponent, or such letters: the power of |log h| in the modulus of continuity, see section 4.12.
   std::optional<int> logarithm = {};
 };
 
@@ -56,11 +62,13 @@ std::string head_text(const CertificateClaim& claim);
 CertificateClaim read_claim(const std::string& text, const std::string& file);
 
 /// A claim in words: `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, blanks around the signs. EXACT is a
-/// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, whose exponent is meant; a family
-/// with a parameter, as `four-point:w for w=1/100..19/100`, or `for all levels w=...`, where each level has a value; or
-/// `radius FILE` or `subradius FILE`, of the matrices in that file. LOWER and UPPER are exact numbers, UPPER also `C2`,
-/// for limits that are not C^2; without both the integer shifts are stable. Of `l1:points=6,d=1` the rule of least
-/// absolute deviations is meant; `LOWER <= SUBJECT [<= UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT
+/// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, or `component K of` it with K = 1,
+/// 2, ..., whose exponent is meant; a family
+/// with a parameter, as `four-point:w for w=1/100..19/100`, where `HC of` before it says that an end is the k of HC^k,
+/// or `for all levels w=...`, where each level has a value; or `radius FILE` or `subradius FILE`, of the matrices in
+/// that file. LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer
+/// shifts are stable. Of `l1:points=6,d=1` the rule of least absolute deviations is meant; `LOWER <= SUBJECT [<=
+/// UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT
 /// <= UPPER` about differences. Errors: throws a usage error for another text, and for a scheme with rounded
 /// coefficients, of which a claim needs the distance.
 CertificateClaim stated_claim(const std::string& words);

@@ -116,14 +116,23 @@ std::optional<NumberLines> number_lines(const AttainedNumber& number) {
                      low};
 }
 
+std::string inverse_text(int bits, const std::vector<std::vector<Integer>>& columns) {
+  std::string text = fmt::format("inverse {}\n", bits);
+  for (std::size_t k = 0; k < columns.size(); ++k) text += fmt::format("column {} {}\n", k, fmt::join(columns[k], " "));
+  return text;
+}
+
 std::string cycle_text(const AttainedProof& proof, const GroupWords& words) {
   std::string text;
   std::set<std::pair<std::size_t, std::size_t>> closing;
-  for (const AttainedProof::Cycle& cycle : proof.cycles) {
+  for (std::size_t k = 0; k < proof.cycles.size(); ++k) {
+    const AttainedProof::Cycle& cycle = proof.cycles[k];
     const std::string word = words.word(cycle.element) +
                              (cycle.sign == words.sign(cycle.element) ? "" : words.negation());
-    text += fmt::format("cycle {} {} {}\nseed {}\n", cycle.vertex, word.empty() ? "-" : word,
-                        fmt::join(cycle.letters, " "), fmt::join(cycle.seed, " "));
+    const NearbyEigenvector* near = proof.nearby ? &proof.nearby->eigenvectors[k] : nullptr;
+    text += fmt::format("cycle {} {} {}{}\n", cycle.vertex, word.empty() ? "-" : word,
+                        near ? to_text(near->eigenvalue) + " " : "", fmt::join(cycle.letters, " ")) +
+            (near ? inverse_text(near->bits, near->inverse) : fmt::format("seed {}\n", fmt::join(cycle.seed, " ")));
     closing.insert(closing_image(cycle));
   }
   for (const auto& [vertex, parent, letter] : proof.origins)

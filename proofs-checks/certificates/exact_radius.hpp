@@ -55,7 +55,10 @@ struct NumberLines {
 /// Nothing where a hundred decimals do not tell the zero from others. Cost: Newton's method for the zero.
 std::optional<NumberLines> number_lines(const AttainedNumber& number);
 
-/// The lines from `cycle` on. Source: SPEC.md beside this, section 4.10.
+/// The lines `inverse` and `column`.
+std::string inverse_text(int bits, const std::vector<std::vector<Integer>>& columns);
+
+/// The lines from `cycle` on. Source: SPEC.md beside this, sections 4.10 and 7.1.
 std::string cycle_text(const AttainedProof& proof, const GroupWords& words);
 /// The same of a graph, section 4.14.
 std::string cycle_text(const AttainedGraph& graph);

@@ -1,5 +1,7 @@
 #include "certificate_text.hpp"
 
+#include <subcert/analysis/family/parametric_family.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,17 +11,41 @@ namespace {
 
 using namespace certificate_text;
 
+/// Of a mask of matrices, the lines up to the vectors of the space.
+std::string space_of_vectors_text(const ParametricMask& mask, bool hermite) {
+  const AnnihilatingSpace space = annihilating_space(mask);
+  std::string text = fmt::format("sum-rules {}\n", space.polynomials.data.size());
+  for (const Values& y : space.polynomials.data) {
+    if (hermite) break;
+    text += "data";
+    for (const Rational& number : y) text += " " + to_text(number);
+    text += "\n";
+  }
+  text += "digits";
+  for (int d = 0; d < mask.arity(); ++d) text += fmt::format(" {}", d);
+  text += "\n";
+  for (const LatticeSequence& reading : space.readings)
+    text += "reading" + terms_text(reading, common_denominator({reading}), 1);
+  return text + vectors_text(space.basis, space.pivots, 1);
+}
+
 /// What the proofs of intervals that follow each other say of all values from low to high; without proofs, that the
-/// shifts are stable.
+/// shifts are stable. `of_matrices`: the kind of a claim about a mask of matrices, as in MaskSubject.
 Certificate interval_certificate(const ParametricMask& mask, char letter, const Rational& low, const Rational& high,
                                  const ClaimedEnds& ends, const std::vector<IntervalProof>& proofs,
-                                 bool is_levels = false) {
-  const MaskSubject subject{mask.to_text(letter), std::to_string(mask.arity()),
-                            fmt::format("{}={}..{}", letter, to_text(low), to_text(high)), is_levels};
+                                 const std::string& of_matrices = "", bool is_levels = false) {
+  const MaskSubject subject{mask.to_text(letter),
+                            std::to_string(mask.arity()),
+                            fmt::format("{}={}..{}", letter, to_text(low), to_text(high)),
+                            is_levels,
+                            {},
+                            of_matrices};
   Certificate certificate{{ends, subject}, {}, ends};
   const bool stable = proofs.empty() || (ends.upper && *ends.upper != "0");
-  certificate.sections.push_back(
-      {fmt::format("sum-rules {}{}\n{}", sum_rules(mask), full_text(ends.says_rough()), stable ? "stability\n" : "")});
+  certificate.sections.push_back({!of_matrices.empty()
+                                      ? space_of_vectors_text(mask, of_matrices == "hermite")
+                                      : fmt::format("sum-rules {}{}\n{}", sum_rules(mask), full_text(ends.says_rough()),
+                                                    stable ? "stability\n" : "")});
   const std::size_t matrices = static_cast<std::size_t>(mask.arity()) * mask.powers().size();
   for (const IntervalProof& proof : proofs) {
     std::string text = fmt::format("to {}\n", to_text(proof.high));
@@ -79,7 +105,9 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
   using Kind = RangeProperty::Kind;
   const bool stable = property.kind == Kind::stable,
              rough = property.kind == Kind::smooth && property.order >= range.sum_rules;
-  if (mask.components() > 1 || (!stable && !rough && range.proofs.empty())) return {};
+  if (!stable && !rough && range.proofs.empty()) return {};
+  const bool hermite = property.kind == Kind::hermite;
+  const std::string of_matrices = hermite ? "hermite" : mask.components() > 1 ? "vectors" : "";
   std::vector<RangeCertificate> certificates;
   std::vector<Enclosure> special;  // looked at on their own
   for (const SpecialValue& value : range.special) special.push_back(value.value);
@@ -87,10 +115,13 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
   const auto add = [&](const Rational& low, const Rational& high, Truth holds, const ClaimedEnds& ends,
                        const std::vector<IntervalProof>& proofs) {
     if (low < high)
-      certificates.push_back({low, high, holds, interval_certificate(mask, letter, low, high, ends, proofs)});
+      certificates.push_back(
+          {low, high, holds, interval_certificate(mask, letter, low, high, ends, proofs, of_matrices)});
   };
+  // Limits of vectors are refuted by HC^k alone.
+  const bool no_refuted = stable || (of_matrices == "vectors" && property.kind != Kind::convergent);
   for (const RangePiece& piece : range.pieces) {
-    if (piece.holds == Truth::unknown || (stable && piece.holds == Truth::no)) continue;
+    if (piece.holds == Truth::unknown || (no_refuted && piece.holds == Truth::no)) continue;
     const Rational low = piece.low_included ? piece.low : Rational(piece.low + margin);
     const Rational high = piece.high_included ? piece.high : Rational(piece.high - margin);
     ClaimedEnds ends;
@@ -109,6 +140,7 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
       if (!proofs.empty()) add(proofs.front().low, proofs.back().high, piece.holds, ends, proofs);
       proofs.clear();
     };
+    while (proof != range.proofs.end() && proof->low < piece.low) ++proof;  // of pieces without a certificate
     for (; proof != range.proofs.end() && proof->low < piece.high; ++proof) {
       if (!proofs.empty() && proofs.back().high < proof->low) add_run();
       proofs.push_back(*proof);
@@ -123,27 +155,28 @@ std::optional<Certificate> levels_certificate(const ParametricMask& mask, char l
   if (levels.holds != Truth::yes) return std::nullopt;
   const Rational &low = box.low[0], &high = box.high[0];
   return interval_certificate(mask, letter, low, high, {to_text(property.order), {}},
-                              {{low, high, levels.above, std::nullopt}}, true);
+                              {{low, high, levels.above, std::nullopt}}, "", true);
 }
 
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve) {
-  if (mask.components() > 1) return {};
+  const std::string of_matrices = mask.components() > 1 ? "vectors" : "";
   const Rational strictly = power(Rational(10), -12);
   std::vector<Enclosure> special;  // with more sum rules
   for (const CurvePoint& point : curve.special) special.push_back(point.at.value);
   std::vector<RangeCertificate> certificates;
   const auto add = [&](const IntervalProof& proof, const ClaimedEnds& ends) {
     certificates.push_back({proof.low, proof.high, ends.lower ? Truth::yes : Truth::unknown,
-                            interval_certificate(mask, letter, proof.low, proof.high, ends, {proof})});
+                            interval_certificate(mask, letter, proof.low, proof.high, ends, {proof}, of_matrices)});
   };
   for (const CurvePiece& piece : curve.pieces) {
     IntervalProof above{piece.proof.low, piece.proof.high, std::nullopt, std::nullopt}, below = above;
     ClaimedEnds lower, upper;
     if (piece.exponent.lower && *piece.exponent.lower > strictly) {
       above.above = piece.proof.above;
-      lower.lower = outward(*piece.exponent.lower - strictly, Rounding::down);
+      const Rational most = of_matrices.empty() ? *piece.exponent.lower : Rational(curve.sum_rules);
+      lower.lower = outward(std::min(*piece.exponent.lower, most) - strictly, Rounding::down);
     }
-    if (piece.exponent.upper) {
+    if (piece.exponent.upper && of_matrices.empty()) {
       below.below = piece.proof.below;
       upper.upper = outward(std::max(Rational(0), *piece.exponent.upper), Rounding::up);
     }
@@ -154,7 +187,7 @@ std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, cha
     }
     if (above.above) add(above, lower);
     if (below.below) add(below, upper);
-    if (piece.exponent.upper && !piece.proof.below)
+    if (piece.exponent.upper && !piece.proof.below && of_matrices.empty())
       add_rough(certificates, mask, letter, curve.sum_rules, piece.proof.low, piece.proof.high, special, strictly);
   }
   return certificates;

@@ -13,59 +13,24 @@ namespace {
 
 using namespace certificate_text;
 
-/// Of a sequence of vectors the component is one more coordinate.
-std::string point_text(const LatticePoint& point, std::size_t variables) {
-  const auto end = point.begin() + static_cast<std::ptrdiff_t>(variables);
-  std::string text = fmt::format("{}", fmt::join(point.begin(), end, ","));
-  return end == point.end() ? text : fmt::format("{}.{}", text, *end);
-}
-
-Integer common_denominator(const std::vector<LatticeSequence>& sequences) {
-  Integer common = 1;
-  for (const LatticeSequence& sequence : sequences)
-    for (const auto& [point, value] : sequence) common = lcm(common, denominator(value));
-  return common;
-}
-
-/// The sequences times a factor; the point `first` leads, if it is one of them.
-std::string terms_text(const LatticeSequence& sequence, const Rational& factor, std::size_t variables,
-                       const LatticePoint& first = {}) {
-  std::string text;
-  const auto append = [&](const LatticePoint& point, const Rational& value) {
-    text += " " + point_text(point, variables) + ":" + to_text(Rational(factor * value));
-  };
-  if (const auto at = sequence.find(first); at != sequence.end()) append(first, at->second);
-  for (const auto& [point, value] : sequence)
-    if (point != first) append(point, value);
-  return text + "\n";
-}
-
-/// The vectors of the space, times their common denominator.
-std::string vectors_text(const DifferenceSpace& space) {
-  std::string text = fmt::format("space {}\n", space.basis.size());
-  const Rational factor = common_denominator(space.basis);
-  for (std::size_t c = 0; c < space.basis.size(); ++c)
-    text += "vector" + terms_text(space.basis[c], factor, space.dilation.variables(), space.pivots[c]);
-  return text;
-}
-
 /// The lines from the order of the differences to the vectors of the space.
 std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
   if (space.dilation.rows() != dilation.rows()) text += fmt::format("turned {}\n", space.dilation.to_text());
   text += "digits";
-  for (const LatticePoint& digit : space.dilation.digits()) text += " " + point_text(digit, digit.size());
+  for (const LatticePoint& digit : space.dilation.digits()) text += fmt::format(" {}", fmt::join(digit, ","));
   text += "\n";
   if (space.is_of_values())
     text += "values" + terms_text(space.values, common_denominator({space.values}), dilation.variables());
-  return text + vectors_text(space);
+  return text + vectors_text(space.basis, space.pivots, space.dilation.variables());
 }
 
 /// That the scheme converges, after a proof by differences of phi.
 void add_shrinking(Certificate& certificate, const ShrinkingDifferences& differences) {
   const DifferenceSpace& space = differences.space;
-  certificate.sections.push_back(
-      {fmt::format("sum-rules {}\n", space.order) + vectors_text(space) + blocks_text(differences.radius)});
+  certificate.sections.push_back({fmt::format("sum-rules {}\n", space.order) +
+                                  vectors_text(space.basis, space.pivots, space.dilation.variables()) +
+                                  blocks_text(differences.radius)});
   add_sections(certificate, differences.radius.proof, space.family.count());
 }
 
@@ -77,27 +42,39 @@ std::string gram_text(const LatticeSequence& gram) {
   return "gram" + terms_text(half, common_denominator({half}), gram.begin()->first.size());
 }
 
+/// How many of the blocks, the first ones, are of what the component does not show.
+std::size_t unobservable_blocks(const ComponentProof& proof) {
+  std::size_t count = 0;
+  for (std::size_t sum = 0; sum < proof.unobservable; ++count) sum += proof.radius.by_blocks()->triangular.sizes[count];
+  return count;
+}
+
 }  // namespace
 
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity) {
   require(regularity.radius && regularity.space,
           "certificate: need a joint spectral radius, got none (of a tensor product, certify the factors)");
-  const JointSpectralRadius& radius = *regularity.radius;
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
-  const DifferenceSpace& space = *regularity.space;
   const FunctionVector* vector = regularity.vector ? &*regularity.vector : nullptr;
+  const bool is_one = vector && vector->components.size() == 1;
   require(!vector || vector->root == 0, "certificate: need rational matrices, got some with the square root of {}",
           vector ? vector->root : 0);
   require(!vector || vector->solutions == 1,
           "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
           vector ? vector->solutions : 0);
+  require(!is_one || !vector->components.front().is_zero, "certificate: need a function that is not 0");
+  require(!is_one || vector->proof, "certificate: need a proof of the exponent of the function, got none");
+  const ComponentProof* component = is_one ? &*vector->proof : nullptr;
+  const JointSpectralRadius& radius = component ? component->radius : *regularity.radius;
+  const DifferenceSpace& space = component ? component->space : *regularity.space;
   require(!space.is_of_values() || vector || regularity.shrinking,
           "certificate: need differences of the scheme that are proved to shrink, got those of the limit alone (with a "
           "longer budget a proof may be found)");
+  const std::size_t first_block = component ? unobservable_blocks(*component) : 0;
   const auto exponent = [&](const ExactRadius& exact) {
-    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact)}, dilation.classes(),
-                                        dilation.variables());
+    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact, first_block)},
+                                        dilation.classes(), dilation.variables());
     ends.lower = std::min(ends.lower.value_or(0), Rational(space.order));
     return ends;
   };
@@ -105,17 +82,19 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const std::optional<Rational>&lower = ends.lower, &upper = ends.upper;
   require(*lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*lower, 6, Rounding::nearest));
-  require(!vector || vector->components.size() == mask.components(),
-          "certificate: that of a vector of functions is about the worst of them, not about one that is chosen");
   const bool tells_upper_end = (space.is_of_values() || regularity.stable.is_yes()) && upper && *upper < space.order;
-  const ExactRadius exact = tells_upper_end ? exact_radius(radius) : ExactRadius{};
-  Certificate certificate{{{}, SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr}}, {}};
+  const ExactRadius exact = tells_upper_end ? exact_radius(radius, first_block) : ExactRadius{};
+  Certificate certificate{{{},
+                           SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr,
+                                          is_one ? std::to_string(vector->components.front().component) : ""}},
+                          {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
   certificate.bounds = {outward(*lower, Rounding::down), certificate.claim.upper};
   claim_exact(certificate, exact, "0-log");
   std::string text = space_text(space, dilation);
   if (tells_upper_end && !space.is_of_values()) text += gram_text(*regularity.gram);
+  if (component) text += fmt::format("unobservable {}\n", component->unobservable);
   text += blocks_text(radius);
   if (tells_upper_end) text += product_text(space.family, radius);
   certificate.sections.push_back({std::move(text)});

@@ -277,9 +277,10 @@ var check_certificate = (() => {
   }
   // A scheme of one variable, with or without a parameter (section 6): the mask a_i(w) / q(w), polynomials given by
   // their integer coefficients; without a parameter q is the denominator of the mask.
-  function read_curve(text, arity, letter) {
-    const parts = mask_parts(text), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
-    demand(parts.depth === 1 && (!parts.first || parts.first.length === 1), outside);
+  function read_curve(text, arity, letter, inner = 0) {  // `inner`: 2 where the coefficients are matrices
+    const parts = mask_parts(text, inner), outside = 'a mask has 1 to 1000 coefficients, the first and the last not zero';
+    demand(parts.depth === 1 + inner && (!parts.first || parts.first.length === 1), outside);
+    demand(!inner || parts.sizes[0] === parts.sizes[1], 'a coefficient of a mask is no square matrix');
     demand(parts.coefficients.length <= 1000, outside);
     const read = c => letter ? polynomial(c, letter) : [rational(c)], by = parts.den === undefined ? '1' : parts.den;
     const quotient = letter && /^\((.*)\)$/.exec(by), q = read(quotient ? quotient[1] : '1');
@@ -291,7 +292,8 @@ var check_certificate = (() => {
     demand(letter || (numbers[0] && numbers[numbers.length - 1]), outside);
     const all = [...divisor.numbers.map(x => x * den), ...numbers], g = all.reduce(gcd, 0n) || 1n;
     const row = i => all.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
-    return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1))};
+    const matrices = inner ? {components: parts.sizes[0], first: parts.first ? parts.first[0] : 0n} : {};
+    return {arity, degree, q: row(0), a: parts.coefficients.map((_, i) => row(i + 1)), ...matrices};
   }
 
   // ---- 4.1 and section 6: b = A^M a / sigma^M, times q, and the families --------------------------------------------
@@ -327,15 +329,27 @@ var check_certificate = (() => {
     }
     return all;
   }
+  function weights_of(q, interval, degree) {  // and the sign that was turned
+    const weights = form_of(q, interval, degree), turn = weights[0] < 0n ? -1n : 1n;
+    demand(weights.every(x => x * turn > 0n), 'the denominator of the mask changes its sign, or may do so');
+    return {turn, weights: weights.map(x => x * turn)};
+  }
+  // 6.7: the same of matrices of polynomials over `den` q, one for each digit
+  function controls_of({den, degree, q, matrices}, interval) {
+    const {turn, weights} = weights_of(q, interval, degree), all = weights.reduce(lcm, 1n), size = matrices[0].length;
+    spend(matrices.length * size * size * (degree + 1) ** 3);
+    const forms = matrices.map(m => m.map(row => row.map(p =>
+      form_of(p, interval, degree).map((x, j) => x * turn * (all / weights[j])))));
+    const factor = common_factor(all * den, forms.flat(3));
+    const controls = forms.flatMap(m => weights.map((_, l) => m.map(row => row.map(form => form[l] / factor))));
+    return {size, den: all * den / factor, weights, matrices: controls, symbol: null};
+  }
   // The family of control matrices on an interval, in the order of 6.1; that of the T_t where there is no interval
   function control_family(symbol, interval) {
     const {arity, degree, q, b, size} = symbol;
+    if (symbol.matrices) return controls_of(symbol, interval);
     demand(size <= 256, 'transition matrices larger than 256');
-    let weights = form_of(q, interval, degree);
-    const turn = weights[0] < 0n ? -1n : 1n;
-    weights = weights.map(x => x * turn);
-    demand(weights.every(x => x > 0n), 'the denominator of the mask changes its sign, or may do so');
-    const all = weights.reduce(lcm, 1n);
+    const {turn, weights} = weights_of(q, interval, degree), all = weights.reduce(lcm, 1n);
     const numbers = b.map(p => form_of(p, interval, degree).map((x, j) => x * turn * (all / weights[j])));
     const factor = common_factor(all, numbers.flat()), den = all / factor;
     const entries = numbers.map(row => row.map(x => x / factor));
@@ -560,7 +574,7 @@ var check_certificate = (() => {
   // ---- Section 7: rounded coefficients ------------------------------------------------------------------------------
   const delta = (k, x, y) => k ? round_up(times(times(k, y), power(plus(x, y), k - 1))) : fraction(0n);
   const norm_of_family = ({den, matrices}) => fraction(largest_by(matrices, column_norm), den);
-  function rounding_of({arity, a}, {eps, order}, family) {
+  function rounding_of({arity, a}, {eps, order, symmetric}, family) {
     let series = Array(a.length).fill(1n);
     for (let m = 0; m < order; ++m) {  // times (1 + z) / (1 - z^A)
       spend(a.length, order);
@@ -568,29 +582,59 @@ var check_certificate = (() => {
       for (let i = arity; i < a.length; ++i) series[i] += series[i - arity];
     }
     const eta = times(eps, BigInt(arity) ** BigInt(order) * largest(series));
-    return {eps, e: times(eta, family.size), nu: norm_of_family(family)};
+    return {eps, e: times(eta, family.size), nu: norm_of_family(family), symmetric};
   }
 
   // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
-  function read_blocks(reader, {size, den, weights, matrices}) {
+  function read_blocks(reader, {size, den, weights, matrices}, part = null) {
     const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
     demand(sizes.reduce((x, y) => x + y) === size, 'the block sizes do not sum to n');
     const square = words => {
       const {den: by, numbers} = common(reader.rows(words, size, size, rational).flat());
       return {by, rows: range_of(size).map(i => numbers.slice(i * size, (i + 1) * size))};
     };
-    const basis = square('basis'), inverse = square('inverse'), by = basis.by * inverse.by;
+    const ends = sizes.map((_, i) => sum_of(sizes.slice(0, i))), hidden = part ? ends.indexOf(part.unobservable) : 0;
+    demand(hidden >= 0, 'what is unobservable consists of no blocks');
+    const basis = square('basis');
+    if (part) check_unobservable(part, basis.rows);
+    const inverse = square('inverse'), by = basis.by * inverse.by;
     demand(equal(multiply(basis.rows, inverse.rows), scaled(identity(size), by)),
            'basis times inverse is not the unit matrix');
     const all = matrices.map(matrix => multiply(multiply(inverse.rows, matrix), basis.rows));
     return sizes.map((n, block) => {
-      const first = sizes.slice(0, block).reduce((x, y) => x + y, 0), within = row => row.slice(first, first + n);
+      const first = ends[block], within = row => row.slice(first, first + n);
       demand(all.every(m => m.slice(first + n).every(row => within(row).every(x => !x))), 'not block upper triangular');
       const entries = all.map(m => m.slice(first, first + n).map(within));
       const factor = common_factor(den * by, entries.flat(2));
       const matrices = entries.map(m => m.map(row => row.map(x => x / factor)));
-      return {size: n, den: den * by / factor, weights, matrices};
+      return {size: n, den: den * by / factor, weights, matrices, hidden: block < hidden};
     });
+  }
+
+  // 5.9: the first columns of the basis are 0 under the readings of a component, and no larger invariant space is
+  function check_unobservable({readings, unobservable}, basis) {
+    const zero = readings.length && unobservable ? multiply(readings, basis.map(row => row.slice(0, unobservable))) : [];
+    demand(zero.flat().every(x => !x), 'the component shows what is said to be unobservable');
+  }
+  function check_observable({readings, unobservable}, {size, matrices}) {
+    const p = 2n ** 32n - 5n, rest = x => (x % p + p) % p, rows = [];  // each with its pivot, where it is 1
+    const extend = row => {
+      spend(size * (rows.length + 2), 64);
+      const x = row.map(rest);
+      for (const {at, row: y} of rows) {
+        const factor = x[at];
+        if (factor) y.forEach((value, k) => { x[k] = rest(x[k] - factor * value); });
+      }
+      const at = x.findIndex(value => value);
+      if (at < 0) return;
+      let by = 1n;
+      for (let e = p - 2n, square = x[at]; e; e /= 2n, square = square * square % p) if (e % 2n) by = by * square % p;
+      rows.push({at, row: x.map(value => value * by % p)});
+    };
+    readings.forEach(extend);
+    for (let i = 0; i < rows.length; ++i)
+      for (const matrix of matrices) extend(multiply([rows[i].row], matrix)[0]);
+    demand(rows.length + unobservable >= size, 'more than what is said to be unobservable may be so');
   }
 
   // ---- 4.5: lower bounds by a product -------------------------------------------------------------------------------
@@ -606,7 +650,7 @@ var check_certificate = (() => {
   }
   function read_word(reader, blocks, letters) {
     const [number, re, im, ...word] = reader.read('product', 4, 4099);
-    const block = blocks[small(number, 0, blocks.length - 1)];
+    const block = blocks[small(number, blocks.filter(({hidden}) => hidden).length, blocks.length - 1)];
     return {block, c: [re, im].map(rational), word: word.map(t => small(t, 0, letters - 1))};
   }
   // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors`
@@ -805,11 +849,12 @@ var check_certificate = (() => {
         if (less(g, value)) g = value;  // w + |r|_1 E
         if (!exact) return;
         allow_bits(memory += bits(value.n) + 256);
-        values.push(value.n);
+        values.push(rounding ? ceil_div(value.n * (den << scale), value.d) : value.n);
       });
     }
     const attained = Boolean(exact) && reader.peek() === 'cycle';
-    if (attained) new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g}).check(values, den << scale);
+    if (attained)
+      new TrueVertices(reader, body, exact, {matrices, den, v_bits, E, g, rounding}).check(values, den << scale);
     return {value: g, level: 1, attained};
   }
   // The vertices and their images under the group, packed; a complex vector is its real and its imaginary part.
@@ -914,6 +959,24 @@ var check_certificate = (() => {
     demand(eps && !more.length && sign(eps) > 0, form);
     return {order: with_order ? small(M, 0, 500) : null, p, re, im, eps, L: small(L, 1, 1000)};
   }
+  const moduli_between = (re, im, eps, least, most) => {  // of all numbers within eps of re + i im
+    const square = x => times(x, x), [low, high] = [plus(least, eps), minus(most, eps)];
+    const modulus = plus(square(re), square(im));
+    return sign(high) >= 0 && !less(modulus, square(low)) && !less(square(high), modulus);
+  };
+  const wrong_bounds = 'the bounds of the exact radius are wrong';
+  const read_letters = text => {
+    const letters = text.split(',').map(token => small(token, 0, 15));
+    demand(letters.length <= 1000, 'a product of more than 1000 letters');
+    return letters;
+  };
+  function read_attains(reader, {options, within}) {  // section 7.1: the line `attains`, if it is there or needed
+    if (options.attains === undefined && reader.peek() !== 'attains') return null;
+    const [text, ...bounds] = reader.read('attains', 3), [low, high] = bounds.map(rational);
+    demand(options.attains === undefined || text === options.attains, 'the claim is about another product');
+    demand(sign(low) > 0 && sign(high) > 0, 'the bounds of the radius are not positive');
+    return {order: within.order, product: String(read_letters(text)), low, high};
+  }
   // The lines `exact` and `root`, if they are there or the claim needs them: the exact number, with c = y / h near z
   function read_root(reader, {options, of_family}) {
     if (options.exact === undefined && reader.peek() !== 'exact') return null;
@@ -934,9 +997,7 @@ var check_certificate = (() => {
     const bend = horner(p.map((x, k) => abs(x) * BigInt(k * (k - 1))).slice(2), m);
     demand(less(square(times(times(exact.eps, bend), centre.h ** BigInt(n - 1))), slope_0),
            'there may be more than one zero');
-    const [least, most] = [plus(power(low, L), eps), minus(power(high, L), eps)], modulus = squares([re, im]);
-    demand(sign(most) >= 0 && !less(modulus, square(least)) && !less(square(most), modulus),
-           'the bounds of the exact radius are wrong');
+    demand(moduli_between(re, im, eps, power(low, L), power(high, L)), wrong_bounds);
     return {...exact, real: !sign(im) && !sign(exact.im), h, y, m: plus(plus(abs_of(re), abs_of(im)), eps),
             eps, low, high};
   }
@@ -1002,7 +1063,8 @@ var check_certificate = (() => {
     constructor(reader, body, exact, known) {
       super(reader, body, known.matrices);
       Object.assign(this, known, {exact, cycles: new Map(), errors: new Map(), memory: 0});
-      while (reader.peek() === 'cycle') this.read_cycle();
+      if (this.rounding) this.read_near_cycles();
+      else while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
       demand(less(this.e, 1n), 'a vertex is too far from the true one');
@@ -1043,8 +1105,56 @@ var check_certificate = (() => {
              'an eigenvector of a cycle may be negative');
       this.enter(J, times(bound, fraction(this.E, 1n << BigInt(v_bits))));
     }
+    read_near_cycles() {  // section 7.1: one, or two whose products have the same eigenvalue for all masks
+      const {reader, body: {has}, exact: {product}, den, matrices, rounding: {e, symmetric}} = this;
+      demand(!has.complex && !has.nonnegative && (!has.symmetric || symmetric),
+             'of all masks near by a complex polytope, a cone, and a symmetric polytope where they are not prove nothing');
+      const {letters, c, distance} = this.read_near_cycle();
+      demand(String(has.transposed ? letters : letters.slice().reverse()) === product,
+             'the product of the cycle is not the one of the claim');
+      if (reader.peek() !== 'cycle') return;
+      const second = this.read_near_cycle(), last = matrices.length - 1, ends = [letters, second.letters].sort();
+      demand(!has.symmetric && !less(c, second.c) && !less(second.c, c) && String(ends) === `0,${last}`,
+             'nothing says that two products have the same radius for all masks near by');
+      const error = plus(less(distance, second.distance) ? second.distance : distance, e);
+      for (const corner of [matrices[0][0][0], matrices[last].at(-1).at(-1)])
+        demand(less(error, abs_of(minus(fraction(corner, den), c))), 'a corner of a matrix may be the eigenvalue');
+    }
+    read_near_cycle() {
+      const {reader, body, exact: {low, high}, den, v_bits, matrices, rounding: {e}} = this;
+      const {size: n, has} = body, last = matrices.length - 1;
+      const [first, turn, ...rest] = reader.read('cycle', 4, 1003), J = this.vertex(first);
+      demand(turn === '-' || (turn === 'f' && has.symmetric), "the word of a cycle is '-' or 'f'");
+      demand(!this.cycles.has(J), 'a vertex is the first one of two cycles');
+      const c = rational(rest[0]), word = rest.slice(1).map(t => this.letter(t));
+      const letters = turn === 'f' ? [...word, ...word.map(t => last - t)] : word;
+      const N = this.follow(word, identity(n)), D = den ** BigInt(word.length);
+      if (turn === 'f') N.reverse();
+      const [v] = body.coordinates(J), size = v.map(abs), kept = size.indexOf(largest(size)), shift_by = BigInt(v_bits);
+      const whole = D * c.d, one = whole << shift_by;
+      const less_c = N.map((row, i) => row.map((x, k) => x * c.d - (i === k ? c.n * D : 0n)));
+      const B = less_c.map((row, i) => [...row.map(x => x << shift_by), -v[i] * whole]);
+      B.push(range_of(n + 1).map(k => k === kept ? one : 0n));
+      const unit = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
+      const X = transpose(range_of(n + 1).map(k => reader.read(`column ${k}`, n + 1).map(integer)));
+      const F = [...multiply(less_c, v.map(x => [x])), [0n]];
+      const unity = difference(multiply(X, B), scaled(identity(n + 1), one * unit));
+      const X_size = fraction(column_norm(X), unit);
+      const moved = times(X_size, delta(word.length, norm_of_family({den, matrices}), e));
+      const contraction = round_up(plus(fraction(column_norm(unity), one * unit), moved));
+      const off = plus(fraction(column_norm(multiply(X, F)), whole * unit), times(moved, sum(size)));
+      const step = round_up(times(off, fraction(1n, 1n << shift_by))), left = minus(1n, contraction);
+      demand(sign(left) > 0 && less(times(6n, times(X_size, step)), times(left, left)),
+             'no eigenvector is proved near the first vertex of the cycle');
+      const distance = over(times(2n, step), left), zero = fraction(0n);
+      demand(moduli_between(c, zero, distance, power(low, word.length), power(high, word.length)), wrong_bounds);
+      this.cycles.set(J, {word});
+      this.enter(J, times(distance, this.E));
+      return {letters, c, distance};
+    }
     read_origin() {
-      const {body, exact: {low, high}, den, v_bits, E, g} = this, [first, ...rest] = this.reader.read('origin', 3);
+      const {body, exact: {low, high}, den, v_bits, E, g, rounding} = this;
+      const [first, ...rest] = this.reader.read('origin', 3);
       const J = this.vertex(first);
       demand(!this.cycles.has(J), 'the first vertex of a cycle is no image');
       demand(!(J <= this.last_origin), 'the vertices of origins are not in order');
@@ -1054,7 +1164,8 @@ var check_certificate = (() => {
       const away = s => sum(v.map((row, i) => sum(row.map((x, part) => abs(low.d * image[i][part] - s * x)))));
       const [plain, turned] = [low.n * den, -low.n * den].map(away);
       const near = fraction(turned < plain ? turned : plain, low.d * den);
-      const drift = times(minus(high, low), sum(v.map(norm)));
+      const off = rounding ? times(rounding.e, sum(body.coordinates(K).map(norm))) : 0n;
+      const drift = plus(times(minus(high, low), sum(v.map(norm))), off);
       const own = times(plus(near, drift), fraction(E, 1n << BigInt(v_bits)));
       this.enter(J, over(plus(times(g, fraction(this.errors.get(K) || 0n, 1n << 512n)), own), low));
     }
@@ -1064,6 +1175,10 @@ var check_certificate = (() => {
       const [index, word] = split_index(third), [element] = spell(body.group, word);
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
+      if (this.rounding) {
+        demand(this.is_mirrored(A, B, word), 'nothing says of all masks near by that an image is a vertex');
+        return this.settle(j, T);
+      }
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
       const related = cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more;
       demand(related || body.has.nonnegative, wrong);
@@ -1080,6 +1195,15 @@ var check_certificate = (() => {
       const opposite = () => related && equal(scaled(left, -1n), right);
       demand(body.has.nonnegative ? opposite() || below() : left.every((row, i) => same_row(i)) || opposite(), wrong);
       this.settle(j, T);
+    }
+    is_mirrored(A, B, word) {  // both stem from one vertex that is its own flip, up to its sign, by mirrored letters
+      const {body, matrices} = this, cycle = this.cycles.get(A.source);
+      const flipped = letters => letters.map(t => matrices.length - 1 - t);
+      if (word !== 'f' || !body.has.symmetric || A.source !== B.source) return false;
+      if (String(A.letters) !== String(flipped(B.letters))) return false;
+      if (cycle) return String(cycle.word) === String(flipped(cycle.word));
+      const parts = body.coordinates(A.source);
+      return [1n, -1n].some(s => parts.every(x => x.every((c, i) => c === s * x[x.length - 1 - i])));
     }
     check(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
       const {exact: {low}, e, g, matrices} = this, limit = minus(times(low, minus(1n, e)), times(g, e));
@@ -1615,10 +1739,11 @@ var check_certificate = (() => {
     return read(reader, family, fields, rounding, exact);
   }
   function prove(reader, family, goal, options = {}) {
-    const {first_column = false, rounding = null, product = read_product, exact = null} = options;
+    const {first_column = false, rounding = null, product = read_product, exact = null, part = null} = options;
     const in_blocks = reader.peek() === 'blocks';
     demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
-    const blocks = in_blocks ? read_blocks(reader, family) : [family];
+    demand(in_blocks || !part || !part.unobservable, "expected 'blocks', those of what is unobservable first");
+    const blocks = in_blocks ? read_blocks(reader, family, part) : [family];
     if (goal.above || reader.peek() === 'product') {
       const {radius, length} = product(reader, blocks, rounding);
       if (goal.above) goal.above(radius, length);
@@ -1626,6 +1751,11 @@ var check_certificate = (() => {
     const sections = [];
     if (goal.below || exact || reader.peek() === 'block')
       blocks.forEach((block, i) => {
+        if (block.hidden) {  // phi is continuous: their radius is below 1
+          const {value, level} = read_section(reader, i, block, false, null, null);
+          at_most(fraction(1n), true)(value, level);
+          return;
+        }
         const section = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
         const {value, level, attained} = section;
         demand(!exact || attained || !less(power(exact.low, level), value),
@@ -1999,6 +2129,7 @@ var check_certificate = (() => {
       return String(times_point(this.adjugate, point).map(x => (x % D + D) % D));
     }
     divide(point) { return times_point(this.adjugate, point).map(x => x / this.det || 0); }  // M^(-1) point
+    images(v) { return this.digits.map(t => this.apply(t, v)); }
     apply(t, v) {
       const result = new Map(), n = t.length;
       for (const [k, value] of v.values()) {
@@ -2054,7 +2185,7 @@ var check_certificate = (() => {
   // (iii): bases, modulo the space of `rows`, of the span of the T_w x with x in `start` and words w of at least i
   // letters, i = 0, 1, ..., until it is 0 or stays the same, or for a number of steps
   function long_words(start, rows, transition, steps = Infinity, prime = 0n) {
-    const images = x => transition.digits.map(t => transition.apply(t, x)), all = new Span(rows, prime);
+    const images = x => transition.images(x), all = new Span(rows, prime);
     let last = [];
     for (let queue = start; queue.length;) {
       const found = queue.map(x => all.extend(x)).filter(x => x);
@@ -2110,7 +2241,7 @@ var check_certificate = (() => {
       demand(!rest.size, 'a transition operator leads out of the space');
       return at;
     }));
-    return {size: vectors.length, den: pivot * den, matrices: columns.map(transpose)};
+    return {size: vectors.length, den: pivot * den, matrices: columns.map(transpose), vectors};
   }
   // 5.5: the g_k, each for k and -k, are a fixed point of the transfer operator, and the sum over them is positive
   function check_gram(reader, transition, den) {
@@ -2248,7 +2379,100 @@ var check_certificate = (() => {
     });
     demand(images.filter(x => !x).length <= 1, 'the refinement equation may have several continuous solutions');
   }
-  function check_surface(reader, {lower, upper, surface, dilation, exact}) {
+  function read_component(reader, {size, vectors}, component) {  // what reads it on the space, by points
+    const readings = new Map();
+    vectors.forEach((v, k) => {
+      for (const [key, [p, value]] of v)
+        if (p[p.length - 1] === component) {
+          spend(readings.has(key) ? 1 : size);
+          if (!readings.has(key)) readings.set(key, Array(size).fill(0n));
+          readings.get(key)[k] = value;
+        }
+    });
+    return {readings: [...readings.values()], unobservable: small(reader.read('unobservable', 1)[0], 0, size - 1)};
+  }
+  // 6.7: vector schemes with a parameter. sum_k x_k . e_l(-k) is 0 for all l
+  function annihilates(x, data) {
+    const moments = data.map(y => y.map(() => fraction(0n)));  // of (-k)^t / t!
+    for (const [[k, c], value] of x.values()) {
+      let term = fraction(value);
+      for (let t = 0; t < data.length; ++t, term = times(term, fraction(BigInt(-k), BigInt(t)))) {
+        spend(8, bits(term.n), 64);
+        moments[t][c] = reduced(plus(moments[t][c], term));
+      }
+    }
+    return data.every((_, l) => !sign(range_of(l + 1).reduce((total, s) =>
+      data[s].reduce((inner, y, c) => reduced(plus(inner, times(y, moments[l - s][c]))), total), fraction(0n))));
+  }
+  function read_generators(reader, data) {  // shifts of these are all that annihilates the data
+    const first = data[0].findIndex(sign), delta = new Map();
+    demand(first >= 0, 'the constant data are 0');
+    add(delta, [0, first], 1n);
+    const others = range_of(data[0].length).filter(c => c !== first).map(c => {
+      const x = read_sequence(reader.read('reading', 1, 2 ** 24), 1, data[0].length), places = [...x.values()].map(([p]) => p[1]);
+      demand(places.every(at => at === c || at === first), "a line 'reading' has a component too many");
+      demand(places.filter(at => at === c).length === 1, "a line 'reading' has not one number of its component");
+      return x;
+    });
+    return [...differences(delta, data.length, 1), ...others];
+  }
+  function check_interpolation({arity, degree, q, a, components: r, first}) {
+    const wrong = 'the scheme does not interpolate';
+    a.forEach((p, i) => {
+      const inside = i % (r * r), k = first + BigInt((i - inside) / (r * r)), column = inside % r, row = (inside - column) / r;
+      if (k % BigInt(arity)) return;
+      range_of(degree + 1).forEach(j =>
+        demand(p[j] * BigInt(arity) ** BigInt(row) === (!k && row === column ? q[j] : 0n), wrong));
+    });
+  }
+  function check_vectors(reader, claim) {
+    const {lower, upper, hermite, curve, interval} = claim, {arity, degree, q, a, components: r, first} = curve, base = BigInt(arity);
+    const order = small(reader.read('sum-rules', 1)[0], 1, 64);
+    check_ends(lower, upper, 0);
+    const end = lower || upper;
+    demand(less(end, order), 'the end is not below the number of sum rules');
+    demand(!hermite || !less(end, r - 1), 'a Hermite scheme is asked for fewer derivatives than its data are');
+    if (hermite && upper) check_interpolation(curve);
+    const unit = s => range_of(r).map(c => fraction(c === s ? 1n : 0n));
+    const data = range_of(order).map(s => hermite ? unit(s) : reader.read('data', r).map(rational));
+    const surface = {sizes: [a.length / (r * r)], components: r, first: [first]};
+    const powers = range_of(degree + 1).map(k => mask_sequence({...surface, numbers: a.map(p => p[k])}));
+    const digits = reader.read('digits', arity).map(token => read_point(token, 1));
+    const transitions = powers.map(mask => new Transition(mask, [[arity]], digits));
+    demand(new Set(digits.map(t => transitions[0].class_of(t))).size === arity, 'two digits of one class');
+    powers.forEach((mask, k) => {
+      const sums = digits.map(() => unit(-1)), index = new Map(digits.map((t, i) => [transitions[0].class_of(t), i]));
+      for (const [[i, row, column], value] of mask.values()) {
+        const of = sums[index.get(transitions[0].class_of([i]))];
+        of[column] = plus(of[column], times(data[0][row], fraction(value)));
+      }
+      demand(sums.every(y => y.every((x, c) => !sign(minus(x, times(data[0][c], fraction(q[k])))))),
+             'the scheme does not keep the constant data');
+    });
+    const all = {digits, images: x => digits.flatMap(t => transitions.map(one => one.apply(t, x)))};
+    const start = read_generators(reader, data);
+    for (const x of start) {
+      demand(annihilates(x, data), "a line 'reading' does not annihilate the data");
+      demand(all.images(x).every(y => annihilates(y, data)), 'the scheme does not keep the data');
+    }
+    const vectors = read_space(reader, 1, r), families = transitions.map(one => () => space_family(vectors, one, 1n));
+    demand(vectors.every(x => annihilates(x, data)), 'a vector does not annihilate the data');
+    const by_power = families.map(make => make());
+    long_words(start, vectors.map(row => ({key: first_key(row), row})), all);
+    const scale = base ** BigInt(order);
+    const matrices = digits.map((_, t) => vectors.map((_row, i) => vectors.map((_column, k) =>
+      by_power.map(({matrices: m}) => scale * m[t][i][k]))));
+    const goal = {below: lower && at_most(power_below(base, minus(order, lower)), true)};
+    if (upper) {
+      const reached = at_least(over(1n, power_below(base, minus(upper, order))));
+      goal.above = (radius, length) => {
+        demand(!less(radius, 1n), no_exponent);
+        reached(radius, length);
+      };
+    }
+    check_intervals(reader, {arity, degree, q, den: by_power[0].den, matrices}, goal, {levels: false, interval});
+  }
+  function check_surface(reader, {lower, upper, surface, dilation, component, exact}) {
     const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
     const order = order_in_space(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0]);
     check_ends(lower, upper, 1);
@@ -2267,6 +2491,8 @@ var check_certificate = (() => {
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
     const family = by_values ? read_values(reader, transition, order, den, both, components)
       : read_differences(reader, transition, order, den);
+    const part = component === undefined ? null : read_component(reader, family, component);
+    if (part && both) check_observable(part, family);
     if (!by_values && (both || reader.peek() === 'gram')) check_gram(reader, transition, den);
     const within = lower && at_most(power_below(base, minus(0n, lower)), false);
     const reached = upper && at_least(over(1n, power_below(base, upper)));
@@ -2276,7 +2502,7 @@ var check_certificate = (() => {
         demand(less(power(fraction(1n, base), order * length), power(radius, dimension)), no_exponent);
         reached(power(radius, dimension), length);
       }),
-    }, {exact});
+    }, {exact, part});
     if (!by_values || components) return;
     const rules = order_in_space(reader.read('sum-rules', 1)[0]);  // 5.6: the scheme converges
     prove(reader, read_differences(reader, transition, rules, den), {below: at_most(fraction(1n), true)});
@@ -2564,7 +2790,11 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
-                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to a factor)
+                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k),
+                     one up to a factor; of phi_C alone, C = 0, 1, ...)
+       subcert-check --vectors '[[[w,b],[c,d]],...]@first' --arity A --for 'w=LOW..HIGH' --lower P/Q FILE
+                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it diverges)
+       subcert-check --hermite MASK --arity A --for RANGE --lower K FILE    (it is HC^K; --upper K: it is not)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
        subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
@@ -2573,13 +2803,16 @@ var check_certificate = (() => {
        subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the logarithm to the
                      base A of |z|^(1/L), z the only zero of p0 + p1 x + ... within EPS of RE + i IM; radii: without
                      M-log; beside bounds, or without)
-       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)
+       subcert-check --mask MASK --arity A --within EPS,M[,symmetric] --attains T1,T2,... FILE    (exponents: M less the
+                     logarithm of the spectral radius of the product T1 T2 ... of L matrices to the power 1/L)
+       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P; so with
+                     --attains)
 a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'matrices',
-                   'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'logarithm'];
+    const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation', 'vectors',
+                   'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2591,20 +2824,26 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
-    const curve = has('mask', 'arity') && none('surface', 'refinable', 'dilation', 'matrices', 'subradius') &&
+    const curve = has('mask', 'arity') && none('surface', 'refinable', 'component', 'dilation', 'matrices', 'subradius') &&
       ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
       (none('levels') || (has('lower') && none('upper'))) &&
-      (!has('upper') || some('lower', 'for', 'exact') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact'));
+      (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
+      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
+      !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'logarithm');
+      (has('refinable') || none('component')) &&
+      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'dilation', 'logarithm');
+      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation', 'attains', 'logarithm');
+    const of_vectors = has('vectors') !== has('hermite') && has('arity', 'for') && has('lower') !== has('upper') &&
+      (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
+      none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
-    demand(has('FILE') && (l1 || ((curve || surface || family) && none('l1', 'contraction'))), usage);
+    const others = none('l1', 'contraction', 'vectors', 'hermite');
+    demand(has('FILE') && (l1 || of_vectors || ((curve || surface || family) && others)), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: l1 ? check_l1 : curve ? check_curve : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? check_curve : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
@@ -2622,12 +2861,23 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       [claim.surface, claim.dilation] = [read_surface(text, kind_of === 'refinable'), read_dilation(options.dilation)];
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
+      if (options.component !== undefined) {
+        claim.component = small(options.component, 0, claim.surface.components - 1);
+        claim.head += ` component=${options.component}`;
+      }
+    } else if (kind === check_vectors) {
+      claim.hermite = options.hermite !== undefined;
+      const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range(options.for, claim);
+      if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
+      claim.curve = read_curve(options[kind_of], small(options.arity, 2, 16), letter, 2);
+      claim.head = `${kind_of} ${options[kind_of]} ${options.arity} ${options.for}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
       claim.levels = options.levels !== undefined;
       const range = claim.levels ? options.levels : options.for;
       const letter = range === undefined ? null : read_range(range, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
+      if (options.attains !== undefined) read_letters(options.attains);
       claim.curve = read_curve(options.mask, arity, letter);
       claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
         (claim.within ? ` within=${options.within}` : '');
@@ -2650,10 +2900,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return letter;
   }
   function read_rounding(text) {
-    const [eps, order, more] = text.split(',');
-    const form = 'a rounding is EPS,M with EPS > 0 and the number M of sum rules';
-    demand(order !== undefined && more === undefined, form);
-    const rounding = {eps: rational(eps), order: small(order, 1, 500)};
+    const [eps, order, symmetric, more] = text.split(',');
+    const form = 'a rounding is EPS,M or EPS,M,symmetric with EPS > 0 and the number M of sum rules';
+    demand(order !== undefined && [undefined, 'symmetric'].includes(symmetric) && more === undefined, form);
+    const rounding = {eps: rational(eps), order: small(order, 1, 500), symmetric: symmetric !== undefined};
     demand(sign(rounding.eps) > 0, form);
     return rounding;
   }
@@ -2664,18 +2914,27 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
             contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
       ` of least absolute deviations ${options.l1}`;
   }
+  function text_of_vectors({options, hermite, lower, upper}) {
+    const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
+      : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
+    return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
+      `${options.arity} for all ${options.for}`;
+  }
   function text_of({options, of_family, lower, upper, rough, interval, levels}) {
     const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
-    const exact = options.exact !== undefined, power =
+    const {attains} = options, product = attains === undefined ? []
+      : [`${small(options.within.split(',')[1], 1, 500)}-log rho(${attains})^1/${attains.split(',').length}`];
+    const [number_text = options.exact] = product, exact = number_text !== undefined, power =
       options.logarithm === undefined ? '' : ` with |log h|^${options.logarithm}`;
-    const number_itself = exact ? `${what} = ${options.exact}` : what;
+    const number_itself = exact ? `${what} = ${number_text}` : what;
     if (rough) what = `${lower || exact ? `${number_itself} and ` : ''}no C^${rough} limits`;
     else what = lower || upper || exact ? number_itself : 'stable integer shifts of the refinable distribution';
     if (!lower && interval && upper) what = `no convergence, or ${what}`;
     const ends = !lower && interval && upper && !sign(upper) ? 'no convergence'
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
-    const mask = options.refinable === undefined ? options.surface : `the refinable functions of ${options.refinable}`;
+    const one = options.component === undefined ? '' : `component ${options.component} of `;
+    const mask = options.refinable === undefined ? options.surface : `${one}the refinable functions of ${options.refinable}`;
     const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}`
       : `${options.mask} with arity ${options.arity}`;
     return `${ends} of ${subject}` +
@@ -2704,7 +2963,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     read_bounds(reader);
     const one = !claim.interval && !claim.within;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
-    claim.exact = claim.l1 ? null : read_root(reader, claim);
+    claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);
     reader.finish('end', "text after 'end'");
   }
@@ -2747,7 +3006,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     } catch (error) {
       return {exit: 1, line: `REJECTED ${reason(error)}, line ${reader.line}`};
     }
-    return {exit: 0, line: `VERIFIED ${(claim.l1 ? text_of_l1 : text_of)(claim)}`};
+    const words_of = claim.l1 ? text_of_l1 : claim.kind === check_vectors ? text_of_vectors : text_of;
+    return {exit: 0, line: `VERIFIED ${words_of(claim)}`};
   };
 })();
 

@@ -36,7 +36,10 @@ class Checker {
       parse_size(bounds[1].substr(1), 1, 500);
     else if (bounds[1] != "-")
       parse_rational(bounds[1]);
-    if (claim_.exact || (!claim_.l1 && reader_.at("exact"))) read_exact();
+    if (claim_.rounding && (claim_.exact || reader_.at("attains")))
+      read_product_of_claim();
+    else if (claim_.exact || (!claim_.l1 && reader_.at("exact")))
+      read_exact();
     if (claim_.subradius)
       read_subradius(claim_.family, {claim_.lower, claim_.upper, exact_}, reader_, arithmetic_);
     else if (claim_.l1)
@@ -88,6 +91,18 @@ class Checker {
       std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask.has_value());
     }
     read_root(*exact_, reader_, arithmetic_);
+  }
+
+  /// Section 7.1: the product that attains the radius for all masks near by.
+  void read_product_of_claim() {
+    const Fields fields = reader_.take("attains", 3, 3);
+    require(!claim_.exact || fields[0] == claim_.exact_text, "the claim is about another product");
+    exact_.emplace();
+    exact_->letters = parse_letters(fields[0]);
+    exact_->low = parse_rational(fields[1]);
+    exact_->high = parse_rational(fields[2]);
+    require(exact_->low > 0 && exact_->high > 0, "the bounds of the radius are not positive");
+    exact_order_ = claim_.rounding->sum_rules;
   }
 
   /// Section 4.9: the exponent of another mask, and convergence of the scheme.
@@ -148,28 +163,60 @@ class Checker {
   void read_bounds(const Family& family, bool first_columns) {
     const bool divided = reader_.at("blocks");
     require(!divided || entry_error_ == 0, "blocks prove nothing of rounded masks");
+    require(divided || component_.unobservable == 0, "expected 'blocks', those of what is unobservable first");
     const std::vector<Family> blocks = divided ? read_blocks(family) : std::vector{family};
     if (lower_ || reader_.at("product")) read_product(blocks);
     const bool sections = upper_ || exact_ || reader_.at("block 0");
+    const auto goal = std::tuple(upper_, strict_, exact_);
     for (std::size_t i = 0; sections && i < blocks.size(); ++i) {
-      const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
-      if (fields[0] == "norm")
-        read_norm(blocks[i], fields, first_columns && !divided ? 1 : blocks[i].size);
-      else if (fields[0] == "single" && first_columns && !divided && entry_error_ == 0)
-        use_single(read_single(family, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
-      else if (fields[0] == "frequency" && first_columns && !divided && entry_error_ == 0)
-        use_upper_bound(read_frequency(family, fields, reader_, arithmetic_), 1);
-      else if (fields[0] == "quadratic" && entry_error_ == 0)
-        use_graph(read_quadratic(blocks[i], fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
-      else if (fields[0] == "graph" && entry_error_ == 0)
-        use_graph(read_graph(blocks[i], fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
+      if (i < unobservable_blocks_)  // phi is continuous: their radius is below 1
+        std::tie(upper_, strict_, exact_) = std::tuple(mpq_class(1), true, std::nullopt);
       else
-        use_polytope(read_polytope(blocks[i], fields, entry_error_, reader_, arithmetic_));
+        std::tie(upper_, strict_, exact_) = goal;
+      read_section(family, blocks[i], i, first_columns && !divided);
     }
+  }
+
+  void read_section(const Family& family, const Family& block, std::size_t i, bool first_columns) {
+    const Fields fields = reader_.take("block " + std::to_string(i), 2, 8);
+    if (fields[0] == "norm")
+      read_norm(block, fields, first_columns ? 1 : block.size);
+    else if (fields[0] == "single" && first_columns && entry_error_ == 0)
+      use_single(read_single(family, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
+    else if (fields[0] == "frequency" && first_columns && entry_error_ == 0)
+      use_upper_bound(read_frequency(family, fields, reader_, arithmetic_), 1);
+    else if (fields[0] == "quadratic" && entry_error_ == 0)
+      use_graph(read_quadratic(block, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
+    else if (fields[0] == "graph" && entry_error_ == 0)
+      use_graph(read_graph(block, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
+    else
+      use_polytope(read_polytope(block, fields, entry_error_, reader_, arithmetic_));
+  }
+
+  /// Section 6.7: of a vector scheme with a parameter.
+  Family read_vectors(const Mask& mask) {
+    const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = mask.components;
+    show_exponent(claim_.arity, power(claim_.arity, order), order);
+    const mpq_class end = claim_.lower ? *claim_.lower : *claim_.upper;
+    require(end < mpz_class(order), "the end is not below the number of sum rules");
+    require(!claim_.hermite || end + 1 >= mpz_class(size),
+            "a Hermite scheme is asked for fewer derivatives than its data are");
+    VectorScheme scheme{mask, std::vector<Rationals>(order, Rationals(size))};
+    if (claim_.hermite) {
+      for (std::size_t s = 0; s < size; ++s) scheme.data[s][s] = 1;
+      if (claim_.upper) check_interpolation(mask, claim_.arity);
+    } else {
+      for (Rationals& y : scheme.data) {
+        const Fields fields = reader_.take("data", size, size);
+        std::transform(fields.begin(), fields.end(), y.begin(), parse_rational);
+      }
+    }
+    return read_vector_scheme(scheme, claim_.arity, reader_, arithmetic_);
   }
 
   /// The transition matrices of the mask, and what is to be shown of them.
   Family read_scheme(const Mask& mask) {
+    if (mask.components > 0 && claim_.range) return read_vectors(mask);
     const bool of_values = claim_.dilation && (mask.components > 0 || reader_.at("differences"));
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);
@@ -183,6 +230,10 @@ class Checker {
       SurfaceFamily surface = read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_,
                                            reader_, arithmetic_);
       of_scheme_ = std::move(surface.of_scheme);
+      if (claim_.component) {
+        component_ = surface.of_component(*claim_.component);
+        if (claim_.upper || exact_) check_observable(component_, surface.family, arithmetic_);
+      }
       return std::move(surface.family);
     }
     for (std::size_t k = 0; k < mask.powers; ++k) {
@@ -255,7 +306,13 @@ class Checker {
     std::vector<std::size_t> sizes;
     for (const std::string_view field : reader_.take("blocks", 1, n)) sizes.push_back(parse_size(field, 1, n));
     require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == n, "the block sizes do not sum to n");
-    const Family basis = read_family(reader_, "basis", 1, n), inverse = read_family(reader_, "inverse", 1, n);
+    unobservable_blocks_ = 0;
+    for (std::size_t sum = 0; sum < component_.unobservable; sum += sizes[unobservable_blocks_++])
+      require(sum + sizes[unobservable_blocks_] <= component_.unobservable,
+              "what is unobservable consists of no blocks");
+    const Family basis = read_family(reader_, "basis", 1, n);
+    check_unobservable(component_, basis.entries, n, arithmetic_);
+    const Family inverse = read_family(reader_, "inverse", 1, n);
     const mpz_class denominator = basis.denominator * inverse.denominator;
     const Vector unit = arithmetic_.multiply(basis.entries, inverse.entries, n);
     for (std::size_t i = 0; i < n * n; ++i)
@@ -281,7 +338,7 @@ class Checker {
   /// A lower bound of the radius.
   void read_product(const std::vector<Family>& blocks) {
     const Fields fields = reader_.take("product", 4, 3 + 4096);
-    const Family& family = blocks[parse_size(fields[0], 0, blocks.size() - 1)];
+    const Family& family = blocks[parse_size(fields[0], unobservable_blocks_, blocks.size() - 1)];
     GivenProduct given{{}, parse_rational(fields[1]), parse_rational(fields[2])};
     for (std::size_t i = 3; i < fields.size(); ++i)
       given.letters.push_back(parse_size(fields[i], 0, family.count() / weights_.size() - 1));
@@ -329,7 +386,8 @@ class Checker {
 
   void use_polytope(const Polytope& body) {
     const bool attained = exact_ && reader_.at("cycle");
-    if (attained) check_attained(body, *exact_, reader_, arithmetic_);
+    const FamilyError error{entry_error_, claim_.rounding && claim_.rounding->symmetric};
+    if (attained) check_attained(body, *exact_, error, reader_, arithmetic_);
     use_graph({body.bound, attained});
   }
   /// Of a polytope as well.
@@ -406,7 +464,9 @@ class Checker {
   bool strict_;
   mpq_class above_ = 0;
   std::size_t root_ = 1;
-  std::function<Family()> of_scheme_;  // with `values`: what tells whether the scheme converges
+  std::function<Family()> of_scheme_;    // with `values`: what tells whether the scheme converges
+  Component component_;                  // of which the claim is,
+  std::size_t unobservable_blocks_ = 0;  // and the first blocks, which it does not show
   std::optional<ExactRadius> exact_;
   std::size_t exact_order_ = 0;
   std::size_t sum_rules_ = 0;

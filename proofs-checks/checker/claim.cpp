@@ -18,9 +18,14 @@ const char* const usage =
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
-    "                     --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k), one up to "
-    "a "
-    "factor)\n"
+    "                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x "
+    "- "
+    "k),\n"
+    "                     one up to a factor; of phi_C alone, C = 0, 1, ...)\n"
+    "       subcert-check --vectors '[[[w,b],[c,d]],...]@first' --arity A --for 'w=LOW..HIGH' --lower P/Q FILE\n"
+    "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it "
+    "diverges)\n"
+    "       subcert-check --hermite MASK --arity A --for RANGE --lower K FILE    (it is HC^K; --upper K: it is not)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
     "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE\n"
@@ -29,7 +34,13 @@ const char* const usage =
     "       subcert-check ... --exact 'M-log|[p0,p1,...]@RE,IM,EPS|^1/L' FILE    (exponents: M less the\n"
     "                     logarithm to the base A of |z|^(1/L), z the only zero of p0 + p1 x + ...\n"
     "                     within EPS of RE + i IM; radii: without M-log; beside bounds, or without)\n"
-    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n"
+    "       subcert-check --mask MASK --arity A --within EPS,M[,symmetric] --attains T1,T2,... FILE    (exponents: M "
+    "less\n"
+    "                     the logarithm of the spectral radius of the product T1 T2 ... of L matrices to the power "
+    "1/L)\n"
+    "       subcert-check --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P; so "
+    "with\n"
+    "                     --attains)\n"
     "a mask and no bounds: its integer shifts are stable\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
@@ -41,8 +52,9 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask", "--arity", "--for", "--levels", "--within", "--surface", "--refinable", "--dilation", "--matrices",
-        "--subradius", "--l1", "--contraction", "--lower", "--upper", "--exact", "--logarithm", "FILE"})
+       {"--mask",        "--arity",    "--for",     "--levels",  "--within",   "--surface",   "--refinable",
+        "--component",   "--dilation", "--vectors", "--hermite", "--matrices", "--subradius", "--l1",
+        "--contraction", "--lower",    "--upper",   "--exact",   "--attains",  "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -56,7 +68,8 @@ Options read_options(const std::vector<std::string>& arguments) {
 /// The mask, of numbers or of matrices, and its arity or its dilation.
 void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
                        bool of_matrices = false) {
-  claim.mask = of_matrices ? parse_matrix_mask(mask) : parse_mask(mask, claim.range ? claim.range->letter : '\0');
+  const char letter = claim.range ? claim.range->letter : '\0';
+  claim.mask = of_matrices ? parse_matrix_mask(mask, letter) : parse_mask(mask, letter);
   const Vector& coefficients = claim.mask->coefficients;
   if (kind == "arity") {
     require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
@@ -68,10 +81,16 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
     require(claim.dilation->variables == claim.mask->sizes.size(),
             "mask and dilation have different numbers of variables");
   }
-  const std::string curve = claim.levels ? "levels " : "exponent ";
-  claim.head = (of_matrices ? "refinable " : kind == "arity" ? curve : "surface ") + mask + " " + scale;
+  const bool curve = kind == "arity";
+  const std::string of_numbers = !curve ? "surface " : claim.levels ? "levels " : "exponent ";
+  const std::string vectors = claim.hermite ? "hermite " : "vectors ";
+  claim.head = (!of_matrices ? of_numbers : curve ? vectors : "refinable ") + mask + " " + scale;
   claim.text = "Hoelder exponent";
-  claim.subject = (of_matrices ? "the refinable functions of " : "") + mask + " with " + kind + " " + scale;
+  claim.subject = std::string(!of_matrices    ? ""
+                              : claim.hermite ? "the Hermite scheme of "
+                              : curve         ? "the vector scheme of "
+                                              : "the refinable functions of ") +
+                  mask + " with " + kind + " " + scale;
 }
 
 /// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
@@ -119,36 +138,51 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
              &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
-             &refinable = given["--refinable"], &surface = refinable ? refinable : scheme,
-             &dilation = given["--dilation"], &radius = given["--matrices"], &subradius = given["--subradius"],
+             &refinable = given["--refinable"], &component = given["--component"],
+             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &radius = given["--matrices"],
+             &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
+             &of_matrices = vectors ? vectors : hermite, &curve = mask ? mask : of_matrices,
              &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
-             &exact = given["--exact"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
-             &contraction = given["--contraction"], &file = given["FILE"];
+             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const int subjects = mask.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
-                       subradius.has_value();
-  require(file && subjects == 1 && mask.has_value() == arity.has_value() &&
-              surface.has_value() == dilation.has_value() && (mask || !(range || rounding)) && !(range && rounding) &&
-              !(values && levels) && !(levels && (upper || !lower)) && !(exact && (range || rounding)) &&
-              (exact || lower || (upper ? matrices || range || rough : mask.has_value())) &&
-              (!rough || (mask && !rounding)) && (!logarithm || (mask && exact)),
-          usage);
+                       subradius.has_value() + vectors.has_value() + hermite.has_value();
+  require(
+      file && subjects == 1 && curve.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
+          (curve || !range) && (mask || !rounding) && !(range && rounding) &&
+          (!of_matrices || (values && lower.has_value() != upper.has_value())) && !(values && levels) &&
+          !(levels && (upper || !lower)) && !(exact && (range || rounding)) && (!attains || rounding) &&
+          (exact || attains || lower || (upper ? matrices || range || rough : mask.has_value())) &&
+          (!rough || (mask && !rounding)) && (!logarithm || (mask && (exact || attains))) && (!component || refinable),
+      usage);
   Claim claim;
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
+  require(!vectors || !upper || parse_rational(*upper) == 0, usage);
   if (rough) claim.rough = parse_size(upper->substr(1), 1, 500);
   if (upper && !rough) claim.upper = parse_rational(*upper);
   if (exact) {
     std::tie(claim.exact, claim.exact_order) = parse_exact(*exact, !matrices);
     claim.exact_text = *exact;
   }
+  if (attains) {
+    claim.exact.emplace().letters = parse_letters(*attains);
+    claim.exact_text = *attains;
+  }
   if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
   if (range) claim.range = parse_range(*range);
   claim.levels = levels.has_value();
   if (rounding) claim.rounding = parse_rounding(*rounding);
-  if (mask) read_scheme_claim("arity", *mask, *arity, claim);
+  claim.hermite = hermite.has_value();
+  if (curve) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (component) {
+    claim.component = parse_size(*component, 0, claim.mask->components - 1);
+    claim.head += " component=" + *component;
+    claim.subject = "component " + *component + " of " + claim.subject;
+  }
   if (matrices) {
     read(*matrices, 65, [&](Reader& reader) {
       const Fields fields = reader.take("matrices", 2, 2);
@@ -164,8 +198,12 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.subject = *matrices;
   }
   if (exact) claim.text += " = " + *exact;
-  const std::string number = lower || exact ? claim.text + " and " : "";
-  if (!lower && !upper && !exact) claim.text = "stable integer shifts of the refinable distribution";
+  if (attains)
+    claim.text += " = " + std::to_string(claim.rounding->sum_rules) + "-log rho(" + *attains + ")^1/" +
+                  std::to_string(claim.exact->letters.size());
+  const bool is_number = exact || attains;
+  const std::string number = lower || is_number ? claim.text + " and " : "";
+  if (!lower && !upper && !is_number) claim.text = "stable integer shifts of the refinable distribution";
   const std::string relation = range ? " < " : " <= ";
   const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
   if (diverges)
@@ -173,8 +211,9 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   else if (range && upper && !lower && !rough)
     claim.text = "no convergence, or " + claim.text;
   if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
-  claim.text = (lower ? claim.lower->get_str() + relation : "") + claim.text +
-               (upper && !diverges && !rough ? relation + claim.upper->get_str() : "") +
+  if (hermite) claim.text = (lower ? "HC^" : "no HC^") + std::to_string(parse_size(lower ? *lower : *upper, 0, 500));
+  claim.text = (lower && !hermite ? claim.lower->get_str() + relation : "") + claim.text +
+               (upper && !diverges && !rough && !hermite ? relation + claim.upper->get_str() : "") +
                (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
   if (range) {
     claim.head += " " + *range;

@@ -25,16 +25,18 @@ struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
   std::optional<Range> range;
+  bool hermite = false;  // of matrices with an arity: HC^k of a Hermite scheme, not the exponent of limits
   bool levels = false;
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
+  std::optional<std::size_t> component;  // of matrices: of one function alone
   Family family;
   bool subradius = false;
   std::optional<mpq_class> lower, upper;
   std::optional<std::size_t> rough;
   std::optional<ExactRadius> exact;  // of the radius; of an exponent: exact_order less its logarithm
   std::size_t exact_order = 0;
-  std::string exact_text;
+  std::string exact_text;  // with --attains the letters
   std::optional<std::size_t> logarithm;
   std::optional<L1Rule> l1;
   std::optional<Contraction> contraction;

@@ -9,17 +9,28 @@
 
 namespace subcert_check {
 
-/// The number |z|^(1/length), z the only zero of a polynomial within a distance of re + i im.
+constexpr std::size_t most_letters = 1000;  // of a cycle
+
+/// The number |z|^(1/length), z the only zero of a polynomial within a distance of re + i im. Or, of all masks near
+/// one, the spectral radius of the product of these letters, from left to right, to the power 1/length: without
+/// polynomial.
 struct ExactRadius {
   Vector polynomial;  // from the constant coefficient on
   mpq_class re, im, within;
   std::size_t length = 1;
   // What the line `root` says: a zero lies within `error` of near_re + i near_im, and low <= |z|^(1/length) <= high.
   mpq_class near_re, near_im, error, low, high;
+  std::vector<std::size_t> letters;
 };
 
 /// |[p0,p1,...]@RE,IM,EPS|^1/L
 ExactRadius parse_exact_radius(std::string_view text);
+
+constexpr const char* wrong_bounds = "the bounds of the exact radius are wrong";
+
+/// Whether the modulus of each number within `error` of the point does.
+bool lies_between(const mpq_class& re, const mpq_class& im, const mpq_class& error, const mpq_class& low,
+                  const mpq_class& high);
 
 /// Reads the line `root` and shows that it is right, and that there is only one such zero.
 void read_root(ExactRadius& radius, Reader& reader, Arithmetic& arithmetic);
@@ -49,9 +60,20 @@ struct Eigenvector {
 Eigenvector eigenvector_of(const ExactRadius& radius, const std::vector<Vector>& basis, const mpz_class& scale,
                            Arithmetic& arithmetic);
 
+/// T1,T2,...
+std::vector<std::size_t> parse_letters(std::string_view text);
+
+/// What is known of the families for which something is to be shown: of matrices whose entries are within `entry` of
+/// the given ones; whether each of them is its own mirror image.
+struct FamilyError {
+  mpq_class entry;
+  bool symmetric;
+};
+
 /// Reads the lines from `cycle` on after those of the polytope, and shows that the joint spectral radius of its family
-/// is this number.
-void check_attained(const Polytope& body, const ExactRadius& radius, Reader& reader, Arithmetic& arithmetic);
+/// is this number; or with letters the same of all families near by.
+void check_attained(const Polytope& body, const ExactRadius& radius, const FamilyError& error, Reader& reader,
+                    Arithmetic& arithmetic);
 
 /// Of a vertex under a matrix.
 struct Image {

@@ -71,7 +71,8 @@ Polytope read_polytope_head(Family family, const Fields& fields, const mpq_class
   const std::size_t vertex_bits = parse_size(fields[2], 0, 4096), weight_bits = parse_size(fields[3], 0, 4096);
   std::set<std::string_view> properties(fields.begin() + 4, fields.end());
   require(properties.size() + 4 == fields.size(), "a polytope property twice");
-  if (properties.erase("transposed") != 0) family.transpose();
+  const bool transposed = properties.erase("transposed") != 0;
+  if (transposed) family.transpose();
   const bool complex = properties.erase("complex") != 0, nonnegative = properties.erase("nonnegative") != 0;
   const bool symmetric = properties.erase("symmetric") != 0;
   const std::size_t generators = properties.size() == 1 ? parse_group(*properties.begin()) : 0;
@@ -89,6 +90,7 @@ Polytope read_polytope_head(Family family, const Fields& fields, const mpq_class
                 vertices,
                 nonnegative,
                 symmetric,
+                transposed,
                 {},
                 mpz_class(1) << vertex_bits,
                 mpz_class(1) << weight_bits,

@@ -11,7 +11,7 @@ namespace subcert_check {
 struct Polytope {
   Family family;                   // transposed where the section says so
   std::size_t size, parts, count;  // count of the vertices
-  bool nonnegative, symmetric;
+  bool nonnegative, symmetric, transposed;
   std::vector<Generator> generators;  // of the group: A, B, ...
   mpz_class vertex_one, weight_one;   // coordinates and weights are integers over these
   std::vector<Vector> vertices;

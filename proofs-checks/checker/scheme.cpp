@@ -142,8 +142,8 @@ Mask parse_mask(std::string_view text, char letter) {
                      "a mask is [c0,c1,...]/D@first, of two variables [[c00,c10,...],...]/D@first,first");
 }
 
-Mask parse_matrix_mask(std::string_view text) {
-  Mask mask = parse_lists(text, '\0', 2,
+Mask parse_matrix_mask(std::string_view text, char letter) {
+  Mask mask = parse_lists(text, letter, 2,
                           "a mask of matrices is [[[a,b],[c,d]],...]/D@first: for each variable a list, then the rows");
   mask.components = mask.sizes[0];
   require(mask.sizes[1] == mask.components, "a coefficient of a mask is no square matrix");
@@ -176,6 +176,20 @@ Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules
   return {size, entries, mask.denominator};
 }
 
+void check_interpolation(const Mask& mask, unsigned arity) {
+  const std::size_t square = mask.components * mask.components;
+  for (std::size_t i = 0; i < mask.points(); ++i) {
+    const mpz_class k = mask.first[0] + mpz_class(i / square);
+    if (k % arity != 0) continue;
+    const std::size_t row = i % square / mask.components, column = i % square % mask.components;
+    for (std::size_t p = 0; p < mask.powers; ++p) {
+      const mpz_class whole = k == 0 && row == column ? mpz_class(mask.denominator * mask.divisor[p]) : mpz_class(0);
+      require(mask.coefficients[p * mask.points() + i] * power(arity, row).get_num() == whole,
+              "the scheme does not interpolate");
+    }
+  }
+}
+
 void check_no_leading_factors(const Mask& mask, unsigned arity) {
   const Vector& a = mask.coefficients;
   std::size_t k = 0;
@@ -202,10 +216,11 @@ mpq_class few_digits_up(const mpq_class& x) {
 }
 
 Rounding parse_rounding(std::string_view text) {
+  constexpr const char* expected = "a rounding is EPS,M or EPS,M,symmetric with EPS > 0 and the number M of sum rules";
   const Fields fields = split(text, ",");
-  require(fields.size() == 2, "a rounding is EPS,M with EPS > 0 and the number M of sum rules");
-  Rounding rounding{parse_rational(fields[0]), parse_size(fields[1], 1, 500)};
-  require(rounding.distance > 0, "a rounding is EPS,M with EPS > 0 and the number M of sum rules");
+  require(fields.size() == 2 || (fields.size() == 3 && fields[2] == "symmetric"), expected);
+  Rounding rounding{parse_rational(fields[0]), parse_size(fields[1], 1, 500), fields.size() == 3};
+  require(rounding.distance > 0, expected);
   return rounding;
 }
 

@@ -46,25 +46,31 @@ struct Mask {
 Mask parse_mask(std::string_view text, char letter);
 
 /// [[[1,0],[0,1]],...]/D@first: nested lists as above, with a matrix, row by row, in place of each number.
-Mask parse_matrix_mask(std::string_view text);
+Mask parse_matrix_mask(std::string_view text, char letter);
 
 /// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each
 /// matrix those of all powers, one after another.
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules);
 
+/// Rejects unless a mask of matrices of one variable has A_0 = diag(1, 1/arity, 1/arity^2, ...), if it has A_0, and
+/// A_k = 0 for the other multiples k of the arity. One without A_0 keeps no constant data.
+void check_interpolation(const Mask& mask, unsigned arity);
+
 /// Condition (i) of Theorem 4, for a mask without a parameter.
 void check_no_leading_factors(const Mask& mask, unsigned arity);
 
-/// All masks whose coefficients differ from the given ones by at most `distance`, with so many sum rules.
+/// All masks whose coefficients differ from the given ones by at most `distance`, with so many sum rules; or only those
+/// among them that are their own mirror images.
 struct Rounding {
   mpq_class distance;
   std::size_t sum_rules;
+  bool symmetric;
 };
 
 /// At least x > 0, with 128 binary digits.
 mpq_class few_digits_up(const mpq_class& x);
 
-/// EPS,M
+/// EPS,M or EPS,M,symmetric
 Rounding parse_rounding(std::string_view text);
 
 /// What the errors of the coefficients make of the entries of the transition matrices.

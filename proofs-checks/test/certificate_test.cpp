@@ -1,7 +1,9 @@
 #include "checker.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/random.hpp>
 
 using namespace subcert;
@@ -282,5 +284,83 @@ TEST_CASE("the exponent of D4 is 2 - log2(1 + sqrt 3)") {
   CHECK(*regularity.exponent.lower <= upper);
   CHECK(lower <= *regularity.exponent.upper);
   CHECK(*regularity.exponent.upper - *regularity.exponent.lower < power(Rational(10), -14));
-  CHECK_FALSE(regularity.radius.exact.is_yes());
+  CHECK(regularity.radius.exact.is_yes());
+  CHECK(regularity.radius.product.word == std::vector{0});
+  CHECK(regularity.logarithm.at_most == 0);
+  CHECK(regularity.logarithm.at_least == 0);
+}
+
+namespace {
+
+/// What a checker is asked of all masks near a rounded one.
+std::string nearby_subject(const Scheme& scheme, const std::string& distance = {}) {
+  const MaskRounding& rounding = *scheme.rounding;
+  return subject_of(scheme.mask.curve()) + " --within " + (distance.empty() ? to_text(rounding.distance) : distance) +
+         "," + std::to_string(rounding.sum_rules) + (rounding.symmetric ? ",symmetric" : "");
+}
+
+}  // namespace
+
+TEST_CASE("rounded masks: one product attains the radius of all masks nearby") {
+  // The shorter filter of the 9/7 pair of [CDF92], the shortest coiflet, and masks whose product has one or four
+  // letters.
+  for (const std::string& specification :
+       {std::string("mask:[-t,1-2*t,4+t,6+4*t,4+t,1-2*t,-t]/8,where=16*t^3-16*t^2+10*t-5:0.7..0.8"),
+        std::string("mask:[1-t,5+t,14+2*t,14-2*t,1-t,-3+t]/16,where=t^2-7:2.6..2.7"), std::string("daubechies:n=2"),
+        std::string("daubechies:n=3"), std::string("daubechies:n=5"), std::string("daubechies:n=6"),
+        std::string("daubechies:n=9"), std::string("daubechies:n=10")}) {
+    CAPTURE(specification);
+    const Scheme scheme = make_scheme(specification);
+    const Mask& mask = scheme.mask.curve();
+    const HolderRegularity regularity = holder_regularity(mask, 8, {Deadline::in(60)}, HolderProof::certificate,
+                                                          scheme.rounding);
+    CAPTURE(regularity.radius.exact.reason);
+    REQUIRE(regularity.radius.exact.is_yes());
+    const Enclosure& exponent = regularity.exponent;
+    CHECK(*exponent.upper - *exponent.lower < power(Rational(2), -155));
+    const Certificate certificate = exponent_certificate(mask, regularity, scheme.rounding);
+    REQUIRE(certificate.claim.attains);
+    const std::string attains = " --attains " + *certificate.claim.attains, subject = nearby_subject(scheme);
+    CHECK(certificate.claim.logarithm == 0);
+    CHECK(proves(subject + attains + " --logarithm 0", *certificate.claim.lower, *certificate.claim.upper,
+                 certificate.text()));
+    CHECK(proves(subject + attains, "", "", certificate.text()));
+    CHECK_FALSE(proves(subject + attains + ",0", "", "", certificate.text()));
+    CHECK_FALSE(proves(subject + attains + " --logarithm 1", "", "", certificate.text()));
+    CHECK_FALSE(proves(nearby_subject(scheme, "1/10") + attains, "", "", certificate.text()));
+    CHECK(proves(subject, *certificate.claim.lower, *certificate.claim.upper, certificate.of_bounds().text()));
+  }
+}
+
+TEST_CASE("rounded masks: what one product attains is what the masks nearby have") {
+  subcert::testing::Random random;
+  int exact = 0;
+  for (int round = 0; round < 12; ++round) {
+    // sum rules of order 2 or 3, and a factor with 2 to 5 coefficients of sum 2
+    const int rules = static_cast<int>(random.integer(2, 3)), length = static_cast<int>(random.integer(2, 5));
+    std::vector<Rational> factor{2};
+    for (int k = 1; k < length; ++k) {
+      factor.push_back(Rational(random.integer(-90, 90), 60));
+      factor.front() -= factor.back();
+    }
+    const LaurentPolynomial smooth = LaurentPolynomial({q("1/2"), q("1/2")}, 0).pow(rules);
+    const Mask mask(smooth * LaurentPolynomial(factor, 0), 2);
+    if (sum_rules(mask) != rules) continue;
+    const MaskRounding rounding{power(Rational(10), -40), rules};
+    const HolderRegularity all = holder_regularity(mask, 6, {Deadline::in(5)}, HolderProof::certificate, rounding);
+    if (!all.radius.exact.is_yes()) continue;
+    CAPTURE(mask.symbol().to_mask_text(), word_text(all.radius.product.word));
+    ++exact;
+    const JointSpectralRadius own = joint_spectral_radius(transition_matrices(divided_difference_scheme(mask, rules)),
+                                                          {Deadline::in(5)});
+    CHECK(*own.radius.lower <= *all.radius.radius.upper);
+    CHECK(*all.radius.radius.lower <= *own.radius.upper);
+    if (!(*all.exponent.lower > 0)) continue;
+    const Certificate certificate = exponent_certificate(mask, all, rounding);
+    if (!certificate.claim.attains) continue;  // stability is not proved
+    CHECK(proves(subject_of(mask) + " --within " + to_text(rounding.distance) + "," + std::to_string(rules) +
+                     " --attains " + *certificate.claim.attains,
+                 *certificate.claim.lower, *certificate.claim.upper, certificate.text()));
+  }
+  CHECK(exact >= 6);
 }

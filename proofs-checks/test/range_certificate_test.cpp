@@ -30,6 +30,9 @@ TEST_CASE("certificates of ranges are accepted, and prove no more than their cla
              "C2", 0, 1, "nyn"},
         // Refuted for lack of sum rules, on both sides of 1/16.
         Case{"four-point:w", "C2", 0, 1, "nn"}, Case{"mask:[1,v,v,1]/(1+v)", "C1", 2, 9, "nn"},
+        // Matrices: HC^1 and limits.
+        Case{"merrien:lambda=-1/8,mu", "HC1", -5, 3, "nyn"}, Case{"merrien:lambda=-1/8,mu", "convergent", -6, 4, "nyn"},
+        Case{"merrien:lambda=-1/8,mu", "holder>=5/4", -5, 3, "y"},
         // A pair of complex eigenvalues leads.
         Case{"mask:[-1/2*w,1/2-1/2*w,1,1/2+1/2*w,1/2*w]", "holder>=1/2", 0, 2, "yn"}}) {
     CAPTURE(c.scheme, c.property);
@@ -40,9 +43,11 @@ TEST_CASE("certificates of ranges are accepted, and prove no more than their cla
     std::string verdicts;
     for (const RangeCertificate& piece : range_certificates(scheme.mask, scheme.letter, property, range, width)) {
       verdicts += piece.holds == Truth::yes ? 'y' : 'n';
+      const std::string& of_matrices = std::get<MaskSubject>(piece.certificate.claim.subject).of_matrices;
       const auto subject = [&](const Rational& low, const Rational& high) {
-        return "--mask '" + scheme.mask.to_text(scheme.letter) + "' --arity " + std::to_string(scheme.mask.arity()) +
-               " --for " + scheme.letter + "=" + to_text(low) + ".." + to_text(high);
+        return "--" + (of_matrices.empty() ? "mask" : of_matrices) + " '" + scheme.mask.to_text(scheme.letter) +
+               "' --arity " + std::to_string(scheme.mask.arity()) + " --for " + scheme.letter + "=" + to_text(low) +
+               ".." + to_text(high);
       };
       const CertificateClaim& claim = piece.certificate.claim;
       const std::string text = piece.certificate.text();

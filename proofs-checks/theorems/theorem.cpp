@@ -154,9 +154,10 @@ const std::vector<Entry>& entries() {
                     "every n >= 2, of (2n+1) points every n >= 1",
                     {1}},
                    {},
-                   {"the bounds of section 7 are tried up to n_1 = 600; for n >= 4^d, or 4^(d+2), see smoothness-all"},
+                   {"for degrees other than 1 see smoothness --family dual, and smoothness-all"},
                    false,
-                   [](int degree, const SchemeFamily& family) {
+                   [](int degree, const SchemeFamily& family) -> std::optional<Proof> {
+                     if (degree != 1) return std::nullopt;
                      return found(degree, scheme_family(family.id == "primal" ? "dual" : family.id), smoothness,
                                   describe_smoothness);
                    }});

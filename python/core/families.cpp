@@ -1,10 +1,13 @@
 #include "work.hpp"
 
 #include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
+#include <subcert/schemes/plain_text.hpp>
 
 #include <fmt/format.h>
 
@@ -95,6 +98,26 @@ std::shared_ptr<LevelsEvidence> levels(const ParametricScheme& scheme, const std
   });
 }
 
+py::dict limit_of(const ParametricScheme& scheme, const std::string& recurrence, const Rational& low,
+                  const Rational& high, double seconds, const py::object& progress) {
+  const Recurrence read = Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter);
+  const auto found = interruptible(progress, [&] {
+    return limit_of_levels(scheme.mask, read, {low, high}, {Deadline::in(seconds)});
+  });
+  if (!found) return {};
+  return py::dict("value"_a = found->value, "sum_rules"_a = found->rules.sum_rules,
+                  "exponentials"_a = found->rules.exponentials, "exponent"_a = found->exponent.exponent,
+                  "exact"_a = found->exponent.exact.is_yes());
+}
+
+py::tuple local_of(const ParametricScheme& scheme, const Rational& low, const Rational& high, double seconds,
+                   const py::object& progress) {
+  const LocalLevels found = interruptible(progress, [&] {
+    return local_levels(scheme.mask, {{low}, {high}}, {Deadline::in(seconds)});
+  });
+  return py::make_tuple(found.order, found.exponent);
+}
+
 struct CurveEvidence {
   ParametricScheme scheme;
   ExponentCurve curve;
@@ -145,6 +168,8 @@ void add_families(py::module_& module) {
         return certificates_list(certificates);
       });
   module.def("property_of_levels", &levels);
+  module.def("limit_of_levels", &limit_of);
+  module.def("local_levels", &local_of);
   py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
       .def_property_readonly("facts", &curve_dict)
       .def("certificates", [](const CurveEvidence& evidence) {

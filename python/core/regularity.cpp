@@ -17,15 +17,15 @@ namespace {
 
 Budget budget_of(double seconds, std::size_t mebibytes) { return {Deadline::in(seconds), mebibytes << 20}; }
 
-/// The strongest one first: text, ends, matrices, what the number is, and the power of the logarithm.
+/// The strongest one first: text, ends, matrices, what the number is, the power of the logarithm, and the product.
 py::list to_list(const Certificate& certificate, const std::optional<std::string>& matrices = std::nullopt) {
   py::list result;
   const auto add = [&](const Certificate& one) {
-    result.append(
-        py::make_tuple(one.text(), one.claim.lower, one.claim.upper, matrices, one.claim.exact, one.claim.logarithm));
+    result.append(py::make_tuple(one.text(), one.claim.lower, one.claim.upper, matrices, one.claim.exact,
+                                 one.claim.logarithm, one.claim.attains));
   };
   add(certificate);
-  if (certificate.claim.exact) add(certificate.of_bounds());
+  if (certificate.claim.exact || certificate.claim.attains) add(certificate.of_bounds());
   return result;
 }
 

@@ -23,7 +23,18 @@ from ._errors import (
     UsageError,
 )
 from ._exact import Decision, Enclosure, Exact, Truth, fraction
-from ._families import CurvePiece, ExponentCurve, Family, Levels, Piece, PropertyRange, RangeEnd, SpecialValue, family
+from ._families import (
+    CurvePiece,
+    ExponentCurve,
+    Family,
+    Levels,
+    LevelsLimit,
+    Piece,
+    PropertyRange,
+    RangeEnd,
+    SpecialValue,
+    family,
+)
 from ._proofs import (
     CheckedStatement,
     Comparison,

@@ -41,7 +41,8 @@ class Certificate:
     """A proof that a small program of its own can follow. `lower` and `upper` are the bounds that it proves, as texts
     of fractions; None where it proves none. `matrices`: what a certificate of a joint spectral radius is about.
     `exact`: what the number is, as `4-log|[-4,1]@4,0,1/1000|^1/1`, where it proves that a product attains the
-    radius. `logarithm`: the power of \\|log h\\| in the modulus of continuity, where it proves that; 0 says that the
+    radius. `attains`: the letters of that product, as `1,1,0,0`, where coefficients are not rational and it has no such
+    name. `logarithm`: the power of \\|log h\\| in the modulus of continuity, where it proves that; 0 says that the
     exponent is attained."""
 
     text: str
@@ -50,6 +51,7 @@ class Certificate:
     matrices: Optional[str] = None
     exact: Optional[str] = None
     logarithm: Optional[int] = None
+    attains: Optional[str] = None
 
     @property
     def id(self) -> str:
@@ -73,7 +75,9 @@ class Certificate:
 
 
 def strongest(
-    found: list[tuple[str, Optional[str], Optional[str], Optional[str], Optional[str], Optional[int]]]
+    found: list[
+        tuple[str, Optional[str], Optional[str], Optional[str], Optional[str], Optional[int], Optional[str]]
+    ]
 ) -> Certificate:
     """The first one that the checker accepts; of one alone nothing is asked."""
     certificates = [Certificate(*one) for one in found]

@@ -132,6 +132,19 @@ class Levels:
 
 
 @dataclasses.dataclass(frozen=True)
+class LevelsLimit:
+    """Of a scheme whose parameter follows a recurrence and tends to `value`."""
+
+    value: Fraction
+    sum_rules: int
+    exponentials: tuple[int, ...]
+    """The power of 1 + 2 T_j(v) z + z^2 in the symbol, for j = 1, 2, ...: x^i e^(+-ijtx) is generated for lower i."""
+    exponent: Enclosure
+    """All limits have at least the lower end, those of some data at late levels at most the upper one."""
+    exact: bool
+
+
+@dataclasses.dataclass(frozen=True)
 class CurvePiece:
     """For all values from low to high the exponent lies in the enclosure."""
 
@@ -246,6 +259,39 @@ class Family(Named):
             sum_rules=facts["sum_rules"],
             _evidence=evidence,
         )
+
+    def levels_limit(
+        self, recurrence: str, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None
+    ) -> Optional[LevelsLimit]:
+        """The exponent where each level takes the parameter from the one before, for all first values between low and
+        high; nothing where the values were not proved to tend to one rational number.
+
+        >>> import subcert
+        >>> limit = subcert.family("exponential-six-point:v").levels_limit("v=sqrt((1+v)/2)", "1/2", 10)
+        >>> limit.exponentials, round(float(limit.exponent.lower), 5), limit.exact
+        ((2,), 2.83007, True)
+        """
+        facts = _core.limit_of_levels(self._handle, recurrence, fraction(low), fraction(high), budget, progress)
+        if not facts:
+            return None
+        return LevelsLimit(
+            value=facts["value"],
+            sum_rules=facts["sum_rules"],
+            exponentials=tuple(facts["exponentials"]),
+            exponent=Enclosure._of(facts["exponent"]),
+            exact=facts["exact"],
+        )
+
+    def local_levels(self, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None) -> Enclosure:
+        """The exponent where each new point of each level takes a value of its own between low and high: the lower end
+        holds for all choices, the upper one for one value everywhere.
+
+        >>> import subcert
+        >>> subcert.family("four-point:w").local_levels("1/1000", "3/20") > 1
+        <Truth.yes: 'yes'>
+        """
+        _, ends = _core.local_levels(self._handle, fraction(low), fraction(high), budget, progress)
+        return Enclosure._of(ends)
 
     def curve(
         self,

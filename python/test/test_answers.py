@@ -65,6 +65,16 @@ def test_certificates(tmp_path):
         certificate.save(tmp_path / "no folder" / "s5.cert")
 
 
+def test_algebraic_masks_are_exact():
+    h = subcert.scheme("daubechies:n=10").holder()
+    assert h.exact and h.product == (1, 1, 0, 0) and h.logarithm == (0, 0)
+    assert (h.certificate.attains, h.certificate.exact, h.certificate.logarithm) == ("1,1,0,0", None, 0)
+    assert h.certificate.verify().answer.startswith("VERIFIED ") and "-log rho(1,1,0,0)^1/4" in h.certificate.verify().answer
+    printed = "[0.48296291314453,0.83651630373780,0.22414386804201,-0.12940952255126]"
+    near = subcert.scheme(f"mask:{printed},nearly=1e-12")
+    assert abs(float(near.holder()) - 0.5500156865) < 1e-9 and "2 sum rules" in near.title
+
+
 def test_a_single_spectral_radius_gets_a_certificate_too():
     h = subcert.scheme("dd:n=2").holder()
     assert h.method == "single spectral radius"

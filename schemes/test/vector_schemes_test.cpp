@@ -48,7 +48,7 @@ Rational bspline(int degree, int multiplicity, long first, const Rational& x) {
   return value;
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of(const std::string& text) {
   try {
     (void)make_refinable_scheme(text);
   } catch (const SpecificationError& error) {
@@ -330,23 +330,23 @@ TEST_CASE("the parts of a function are as smooth as it is") {
 }
 
 TEST_CASE("names of vectors of functions that cannot be read") {
-  CHECK(refusal("merrien:lambda=-1/8") == "1 'merrien' the key 'mu', as in merrien:lambda=-1/8,mu=-1/2");
-  CHECK(refusal("merrien:lambda=x,mu=1").find("16 'x' an exact number") == 0);
-  CHECK(refusal("hermite-dd:points=3,order=2") == "19 '3' points as an even number");
-  CHECK(refusal("hermite-dd:points=64,order=2") == "28 '2' points * order <= 64 (here points = 64)");
-  CHECK(refusal("hermite-dd:points=4,order=0").find("27 '0' order as an integer from 1") == 0);
-  CHECK(refusal("bspline:degree=3,multiplicity=4") == "31 '4' multiplicity as an integer from 1 to 3");
-  CHECK(refusal("bspline:degree=3,multiplicty=2").find("did you mean") != std::string::npos);
-  CHECK(refusal("cl:4") == "4 '4' the number of cl as an integer from 2 to 3");
-  CHECK(refusal("bat") == "1 'bat' bat:1");
-  CHECK(refusal("sa4:2").find("nothing after sa4") != std::string::npos);
-  CHECK(refusal("tensor:(cl:2)x(dd:n=1)") == "9 'cl:2' factors with rational coefficients");
-  CHECK(refusal("ghm:1").find("nothing after ghm") != std::string::npos);
-  CHECK(refusal("tensor:(ghm)x(gmh)").find("15 'gmh'") == 0);
-  CHECK(refusal("tensor:(ghm)x(tensor:(ghm)x(ghm))x(ghm)").find("three variables") != std::string::npos);
+  CHECK(refusal_of("merrien:lambda=-1/8") == "1 'merrien' the key 'mu', as in merrien:lambda=-1/8,mu=-1/2");
+  CHECK(refusal_of("merrien:lambda=x,mu=1").find("16 'x' an exact number") == 0);
+  CHECK(refusal_of("hermite-dd:points=3,order=2") == "19 '3' points as an even number");
+  CHECK(refusal_of("hermite-dd:points=64,order=2") == "28 '2' points * order <= 64 (here points = 64)");
+  CHECK(refusal_of("hermite-dd:points=4,order=0").find("27 '0' order as an integer from 1") == 0);
+  CHECK(refusal_of("bspline:degree=3,multiplicity=4") == "31 '4' multiplicity as an integer from 1 to 3");
+  CHECK(refusal_of("bspline:degree=3,multiplicty=2").find("did you mean") != std::string::npos);
+  CHECK(refusal_of("cl:4") == "4 '4' the number of cl as an integer from 2 to 3");
+  CHECK(refusal_of("bat") == "1 'bat' bat:1");
+  CHECK(refusal_of("sa4:2").find("nothing after sa4") != std::string::npos);
+  CHECK(refusal_of("tensor:(cl:2)x(dd:n=1)") == "9 'cl:2' factors with rational coefficients");
+  CHECK(refusal_of("ghm:1").find("nothing after ghm") != std::string::npos);
+  CHECK(refusal_of("tensor:(ghm)x(gmh)").find("15 'gmh'") == 0);
+  CHECK(refusal_of("tensor:(ghm)x(tensor:(ghm)x(ghm))x(ghm)").find("three variables") != std::string::npos);
   // What is rounded is no factor; tensor products of numbers alone are as they were.
   for (const char* other : {"ghm", "primal:n=2"})
-    CHECK(refusal(std::string("tensor:(daubechies:n=2)x(") + other + ")").find("rational") != std::string::npos);
+    CHECK(refusal_of(std::string("tensor:(daubechies:n=2)x(") + other + ")").find("rational") != std::string::npos);
   CHECK(make_refinable_scheme("tensor:(primal:n=40)x(primal:n=40)").mask.factors().size() == 2);
   for (const char* text : {"bspline:degree=3,multiplicity=2", "tensor:(ghm)x(ghm)", "ghm", "merrien:lambda=0,mu=0"}) {
     CAPTURE(text);

@@ -19,7 +19,7 @@ bool is_near(const ComplexVector& v, const RationalComplex& factor, const Comple
 class Cycles {
  public:
   Cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, const PolytopeProof& polytope,
-         const CycleFactors& known, const std::vector<bool>& inside, const Deadline& deadline)
+         const CycleFactors* known, const std::vector<bool>& inside, const Deadline& deadline)
       : candidate_(candidate), polytope_(polytope), known_(known), inside_(inside), deadline_(deadline) {
     for (const RationalMatrix& m : family) matrices_.push_back(polytope.transposed ? transposed(m) : m);
   }
@@ -45,7 +45,7 @@ class Cycles {
       const bool lies_inside = i < inside_.size() && inside_[i];
       if (image.identity && !lies_inside && !image.terms.front().conjugated) add_coincidence(image);
     }
-    proof_.number = common_->first.number(common_->second);
+    if (common_) proof_.number = common_->first.number(common_->second);
     return "";
   }
 
@@ -91,12 +91,17 @@ class Cycles {
         const ComplexVector image = map * moved;
         const RationalComplex eigenvalue = rayleigh_quotient(start, image);
         if (!is_near(start, eigenvalue, image)) continue;
-        const auto known = known_.find(v);
-        const auto factor = length == letters.size() && e == 0 && known != known_.end()
+        const bool whole = length == letters.size() && e == 0;
+        letters.resize(length);
+        if (!known_) {
+          proof_.cycles.push_back({v, e, 1, letters, {}, v});
+          return "";
+        }
+        const auto known = known_->find(v);
+        const auto factor = whole && known != known_->end()
                                 ? std::optional(known->second)
                                 : leading_factor(map * product, eigenvalue, root_bits, deadline_);
         if (!factor) return "no time was left for a cycle";
-        letters.resize(length);
         return add_cycle({v, e, 1, letters, {}, v}, map * product, *factor, start);
       }
     }
@@ -145,7 +150,7 @@ class Cycles {
 
   const PolytopeCandidate& candidate_;
   const PolytopeProof& polytope_;
-  const CycleFactors& known_;
+  const CycleFactors* known_;  // or nothing, where eigenvalues are not asked for
   const std::vector<bool>& inside_;
   Deadline deadline_;
   std::vector<RationalMatrix> matrices_;
@@ -154,13 +159,20 @@ class Cycles {
   AttainedProof proof_;
 };
 
+void set_attained(Cycles cycles, PolytopeProof& polytope) {
+  polytope.not_attained = cycles.run();
+  polytope.attained = polytope.not_attained.empty() ? std::optional(std::move(cycles.proof())) : std::nullopt;
+}
+
 }  // namespace
 
 void find_cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
                  const CycleFactors& known, const std::vector<bool>& inside, const Deadline& deadline) {
-  Cycles cycles(family, candidate, polytope, known, inside, deadline);
-  polytope.not_attained = cycles.run();
-  polytope.attained = polytope.not_attained.empty() ? std::optional(std::move(cycles.proof())) : std::nullopt;
+  set_attained({family, candidate, polytope, &known, inside, deadline}, polytope);
+}
+
+void find_nearby_cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope) {
+  set_attained({family, candidate, polytope, nullptr, {}, {}}, polytope);
 }
 
 }  // namespace subcert::radius

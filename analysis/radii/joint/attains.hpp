@@ -31,4 +31,7 @@ using CycleFactors = std::map<std::size_t, LeadingFactor>;
 void find_cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope,
                  const CycleFactors& known, const std::vector<bool>& inside, const Deadline& deadline);
 
+/// The same without numbers and seeds, for families of which these are only near. Cost: products along the cycles.
+void find_nearby_cycles(const MatrixFamily& family, const PolytopeCandidate& candidate, PolytopeProof& polytope);
+
 }  // namespace subcert::radius

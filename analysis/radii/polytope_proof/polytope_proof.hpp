@@ -6,6 +6,7 @@
 #include <subcert/analysis/radii/polytope_search/polytope_kind.hpp>
 
 #include <subcert/analysis/symbol/matrices/matrix_family.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/analysis/symbol/numbers/rational_complex.hpp>
 #include <subcert/analysis/symbol/support/budget.hpp>
 
@@ -31,6 +32,21 @@ struct WeightedVertex {
   Integer modulus;
 };
 
+/// Near the first vertex of a cycle, for all families near one: a number near the eigenvalue of its product, and the
+/// columns of an approximate inverse, over 2^bits, of the equations for both. Ref: SPEC.md, 7.1.
+struct NearbyEigenvector {
+  Rational eigenvalue;
+  int bits;
+  std::vector<std::vector<Integer>> inverse;
+};
+
+/// That one product attains the radii of all families near one.
+struct NearbyCycles {
+  std::vector<NearbyEigenvector> eigenvectors;  ///< cycle by cycle
+  Enclosure bounds, radius;  ///< of the radii of all these families, as the certificate has them and finer
+  std::vector<int> product;  ///< from left to right
+};
+
 /// That products attain the radius: how true vertices near the rational ones arise from leading eigenvectors, and which
 /// images are vertices by that (SPEC.md, 4.10). That all other images lie inside is for those who check the proof to
 /// see, by the numbers of the polytope.
@@ -52,7 +68,8 @@ struct AttainedProof {
   struct Coincidence {
     std::size_t vertex, letter, target, element;
   };
-  AttainedNumber number;  ///< the radius
+  AttainedNumber number;                    ///< the radius
+  std::optional<NearbyCycles> nearby = {};  ///< of all families near one, whose cycles have no seeds, no number
   std::vector<Cycle> cycles;
   std::vector<Origin> origins;  ///< in order
   std::vector<Coincidence> coincidences;

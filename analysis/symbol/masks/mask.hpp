@@ -25,10 +25,11 @@ class Mask {
 };
 
 /// Of a mask with rounded coefficients: those that are meant differ from them by at most `distance`, on the same
-/// support, and have so many sum rules; so does the rounded mask.
+/// support, and have so many sum rules; so does the rounded mask. `symmetric`: both are their own mirror images.
 struct MaskRounding {
   Rational distance;
   int sum_rules;
+  bool symmetric = false;
 };
 
 /// A mask on the lattice Z^s, s = 1, 2, 3, where i and j are multi-indices and a dilation matrix M stands for the

@@ -92,7 +92,7 @@ bool MatrixFamily::is_flip_symmetric() const {
   return letters == in_order(count());
 }
 
-RationalMatrix MatrixFamily::product(const std::vector<int>& word) const { return *product(word, Deadline()); }
+RationalMatrix MatrixFamily::product(const std::vector<int>& word) const { return *product(word, Deadline::never()); }
 
 std::optional<RationalMatrix> MatrixFamily::product(const std::vector<int>& word, const Deadline& deadline) const {
   const auto of_letters = [&](auto& self, std::size_t first, std::size_t count) -> std::optional<RationalMatrix> {

@@ -198,7 +198,7 @@ std::optional<long> binary_exponent(const RationalMatrix& matrix) {
 }
 
 RationalMatrix value_at(const LaurentPolynomial& p, const RationalMatrix& matrix) {
-  return *value_at(p, matrix, Deadline());
+  return *value_at(p, matrix, Deadline::never());
 }
 
 std::optional<RationalMatrix> value_at(const LaurentPolynomial& p, const RationalMatrix& matrix,

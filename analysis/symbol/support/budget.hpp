@@ -82,6 +82,12 @@ class Deadline {
  public:
   /// Work without end of its own.
   Deadline() : stop_(StopScope::current()) {}
+  /// Without an end, whatever is stopped: for work of which a result is needed.
+  static Deadline never() {
+    Deadline result;
+    result.stop_ = nullptr;
+    return result;
+  }
   /// Domain: seconds >= 0; more than 10^9 is as good as no end.
   static Deadline in(double seconds);
 

@@ -30,6 +30,9 @@ LETTERS = {  # families with a letter, and where it is of interest
     "corner-cutting": (Fraction(-1), Fraction(2)),
     "ternary-three-point": (Fraction(-1), Fraction(1)),
     "ternary-four-point": (Fraction(-1), Fraction(1)),
+    "conic-four-point": (Fraction(1, 64), Fraction(9)),
+    "exponential-six-point": (Fraction(1, 64), Fraction(9)),
+    "exponential-bspline": (Fraction(-63, 64), Fraction(9)),
 }
 
 

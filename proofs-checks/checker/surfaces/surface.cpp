@@ -17,9 +17,12 @@ class Surface {
  public:
   Surface(const Mask& mask, const Dilation& dilation, Reader& reader, Arithmetic& arithmetic)
       : of_vectors_(mask.components > 0),
-        operators_(mask, dilation, arithmetic),
+        operators_(of_power(mask, 0), dilation, arithmetic),
         reader_(reader),
-        arithmetic_(arithmetic) {}
+        arithmetic_(arithmetic) {
+    for (std::size_t p = 1; p < mask.powers; ++p)
+      more_powers_.push_back(Transition(of_power(mask, p), dilation, arithmetic).mask());
+  }
 
   void read_digits() { operators_.read_digits(reader_); }
 
@@ -44,6 +47,51 @@ class Surface {
     Family result = restricted();
     const std::size_t rounds = rounds_into_space(starts);
     if (spanned) check_spanned(starts, rounds);
+    return result;
+  }
+
+  /// Section 6.7: the space of what annihilates the data, of masks of matrices with a parameter.
+  Family of_data(const VectorScheme& scheme) {
+    const Vector& divisor = scheme.mask.divisor;
+    const std::vector<Rationals>& data = scheme.data;
+    for (std::size_t p = 0; p < scheme.mask.powers; ++p) {
+      std::vector<Rationals> sums(operators_.classes(), Rationals(operators_.components()));
+      for (const auto& [place, value] : power(p)) {
+        const std::size_t row = place.component / operators_.components(),
+                          column = place.component % operators_.components();
+        arithmetic_.spend(1000);
+        sums[operators_.digit_of(place.point)][column] += data[0][row] * value;
+      }
+      for (const Rationals& sum : sums)
+        for (std::size_t c = 0; c < sum.size(); ++c)
+          require(sum[c] == data[0][c] * operators_.denominator() * divisor[p],
+                  "the scheme does not keep the constant data");
+    }
+    const std::set<Sequence> starts = read_generators(data);
+    for (const Sequence& start : starts) {
+      require(annihilates(start, data), "a line 'reading' does not annihilate the data");
+      for (const Sequence& image : images(start))
+        require(annihilates(image, data), "the scheme does not keep the data");
+    }
+    read_space();
+    for (const Row& row : space_) require(annihilates(row.values, data), "a vector does not annihilate the data");
+    Family result = restricted();
+    rounds_into_space(starts);
+    return result;
+  }
+
+  /// Section 5.9: what reads a component on the space, and the line that says what it does not show.
+  Component read_component(std::size_t number) {
+    std::map<Point, Vector> readings;
+    for (std::size_t k = 0; k < space_.size(); ++k)
+      for (const auto& [place, value] : space_[k].values)
+        if (place.component == number) {
+          arithmetic_.spend(100 * space_.size());
+          readings.try_emplace(place.point, space_.size()).first->second[k] = value;
+        }
+    Component result;
+    for (auto& [point, reading] : readings) result.readings.push_back(std::move(reading));
+    result.unobservable = parse_size(reader_.take("unobservable", 1, 1)[0], 0, space_.size() - 1);
     return result;
   }
 
@@ -95,6 +143,68 @@ class Surface {
   }
 
  private:
+  static Mask of_power(const Mask& mask, std::size_t p) {
+    Mask result = mask;
+    const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(p * mask.points());
+    result.coefficients.assign(begin, begin + static_cast<std::ptrdiff_t>(mask.points()));
+    result.powers = 1;
+    return result;
+  }
+  const Sequence& power(std::size_t p) const { return p == 0 ? operators_.mask() : more_powers_[p - 1]; }
+
+  /// The images under the T_d of all powers of the parameter, digit by digit.
+  std::vector<Sequence> images(const Sequence& x) const {
+    if (more_powers_.empty()) return operators_.of(x);
+    std::vector<Sequence> result(operators_.classes() * (1 + more_powers_.size()));
+    for (std::size_t p = 0; p <= more_powers_.size(); ++p) {
+      std::vector<Sequence> moved = operators_.of(power(p), x);
+      for (std::size_t d = 0; d < moved.size(); ++d) result[d * (1 + more_powers_.size()) + p] = std::move(moved[d]);
+    }
+    return result;
+  }
+
+  /// Whether the sum over k of x_k . e_l(-k) is 0 for all l.
+  bool annihilates(const Sequence& x, const std::vector<Rationals>& data) const {
+    const std::size_t order = data.size();
+    std::vector<Rationals> moments(order, Rationals(operators_.components()));  // of (-k)^t / t!
+    for (const auto& [place, value] : x) {
+      mpq_class term = value;
+      for (std::size_t t = 0; t < order; term *= ratio(-place.point[0], ++t)) {
+        arithmetic_.spend(500 + 10 * bits(term.get_num()));
+        moments[t][place.component] += term;
+      }
+    }
+    for (std::size_t l = 0; l < order; ++l) {
+      mpq_class sum = 0;
+      for (std::size_t s = 0; s <= l; ++s)
+        for (std::size_t c = 0; c < operators_.components(); ++c) sum += data[s][c] * moments[l - s][c];
+      if (sum != 0) return false;
+    }
+    return true;
+  }
+
+  /// The differences of the first component that constant data have, and for each other one what reads it beside that
+  /// one.
+  std::set<Sequence> read_generators(const std::vector<Rationals>& data) {
+    std::size_t first = 0;
+    while (first < data[0].size() && data[0][first] == 0) ++first;
+    require(first < data[0].size(), "the constant data are 0");
+    std::set<Sequence> starts = operators_.differences({{Place{{}, first}, 1}}, data.size());
+    for (std::size_t c = 0; c < data[0].size(); ++c) {
+      if (c == first) continue;
+      Sequence reading;
+      std::size_t own = 0;
+      for (const auto& [place, value] : read_terms("reading")) {
+        require(place.component == c || place.component == first, "a line 'reading' has a component too many");
+        own += place.component == c ? 1 : 0;
+        operators_.set(reading, place, value);
+      }
+      require(own == 1, "a line 'reading' has not one number of its component");
+      starts.insert(reading);
+    }
+    return starts;
+  }
+
   void check_sum_rules(std::size_t order) {
     std::vector<Sequence> classes(operators_.classes());
     for (const auto& [place, value] : operators_.mask())
@@ -161,16 +271,16 @@ class Surface {
   /// All T_d of the vectors, in the coordinates of the space, times the denominator of the mask and the first
   /// coefficient of the vectors.
   Family restricted() {
-    Family result{space_.size(), Vector(operators_.classes() * space_.size() * space_.size()),
-                  operators_.denominator() * factor_};
+    const std::size_t count = operators_.classes() * (1 + more_powers_.size());
+    Family result{space_.size(), Vector(count * space_.size() * space_.size()), operators_.denominator() * factor_};
     for (std::size_t k = 0; k < space_.size(); ++k) {
-      std::vector<Sequence> images = operators_.of(space_[k].values);
-      for (std::size_t d = 0; d < images.size(); ++d) {
+      std::vector<Sequence> moved = images(space_[k].values);
+      for (std::size_t d = 0; d < moved.size(); ++d) {
         for (std::size_t j = 0; j < space_.size(); ++j)
-          if (const auto at = images[d].find(space_[j].pivot); at != images[d].end())
+          if (const auto at = moved[d].find(space_[j].pivot); at != moved[d].end())
             result.entries[(d * space_.size() + k) * space_.size() + j] = at->second;
-        over_rationals_.reduce(images[d], space_);
-        require(images[d].empty(), "a transition operator leads out of the space");
+        over_rationals_.reduce(moved[d], space_);
+        require(moved[d].empty(), "a transition operator leads out of the space");
       }
     }
     return result;
@@ -190,7 +300,7 @@ class Surface {
       require(round < max_rounds, "differences are not led into the space");
       std::vector<Row> next;
       for (const Row& row : rest)
-        for (const Sequence& image : operators_.of(row.values)) add(next, image);
+        for (const Sequence& image : images(row.values)) add(next, image);
       rest = std::move(next);
     }
     return round;
@@ -210,7 +320,8 @@ class Surface {
     require(rows.size() == space_.size(), "the differences do not span the space");
   }
   bool of_vectors_;
-  Transition operators_;
+  Transition operators_;  // of the power 0 of a parameter
+  std::vector<Sequence> more_powers_;
   Reader& reader_;
   Arithmetic& arithmetic_;
   std::vector<Row> space_;
@@ -245,13 +356,27 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   const Dilation used = turned ? read_turned(mask, dilation, reader, arithmetic) : dilation;
   const auto surface = std::make_shared<Surface>(mask, used, reader, arithmetic);
   surface->read_digits();
-  if (mask.components > 0) return {surface->of_values(order, upper), {}};
+  if (mask.components > 0)
+    return {surface->of_values(order, upper), {}, [surface](std::size_t c) { return surface->read_component(c); }};
   if (of_values)
-    return {surface->of_values(order, upper), [surface, &reader] {
-              return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order));
-            }};
-  SurfaceFamily result{surface->of_scheme(order), {}};
+    return {
+        surface->of_values(order, upper),
+        [surface, &reader] { return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order)); },
+        {}};
+  SurfaceFamily result{surface->of_scheme(order), {}, {}};
   if (upper || reader.at("gram")) surface->check_stability();
+  return result;
+}
+
+Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic) {
+  Dilation dilation;
+  dilation.variables = 1;
+  dilation.rows[0][0] = arity;
+  Surface surface(scheme.mask, dilation, reader, arithmetic);
+  surface.read_digits();
+  Family result = surface.of_data(scheme);
+  const mpz_class scale = power(arity, scheme.data.size()).get_num();
+  for (mpz_class& entry : result.entries) entry *= scale;
   return result;
 }
 

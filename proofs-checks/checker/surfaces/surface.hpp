@@ -1,8 +1,8 @@
 // Schemes and refinable functions of one, two and three variables: section 5 of ../certificates/SPEC.md.
 #pragma once
 
+#include "component.hpp"
 #include "dilation.hpp"
-#include "scheme.hpp"
 
 #include <functional>
 
@@ -13,7 +13,19 @@ struct SurfaceFamily {
   /// Where the differences are those of phi: reads the lines of a space of differences of the scheme, section 5.6, and
   /// returns the matrices there. The scheme converges if their radius is below 1.
   std::function<Family()> of_scheme;
+  /// Of matrices: the rest of what is said of one component, from the line `unobservable` on.
+  std::function<Component(std::size_t)> of_component;
 };
+
+/// f'_i = sum over j of A_(i-aj)^T f_j, and y_0, ..., y_m of the data that it keeps: section 6.7.
+struct VectorScheme {
+  const Mask& mask;
+  std::vector<Rationals> data;
+};
+
+/// arity^(m+1) times the transition matrices of all powers of the parameter, one after another for each digit, on the
+/// space of the certificate; reads its lines from `digits` on.
+Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic);
 
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
 /// order; they are those of the scheme, or with `of_values` those of phi, as they always are for a mask of matrices.

@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction as Q
 from pathlib import Path
 
+import attains_cases
 import cycle_cases
 import edge_cases
 import frequency_cases
@@ -25,6 +26,7 @@ import subradius_cases
 import subradius_exact_cases
 import variant_cases
 import vector_cases
+import vector_range_cases
 
 BITS = 64
 ONE = 1 << BITS
@@ -121,8 +123,9 @@ def newton(matrix, value):
     return value
 
 
-def polytope(family, word, symmetric, limit=14):
-    """Lines of a real polytope section for the product of the word (as matrices, left to right)."""
+def polytope(family, word, symmetric, limit=14, others=(), turned=False):
+    """Lines of a real polytope section for the product of the word (as matrices, left to right). `others`: more vertices;
+    `turned`: half of the word and a flip lead back to the first one."""
     n = len(family[0])
     product = family[word[0]]
     for t in word[1:]:
@@ -130,9 +133,10 @@ def polytope(family, word, symmetric, limit=14):
     value, x = leading([[float(c) for c in row] for row in product])
     rho = abs(value) ** (1 / len(word))
     vertices = [x]
-    for t in list(reversed(word))[:-1]:
+    for t in [] if turned else list(reversed(word))[:-1]:
         x = [v / rho for v in apply([[float(c) for c in row] for row in family[t]], x)]
         vertices.append(x)
+    vertices += [list(map(float, v)) for v in others]
     normal = lambda v: [round(c * ONE) for c in v]
     points = lambda: [(f"{j}", v) for j, v in enumerate(vertices)] + (
         [(f"{j}f", v[::-1]) for j, v in enumerate(vertices)] if symmetric else [])
@@ -140,6 +144,8 @@ def polytope(family, word, symmetric, limit=14):
     while done < len(vertices):
         for matrix in family:
             y = [float(v) / rho for v in apply(matrix, vertices[done])]
+            if others and any(max(abs(a - b) for a, b in zip(x, y)) < 1e-12 for x in vertices):
+                continue
             best = best_combination(points(), y)
             if best is None or best[0] > 1 + 1e-12:
                 vertices.append(y)
@@ -679,7 +685,9 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
-    modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, stability_cases
+    modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, vector_range_cases, stability_cases, attains_cases
+    for name, case in attains_cases.accepted(sys.modules[__name__]):
+        write(name, case)
     for name, family in [case for module in modules for case in module.MATRICES]:
         write_matrices(name, family)
     for name, options, lines in [case for module in modules for case in module.ACCEPTED]:

@@ -9,6 +9,7 @@ import sys
 from fractions import Fraction as Q
 from pathlib import Path
 
+import attains_cases
 import cycle_cases
 import edge_cases
 import frequency_cases
@@ -22,6 +23,7 @@ import subradius_cases
 import subradius_exact_cases
 import variant_cases
 import vector_cases
+import vector_range_cases
 
 accept, out = map(Path, sys.argv[1:3])
 out.mkdir(parents=True, exist_ok=True)
@@ -687,10 +689,13 @@ reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",
        replace("^(image 0 .) 0:16$", r"\1 0:21 0:-5", 2))
-modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, stability_cases
+modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, vector_range_cases, stability_cases, attains_cases
 for case, base, options, reason, edits in [case for module in modules for case in module.REJECTED]:
     reject(case, base, reason, lambda lines: make_certificates.edited(lines, edits), options)
-for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN + stability_cases.WRITTEN:
+for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN + stability_cases.WRITTEN + attains_cases.WRITTEN:
     (out / f"{case}.cert").write_text("\n".join(["subcert-certificate 3", *lines.split("; ")]) + "\n")
     index.append(f"{case} {options} | {reason}")
+for case, (options, lines), reason in attains_cases.rejected(make_certificates):
+    (out / f"{case}.cert").write_text("\n".join(lines) + "\n")
+    index.append(f"{case} {' '.join(options)} | {reason}")
 (out / "claims.txt").write_text("\n".join(index) + "\n")

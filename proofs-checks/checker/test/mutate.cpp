@@ -103,10 +103,12 @@ std::vector<Case> read_cases(const std::string& directory) {
     std::optional<mpq_class> lower, upper;
     std::optional<int> rough;  // no derivatives of this order
     std::optional<std::string> exact, logarithm;
-    bool exponent = false, is_range = false, is_levels = false, is_l1 = false;
+    bool of_matrices = false, is_hermite = false, exponent = false, is_range = false, is_levels = false, is_l1 = false;
     for (std::string option, value; words >> option >> value;) {
       if (option == "--lower") lower = mpq_class(value);
       is_range = is_range || option == "--for";
+      is_hermite = is_hermite || option == "--hermite";
+      of_matrices = of_matrices || is_hermite || option == "--vectors";
       is_levels = is_levels || option == "--levels";
       if (option == "--upper" && value[0] == 'C')
         rough = std::stoi(value.substr(1));
@@ -133,8 +135,15 @@ std::vector<Case> read_cases(const std::string& directory) {
       return options;
     };
     c.claim = rough ? rough_claim(*rough) : claim(lower, upper);
+    if (of_matrices) {  // HC^k, or limits of a vector scheme, and none of them
+      const mpq_class end = lower.value_or(upper.value_or(0));
+      if (lower) c.false_claims.push_back(claim(none, is_hermite ? end : mpq_class(0)));
+      for (const int step : {0, 1, 2})
+        if (step == 2 || !lower) c.false_claims.push_back(claim(end + step, none));
+    }
     if (rough && *rough > 2) c.false_claims.push_back(rough_claim(*rough - 2));
     for (const char* step : {"1/1000000000000", "1/10", "2"}) {  // false by a hair and by far
+      if (of_matrices) break;
       if (lower && upper) {
         c.false_claims.push_back(claim(*upper + mpq_class(step), none));
         c.false_claims.push_back(claim(exponent ? lower : none, *lower - mpq_class(step)));
@@ -142,7 +151,7 @@ std::vector<Case> read_cases(const std::string& directory) {
         c.false_claims.push_back(claim(*upper + mpq_class(step) - mpq_class("1/1000000000000"), none));
       }
     }
-    if (!upper && !exact) {  // no upper end is known
+    if (!upper && !exact && !of_matrices) {  // no upper end is known
       c.false_claims.push_back(claim(rough ? mpq_class(*rough) + 1 : mpq_class(lower.value_or(0) + 2), none));
       if (!rough && lower && !is_levels)  // of sequences of values no upper end can be asked for
         c.false_claims.push_back(claim(exponent && !is_range ? lower : none, *lower - mpq_class("1/10")));

@@ -52,6 +52,14 @@ USAGE = [
     (64, "--mask [w,1] --arity 2 --for w=0..1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
     (64, "--mask [1,1] --arity 2 --within 1/9,1 --exact 1-log|[-1,1]@1,0,1|^1/1 golden.cert"),
     (64, "--mask [1,1] --arity 2 --logarithm 1 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --attains 0 golden.cert"), (64, "--matrices golden.mat --upper 2 --attains 0 golden.cert"),
+    (64, "--mask [w,1] --arity 2 --for w=0..1 --lower 0 --attains 0 golden.cert"),
+    (64, "--surface [1,1] --dilation [2] --lower 1 --attains 0 golden.cert"),
+    *((64, f"--mask [1,1] --arity 2 --within 1/9,1 {more} golden.cert") for more in (
+        "--attains", "--attains ,", "--attains 16", "--attains -1", "--attains 0,", f"--attains {'0,' * 1000}0", "--attains 0 --attains 0",
+        "--attains 0 --exact 1-log|[-1,1]@1,0,1|^1/1", "--attains 0 --upper C1", "--attains 0 --logarithm 257", "--logarithm 0")),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1,symmetric,1 --attains 0 golden.cert"),
+    (64, "--mask [1,1] --arity 2 --within 1/9,1, --attains 0 golden.cert"),
     (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm 257 golden.cert"),
     (64, "--mask [1,1] --arity 2 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm -1 golden.cert"),
     (64, f"{GOLDEN} --exact |[-1,1]@1,0,1|^1/1 --logarithm 0 golden.cert"),
@@ -128,6 +136,19 @@ USAGE = [
         *(f"{mask} --dilation [2] --lower 1" for mask in (
             "[[1]]", "[1]", "1", "[]", "[[[[1]]]]", "[[[[[[1]]]]]]", "[[[1,2]]]", "[[[1],[2]]]", "[[[1,0],[0,1]],[[1]]]", "[[[1,0],[0]]]", "[[[1]]", "[[[1]]]]",
             "[[[1]]]/0", "[[[1]]]@1,1", "[[[1]]]@", "[[[1]]]/2@x", "[[[w]]]", "[[[]]]", "[[[1]],[[]]]", "[[[1]]]2", "[[[1]]]/2/2")))),
+    *((64, f"--{kind} [[[w,0],[0,1]]] --arity 2 --for w=0..1 {more} golden.cert") for kind, more in (
+        ("vectors", ""), ("vectors", "--lower 0 --upper 0"), ("vectors", "--upper 1"), ("vectors", "--upper C1"), ("vectors", "--lower 0 --component 0"),
+        ("vectors", "--lower 0 --hermite [[[w,0],[0,1]]]"), ("vectors", "--lower 0 --mask [1]"), ("vectors", "--lower 0 --exact 0-log|[-1,1]@1,0,1|^1/1"),
+        ("hermite", "--lower 1/2"), ("hermite", "--upper 3/2"), ("hermite", "--lower -1"), ("hermite", "--lower 501"), ("hermite", "--lower 1 --within 1/9,1"))),
+    (64, "--vectors [[[w,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, "--vectors [[[w,0],[0,1]]] --arity 2 --levels w=0..1 --lower 0 golden.cert"),
+    (64, "--vectors [[[w,0],[0,1]]] --for w=0..1 --lower 0 golden.cert"), (64, "--vectors [[[w,0]]] --arity 2 --for w=0..1 --lower 0 golden.cert"),
+    (64, "--vectors [[[[1]]]] --arity 2 --for w=0..1 --lower 0 golden.cert"), (66, "--vectors [[[w,0],[0,1]]] --arity 2 --for w=0..1 --lower 0 none.cert"),
+    *((64, f"{subject} --component {component} golden.cert") for subject, component in (
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "1"), ("--refinable [[[1]]] --dilation [2] --lower 1", "-1"),
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "x"), ("--surface [1] --dilation [2] --lower 1", "0"),
+        ("--mask [1] --arity 2 --lower 1", "0"), (GOLDEN, "0"), ("--subradius golden.mat --lower 1", "0"),
+        ("--l1 6,1 --lower 1/2", "0"))),
+    (66, "--refinable [[[1]]] --dilation [2] --component 0 --lower 1 none.cert"),
     (66, "--refinable [[[1]]] --dilation [2] --lower 1 none.cert"), (66, "--refinable [[[[[1]]]]] --dilation [2,0,0;0,2,0;0,0,2] --lower 1 none.cert"),
     (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{GOLDEN} golden.cert"),
 ]
@@ -151,13 +172,16 @@ def printed(arguments):
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
     levels = values.pop("--levels", None)
     range_ = levels or values.get("--for")
-    exact, logarithm = values.pop("--exact", None), values.pop("--logarithm", None)
+    exact, logarithm, component = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component"))
+    if attains := values.pop("--attains", None):
+        exact = f"{within.split(',')[1]}-log rho({attains})^1/{attains.count(',') + 1}"
     what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
     what = "joint spectral subradius" if "--subradius" in values else what
     what = f"{what} = {exact}" if exact else what if lower or upper else "stable integer shifts of the refinable distribution"
     subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                             for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
     subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
+    subject = f"component {component} of {subject}" if component else subject
     relation = "<" if range_ else "<="
     rough = upper and upper.startswith("C")
     if rough:
@@ -169,6 +193,10 @@ def printed(arguments):
     text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
     text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else "")
     text += f" for all masks within={within}" if within else ""
+    if "--vectors" in values or "--hermite" in values:
+        end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"
+        scheme = f"Hermite scheme of {values['--hermite']}" if "--hermite" in values else f"vector scheme of {values['--vectors']}"
+        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']} for all {range_}"
     if "--l1" in values:
         steps, order, bound = values.get("--contraction", "0,0,0").split(",")
         parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []

@@ -35,10 +35,11 @@ COURANT_SPACE = (
 MATRICES = []
 
 
-def accepted(name, mask, ends, lines, dilation="[2]"):
+def accepted(name, mask, ends, lines, dilation="[2]", component=None):
     lower, _, upper = ends.partition(" ")
-    options = f"--refinable {mask} --dilation {dilation} --lower {lower}" + (f" --upper {upper}" if upper else "")
-    return name, options, f"refinable {mask} {dilation}; bounds {lower} {upper or '-'}; {lines}"
+    one, head = ("", "") if component is None else (f" --component {component}", f" component={component}")
+    options = f"--refinable {mask} --dilation {dilation}{one} --lower {lower}" + (f" --upper {upper}" if upper else "")
+    return name, options, f"refinable {mask} {dilation}{head}; bounds {lower} {upper or '-'}; {lines}"
 
 
 ACCEPTED = [
@@ -67,6 +68,18 @@ ACCEPTED = [
      f"refinable {ROUGH_BUBBLE} [2]; bounds - -; exact 0-log|[-3,4]@3/4,0,1/4|^1/1; root 3/4 0 0 3/4 3/4; {BUBBLE_SPACE}"
      f"blocks 1 1 1; {UNIT_3}; block 0 polytope 1 0 2; vertex 1; unit 0 0:4; image 0 0 0:3; image 0 1 0:3; cycle 0 - 0; seed 1; "
      "block 1 norm 1; block 2 norm 1; end"),
+    # the hat alone; the bubble alone; a lower end needs no largest unobservable subspace
+    accepted("vector-component", ROUGH_BUBBLE, "1 1", BUBBLE_SPACE + "unobservable 2; blocks 2 1; " + UNIT_3 + "; product 1 1/2 0 0; "
+             "block 0 norm 1; block 1 norm 1; end", component=0),
+    accepted("vector-component-blocks", ROUGH_BUBBLE, "1 1", BUBBLE_SPACE + "unobservable 2; blocks 1 1 1; " + UNIT_3 +
+             "; product 2 1/2 0 0; " + NORMS_3, component=0),
+    accepted("vector-component-rough", ROUGH_BUBBLE, "415/1000 4151/10000", BUBBLE_SPACE + "unobservable 0; blocks 1 1 1; " + UNIT_3 +
+             "; product 0 3/4 0 0; " + NORMS_3, component=1),
+    accepted("vector-component-whole", ROUGH_BUBBLE, "1/5", BUBBLE_SPACE + "unobservable 0; block 0 norm 16; end", component=0),
+    ("vector-component-exact", f"--refinable {ROUGH_BUBBLE} --dilation [2] --component 0 --exact 0-log|[-1,2]@1/2,0,1/4|^1/1",
+     f"refinable {ROUGH_BUBBLE} [2] component=0; bounds - -; exact 0-log|[-1,2]@1/2,0,1/4|^1/1; root 1/2 0 0 1/2 1/2; {BUBBLE_SPACE}"
+     f"unobservable 2; blocks 2 1; {UNIT_3}; block 0 norm 1; block 1 polytope 1 0 1; vertex 1; unit 0 0:2; image 0 0 0:1; image 0 1; "
+     "cycle 0 - 0; seed 1; end"),
     # x' is 1; a lower end alone
     accepted("vector-digits", HAT_BUBBLE, "1/2", DIGITS_SPACE + "block 0 norm 12; end"),
     accepted("vector-minus-two", HAT_BUBBLE, "1 1", MINUS_SPACE, "[-2]"),
@@ -76,6 +89,13 @@ ACCEPTED = [
 CHANGED = []
 
 DOUBLE_HAT = "[[[1,0],[0,0]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1"
+
+
+HAT_SUMS = HAT_BUBBLE.replace("[0,1]", "[0,4]").replace("[4,1]", "[4,4]")  # phi_1 is a step
+
+
+def of_component(number, mask=ROUGH_BUBBLE, ends="--lower 1 --upper 1"):
+    return f"--refinable {mask} --dilation [2] --component {number} {ends}"
 
 
 def claim(mask, dilation="[2]", ends="--lower 1"):
@@ -146,6 +166,36 @@ EDITED = [
     ("vector-exact-1", "vector-exact", f"--refinable {HAT_HAAR} --dilation [2] --exact 0-log|[-1,1]@1,0,1/4|^1/1",
      "no exponent between 0 and the number of sum rules",
      [(ROUGH_BUBBLE, HAT_HAAR), ("[-3,4]@3/4", "[-1,1]@1"), ("root 3/4 0 0 3/4 3/4", "root 1 0 0 1 1")]),
+    # one component
+    ("vector-component-other", "vector-component", of_component(1), "expected 'refinable ", []),
+    ("vector-component-of-all", "vector-component", claim(ROUGH_BUBBLE), "wrong number of fields", []),
+    ("vector-component-in-all", "vector-component", claim(ROUGH_BUBBLE, ends="--lower 2/5"), "expected 'block 0'",
+     [(" component=0", ""), ("; product 1 1/2 0 0", "")]),
+    ("vector-component-no-line", "vector-component", None, "expected 'unobservable'", [("unobservable 2; ", "")]),
+    *((f"vector-component-{name}", "vector-component", None, "number outside 0..2", [("unobservable 2", f"unobservable {size}")])
+      for name, size in (("minus", -1), ("all", 3))),
+    ("vector-component-part", "vector-component", of_component(0, ends="--lower 1"), "consists of no blocks", [("unobservable 2", "unobservable 1")]),
+    ("vector-component-less", "vector-component-blocks", None, "more than what is said to be unobservable may be so",
+     [("unobservable 2", "unobservable 1")]),
+    ("vector-component-none", "vector-component", None, "more than what is said to be unobservable may be so",
+     [("unobservable 2", "unobservable 0")]),
+    ("vector-component-none-exact", "vector-component-exact", None, "more than what is said to be unobservable may be so",
+     [("unobservable 2", "unobservable 0")]),
+    ("vector-component-shown", "vector-component", of_component(1, ends="--lower 1"), "shows what is said to be unobservable",
+     [("component=0", "component=1")]),
+    ("vector-component-no-blocks", "vector-component-whole", None, "expected 'blocks'", [("unobservable 0", "unobservable 2")]),
+    ("vector-component-product", "vector-component", None, "number outside 1..1", [("product 1 1/2", "product 0 3/4")]),
+    ("vector-component-product-blocks", "vector-component-blocks", None, "number outside 2..2", [("product 2 1/2", "product 1 3/4")]),
+    ("vector-component-discontinuous", "vector-component", of_component(0, HAT_SUMS), "the bound does not prove the claim",
+     [(ROUGH_BUBBLE, HAT_SUMS)]),
+    ("vector-component-discontinuous-exact", "vector-component-exact",
+     of_component(0, HAT_SUMS, "--exact 0-log|[-1,2]@1/2,0,1/4|^1/1"), "the bound does not prove the claim", [(ROUGH_BUBBLE, HAT_SUMS)]),
+    ("vector-component-upper", "vector-component", of_component(0, ends="--lower 1 --upper 999/1000"), "does not prove the claim", []),
+    ("vector-component-lower", "vector-component", of_component(0, ends="--lower 1001/1000"), "the bound does not prove the claim", []),
+    ("vector-component-rough-lower", "vector-component-rough", of_component(1, ends="--lower 416/1000"), "the bound does not prove the claim", []),
+    ("vector-component-attained-there", "vector-component-exact", of_component(0, ends="--exact 0-log|[-3,4]@3/4,0,1/4|^1/1"),
+     "no block attains the exact radius", [("[-1,2]@1/2", "[-3,4]@3/4"), ("root 1/2 0 0 1/2 1/2", "root 3/4 0 0 3/4 3/4"), ("; cycle 0 - 0; seed 1", "")]),
+    ("vector-component-surface", "hat-lower", None, "wrong number of fields", [("[2]", "[2] component=0")]),
     # the dilation, the digits, sizes
     ("vector-digits-class", "vector-by-hand", None, "two digits of one class", [("digits 0 1", "digits 0 2")]),
     ("vector-not-isotropic", "vector-courant", claim(COURANT, "[2,0;0,3]"), "not isotropic", [("[2,0;0,2]", "[2,0;0,3]")]),

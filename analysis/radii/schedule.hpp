@@ -8,12 +8,17 @@ namespace subcert::schedule {
 /// A family: joint_spectral_radius.cpp.
 namespace family {
 inline constexpr double triangular_form = 0.2;
-inline constexpr double symmetries = 0.1;         ///< for balanced blocks, and as much for the symmetries of each
-inline constexpr double first_look = 0.02;        ///< whole, a block: norms and a product
-inline constexpr double least_of_block = 0.05;    ///< whole, however small its part of the work
-inline constexpr double first_seconds = 0.05;     ///< for a block that seems smaller; twice as many with each try
-inline constexpr double grace_of_blocks = 0.5;    ///< seconds, to compare them
-inline constexpr double grace_of_one_matrix = 1;  ///< seconds, for its eigenvalues
+inline constexpr double symmetries = 0.1;            ///< for balanced blocks, and as much for the symmetries of each
+inline constexpr double first_look = 0.02;           ///< whole, a block: norms and a product
+inline constexpr double least_of_block = 0.05;       ///< whole, however small its part of the work
+inline constexpr double first_seconds = 0.05;        ///< for a block that seems smaller; twice as many with each try
+inline constexpr double shorter_rounds = 1.0 / 3;    ///< once more with less time, where one search is not exact,
+inline constexpr double most_of_shorter_rounds = 5;  ///< in so many seconds at most,
+inline constexpr double least_round = 0.03;          ///< and none with fewer,
+inline constexpr double grace_of_rounds = 0.5;       ///< later by so many, where proofs took the time
+inline constexpr double norms_beside_blocks = 0.5;   ///< of the grace to compare blocks: norms of the whole
+inline constexpr double grace_of_blocks = 0.5;       ///< seconds, to compare them
+inline constexpr double grace_of_one_matrix = 1;     ///< seconds, for its eigenvalues
 }  // namespace family
 
 /// A block: one_block.cpp. Polytopes and forms are sought side by side.

@@ -4,6 +4,7 @@
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
+#include <subcert/analysis/radii/joint/rounds.hpp>
 #include <subcert/analysis/radii/joint/similarity.hpp>
 #include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -207,15 +208,57 @@ TEST_CASE("what is proved of a product stays with a better bound from elsewhere"
   by_bound.product = prove_product(family, {1}, Deadline());
   by_bound.radius = {*by_bound.product.radius.lower, Rational(3)};
   by_bound.proof = NormProof{1, 3};
-  for (const auto& both : {radius::better_of(by_product, by_bound), radius::better_of(by_bound, by_product)}) {
+  const auto better = [&](const JointSpectralRadius& a, const JointSpectralRadius& b) {
+    return radius::better_of(a, b, family, Deadline());
+  };
+  for (const auto& both : {better(by_product, by_bound), better(by_bound, by_product)}) {
     CHECK(both.product.word == std::vector{0});
     CHECK(both.radius.lower == by_product.radius.lower);
     CHECK(both.radius.upper == 3);
     CHECK(both.proved_upper() == 3);
   }
   by_product.exact = {Truth::yes, "known"};
-  CHECK(radius::better_of(by_bound, by_product).proved_upper() == 5);
-  CHECK(radius::better_of(by_product, by_bound).proved_upper() == 5);
+  CHECK(better(by_bound, by_product).proved_upper() == 5);
+  CHECK(better(by_product, by_bound).proved_upper() == 5);
+}
+
+TEST_CASE("a product that another search found is that of the block that has it") {
+  // Blocks of size 2 on the diagonal: 0 1 has the largest radius in the second, 1 in the first.
+  const MatrixFamily family{of_rows({{1, 1, 5, 0}, {0, 1, 0, 0}, {0, 0, 0, 2}, {0, 0, 1, 0}}),
+                            of_rows({{1, 0, 0, 0}, {1, 1, 0, 7}, {0, 0, 1, 0}, {0, 0, 0, 3}})};
+  BlockTriangular triangular = block_triangularise(family, Deadline());
+  REQUIRE(triangular.sizes == std::vector<std::size_t>{2, 2});
+  JointSpectralRadius by_blocks, by_norms;
+  BlockProof proof{triangular, {}, 0};
+  for (std::size_t k = 0; k < 2; ++k) {
+    JointSpectralRadius block;
+    block.product = prove_product(triangular.block(k), {0}, Deadline());
+    block.radius = {*block.product.radius.lower, Rational(4)};
+    block.proof = NormProof{1, 4};
+    proof.blocks.push_back(block);
+  }
+  by_blocks.product = proof.blocks[0].product;
+  by_blocks.radius = proof.blocks[0].radius;
+  by_blocks.proof = proof;
+  by_norms.proof = NormProof{1, 9};
+  for (const std::vector<int>& word : {std::vector{0}, std::vector{1}, std::vector{0, 1}}) {
+    by_norms.product = prove_product(family, word, Deadline());
+    by_norms.radius = {*by_norms.product.radius.lower, Rational(9)};
+    const JointSpectralRadius both = radius::better_of(by_norms, by_blocks, family, Deadline());
+    REQUIRE(both.by_blocks());
+    const JointSpectralRadius& leader = both.by_blocks()->blocks[both.by_blocks()->leading];
+    CHECK(both.radius.upper == 4);
+    CHECK(both.product.word == leader.product.word);
+    CHECK(both.radius.lower == leader.radius.lower);
+    const Rational larger = std::max(*by_norms.radius.lower, *by_blocks.radius.lower);
+    CHECK(*both.radius.lower >= larger * (1 - power(Rational(2), -60)));
+    // The other way round, what is proved of a block is proved of the family.
+    by_norms.radius.upper = 3;
+    const JointSpectralRadius whole = radius::better_of(by_norms, by_blocks, family, Deadline());
+    CHECK(whole.radius.upper == 3);
+    CHECK(*whole.radius.lower >= larger * (1 - power(Rational(2), -60)));
+    CHECK(whole.product.radius.lower == prove_product(family, whole.product.word).radius.lower);
+  }
 }
 
 TEST_CASE("families that commute have the largest of their spectral radii") {

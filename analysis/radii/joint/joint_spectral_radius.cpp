@@ -2,6 +2,7 @@
 
 #include "cost.hpp"
 #include "one_block.hpp"
+#include "rounds.hpp"
 #include "similarity.hpp"
 
 #include <subcert/analysis/radii/polytope_proof/candidate.hpp>
@@ -24,6 +25,16 @@ void require_small(const MatrixFamily& family) {
   require(FamilyLimits::hold(family.count(), family.size()),
           "joint_spectral_radius: need 1 to {} matrices of size 1 to {} with at most {} entries, got {} of size {}",
           FamilyLimits::matrices, FamilyLimits::size, FamilyLimits::entries, family.count(), family.size());
+}
+
+/// Raises the lower end where the product of this word has a larger radius than the one found.
+void try_product(JointSpectralRadius& block, const MatrixFamily& family, const std::vector<int>& word,
+                 const Deadline& deadline) {
+  if (block.exact.is_yes() || block.is_closed()) return;
+  ProductEvidence found = prove_product(family, word, deadline);
+  if (*found.radius.lower <= *block.radius.lower) return;
+  block.radius.lower = found.radius.lower;
+  block.product = std::move(found);
 }
 
 /// The radii of all diagonal blocks, as sharp as the largest needs them.
@@ -58,15 +69,8 @@ class BlockSearch {
   bool is_closed() const {
     return std::ranges::all_of(open_, [this](std::size_t k) { return radii_[k].is_closed() || is_settled(k); });
   }
-  /// Raises the lower ends of blocks whose products of this word have larger radii than those found.
   void try_product(const std::vector<int>& word, const Deadline& deadline) {
-    for (const std::size_t k : open_) {
-      if (radii_[k].exact.is_yes() || radii_[k].is_closed()) continue;
-      ProductEvidence found = prove_product(families_[k], word, deadline);
-      if (*found.radius.lower <= *radii_[k].radius.lower) continue;
-      radii_[k].radius.lower = found.radius.lower;
-      radii_[k].product = std::move(found);
-    }
+    for (const std::size_t k : open_) subcert::try_product(radii_[k], families_[k], word, deadline);
   }
 
   const std::vector<MatrixFamily>& families() const { return families_; }
@@ -87,7 +91,8 @@ class BlockSearch {
       }
       radii_[k] = radius::better_of(
           std::move(radii_[k]),
-          radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory}, norms_[k], target_));
+          radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory}, norms_[k], target_),
+          families_[k], end.later(shares::grace_of_blocks));
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (radii_[k].is_closed()) break;
     }
@@ -166,8 +171,12 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   BlockSearch search(triangular, budget, target);
   search.run();
   const Deadline proving = budget.deadline.later(shares::grace_of_blocks);
-  // Doubles may find in one basis what they miss in another.
-  if (!search.is_closed()) search.try_product(radius::find_product(family, proving).written(), proving);
+  std::optional<NormProof> norms = known;
+  if (!search.is_closed()) {
+    // Norms may be smaller in the given basis, and doubles may find in one basis what they miss in another.
+    if (!norms) norms = norm_of_products(family, {proving.after(shares::norms_beside_blocks), budget.memory});
+    search.try_product(radius::find_product(family, proving).written(), proving);
+  }
   JointSpectralRadius result;
   const std::size_t leading = leading_block(search.radii());
   result.proof = BlockProof{std::move(triangular), std::move(search.radii()), leading};
@@ -177,15 +186,25 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
   for (const JointSpectralRadius& block : result.by_blocks()->blocks)
     result.radius.upper = std::max(*result.radius.upper, *block.radius.upper);
   settle_exactness(result, family, search.families(), proving);
-  if (result.is_closed() || result.exact.is_yes() || (target && result.proved_upper() <= *target)) return result;
-  const NormProof norms = known ? *known : norm_of_products(family, {proving, budget.memory});
-  if (norms.bound() >= result.proved_upper()) return result;
+  if (result.exact.is_yes() || !norms || norms->bound() >= result.proved_upper()) return result;
   JointSpectralRadius whole;
-  whole.product = prove_product(family, leader.product.word, proving);
-  whole.radius = {*whole.product.radius.lower, norms.bound()};
+  whole.radius = {Rational(0), norms->bound()};
   whole.exact = {Truth::unknown, "no polytope closed"};
-  whole.proof = norms;
-  return *whole.radius.lower < *result.radius.lower ? result : whole;
+  whole.proof = *norms;
+  whole = radius::better_of(std::move(whole), result, family, proving);
+  return whole.product.word.empty() ? result : whole;
+}
+
+/// One search, with all of the budget.
+JointSpectralRadius searched(const MatrixFamily& family, const Budget& budget, const std::optional<NormProof>& known,
+                             const std::optional<Rational>& target) {
+  BlockTriangular triangular = radius::with_symmetries(
+      radius::balanced(block_triangularise(family, budget.deadline.after(shares::triangular_form)),
+                       budget.deadline.after(shares::symmetries)),
+      budget.deadline.after(shares::symmetries));
+  const bool one_block = triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size());
+  return one_block ? radius::radius_of_one_block(family, budget, known, target)
+                   : radius_by_blocks(family, std::move(triangular), budget, known, target);
 }
 
 /// Where there is one matrix, up to signs: the largest modulus of its eigenvalues.
@@ -238,6 +257,11 @@ std::size_t total(const JointSpectralRadius& radius, Count count) {
 }
 
 }  // namespace
+
+void BlockProof::try_product(const std::vector<int>& word, const Deadline& deadline) {
+  for (std::size_t k = 0; k < blocks.size(); ++k) subcert::try_product(blocks[k], triangular.block(k), word, deadline);
+  leading = leading_block(blocks);
+}
 
 bool JointSpectralRadius::is_closed() const {
   return radius.is_bounded() && *radius.upper <= *radius.lower * (1 + 1000 * rounding);
@@ -349,13 +373,11 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
   }
   const Budget later{budget.deadline.later(shares::grace_of_one_matrix), budget.memory};
   const auto of_one_matrix = target ? std::nullopt : radius_of_one_matrix(family, later.deadline);
-  BlockTriangular triangular = radius::with_symmetries(
-      radius::balanced(block_triangularise(family, budget.deadline.after(shares::triangular_form)),
-                       budget.deadline.after(shares::symmetries)),
-      budget.deadline.after(shares::symmetries));
-  const bool one_block = triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size());
-  JointSpectralRadius result = one_block ? radius::radius_of_one_block(family, budget, known, target)
-                                         : radius_by_blocks(family, std::move(triangular), budget, known, target);
+  // Who asks for a bound asks for no narrow enclosure.
+  JointSpectralRadius result = target ? searched(family, budget, known, target)
+                                      : radius::best_of_rounds(family, budget, [&](const Budget& round) {
+                                          return searched(family, round, known, target);
+                                        });
   if (of_one_matrix) settle_one_matrix(result, family, *of_one_matrix, later);
   return result;
 }

@@ -19,7 +19,11 @@ struct JointSpectralRadius;
 struct BlockProof {
   BlockTriangular triangular;
   std::vector<JointSpectralRadius> blocks;
-  std::size_t leading = 0;  ///< the block from which the product is formed
+  std::size_t leading = 0;  ///< the block from which the product is formed: the one with the largest lower end
+
+  /// Raises the lower ends of blocks whose products of this word have larger radii than those found. Cost: a
+  /// characteristic polynomial for each block.
+  void try_product(const std::vector<int>& word, const Deadline& deadline);
 };
 
 /// The radius is the spectral radius of one matrix: of the transition matrices of this symbol.
@@ -78,11 +82,11 @@ struct FamilyLimits {
 };
 
 /// Encloses the joint spectral radius, block by block where the family is reducible over the rationals. Domain: a
-/// family within FamilyLimits, numbers of any size. `known`: an upper bound that
-/// is known beforehand; `target`: one that is low enough, where the work ends. Errors: throws Error. Error: none, both
-/// ends are proved in exact arithmetic; where the search for an invariant polytope ends within the budget the width is
-/// about 1e-15, otherwise as narrow as the budget allowed. Cost: one linear program per vertex and matrix. Ref: [GP13,
-/// Alg. 1], [Mej20].
+/// family within FamilyLimits, numbers of any size. `known`: an upper bound that is known beforehand; `target`: one
+/// that is low enough, where the work ends. Errors: throws Error. Error: none, both ends are proved in exact
+/// arithmetic; where the search for an invariant polytope ends within the budget the width is about 1e-15, otherwise as
+/// narrow as the budget allowed, and without a target not wider than with a third of it (rounds.hpp). Cost: one linear
+/// program per vertex and matrix. Ref: [GP13, Alg. 1], [Mej20].
 JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budget& budget,
                                           const std::optional<NormProof>& known = std::nullopt,
                                           const std::optional<Rational>& target = std::nullopt);

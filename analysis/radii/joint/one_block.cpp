@@ -377,14 +377,6 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
   return result;
 }
 
-JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius second) {
-  const bool first_exact = first.exact.is_yes(), second_exact = second.exact.is_yes();
-  if (first_exact == second_exact ? second.proved_upper() < first.proved_upper() : second_exact)
-    std::swap(first, second);
-  take_larger_product(first, std::move(second));
-  return first;
-}
-
 std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Rational& target, const Budget& budget,
                                          const ProductEvidence& product) {
   auto proof = prove_by_quadratic_forms(family, target, budget, {product.word, product.eigenvalue});

@@ -11,9 +11,6 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
                                         const std::optional<NormProof>& known,
                                         const std::optional<Rational>& target = std::nullopt);
 
-/// What two searches prove of one family: the product of the one, where it is larger, beside the proof of the other.
-JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius second);
-
 /// By a product and norms only: a quick look. Domain: size >= 2.
 JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget);
 

@@ -165,6 +165,16 @@ TEST_CASE("the last position is not lost by rounding, and row numbers that are p
   const std::string numbered = folder.write("n.csv", "\"\",\"a\"\n1,2\n2,3\n3,5\n4,4\n5,6\n6,5\n");
   CHECK(run("smooth " + numbered).err.find("the positions are the column without a name") != std::string::npos);
   CHECK(run("smooth " + numbered + " --x 1").err.find("without a name") == std::string::npos);
+  // Names of rows beside two columns: the table without them has the same answer.
+  const std::string rows = folder.write("r.csv", "\"\",\"a\",\"b\"\n1,2,1\n2,3,2\n3,5,4\n4,7,5\n5,8,6\n6,11,5\n"),
+                    bare = folder.write("b.csv", "a,b\n2,1\n3,2\n5,4\n7,5\n8,6\n11,5\n");
+  const Run named = run("smooth " + rows);
+  CHECK(named.out == run("smooth " + bare).out);
+  CHECK(named.err.find("the first column has no name, counts the rows, and is left out (--x 1 takes it)") !=
+        std::string::npos);
+  CHECK(run("smooth " + rows + " --x 1 --scheme primal:n=1 --bands 0 --quiet").out.substr(0, 12) == "\"\",a,a_sd,b,");
+  const std::string other = folder.write("o.csv", "\"\",\"a\",\"b\"\n1,2,1\n2,3,2\n4,5,4\n5,7,5\n6,8,6\n7,11,5\n");
+  CHECK(run("smooth " + other).err.find("the positions are the column without a name") != std::string::npos);
   std::string tiny = "x,y\n";
   for (int i = 1; i < 20; ++i) tiny += std::to_string(i) + "e-320," + std::to_string(i % 3) + "\n";
   const Run too_large = run("smooth " + folder.write("e.csv", tiny) +
@@ -334,6 +344,17 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   CHECK(groups.at("groups")[0].at("columns") == groups.at("groups")[1].at("columns"));
 
   // Dates are kept; on a finer grid times appear.
+  CHECK(with("month,v\n2001-11,1\n2001-12,2\n2002-01,3\n2002-02,4\n", "").out ==
+        "month,v,v_sd\n2001-11,1,0\n2001-12,2,0\n2002-01,3,0\n2002-02,4,0\n");
+  CHECK(with("q,v\n2001Q3,1\n2001Q4,2\n2002Q1,3\n2002Q2,4\n", "").out ==
+        "q,v,v_sd\n2001Q3,1,0\n2001Q4,2,0\n2002Q1,3,0\n2002Q2,4,0\n");
+  CHECK(with("m,v\nMay 2001,1\nJune 2001,2\nJuly 2001,3\n", "").out ==
+        "m,v,v_sd\nMay 2001,1,0\nJune 2001,2,0\nJuly 2001,3,0\n");
+  std::ofstream(data, std::ios::binary) << "season,v\n2001-02,1\n2002-03,2\n2003-04,4\n2004-05,3\n";
+  check_fails(run("smooth " + data), 65,
+              data +
+                  ", line 2, column 1: expected months; found '2001-02', which may be two years (write months with "
+                  "days, or take another column by --x)");
   const std::string dates = "day,v\n2024-02-28,1\n2024-02-29,2\n2024-03-01,3\n";
   CHECK(with(dates, "").out == "day,v,v_sd\n2024-02-28,1,0\n2024-02-29,2,0\n2024-03-01,3,0\n");
   std::ofstream(data, std::ios::binary) << dates;

@@ -1,10 +1,10 @@
 #include "read_samples.hpp"
 
+#include "sample_columns.hpp"
 #include "uniform_grid.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 
 #include <fmt/format.h>
@@ -16,47 +16,9 @@
 #include <utility>
 
 namespace subcert::data {
-/// Which columns of a table hold what.
-struct ColumnUse {
-  std::optional<std::size_t> x;
-  std::optional<std::size_t> weights;
-  std::vector<std::size_t> values;
-  std::optional<std::size_t> by;
-  std::vector<std::size_t> kept;
-  std::vector<std::size_t> left_out;  ///< text that nobody asked for
-  bool dates = false;                 ///< in x
-};
-
 namespace {
 
 constexpr double largest_value = 1e150;  // squares stay finite
-
-std::string column_name(const Table& table, std::size_t column) {
-  return table.header.empty() ? "column " + std::to_string(column + 1) : table.header[column];
-}
-
-std::size_t find_column(const Table& table, const std::string& option, const std::string& text) {
-  const auto named = std::find(table.header.begin(), table.header.end(), text);
-  if (named != table.header.end()) {
-    const auto first = static_cast<std::size_t>(named - table.header.begin());
-    if (const auto again = std::find(named + 1, table.header.end(), text); again != table.header.end())
-      fail(ErrorKind::usage,
-           "{} {}: expected the name of one column; columns {} and {} have it, and are known by number", option, text,
-           first + 1, again - table.header.begin() + 1);
-    return first;
-  }
-  const auto number = parse_rational(text);
-  if (number && denominator(*number) == 1 && *number >= 1 && *number <= Rational(table.columns))
-    return numerator(*number).convert_to<std::size_t>() - 1;
-  std::string known;
-  for (const std::string& name : table.header) known += (known.empty() ? " or one of " : ", ") + name;
-  fail(ErrorKind::usage, "{} {}: expected a column from 1 to {}{}{}", option, text, table.columns, known,
-       did_you_mean(text, table.header));
-}
-
-std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
-  return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
-}
 
 /// --spacing, where it is given.
 std::optional<Rational> given_spacing(const SampleOptions& options) {
@@ -67,12 +29,6 @@ std::optional<Rational> given_spacing(const SampleOptions& options) {
 }
 
 std::string shown(const Rational& value) { return to_decimal(value, 9, Rounding::nearest); }
-
-/// The fields of a column that the table keeps as they are written.
-const std::vector<std::string>& fields_of(const Table& table, const std::vector<std::size_t>& kept,
-                                          std::size_t column) {
-  return table.fields[static_cast<std::size_t>(std::ranges::find(kept, column) - kept.begin())];
-}
 
 /// The rows of a table in this order.
 Table selected(const Table& table, const std::vector<std::size_t>& rows) {
@@ -87,36 +43,6 @@ Table selected(const Table& table, const std::vector<std::size_t>& rows) {
     for (std::size_t k = 0; k < table.fields.size(); ++k) result.fields[k].push_back(table.fields[k][row]);
   }
   return result;
-}
-
-/// Puts days or seconds in the place of dates. Errors: a data error for text that is none, or is written otherwise.
-DateForm read_dates(const SampleOptions& options, Table& table, const std::vector<std::string>& fields,
-                    std::size_t column) {
-  std::optional<DateForm> form;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    double& value = table.values[i * table.columns + column];
-    if (is_missing(fields[i])) continue;
-    const auto date = parse_date(fields[i]);
-    if (!date || (form && *form != date->form))
-      fail(ErrorKind::data, "{}: expected a date{}; found {}", place(options, table, i, column),
-           form ? " written as those before" : "", in_quotes(fields[i]));
-    form = date->form;
-    value = date->value;
-  }
-  return form.value_or(DateForm{});
-}
-
-/// Puts days in the place of dates that are written as numbers, as 20240229; whether all in the column are.
-bool read_number_dates(Table& table, std::size_t column) {
-  std::vector<double> days;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double value = table.values[i * table.columns + column];
-    const auto day = std::isnan(value) ? std::optional(value) : day_of_number(value);
-    if (!day) return false;
-    days.push_back(*day);
-  }
-  for (std::size_t i = 0; i < table.rows(); ++i) table.values[i * table.columns + column] = days[i];
-  return true;
 }
 
 /// The positions in a column; NaN where one is missing and may be. Errors: a data error where none may.
@@ -219,52 +145,6 @@ void set_weights(const SampleOptions& options, const Table& table, const std::ve
   samples.weights = std::move(result);
 }
 
-bool holds_dates(const Table& table, std::size_t column) {
-  return table.contents[column].numbers == 0 && parse_date(table.contents[column].text);
-}
-
-ColumnUse find_columns(const SampleOptions& options, const Table& table) {
-  ColumnUse use;
-  if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
-  if (!options.by.empty()) use.by = find_column(table, "--by", options.by);
-  const bool none = options.x == "none";
-  if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);
-  for (const std::string& text : options.y) use.values.push_back(find_column(table, "--y", text));
-  for (const std::string& text : options.keep) use.kept.push_back(find_column(table, "--keep", text));
-  std::vector<std::size_t> left;
-  for (std::size_t c = 0; c < table.columns; ++c) {
-    if (c == use.weights || c == use.x || c == use.by || std::ranges::count(use.values, c) > 0) continue;
-    if (std::ranges::count(use.kept, c) > 0 || (c == 0 && table.row_names)) continue;
-    if (!table.contents[c].is_text() || holds_dates(table, c))
-      left.push_back(c);
-    else if (use.values.empty())
-      use.left_out.push_back(c);
-  }
-  if (options.x.empty() && (use.values.empty() ? left.size() > 1 : !left.empty())) {
-    use.x = left.front();
-    left.erase(left.begin());
-  }
-  const auto dates = [&](std::size_t c) { return holds_dates(table, c); };
-  if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), dates);
-  std::erase_if(left, dates);
-  if (use.values.empty()) use.values = left;
-  if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
-  for (const std::size_t c : use.values)
-    if (c == use.weights || c == use.x || c == use.by) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
-  use.dates = use.x && holds_dates(table, *use.x);
-  return use;
-}
-
-/// Refuses text in columns that are to hold numbers.
-void require_numbers(const Table& table, const ColumnUse& use) {
-  std::vector<std::size_t> columns = use.values;
-  if (use.weights) columns.push_back(*use.weights);
-  if (use.x && !use.dates) columns.push_back(*use.x);
-  std::ranges::sort(columns);
-  for (const std::size_t c : columns)
-    if (!table.contents[c].why.empty()) fail(ErrorKind::data, "{}", table.contents[c].why);
-}
-
 NamedSamples named_columns(const Table& table, const ColumnUse& use) {
   NamedSamples samples;
   samples.separator = table.columns > 1 ? table.separator : table.decimal == ',' ? ';' : ',';
@@ -329,6 +209,19 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const st
   return groups;
 }
 
+/// Rows that lack one value of several count for no column.
+void remark_on_missing(const Table& table, const ColumnUse& use, NamedSamples& samples) {
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto missing = std::ranges::count_if(
+        use.values, [&](std::size_t c) { return std::isnan(table.values[i * table.columns + c]); });
+    rows += missing > 0 && missing < std::ssize(use.values) ? 1 : 0;
+  }
+  if (rows > 0)
+    samples.remarks.push_back(
+        fmt::format("rows with some of the values, left out for all columns: {} (--y NAME takes one column)", rows));
+}
+
 NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnUse& use,
                         const std::vector<std::size_t>& kept) {
   NamedSamples samples = named_columns(table, use);
@@ -339,6 +232,7 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
     samples.spacing = *spacing;
   }
   set_rows(options, table, use, samples);
+  remark_on_missing(table, use, samples);
   const auto counts = [&](std::size_t i) { return samples.weights.empty() || samples.weights[i] != 0; };
   for (const std::size_t c : use.kept) {
     NamedTexts& column = samples.kept.emplace_back(NamedTexts{column_name(table, c), {}});
@@ -388,10 +282,12 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
   std::vector<std::string> remarks;
   if (use.x && !use.dates && table.contents[*use.x].numbers > 0 && read_number_dates(table, *use.x)) {
-    dates.emplace().basic = true;
+    dates.emplace().date = "%Y%m%d";
     remarks.push_back(column_name(table, *use.x) + " holds dates as YYYYMMDD, and is taken in days");
   }
   for (const std::size_t c : use.left_out) remarks.push_back(column_name(table, c) + " holds text and is left out");
+  if (use.numbered)
+    remarks.emplace_back("the first column has no name, counts the rows, and is left out (--x 1 takes it)");
   if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
     remarks.emplace_back("the positions are the column without a name, as of row numbers (--x COLUMN takes another)");
   std::vector<NamedSamples> result;

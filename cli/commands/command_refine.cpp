@@ -23,6 +23,7 @@ struct RefineCommand : CommonOptions {
   bool closed = false;
   std::array<bool, 3> closed_directions{false, false, false};
   std::string boundary = data::refinement_boundary_names().front();
+  double constant = 0;
   std::string plot;
   bool limit = false;
 };
@@ -83,7 +84,7 @@ std::array<bool, 3> closed_directions(const RefineCommand& options, std::size_t 
   std::array<bool, 3> closed = options.closed_directions;
   const auto end = closed.begin() + static_cast<std::ptrdiff_t>(variables);
   if (options.closed) std::fill(closed.begin(), end, true);
-  if ((boundary == data::Boundary::reflect || boundary == data::Boundary::shrink) &&
+  if (boundary != data::Boundary::regression && boundary != data::Boundary::periodic &&
       std::all_of(closed.begin(), end, [](bool c) { return c; }))
     fail(ErrorKind::usage, "--boundary {}: closed data have no boundary; leave out one of the two options",
          options.boundary);
@@ -122,14 +123,14 @@ ExitCode run(const RefineCommand& options) {
   for (const std::string& line : file.remarks()) options.remark(input_name(options.data) + ": " + line);
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     for (const std::string& line : data::remarks(*l1)) options.remark(line);
-  const data::RefineOptions how{options.levels, boundary, options.threads()};
+  const data::RefineOptions how{options.levels, boundary, options.threads(), options.constant};
   auto steps = mask ? std::optional(limit_steps(file.data.axes, file.data.dimension, *mask, how))
                     : refinement_steps(file.data.axes, file.data.dimension, scheme, how);
   // A picture needs all points, and so do vectors.
   std::optional<data::GridData<double>> whole;
-  if (!steps || !options.plot.empty())
-    whole = mask ? limit_of_data(file.data, *mask, how) : refine(file.data, scheme, how);
+  if (!steps) whole = refine(file.data, scheme, how);
   const data::SlabRefinement slabs(file.data, steps ? *std::exchange(steps, {}) : data::SliceSteps());
+  if (!whole && !options.plot.empty()) whole = slabs.whole();
   const PointSource source = [&](const auto& take) {
     if (whole) return take(whole->values.data(), whole->points());
     slabs.run(take);
@@ -170,6 +171,9 @@ void add_refine(Command& app) {
   command.flag("--closed-z", options->closed_directions[2], "The same in the third direction alone");
   command.option("--boundary", options->boundary, "What rules at the ends read")
       .one_of(data::refinement_boundary_names())
+      .with_default();
+  command.option("--constant", options->constant, "The value of --boundary constant")
+      .within(-1e300, 1e300)
       .with_default();
   command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
 }

@@ -110,6 +110,15 @@ void remark_on_refused(const SmoothOptions& options, const RefusedGroups& refuse
   for (const auto& [why, names] : groups) options.remark(options.samples.by + names + ", left out: " + why);
 }
 
+/// What --closed stands for.
+void take_closed(SmoothOptions& options) {
+  if (options.boundary != data::smoothing_boundary_names().front() && options.boundary != "wrap")
+    fail(ErrorKind::usage, "--closed and --boundary {}: expected one of the two; closed data have no ends",
+         options.boundary);
+  options.boundary = "wrap";
+  if (options.samples.x.empty()) options.samples.x = "none";
+}
+
 ExitCode run(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
@@ -154,6 +163,8 @@ ExitCode run(const SmoothOptions& options) {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
       data::SmoothedSamples result = smoothed(options, samples);
       remark_on_outliers(options, samples, result);
+      if (result.choice && samples.names.size() > 1)
+        options.remark("one method is chosen for all columns together; --y NAME chooses it for one alone");
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::data) throw;
@@ -178,8 +189,10 @@ ExitCode run(const SmoothOptions& options) {
 void add_smooth(Command& app) {
   auto options = std::make_shared<SmoothOptions>();
   Command command = add_command(app, "smooth", "Smooths data by the limit of a scheme or local polynomials, with bands",
-                                "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options,
-                                [=] { return run(*options); });
+                                "subcert smooth samples.csv --bands 0.95 --plot smooth.svg", options, [=] {
+                                  if (options->closed) take_closed(*options);
+                                  return run(*options);
+                                });
   command
       .option("DATA", options->samples.file,
               "CSV: a column of positions, then one or more of values; - is standard input")
@@ -222,6 +235,9 @@ void add_smooth(Command& app) {
   command.option("--boundary", options->boundary, "How data go on past the ends")
       .one_of(data::smoothing_boundary_names())
       .with_default();
+  command.flag("--closed", options->closed,
+               "The last row is followed by the first, and unless --x names a column rows are counted: --boundary wrap "
+               "--x none");
   command.option("--constant", options->constant, "The value of --boundary constant")
       .within(-1e300, 1e300)
       .with_default();

@@ -18,16 +18,21 @@ std::string drawn_name(const SmoothPage& page, std::size_t column) {
   const std::string& name = page.samples.names[column];
   const int order = page.options.derivative;
   if (order == 0) return name;
-  const std::string unit = page.samples.dates ? std::string(page.samples.dates->unit()) : page.samples.x_name;
+  const std::string unit = page.samples.dates ? page.samples.dates->unit_name() : page.samples.x_name;
   static const char* const endings[] = {"th", "st", "nd", "rd"};
   const bool special = order % 10 <= 3 && (order < 11 || order > 13);
   return (order == 1 ? std::string() : fmt::format("{}{} ", order, endings[special ? order % 10 : 0])) +
          "derivative of " + name + " by " + unit;
 }
 
+/// On the axis of a picture, where time runs evenly.
+double on_axis(const data::NamedSamples& samples, double position) {
+  return samples.dates ? time_of(position, *samples.dates) : position;
+}
+
 double position(const data::NamedSamples& samples, std::size_t i) {
-  return samples.uniform() ? data::nearest_double(samples.origin + samples.spacing * Rational(i))
-                           : samples.positions[i];
+  return on_axis(samples, samples.uniform() ? data::nearest_double(samples.origin + samples.spacing * Rational(i))
+                                            : samples.positions[i]);
 }
 
 /// The limit at the data, one column of values for each of the samples.
@@ -66,12 +71,13 @@ formats::Panel panel_of_limit(const SmoothPage& page, std::size_t column) {
   if (page.options.derivative == 0) panel.curves.push_back(dots(page, page.samples.columns[column], "data"));
   formats::Curve limit{"limit", {}, false, true, limit_colour};
   for (std::size_t o = 0; o < page.rows(); ++o)
-    limit.points.emplace_back(page.result.positions[o], page.result.columns[column].values[o]);
+    limit.points.emplace_back(on_axis(page.samples, page.result.positions[o]), page.result.columns[column].values[o]);
   panel.curves.push_back(std::move(limit));
   if (!page.bands) return panel;
   formats::Band band{fmt::format("{:.6g} % band", 100 * page.options.bands()), {}, limit_colour};
   for (std::size_t o = 0; o < page.rows(); ++o)
-    band.ends.push_back({page.result.positions[o], page.columns[2 * column][o], page.columns[2 * column + 1][o]});
+    band.ends.push_back({on_axis(page.samples, page.result.positions[o]), page.columns[2 * column][o],
+                         page.columns[2 * column + 1][o]});
   panel.bands.push_back(std::move(band));
   return panel;
 }

@@ -13,13 +13,18 @@ namespace subcert::cli {
 namespace {
 
 Json risk_json(const data::SmoothingCandidate& candidate) {
-  return {{"scheme", candidate.specification},
-          {"bias_squared", candidate.risk.bias_squared},
-          {"variance", candidate.risk.variance},
-          {"expected_squared_error", candidate.risk.total()}};
+  Json json{{"scheme", candidate.specification},
+            {"bias_squared", candidate.risk.bias_squared},
+            {"variance", candidate.risk.variance},
+            {"expected_squared_error", candidate.risk.total()}};
+  if (candidate.range) json["likely_range"] = {candidate.range->first, candidate.range->second};
+  return json;
 }
 
 std::string risk_line(const data::SmoothingCandidate& candidate) {
+  if (const auto& range = candidate.range)
+    return fmt::format("#   {}: most likely from {:.2g} to {:.2g}\n", candidate.specification, range->first,
+                       range->second);
   return fmt::format("#   {}: {:.6g} = bias^2 {:.6g} + variance {:.6g}\n", candidate.specification,
                      candidate.risk.total(), candidate.risk.bias_squared, candidate.risk.variance);
 }
@@ -170,7 +175,7 @@ Json SmoothPage::json() const {
                  {"columns", header},
                  {"rows", rows}};
   if (!options.samples.by.empty()) answer["group"] = samples.group;
-  if (samples.dates) answer["unit"] = samples.dates->unit();
+  if (samples.dates) answer["unit"] = samples.dates->unit_name();
   return answer;
 }
 
@@ -178,8 +183,8 @@ void SmoothPage::write_comments(std::ostream& stream) const {
   if (!options.quiet) {
     if (!options.samples.by.empty()) stream << "# " << options.samples.by << " " << samples.group << "\n";
     if (samples.dates)
-      stream << "# " << samples.x_name << ": dates; widths, spacings and derivatives are in " << samples.dates->unit()
-             << "\n";
+      stream << "# " << samples.x_name << ": dates; widths, spacings and derivatives are in "
+             << samples.dates->unit_name() << "\n";
     stream << "# scheme " << result.method << ", boundary " << options.boundary
            << (options.derivative > 0 ? ", derivative " + std::to_string(options.derivative) : "") << "\n";
     if (result.choice) stream << choice_text(*result.choice, options);

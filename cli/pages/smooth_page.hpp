@@ -28,6 +28,7 @@ struct SmoothOptions : CommonOptions {
   std::string at = "grid";
   int level = 2;
   int derivative = 0;
+  bool closed = false;
   bool stream = false;
   bool grid = false;
   std::string plot;

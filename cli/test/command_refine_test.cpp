@@ -209,3 +209,17 @@ TEST_CASE("refine: axes with one scale have numbers with one step") {
   CHECK(contains(content(picture), " 3</tspan>"));
   CHECK_FALSE(contains(content(picture), " 0.5</tspan>"));
 }
+
+TEST_CASE("refine: data go on as the nearest datum, or as a constant") {
+  const Folder folder;
+  const std::string data = folder.write("d.csv", "1\n3\n"),
+                    command = "refine bspline:degree=3 " + data + " --levels 1 ";
+  CHECK(run(command + "--boundary nearest").out == "1.25\n2\n2.75\n");
+  CHECK(run(command + "--boundary constant").out == "1.125\n2\n2.375\n");
+  CHECK(run(command + "--boundary constant --constant 9").out == "2.25\n2\n3.5\n");
+  CHECK(run(command + "--boundary nearest --limit").out.substr(0, 6) == "1.3333");
+  check_fails(run(command + "--boundary nearest --closed"), 64,
+              "--boundary nearest: closed data have no boundary; leave out one of the two options");
+  check_fails(run("refine merrien:lambda=-1/8,mu=1/2 " + folder.write("h.csv", "1,2\n3,2\n") + " --boundary nearest"),
+              64, "refine: need boundary regression, reflect, periodic or shrink, got nearest");
+}

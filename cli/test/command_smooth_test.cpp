@@ -165,6 +165,16 @@ TEST_CASE("the last position is not lost by rounding, and row numbers that are p
   const std::string numbered = folder.write("n.csv", "\"\",\"a\"\n1,2\n2,3\n3,5\n4,4\n5,6\n6,5\n");
   CHECK(run("smooth " + numbered).err.find("the positions are the column without a name") != std::string::npos);
   CHECK(run("smooth " + numbered + " --x 1").err.find("without a name") == std::string::npos);
+  // Names of rows beside two columns: the table without them has the same answer.
+  const std::string rows = folder.write("r.csv", "\"\",\"a\",\"b\"\n1,2,1\n2,3,2\n3,5,4\n4,7,5\n5,8,6\n6,11,5\n"),
+                    bare = folder.write("b.csv", "a,b\n2,1\n3,2\n5,4\n7,5\n8,6\n11,5\n");
+  const Run named = run("smooth " + rows);
+  CHECK(named.out == run("smooth " + bare).out);
+  CHECK(named.err.find("the first column has no name, counts the rows, and is left out (--x 1 takes it)") !=
+        std::string::npos);
+  CHECK(run("smooth " + rows + " --x 1 --scheme primal:n=1 --bands 0 --quiet").out.substr(0, 12) == "\"\",a,a_sd,b,");
+  const std::string other = folder.write("o.csv", "\"\",\"a\",\"b\"\n1,2,1\n2,3,2\n4,5,4\n5,7,5\n6,8,6\n7,11,5\n");
+  CHECK(run("smooth " + other).err.find("the positions are the column without a name") != std::string::npos);
   std::string tiny = "x,y\n";
   for (int i = 1; i < 20; ++i) tiny += std::to_string(i) + "e-320," + std::to_string(i % 3) + "\n";
   const Run too_large = run("smooth " + folder.write("e.csv", tiny) +

@@ -128,6 +128,17 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   CHECK(groups.at("groups")[0].at("columns") == groups.at("groups")[1].at("columns"));
 
   // Dates are kept; on a finer grid times appear.
+  CHECK(with("month,v\n2001-11,1\n2001-12,2\n2002-01,3\n2002-02,4\n", "").out ==
+        "month,v,v_sd\n2001-11,1,0\n2001-12,2,0\n2002-01,3,0\n2002-02,4,0\n");
+  CHECK(with("q,v\n2001Q3,1\n2001Q4,2\n2002Q1,3\n2002Q2,4\n", "").out ==
+        "q,v,v_sd\n2001Q3,1,0\n2001Q4,2,0\n2002Q1,3,0\n2002Q2,4,0\n");
+  CHECK(with("m,v\nMay 2001,1\nJune 2001,2\nJuly 2001,3\n", "").out ==
+        "m,v,v_sd\nMay 2001,1,0\nJune 2001,2,0\nJuly 2001,3,0\n");
+  std::ofstream(data, std::ios::binary) << "season,v\n2001-02,1\n2002-03,2\n2003-04,4\n2004-05,3\n";
+  check_fails(run("smooth " + data), 65,
+              data +
+                  ", line 2, column 1: expected months; found '2001-02', which may be two years (write months with "
+                  "days, or take another column by --x)");
   const std::string dates = "day,v\n2024-02-28,1\n2024-02-29,2\n2024-03-01,3\n";
   CHECK(with(dates, "").out == "day,v,v_sd\n2024-02-28,1,0\n2024-02-29,2,0\n2024-03-01,3,0\n");
   std::ofstream(data, std::ios::binary) << dates;

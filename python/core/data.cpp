@@ -35,7 +35,8 @@ void require_finite(const std::vector<double>& numbers, const char* what) {
 
 /// Points in the order of numpy's rows: the last index of the points runs along the first axis of the scheme.
 py::tuple refine(const std::string& specification, const DoubleArray& values, const std::vector<bool>& closed,
-                 int levels, const std::string& boundary_name, bool limit, int jobs, const py::object& progress) {
+                 int levels, const std::string& boundary_name, double constant, bool limit, int jobs,
+                 const py::object& progress) {
   const AnyScheme scheme = data::make_data_scheme(specification);
   const data::Boundary boundary = boundary_of(boundary_name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary),
@@ -61,7 +62,7 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
     grid.axes.push_back(data::Axis::of(count, closed[axes - 1 - k] || boundary == data::Boundary::periodic));
   }
   if (grid.dimension == 0) fail(ErrorKind::domain, "refine: need at least one coordinate, got none");
-  const data::RefineOptions options{levels, boundary, jobs};
+  const data::RefineOptions options{levels, boundary, jobs, constant};
   data::GridData<double> refined = interruptible(progress, [&] {
     if (!limit) return data::refine(grid, scheme, options);
     const std::optional<LatticeMask> mask = mask_with_factors(scheme);
@@ -69,7 +70,7 @@ py::tuple refine(const std::string& specification, const DoubleArray& values, co
       fail(ErrorKind::domain, "limit: {}: limits are of schemes of one variable and their tensor products",
            specification);
     require_derivative(specification, *mask, LatticePoint(mask->factors().size(), 0));
-    return data::limit_of_data(grid, *mask, options);
+    return data::SlabRefinement(grid, limit_steps(grid.axes, grid.dimension, *mask, options)).whole();
   });
   std::vector<std::size_t> shape;
   py::list parameters;

@@ -141,6 +141,7 @@ def refine(
     closed: Sequence[bool],
     levels: int,
     boundary: str,
+    constant: float,
     limit: bool,
     jobs: int,
     progress: _Progress,

@@ -25,6 +25,7 @@ def refine(
     *,
     closed: Union[bool, Sequence[bool]] = False,
     boundary: str = "regression",
+    constant: float = 0,
     limit: bool = False,
     parameters: bool = False,
     jobs: Optional[int] = None,
@@ -34,10 +35,11 @@ def refine(
 
     `data`: shape (n,) or (n, coordinates) for curves, (n, m) or (n, m, coordinates) for schemes of two variables, and
     so on. `closed`: the first point follows the last, for all axes or one by one. `boundary`: what rules at the ends
-    read: regression, reflect, periodic or shrink. Coordinates for Hermite schemes are values, then derivatives, also
-    after one of positions. `limit`: the values of the limit at the new parameters. The new array owns what the library
-    computed. With `parameters` also the pair (first, step) of each axis, in spacings of the data. Raises DomainError
-    for arrays of other shapes or with too few points, DataError for numbers that are not finite and other columns.
+    read: regression, reflect, periodic, shrink, nearest or constant, which has `constant` as its value. Coordinates for
+    Hermite schemes are values, then derivatives, also after one of positions. `limit`: the values of the limit at the
+    new parameters. The new array owns what the library computed. With `parameters` also the pair (first, step) of each
+    axis, in spacings of the data. Raises DomainError for arrays of other shapes or with too few points, DataError for
+    numbers that are not finite and other columns.
 
     >>> import numpy, subcert
     >>> subcert.refine("four-point:w=1/16", numpy.arange(5.0) ** 3)
@@ -51,7 +53,8 @@ def refine(
     if len(ends) < array.ndim - 1:
         raise DomainError(f"closed: need a bool, or one for each axis, got {len(ends)}")
     ends += [False] * (3 - len(ends))
-    refined, axes = _core.refine(str(scheme), array, ends, levels, boundary, limit, _jobs(jobs), progress)
+    how = (levels, boundary, float(constant), limit, _jobs(jobs), progress)
+    refined, axes = _core.refine(str(scheme), array, ends, *how)
     return (refined, axes) if parameters else refined
 
 

@@ -61,8 +61,10 @@ AnyScheme make_data_scheme(std::string_view specification) {
 }
 
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
-  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
   if (const Scheme* vectors = vectors_of(scheme)) return refined_columns(data, *vectors, options);
+  if (continues_data(options.boundary))
+    return SlabRefinement(data, *refinement_steps(data.axes, data.dimension, scheme, options)).whole();
+  if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
   return refine(data, std::get<Scheme>(scheme).mask, options);
 }
 
@@ -110,7 +112,8 @@ GridData<double> without_derivatives(const AnyScheme& scheme, const GridData<dou
 
 std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
-    return {l1->rules.points.begin(), l1->rules.points.end()};
+    return continues_data(boundary) ? std::vector<std::size_t>(l1->rules.points.size(), 1)
+                                    : std::vector<std::size_t>(l1->rules.points.begin(), l1->rules.points.end());
   if (const Scheme* vectors = vectors_of(scheme)) {
     const std::size_t window = AxisRefiner(axis_rule(vectors->mask, *vectors->form), boundary).window();
     return {boundary == Boundary::periodic ? 1 : window};

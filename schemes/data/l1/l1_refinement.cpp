@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/schemes/data/refine/axis_stencils.hpp>
+#include <subcert/schemes/data/refine/extended_refinement.hpp>
 
 #include <algorithm>
 #include <array>
@@ -359,6 +360,10 @@ LocalRegression l1_linear_part(const L1Scheme& scheme) {
 
 SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const L1Scheme& scheme,
                             const RefineOptions& options) {
+  if (continues_data(options.boundary))
+    return extended_steps(
+        axes, dimension, {scheme.points.begin(), scheme.points.end()}, options,
+        [&](const auto& longer, const RefineOptions& how) { return refinement_steps(longer, dimension, scheme, how); });
   return l1_steps(axes, dimension, scheme, options, most_streamed_numbers);
 }
 

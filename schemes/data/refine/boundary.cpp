@@ -23,7 +23,7 @@ std::optional<Boundary> parse_boundary(std::string_view name) {
 }
 
 const std::vector<std::string>& refinement_boundary_names() {
-  static const std::vector<std::string> offered{"regression", "reflect", "periodic", "shrink"};
+  static const std::vector<std::string> offered{"regression", "reflect", "periodic", "shrink", "nearest", "constant"};
   return offered;
 }
 

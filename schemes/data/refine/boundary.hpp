@@ -19,7 +19,8 @@ using subcert::to_text;
 /// shrink      nothing: only points with complete stencils are made
 /// nearest     a a a | a b c d
 /// constant    v v v | a b c d
-/// Refinement knows the first four, smoothing all but shrink. Definitions: docs/data.md, docs/smoothing.md.
+/// Smoothing knows all but shrink; refinement of vectors, of rational numbers and by single steps the first four.
+/// Definitions: docs/data.md, docs/smoothing.md.
 enum class Boundary { regression, reflect, periodic, shrink, nearest, constant };
 
 /// The name, as `regression`.
@@ -33,7 +34,12 @@ std::optional<Boundary> parse_boundary(std::string_view name);
 const std::vector<std::string>& refinement_boundary_names();
 const std::vector<std::string>& smoothing_boundary_names();
 
-/// Throws a domain error for a boundary that refinement does not know.
+/// Whether data go on past their ends as they are, nearest or constant.
+inline bool continues_data(Boundary boundary) {
+  return boundary == Boundary::nearest || boundary == Boundary::constant;
+}
+
+/// Throws a domain error for nearest and constant.
 void require_refinement_boundary(Boundary boundary);
 
 }  // namespace subcert::data

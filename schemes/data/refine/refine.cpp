@@ -55,7 +55,8 @@ GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, c
 
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary) {
   // Periodic data are there at every index, however few they are.
-  if (boundary == Boundary::periodic) return std::vector<std::size_t>(static_cast<std::size_t>(mask.dimension()), 1);
+  if (boundary == Boundary::periodic || continues_data(boundary))
+    return std::vector<std::size_t>(static_cast<std::size_t>(mask.dimension()), 1);
   if (!mask.has_factors()) return windows(mask);
   std::vector<std::size_t> fewest;
   for (const Mask& factor : mask.factors()) fewest.push_back(AxisRefiner(factor, boundary).window());

@@ -14,6 +14,7 @@ struct RefineOptions {
   int levels = 1;
   Boundary boundary = Boundary::regression;
   int threads = 1;
+  double constant = 0;  ///< past the ends, for Boundary::constant
 };
 
 /// Numbers (points times coordinates) that a refinement may make.
@@ -30,7 +31,7 @@ constexpr double most_refined_numbers = 1e8;
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options);
 
-/// The number of points that each axis must have at least; 1 with Boundary::periodic, as along closed axes.
+/// The number of points that each axis must have at least; 1 along closed axes and with periodic, nearest, constant.
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary);
 
 /// Throws a size error where `levels` refinements by the factor `growth` of `numbers` numbers would pass `most`.

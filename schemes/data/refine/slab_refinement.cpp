@@ -1,5 +1,6 @@
 #include "slab_refinement.hpp"
 
+#include "extended_refinement.hpp"
 #include "grid_refinement.hpp"
 
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
@@ -176,6 +177,10 @@ SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension
                             const RefineOptions& options) {
   require_axes(axes, mask);
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
+  if (continues_data(options.boundary))
+    return extended_steps(
+        axes, dimension, fewest_points(mask, Boundary::shrink), options,
+        [&](const auto& longer, const RefineOptions& how) { return refinement_steps(longer, dimension, mask, how); });
   require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, mask.dilation().classes(), options.levels,
                     most_streamed_numbers);
   if (!mask.has_factors()) return grid_steps(axes, dimension, mask, options);
@@ -185,6 +190,10 @@ SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension
 SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                        const RefineOptions& options) {
   require_axes(axes, mask);
+  if (continues_data(options.boundary))
+    return extended_steps(
+        axes, dimension, fewest_points(mask, Boundary::shrink), options,
+        [&](const auto& longer, const RefineOptions& how) { return limit_steps(longer, dimension, mask, how); });
   return axis_steps(axes, dimension, steps_of_limit(axes, dimension, mask.factors(), options, most_streamed_numbers),
                     options.threads);
 }
@@ -202,6 +211,14 @@ SlabRefinement::SlabRefinement(const GridData<double>& data, SliceSteps steps)
           },
           std::move(steps)) {
   require(data.is_canonical(), "refine: need as many values as points times coordinates");
+}
+
+GridData<double> SlabRefinement::whole() const {
+  GridData<double> result{{}, dimension_, axes()};
+  run([&](const double* values, std::size_t points) {
+    result.values.insert(result.values.end(), values, values + points * dimension_);
+  });
+  return result;
 }
 
 void SlabRefinement::run(const std::function<void(const double*, std::size_t)>& take) const {

@@ -54,7 +54,8 @@ class SliceBuffer {
   std::vector<double> values_;
 };
 
-/// The steps of refine() and of limit_of_data() by a mask. Domain and errors: as these, with most_streamed_numbers.
+/// The steps of refine() and of limit_of_data() by a mask, also with nearest and constant: then those of data that go
+/// on without an end. Domain and errors: as these, with most_streamed_numbers.
 SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                             const RefineOptions& options);
 SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
@@ -71,6 +72,9 @@ class SlabRefinement {
 
   /// Of the result.
   const std::vector<Axis>& axes() const { return steps_.empty() ? axes_ : steps_.back()->output(); }
+
+  /// All points at once.
+  GridData<double> whole() const;
 
   /// Gives the points in their order, whole slices at a time. Cost: that of the whole refinement, and up to twice as
   /// much where slices are large.

@@ -27,6 +27,7 @@ using specification_text::read_integer;
 constexpr std::string_view family_name = "local";
 constexpr long most_points = 10'000'000;
 constexpr double most_exact_window = 2048, most_exact_robust_window = 128;
+constexpr double most_exact_terms = 1e6;  // of all windows of the data
 constexpr std::size_t vertices_in_window = 128, robust_vertices_in_window = 64;
 constexpr std::size_t outputs_per_thread = 512;
 constexpr long most_robust_steps = 100;
@@ -110,7 +111,8 @@ std::size_t LocalSmoother::stride() const {
   double points = static_cast<double>(method_.points);
   if (points == 0 && data().uniform()) points = std::min(2 * method_.width, static_cast<double>(most_points));
   const bool robust = method_.robust > 0;
-  if (!(points > (robust ? most_exact_robust_window : most_exact_window))) return 1;
+  const bool few = points * static_cast<double>(data().count()) <= most_exact_terms;
+  if (few || !(points > (robust ? most_exact_robust_window : most_exact_window))) return 1;
   return static_cast<std::size_t>(points) / (robust ? robust_vertices_in_window : vertices_in_window);
 }
 

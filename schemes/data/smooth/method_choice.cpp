@@ -1,28 +1,24 @@
 #include "method_choice.hpp"
 
+#include "grouped_samples.hpp"
+#include "robust_local.hpp"
+
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
-#include "robust_local.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <random>
 
 namespace subcert::data {
 namespace {
 
 constexpr std::size_t many_data = 20'000;
-constexpr double least_rest = 1e-9;  // of 1 where a fit is taken to depend on more than its own datum
-
-SmoothingOptions at_data(const SmoothingOptions& options) {
-  SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
-  there.selection = options.selection;
-  return there;
-}
+constexpr double least_spread = 1e-12;  // of the mean where a column is no constant
+constexpr double least_rest = 1e-9;     // of 1 where a fit is taken to depend on more than its own datum
 
 void require_data(const char* who, const Samples& samples) {
   require(samples.count() >= 4, "{}: need at least 4 data, got {}", who, samples.count());
@@ -52,9 +48,10 @@ std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidate
   return candidates;
 }
 
-void raise_biases(std::vector<SmoothingCandidate>& candidates) {
-  double least = 0;
+void raise_biases(std::vector<SmoothingCandidate>& candidates, double spread) {
+  double least = std::numeric_limits<double>::infinity();
   for (const SmoothingCandidate& one : candidates) least = std::min(least, one.risk.bias_squared);
+  if (least > spread) return;
   for (SmoothingCandidate& one : candidates) one.risk.bias_squared -= least;
 }
 
@@ -165,46 +162,6 @@ std::vector<SmoothingCandidate> rank_schemes(const Samples& samples, const std::
 
 namespace {
 
-/// Data in groups of `size` neighbours, each its mean by the prior weights; the last ones, too few for a group, are
-/// left out.
-struct GroupedSamples {
-  std::size_t size;
-  Samples samples;
-  std::vector<NoiseEstimate> noise;
-
-  GroupedSamples(const Samples& all, std::vector<NoiseEstimate> of_data, std::size_t group)
-      : size(group), noise(std::move(of_data)) {
-    if (size == 1) {
-      samples = all;
-      return;
-    }
-    const std::size_t groups = all.count() / size;
-    const std::vector<double> weights = all.rounded_weights();
-    samples.columns.assign(all.columns.size(), std::vector<double>(groups));
-    samples.spacing = all.spacing * Rational(size);
-    if (weights.empty())
-      for (NoiseEstimate& one : noise) one.variance /= static_cast<double>(size);
-    for (std::size_t g = 0; g < groups; ++g) {
-      const auto mean = [&](const std::vector<double>& values, double sum) {
-        double total = 0;
-        for (std::size_t i = g * size; i < (g + 1) * size; ++i)
-          total += (weights.empty() ? 1 : weights[i]) * (values[i] - values[g * size]);
-        return sum > 0 ? values[g * size] + total / sum : values[g * size];
-      };
-      double sum = weights.empty() ? static_cast<double>(size) : 0;
-      if (!weights.empty()) {
-        sum = std::accumulate(weights.begin() + static_cast<std::ptrdiff_t>(g * size),
-                              weights.begin() + static_cast<std::ptrdiff_t>((g + 1) * size), 0.0);
-        samples.weights.push_back(Rational(sum));
-      }
-      for (std::size_t c = 0; c < all.columns.size(); ++c) samples.columns[c][g] = mean(all.columns[c], sum);
-      if (!all.uniform()) samples.positions.push_back(mean(all.positions, sum));
-    }
-  }
-};
-
-constexpr std::size_t fine_window = 32, coarse_window = 64;  // groups in a window
-
 /// Ranks windows of one degree from the widest on, group size after group size.
 class WindowRanking {
  public:
@@ -302,109 +259,6 @@ std::vector<SmoothingCandidate> rank_windows(const LocalPolynomial& pattern, con
   return ranked(std::move(candidates));
 }
 
-namespace {
-
-/// The mean square of what the derivative leaves of the pilot's, by the weights.
-double mean_square_apart(const std::vector<double>& derivative, const std::vector<double>& of_pilot,
-                         const std::vector<double>& weights) {
-  double sum = 0, total = 0;
-  for (std::size_t i = 0; i < derivative.size(); ++i) {
-    const double weight = weights.empty() ? 1 : weights[i], apart = derivative[i] - of_pilot[i];
-    if (weight == 0) continue;
-    sum += weight * apart * apart;
-    total += weight;
-  }
-  return sum / total;
-}
-
-std::vector<std::vector<double>> values_of(std::vector<SmoothedData> smoothed) {
-  std::vector<std::vector<double>> values;
-  for (SmoothedData& one : smoothed) values.push_back(std::move(one.values));
-  return values;
-}
-
-std::vector<double> drawn_noise(const std::vector<double>& weights, std::size_t count) {
-  std::mt19937_64 engine(2015);
-  std::normal_distribution<double> gauss;
-  std::vector<double> noise;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double weight = weights.empty() ? 1 : weights[i];
-    noise.push_back(weight > 0 ? gauss(engine) / std::sqrt(weight) : 0);
-  }
-  return noise;
-}
-
-constexpr int above_derivative = 4;       // the degree of the pilot
-constexpr std::size_t pilot_windows = 8;  // as wide at most
-
-/// The derivatives of one group size against those of a pilot.
-class DerivativeRisk {
- public:
-  DerivativeRisk(const LocalPolynomial& pilot, const GroupedSamples& groups, const SmoothingOptions& options)
-      : groups_(groups), options_(at_data(options)), weights_(groups.samples.rounded_weights()) {
-    std::vector<std::vector<double>> columns = groups.samples.columns;
-    columns.push_back(drawn_noise(weights_, groups.samples.count()));
-    pilots_ = values_of(LocalSmoother(pilot, groups.samples.sites(), options_).apply_to(columns));
-    options_.derivative = options.derivative;
-    derivatives_ = values_of(LocalSmoother(pilot, groups.samples.sites(), options_).apply_to(columns));
-  }
-
-  RiskEstimate of(const LocalPolynomial& method) const {
-    const std::vector<SmoothedData> made = LocalSmoother(method, groups_.samples.sites(), options_).apply_to(pilots_);
-    const SmoothedData& on_noise = made.back();
-    const double added = mean_square_apart(on_noise.values, derivatives_.back(), weights_);
-    double variances = 0, total = 0;
-    for (std::size_t i = 0; i < on_noise.variances.size(); ++i) {
-      const double weight = weights_.empty() ? 1 : weights_[i];
-      if (weight > 0) variances += weight * on_noise.variances[i];
-      total += weight;
-    }
-    RiskEstimate risk;
-    for (std::size_t c = 0; c + 1 < made.size(); ++c) {
-      const double variance = groups_.noise[c].variance;
-      const double apart = mean_square_apart(made[c].values, derivatives_[c], weights_);
-      risk.bias_squared += std::max(0.0, apart - variance * added);
-      risk.variance += variance * variances / total;
-    }
-    const double unit = std::pow(static_cast<double>(groups_.size), -2 * options_.derivative);
-    return {risk.bias_squared * unit, risk.variance * unit};
-  }
-
- private:
-  const GroupedSamples& groups_;
-  SmoothingOptions options_;
-  std::vector<double> weights_;
-  std::vector<std::vector<double>> pilots_, derivatives_;  // of the columns, then of drawn noise
-};
-
-}  // namespace
-
-std::vector<SmoothingCandidate> rank_derivatives(const LocalPolynomial& pattern, const std::vector<int>& degrees,
-                                                 const Samples& samples, const std::vector<NoiseEstimate>& noise,
-                                                 const SmoothingOptions& options) {
-  require(options.derivative >= 1, "rank_derivatives: need derivative >= 1, got {}", options.derivative);
-  const auto missing = std::ranges::count(samples.weights, Rational(0));
-  const int present = static_cast<int>(std::min<std::ptrdiff_t>(std::ssize(samples.columns.front()) - missing, 1000));
-  LocalPolynomial pilot{std::max(options.derivative, std::min(options.derivative + above_derivative, present - 3)),
-                        pattern.weight};
-  pilot.points = rank_windows(pilot, {pilot.degree}, samples, noise, options).front().points;
-  std::size_t size = 1;
-  while (pilot.points / (2 * size) >= fine_window) size *= 2;
-  const GroupedSamples groups(samples, noise, size);
-  const std::size_t widest = std::min(groups.samples.count(), pilot_windows * (pilot.points / size));
-  pilot.points /= size;
-  const DerivativeRisk risk(pilot, groups, options);
-  std::vector<SmoothingCandidate> candidates;
-  for (const int degree : degrees)
-    for (std::size_t m = static_cast<std::size_t>(degree) + 1; m <= widest; m = next_points(m)) {
-      LocalPolynomial method{degree, pattern.weight, m}, whole = pattern;
-      whole.degree = degree;
-      whole.points = m * size;
-      add_candidate(candidates, {whole.points, degree, to_text(whole), {}}, [&] { return risk.of(method); });
-    }
-  return ranked(std::move(candidates));
-}
-
 bool MethodChoice::widest_tried() const {
   const SmoothingCandidate& best = candidates.front();
   return best.points < data && std::ranges::none_of(candidates, [&](const SmoothingCandidate& other) {
@@ -448,6 +302,24 @@ Samples without_outliers(const Samples& samples, const SmoothingOptions& options
   return cleaned;
 }
 
+/// Each column, and its noise, divided by the standard deviation of the data about their mean, so that no column
+/// outweighs others by its units.
+Samples in_units_of_spread(Samples samples, std::vector<NoiseEstimate>& noise) {
+  const std::vector<double> weights = samples.rounded_weights();
+  const PositionGroup all{0, samples.count()};
+  const double sum = weights.empty() ? static_cast<double>(samples.count())
+                                     : std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t c = 0; c < samples.columns.size(); ++c) {
+    std::vector<double>& column = samples.columns[c];
+    const double mean = mean_of(column, weights, all, sum);
+    const double spread = std::sqrt(mean_square_apart(column, std::vector<double>(column.size(), mean), weights));
+    if (!(spread > least_spread * std::abs(mean))) continue;
+    for (double& value : column) value /= spread;
+    noise[c].variance /= spread * spread;
+  }
+  return samples;
+}
+
 }  // namespace
 
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
@@ -456,14 +328,19 @@ MethodChoice choose_method(const Samples& samples, const SmoothingOptions& optio
     fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name a scheme", samples.count());
   std::optional<Samples> cleaned;
   if (pattern && pattern->robust > 0) cleaned = without_outliers(samples, options, pseudodata_pilot, threads);
-  const Samples& used = cleaned ? *cleaned : samples;
-  const std::vector<NoiseEstimate> noise = estimate_noise(used);
+  const Samples& given = cleaned ? *cleaned : samples;
+  std::vector<NoiseEstimate> noise = estimate_noise(given);
   for (const NoiseEstimate& one : noise)
     if (!one.exists()) fail(ErrorKind::data, "expected three neighbouring data to estimate the noise; found none");
-  std::vector<SmoothingCandidate> candidates = rank_all(used, noise, options, pattern);
-  raise_biases(candidates);
+  std::optional<Samples> comparable;
+  if (given.columns.size() > 1) comparable = in_units_of_spread(given, noise);
+  std::vector<SmoothingCandidate> candidates = rank_all(comparable ? *comparable : given, noise, options, pattern);
+  if (options.derivative == 0) raise_biases(candidates, spread_of_noise(comparable ? *comparable : given, noise));
   const double unit = std::pow(nearest_double(samples.spacing), -2 * options.derivative);
-  for (SmoothingCandidate& one : candidates) one.risk = {one.risk.bias_squared * unit, one.risk.variance * unit};
+  for (SmoothingCandidate& one : candidates) {
+    one.risk = {one.risk.bias_squared * unit, one.risk.variance * unit};
+    if (one.range) one.range = {one.range->first * unit, one.range->second * unit};
+  }
   SmoothingMethod method = make_smoothing_method(candidates.front().specification);
   return {std::move(method), std::move(candidates), samples.count()};
 }

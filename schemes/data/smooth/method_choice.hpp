@@ -43,6 +43,7 @@ struct SmoothingCandidate {
   int degree;
   std::string specification;
   RiskEstimate risk;
+  std::optional<std::pair<double, double>> range = {};  ///< in which risk.total() lies most likely; of derivatives
 };
 
 /// The smallest expected squared error first, of equal ones that with fewer points. Errors: throws a data error for
@@ -53,9 +54,9 @@ std::vector<SmoothingCandidate> ranked(std::vector<SmoothingCandidate> candidate
 bool add_candidate(std::vector<SmoothingCandidate>& candidates, SmoothingCandidate candidate,
                    const std::function<RiskEstimate()>& risk);
 
-/// Takes the error that all estimates have in common out of them, as far as it shows: the least bias^2 that is negative
-/// is subtracted from all.
-void raise_biases(std::vector<SmoothingCandidate>& candidates);
+/// Takes the error that all estimates have in common out of them, as far as it shows: the least bias^2 is subtracted
+/// from all where it is negative, or at most `spread`, which noise alone may make it.
+void raise_biases(std::vector<SmoothingCandidate>& candidates, double spread = 0);
 
 /// A candidate of one number more in a list that grows by about a fifth.
 inline std::size_t next_points(std::size_t points) { return points + 1 + points / 5; }
@@ -77,9 +78,11 @@ std::vector<SmoothingCandidate> rank_windows(const LocalPolynomial& pattern, con
                                              const SmoothingOptions& options);
 
 /// For the derivative of options.derivative: the same windows by the expected squared error of the derivative, and of
-/// the derivatives with respect to the index. The bias is that on a pilot: the local polynomial of degree `derivative +
-/// 4` whose window rank_windows() puts first; what the noise of the pilot adds is subtracted, by noise that is drawn
-/// with a seed. Domain: 1 <= derivative, degrees from `derivative` on. Ref: docs/smoothing.md, section 5.
+/// the derivatives with respect to the index. The bias is that on pilots: up to 16 local polynomials, of the three odd
+/// degrees above `derivative`, whose windows rank_windows() puts first, with weights by their risks; what the noise of
+/// a pilot adds is subtracted, by noise that is drawn with a seed. The risk is the geometric mean over the pilots, the
+/// range theirs, wider by the root of two at both ends. Domain: 1 <= derivative, degrees from `derivative` on. Ref:
+/// docs/smoothing.md, section 5.
 std::vector<SmoothingCandidate> rank_derivatives(const LocalPolynomial& pattern, const std::vector<int>& degrees,
                                                  const Samples& samples, const std::vector<NoiseEstimate>& noise,
                                                  const SmoothingOptions& options);
@@ -96,7 +99,8 @@ struct MethodChoice {
 
 /// The first of the ranked candidates: rank_schemes() and from there on windows of local polynomials of degree 1, 3 and
 /// 5; local polynomials of degree 1 and 3 where data are not uniform; with a pattern its windows; for a derivative
-/// rank_derivatives(), of degrees one and three above it. Windows of a pattern with robust steps are those for the
+/// rank_derivatives(), of degrees one and three above it. Of several columns the risks are added, each in units of the
+/// variance of its data about their mean. Windows of a pattern with robust steps are those for the
 /// pseudodata of a robust fit. The noise is estimated where it is not known. Errors: throws a data error for fewer than
 /// 4 data or none that neighbour two others, a domain error for a derivative above 16; else as those.
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,

@@ -36,21 +36,33 @@ Table selected(const Table& table, const std::vector<std::size_t>& rows) {
   return result;
 }
 
-/// Puts days or seconds in the place of dates. Errors: a data error for text that is none, or is written otherwise.
+/// Puts units of time in the place of dates. Errors: a data error for text that is none, or is written otherwise.
 DateForm read_dates(const SampleOptions& options, Table& table, const std::vector<std::string>& fields,
                     std::size_t column) {
-  std::optional<DateForm> form;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    double& value = table.values[i * table.columns + column];
-    if (is_missing(fields[i])) continue;
-    const auto date = parse_date(fields[i]);
-    if (!date || (form && *form != date->form))
-      fail(ErrorKind::data, "{}: expected a date{}; found {}", place(options, table, i, column),
-           form ? " written as those before" : "", in_quotes(fields[i]));
-    form = date->form;
-    value = date->value;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (!is_missing(fields[i])) rows.push_back(i);
+  if (rows.empty()) return {};
+  // The form that takes most of the column, which one text does not tell.
+  std::size_t known = 0;
+  DateForm form;
+  for (const Date& reading : readings_of_date(fields[rows.front()])) {
+    const auto other = std::ranges::find_if(rows, [&](std::size_t i) { return !parse_date(fields[i], reading.form); });
+    if (const auto taken = static_cast<std::size_t>(other - rows.begin()); taken > known) {
+      known = taken;
+      form = reading.form;
+    }
   }
-  return form.value_or(DateForm{});
+  if (known < rows.size())
+    fail(ErrorKind::data, "{}: expected a date{}; found {}", place(options, table, rows[known], column),
+         known > 0 ? " written as those before" : "", in_quotes(fields[rows[known]]));
+  if (rows.size() > 1 && std::ranges::all_of(rows, [&](std::size_t i) { return may_be_two_years(fields[i], form); }))
+    fail(
+        ErrorKind::data,
+        "{}: expected months; found {}, which may be two years (write months with days, or take another column by --x)",
+        place(options, table, rows.front(), column), in_quotes(fields[rows.front()]));
+  for (const std::size_t i : rows) table.values[i * table.columns + column] = *parse_date(fields[i], form);
+  return form;
 }
 
 /// Puts days in the place of dates that are written as numbers, as 20240229; whether all in the column are.
@@ -130,6 +142,19 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const st
   return groups;
 }
 
+/// Rows that lack one value of several count for no column.
+void remark_on_missing(const Table& table, const ColumnUse& use, NamedSamples& samples) {
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto missing = std::ranges::count_if(
+        use.values, [&](std::size_t c) { return std::isnan(table.values[i * table.columns + c]); });
+    rows += missing > 0 && missing < std::ssize(use.values) ? 1 : 0;
+  }
+  if (rows > 0)
+    samples.remarks.push_back(
+        fmt::format("rows with some of the values, left out for all columns: {} (--y NAME takes one column)", rows));
+}
+
 NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnUse& use,
                         const std::vector<std::size_t>& kept) {
   NamedSamples samples = named_columns(table, use);
@@ -140,6 +165,7 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
     samples.spacing = *spacing;
   }
   set_rows(options, table, use, samples);
+  remark_on_missing(table, use, samples);
   const auto counts = [&](std::size_t i) { return samples.weights.empty() || samples.weights[i] != 0; };
   for (const std::size_t c : use.kept) {
     NamedTexts& column = samples.kept.emplace_back(NamedTexts{column_name(table, c), {}});
@@ -209,10 +235,12 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
   std::vector<std::string> remarks;
   if (use.x && !use.dates && table.contents[*use.x].numbers > 0 && read_number_dates(table, *use.x)) {
-    dates.emplace().basic = true;
+    dates.emplace().date = "%Y%m%d";
     remarks.push_back(column_name(table, *use.x) + " holds dates as YYYYMMDD, and is taken in days");
   }
   for (const std::size_t c : use.left_out) remarks.push_back(column_name(table, c) + " holds text and is left out");
+  if (use.numbered)
+    remarks.emplace_back("the first column has no name, counts the rows, and is left out (--x 1 takes it)");
   if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
     remarks.emplace_back("the positions are the column without a name, as of row numbers (--x COLUMN takes another)");
   std::vector<NamedSamples> result;

@@ -77,8 +77,21 @@ std::optional<Rational> given_spacing(const SampleOptions& options) {
 }
 
 bool holds_dates(const Table& table, std::size_t column) {
-  return table.contents[column].numbers == 0 && parse_date(table.contents[column].text);
+  return table.contents[column].numbers == 0 && !readings_of_date(table.contents[column].text).empty();
 }
+
+namespace {
+
+/// Whether the first column has no name and counts the rows from 0 or 1, as R and pandas write.
+bool counts_rows(const Table& table) {
+  if (table.header.empty() || !table.header.front().empty()) return false;
+  const double first = table.values.front();
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (table.values[i * table.columns] != first + static_cast<double>(i)) return false;
+  return first == 0 || first == 1;
+}
+
+}  // namespace
 
 ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   ColumnUse use;
@@ -97,7 +110,12 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
     else if (use.values.empty())
       use.left_out.push_back(c);
   }
-  if (options.x.empty() && (use.values.empty() ? left.size() > 1 : !left.empty())) {
+  const std::size_t fewest = use.values.empty() ? 2 : 1;  // for positions among them
+  if (options.x.empty() && left.size() > fewest && left.front() == 0 && counts_rows(table)) {
+    use.numbered = true;
+    left.erase(left.begin());
+  }
+  if (options.x.empty() && left.size() >= fewest) {
     use.x = left.front();
     left.erase(left.begin());
   }

@@ -14,6 +14,7 @@ struct ColumnUse {
   std::vector<std::size_t> kept;
   std::vector<std::size_t> left_out;  ///< text that nobody asked for
   bool dates = false;                 ///< in x
+  bool numbered = false;              ///< the first column counts the rows, and is left out
 };
 
 std::string column_name(const Table& table, std::size_t column);

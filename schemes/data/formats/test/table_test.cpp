@@ -174,23 +174,79 @@ TEST_CASE("files that are no tables are known by their first bytes") {
   CHECK(parse_table("PAR1,BZh\n1,2\n", "f").header == std::vector<std::string>{"PAR1", "BZh"});
 }
 
+namespace {
+
+/// The most likely reading.
+Date date_of(const std::string& text) { return readings_of_date(text).at(0); }
+
+}  // namespace
+
 TEST_CASE("dates are read and written as ISO 8601 has them") {
-  CHECK(parse_date("1970-01-02")->value == 1);
-  CHECK(parse_date("2024-02-29")->value - parse_date("2023-02-28")->value == 366);
-  CHECK(parse_date("1969-12-31T23:59:58.5Z")->value == -1.5);
-  CHECK(parse_date("2024-03-01 12:00")->form == DateForm{true, " ", ""});
-  CHECK(parse_date("2024-03-01T12:00:01+05:30")->form.zone == "+05:30");
-  for (const char* text :
-       {"", "2024", "2024-2-1", "2024-13-01", "2023-02-29", "0000-01-01", "2024-02-29 ", "20240229", "2024-02-29T",
-        "2024-02-29T24:00", "2024-02-29T12", "2024-02-29T12:00:60", "2024-02-29T12:00z", "2024-02-29T12:00+5",
-        "2024-02-29T12:00:01.", "x2024-02-29", "2024-02-29T12:00-05:60"}) {
+  CHECK(date_of("1970-01-02").value == 1);
+  CHECK(date_of("2024-02-29").value - date_of("2023-02-28").value == 366);
+  CHECK(date_of("1969-12-31T23:59:58.5Z").value == -1.5);
+  CHECK(date_of("2024-03-01 12:00").form == DateForm{true, " ", ""});
+  CHECK(date_of("2024-03-01T12:00:01+05:30").form.zone == "+05:30");
+  for (const char* text : {"",
+                           "2024",
+                           "2024-2-1",
+                           "2024-13-01",
+                           "2023-02-29",
+                           "0000-01-01",
+                           "2024-02-29 ",
+                           "20240229",
+                           "2024-02-29T",
+                           "2024-02-29T24:00",
+                           "2024-02-29T12",
+                           "2024-02-29T12:00:60",
+                           "2024-02-29T12:00z",
+                           "2024-02-29T12:00+5",
+                           "2024-02-29T12:00:01.",
+                           "x2024-02-29",
+                           "2024-02-29T12:00-05:60",
+                           "2024-13",
+                           "2024-00",
+                           "2024Q0",
+                           "2024Q5",
+                           "2024-02 ",
+                           "Feb 24",
+                           "feb 2024",
+                           "Febr 2024",
+                           "2024M13",
+                           "2024M00",
+                           "2024-02T12:00",
+                           "Feb-30-2024",
+                           "Feb-0-2024"}) {
     CAPTURE(text);
-    CHECK_FALSE(parse_date(text));
+    CHECK(readings_of_date(text).empty());
   }
-  for (const char* text : {"0001-01-01", "1582-10-10", "9999-12-31", "2024-02-29T00:00:00Z",
-                           "1969-12-31 23:59:59.999999", "2024-12-31T23:59:59.5-11:00"}) {
-    const Date date = *parse_date(text);
-    CHECK(to_text(date.value, date.form) == text);
+  for (const char* text : {"0001-01-01",
+                           "1582-10-10",
+                           "9999-12-31",
+                           "2024-02-29T00:00:00Z",
+                           "1969-12-31 23:59:59.999999",
+                           "2024-12-31T23:59:59.5-11:00",
+                           "2024-02",
+                           "0001-01",
+                           "9999-12",
+                           "1969Q4",
+                           "2024-Q1",
+                           "2024 Q3",
+                           "2024q2",
+                           "Q2 1960",
+                           "2024M03",
+                           "2024M3",
+                           "2024m11",
+                           "May 2024",
+                           "September 1968",
+                           "Dec-1969",
+                           "Jan-1-1995"}) {
+    CAPTURE(text);
+    for (const Date& date : readings_of_date(text)) {
+      CHECK(to_text(date.value, date.form) == text);
+      CHECK(parse_date(text, date.form) == date.value);
+    }
+    CHECK_FALSE(readings_of_date(text).empty());
   }
   CHECK(to_text(0.5, DateForm{}) == "1970-01-01T12:00:00");
   CHECK(to_text(-0.25, DateForm{}) == "1969-12-31T18:00:00");
@@ -198,8 +254,31 @@ TEST_CASE("dates are read and written as ISO 8601 has them") {
   std::mt19937_64 engine(3);
   for (int i = 0; i < 2000; ++i) {
     const auto days = static_cast<double>(static_cast<long>(engine() % 3'600'000) - 719'000);
-    CHECK(parse_date(to_text(days, DateForm{}))->value == days);
+    CHECK(date_of(to_text(days, DateForm{})).value == days);
   }
+}
+
+TEST_CASE("months and quarters count by themselves, and run evenly from one to the next") {
+  CHECK(date_of("1970-03").value == 2);
+  CHECK(date_of("1969-12").value == -1);
+  CHECK(date_of("1971Q2").value == 5);
+  CHECK(date_of("Dec 1969").form.unit() == DateUnit::month);
+  CHECK(date_of("2024Q1").form.unit_name() == "quarters");
+  CHECK(date_of("Jan-1-1995").form.unit_name() == "days");
+  CHECK(readings_of_date("May 2024").size() == 2);
+  CHECK(readings_of_date("2024M12").size() == 2);
+  const DateForm month = date_of("2024-02").form, quarter = date_of("2024Q1").form;
+  const double february = date_of("2024-02").value;
+  CHECK(to_text(february + 0.5, month) == "2024-02-15T12:00:00");
+  CHECK(to_text(february - 1e-12, month) == "2024-02");
+  CHECK(to_text(date_of("1969Q4").value + 0.25, quarter) == "1969-10-24");
+  CHECK(time_of(february, month) == date_of("2024-02-01").value);
+  CHECK(time_of(february + 1, month) == date_of("2024-03-01").value);
+  CHECK(time_of(date_of("2024Q2").value, quarter) == date_of("2024-04-01").value);
+  CHECK(time_of(7.25, DateForm{}) == 7.25);
+  CHECK_THROWS(to_text(1e6, month));
+  CHECK(may_be_two_years("2001-02", month));
+  CHECK_FALSE(may_be_two_years("2001-03", month));
 }
 
 TEST_CASE("what is written reads back the same") {

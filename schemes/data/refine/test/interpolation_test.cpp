@@ -50,6 +50,5 @@ TEST_CASE("a scheme of any family refines data") {
     CHECK_FAILS(refine(surface, make_any_scheme(text), options), domain);
     CHECK_FAILS(fewest_points(make_any_scheme(text), Boundary::regression), domain);
   }
-  for (const char* text : {"dual:n=2", "l1:points=6"})
-    CHECK_FAILS(refine(curve, make_any_scheme(text), {1, Boundary::nearest}), domain);
+  CHECK_FAILS(refine(curve, make_scheme("dual:n=2").mask, {1, Boundary::nearest}), domain);
 }

@@ -1,10 +1,12 @@
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/method_choice.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <tuple>
@@ -219,6 +221,90 @@ TEST_CASE("windows for derivatives are chosen for these, near the best of all") 
   }
   CAPTURE(share);
   CHECK(share > 0.8);
+}
+
+TEST_CASE("the choice for several columns does not depend on their units, nor on one that is constant") {
+  const std::vector<double> wave = sampled(150, 0.2, 0.1, 7), slow = sampled(150, 0.02, 0.2, 8);
+  std::vector<double> large = slow;
+  for (double& value : large) value = 1e6 * value + 3e6;
+  const std::string chosen = to_text(choose_method({{wave, slow}}, {}).method);
+  CHECK(to_text(choose_method({{wave, large}}, {}).method) == chosen);
+  CHECK(to_text(choose_method({{large, wave}}, {}).method) == chosen);
+  CHECK(to_text(choose_method({{wave, std::vector<double>(150, 0.1)}}, {}).method) ==
+        to_text(choose_method({{wave}}, {}).method));
+}
+
+TEST_CASE("the estimated error of a derivative lies in its range nearly always, and the window is near the best") {
+  // Functions on [0, 1] with their first and second derivatives.
+  struct Known {
+    std::function<double(double)> of[3];
+  };
+  const auto wave = [](double w) {
+    return Known{{[=](double t) { return std::sin(w * t); }, [=](double t) { return w * std::cos(w * t); },
+                  [=](double t) { return -w * w * std::sin(w * t); }}};
+  };
+  const Known functions[] = {
+      wave(19),
+      wave(3),
+      wave(38),
+      {{[](double t) { return std::exp(2 * t) / 4; }, [](double t) { return std::exp(2 * t) / 2; },
+        [](double t) { return std::exp(2 * t); }}},
+      {{[](double t) { return std::exp(-100 * (t - 0.4) * (t - 0.4)); },
+        [](double t) { return -200 * (t - 0.4) * std::exp(-100 * (t - 0.4) * (t - 0.4)); },
+        [](double t) { return (40'000 * (t - 0.4) * (t - 0.4) - 200) * std::exp(-100 * (t - 0.4) * (t - 0.4)); }}}};
+  std::mt19937_64 engine(21);
+  std::normal_distribution<double> gauss;
+  std::uniform_real_distribution<double> anywhere;
+  for (const int derivative : {1, 2}) {
+    int cases = 0, covered = 0;
+    double regret = 0;
+    for (const Known& function : functions)
+      for (const double sigma : {0.02, 0.3})
+        for (const bool uniform : {true, false})
+          for (int draw = 0; draw < 3; ++draw) {
+            constexpr std::size_t count = 240;
+            std::vector<double> places, data, wanted;
+            for (std::size_t i = 0; i < count; ++i)
+              places.push_back(uniform ? static_cast<double>(i) / (count - 1) : anywhere(engine));
+            std::ranges::sort(places);
+            for (const double t : places) {
+              data.push_back(function.of[0](t) + sigma * gauss(engine));
+              wanted.push_back(function.of[derivative](t));
+            }
+            Samples samples{{data}};
+            samples.put_at(places);
+            const SmoothingOptions options{.derivative = derivative, .at_data = true, .path = false};
+            const MethodChoice choice = choose_method(samples, options);
+            const double unit = std::pow(nearest_double(samples.spacing), -derivative);
+            std::vector<double> truth;
+            for (const double t : places) truth.push_back(function.of[0](t));
+            // The bias is that on the function itself, the variance exact.
+            const auto risk_of = [&](const SmoothingCandidate& candidate) {
+              const LocalSmoother smoother(make_local_polynomial(candidate.specification), samples.sites(), options);
+              const SmoothedData smoothed = smoother.apply(truth);
+              double sum = 0;
+              for (std::size_t i = 0; i < count; ++i) {
+                const double bias = unit * smoothed.values[i] - wanted[i];
+                sum += bias * bias + sigma * sigma * unit * unit * smoothed.variances[i];
+              }
+              return sum / count;
+            };
+            const SmoothingCandidate& best = choice.candidates.front();
+            const double risk = risk_of(best);
+            REQUIRE(best.range);
+            CHECK(best.range->first <= best.risk.total());
+            CHECK(best.range->second >= best.risk.total());
+            ++cases;
+            covered += best.range->first <= risk && risk <= best.range->second ? 1 : 0;
+            double least = risk;
+            for (std::size_t k = 1; k < choice.candidates.size(); k += 3)
+              least = std::min(least, risk_of(choice.candidates[k]));
+            regret += std::log(risk / least) / (2 * 2 * 3 * 5);
+          }
+    CAPTURE(derivative, cases, covered, regret);
+    CHECK(covered >= 0.85 * cases);
+    CHECK(regret < std::log(1.6));
+  }
 }
 
 TEST_CASE("bands have the width of Student's quantiles") {

@@ -320,6 +320,72 @@ TEST_CASE("l1 schemes at positions: on uniform ones the same values, elsewhere p
     }
 }
 
+TEST_CASE("where more than half of the data are fitted exactly, the mean of the residuals tells the outliers") {
+  Samples samples{{std::vector<double>(60, 0)}};
+  samples.columns[0][30] = 1;
+  CHECK(smooth(samples, "local:points=9,d=0", at_data()).columns[0].values[30] > 0.2);
+  const SmoothedSamples robust = smooth(samples, "local:points=9,d=0,robust=3", at_data());
+  for (const double value : robust.columns[0].values) CHECK(std::abs(value) < 1e-12);
+}
+
+TEST_CASE("l1 regression of degree 0 to all data is their median, where each counts as the root of its weight") {
+  // The medians by weights, without weights and by inverse roots are others: 10, anything from 3 to 4, and 3.
+  const DataDependentScheme scheme = make_l1_scheme("l1:points=6,d=0,iterations=300,delta=1e-20");
+  const DataSites sites(6, {1, 1, 1, 1, 6, 1}, {0, 1.25, 2, 3.5, 4.5, 6});
+  for (const double value : L1Smoother(scheme, sites, at_data()).values({20, 4, 1, 3, 10, 2}, 1))
+    CHECK(value == Approx(4).epsilon(1e-6));
+}
+
+TEST_CASE("the bootstrap of l1 schemes is the one of its definition, for the median of all data") {
+  constexpr std::size_t count = 9;
+  const DataDependentScheme scheme = make_l1_scheme("l1:points=9,d=0,iterations=400,delta=1e-20");
+  const std::vector<Rational> weights{1, 4, 1, Rational(1, 4), 1, 9, 1, 2, 1};
+  const DataSites sites(count, weights, {0, 1.25, 2, 3.5, 4.5, 6, 6.5, 7.25, 9});
+  SmoothingOptions options = at_data();
+  options.resamples = 7;
+  options.seed = 11;
+  const L1Smoother smoother(scheme, sites, options);
+  const std::vector<double> data{3, 1, 4, 1.5, 9, 2.6, 5, 3.5, 8};
+  const auto fit_of = [&](const std::vector<double>& some) { return smoother.values(some, 1).front(); };
+  const auto root = [&](std::size_t i) { return std::sqrt(static_cast<double>(weights[i])); };
+  const auto scaled = [&](const std::vector<double>& some, double fit) {
+    std::vector<double> residuals;
+    for (std::size_t i = 0; i < count; ++i) residuals.push_back(root(i) * (some[i] - fit));
+    return residuals;
+  };
+  const auto middle_modulus = [](std::vector<double> values) {
+    for (double& value : values) value = std::abs(value);
+    return median(std::move(values));
+  };
+  std::mt19937_64 engine(11);
+  std::normal_distribution<double> gauss;
+  std::vector<double> noise;
+  for (std::size_t i = 0; i < count; ++i) noise.push_back(gauss(engine) / root(i));
+  const double kept = middle_modulus(scaled(noise, fit_of(noise))) / middle_modulus(scaled(noise, 0));
+  const double fit = fit_of(data);
+  std::vector<double> left = scaled(data, fit);
+  const double middle = median(left);
+  CHECK(std::abs(middle) > 0.01);
+  CHECK(std::abs(kept - 1) > 0.01);
+  for (double& r : left) r = (r - middle) / kept;
+  std::uniform_int_distribution<std::size_t> any(0, count - 1);
+  std::vector<double> again;
+  for (int run = 0; run < 7; ++run) {
+    std::vector<double> drawn;
+    for (std::size_t i = 0; i < count; ++i) drawn.push_back(left[any(engine)] / root(i));
+    for (double& value : drawn) value += fit;
+    again.push_back(fit_of(drawn));
+  }
+  double mean = 0, squares = 0;
+  for (const double value : again) mean += value / 7;
+  for (const double value : again) squares += (value - mean) * (value - mean);
+  const L1Smoother::Spread spread = smoother.bootstrap(data, 1);
+  for (const double deviation : spread.deviations) CHECK(deviation == Approx(std::sqrt(squares / 6)).epsilon(1e-6));
+  // A quartile of the normal law, and the efficiency of the median of moduli beside the mean square.
+  CHECK(std::sqrt(spread.noise.variance) == Approx(middle_modulus(left) / 0.6744897501960817).epsilon(1e-6));
+  CHECK(spread.noise.degrees_of_freedom == Approx(0.37 * count));
+}
+
 TEST_CASE("bands of l1 schemes are drawn, and cover about as often as they say") {
   std::mt19937_64 engine(60);
   const auto line = [](double x) { return 1 - x / 5; };

@@ -1202,8 +1202,8 @@ var check_certificate = (() => {
       if (word !== 'f' || !body.has.symmetric || A.source !== B.source) return false;
       if (String(A.letters) !== String(flipped(B.letters))) return false;
       if (cycle) return String(cycle.word) === String(flipped(cycle.word));
-      const parts = body.coordinates(A.source);
-      return [1n, -1n].some(s => parts.every(x => x.every((c, i) => c === s * x[x.length - 1 - i])));
+      const [x] = body.coordinates(A.source), reversed = x.slice().reverse();
+      return equal([x], [reversed]) || equal([x], scaled([reversed], -1n));
     }
     check(values, den) {  // the values w + |r|_1 E of all images, times den: below LOW (1 - e) - g e, or settled
       const {exact: {low}, e, g, matrices} = this, limit = minus(times(low, minus(1n, e)), times(g, e));

@@ -83,6 +83,9 @@ def accepted(tools):
     yield "attains-word", attains(tools, "[8,11,12,9]/20", 2, "1/1000000000000,1", [0, 1], [(0, "-", [1, 0])])
     yield "attains-transposed", attains(tools, "[8,11,12,9]/20", 2, "1/1000000000000,1", [1, 0], [(0, "-", [1, 0])], transposed=True)
     yield "attains-middle", attains(tools, "[1,8,7,13,7,8,1]/15", 3, "1/1000000000000,1,symmetric", [1], [(0, "-", [1])], True)
+    yield "attains-middle-plain", attains(tools, "[1,8,7,13,7,8,1]/15", 3, "1/1000000000000,1", [1], [(0, "-", [1])])
+    yield "attains-middle-given", attains(tools, "[-1,6,9,17,9,6,-1]/15", 3, "1/1000000000000,1,symmetric", [1], [(0, "-", [1])], True,
+                                          others=[[1.0, 1.0]])
 
 
 def rejected(tools):
@@ -182,6 +185,8 @@ REJECTED = [
     ("attains-same-none", "attains-middle", None, LIES, [("same 0 2 1f\n", "")]),
     ("attains-same-plain", "attains-middle", None, NOTHING, [("same 0 2 1f", "same 0 2 1")]),
     ("attains-same-other", "attains-middle", None, NOTHING, [("same 0 2 1f", "same 0 0 1f")]),
+    ("attains-same-not-symmetric", "attains-middle-plain", None, ", line 29", [("logarithm", "same 0 2 1f\nlogarithm")]),
+    ("attains-same-given", "attains-middle-given", None, NOTHING, [(f"vertex {2**64} {2**64}\n", f"vertex {2**64} {2**64 - 1}\n")]),
     ("attains-same-turned", "attains-flip", None, NOTHING, [("logarithm", "same 0 1 0f\nlogarithm")]),
     ("attains-same-vertex", "attains-pair", None, NOTHING, [("logarithm", "same 0 0 0\nlogarithm")]),
     ("attains-1000", "attains-by-hand", f"{CLAIM}{',0' * 999}", "another product", []),
@@ -194,4 +199,7 @@ REJECTED = [
 CONE = ("exponent [3,4,1]/4 2 within=1/1000000,1; bounds - -; attains 0 14999/10000 15001/10000; sum-rules 1; stability; "
         "block 0 polytope 1 0 1 nonnegative; vertex 1; unit 0 0:2; image 0 0 0:3; image 0 1 0:1; cycle 0 - 3/2 0; "
         "inverse 0; column 0 0 -1; column 1 1 0; end")
-WRITTEN = [("attains-cone-rounded", "--mask [3,4,1]/4 --arity 2 --within 1/1000000,1 --attains 0", CONE, "prove nothing")]
+COMPLEX = (CONE.replace("nonnegative; vertex 1; unit 0 0:2; image 0 0 0:3; image 0 1 0:1",
+                        "complex; vertex 1 0; unit 0 0:2:0; image 0 0 0:3:0; image 0 1 0:1:0"))
+WRITTEN = [("attains-complex", "--mask [3,4,1]/4 --arity 2 --within 1/1000000,1 --attains 0", COMPLEX, "prove nothing"),
+           ("attains-cone-rounded", "--mask [3,4,1]/4 --arity 2 --within 1/1000000,1 --attains 0", CONE, "prove nothing")]

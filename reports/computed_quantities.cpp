@@ -11,8 +11,7 @@
 namespace subcert::reports {
 namespace {
 
-constexpr int variance_level = 9;        // dyadic level of the exact grid with the witnesses of Table 3
-constexpr double exponent_seconds = 60;  // for the polytope of one scheme
+constexpr int variance_level = 9;  // dyadic level of the exact grid with the witnesses of Table 3
 
 }  // namespace
 
@@ -59,11 +58,11 @@ void ComputedQuantities::need_bounds(const std::vector<std::string>& specificati
                [](const auto& s) { return holder_bounds(make_scheme(s).mask.curve(), holder_levels); });
 }
 
-void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications) {
-  make_missing(exponents_, specifications, options_, [](const auto& s) {
+void ComputedQuantities::need_exponents(const std::vector<std::string>& specifications, double seconds) {
+  make_missing(exponents_, specifications, options_, [seconds](const auto& s) {
     const Scheme scheme = make_scheme(s);
-    return holder_regularity(scheme.mask.curve(), holder_levels, {Deadline::in(exponent_seconds)},
-                             HolderProof::certificate, scheme.rounding);
+    return holder_regularity(scheme.mask.curve(), holder_levels, {Deadline::in(seconds)}, HolderProof::certificate,
+                             scheme.rounding);
   });
 }
 

@@ -67,7 +67,7 @@ class ComputedQuantities {
   const HolderBounds& bounds(const std::string& specification) const { return *bounds_.at(specification); }
 
   /// Enclosures of the exponents.
-  void need_exponents(const std::vector<std::string>& specifications);
+  void need_exponents(const std::vector<std::string>& specifications, double seconds = 60);
   const HolderRegularity& exponent(const std::string& specification) const { return *exponents_.at(specification); }
 
   void need_variance(const std::vector<std::string>& specifications);

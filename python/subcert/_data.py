@@ -149,7 +149,8 @@ def smooth(
     structured array, or the name of a file (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of
     the same kind. Of a table `x`, `y`, `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and
     `keep` also lists. Without `x` the first of several columns of numbers or dates holds the positions ("none": 0, 1,
-    2, ...); without `y` all other columns of numbers are smoothed. `by`: each group of rows by itself. `keep`:
+    2, ...); an index of pandas that has a name or dates is a column before all others, and the index of the answer.
+    Without `y` all other columns of numbers are smoothed. `by`: each group of rows by itself. `keep`:
     columns that the answer has, too, with at="data". The columns of the answer are those of the command: for v also
     v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`: "raise", or "drop" for
     samples that are NaN or missing and rows without a position.

@@ -21,7 +21,14 @@ def is_table(data: Any) -> bool:
         isinstance(data, (Mapping, str, os.PathLike))
         or hasattr(data, "__dataframe__")
         or bool(getattr(getattr(data, "dtype", None), "names", None))
+        or (hasattr(data, "to_frame") and _holds_positions(getattr(data, "index", None)))
     )
+
+
+def _holds_positions(index: Any) -> bool:
+    """Whether an index of pandas is more than labels of rows: it has a name, or dates."""
+    kind = getattr(getattr(index, "dtype", None), "kind", "")
+    return kind == "M" or (kind in ("i", "u", "f") and getattr(index, "name", None) is not None)
 
 
 def _read(path: str) -> Any:
@@ -56,9 +63,24 @@ def _columns(data: Any) -> tuple[dict[str, Any], Callable[[dict[str, Any]], Any]
             return {f"column {k + 1}": c for k, c in enumerate(data.T if data.ndim == 2 else [data])}, dict
     if isinstance(data, Mapping):
         return {str(name): numpy.asarray(values) for name, values in data.items()}, dict
+    if hasattr(data, "to_frame") and not hasattr(data, "__dataframe__"):
+        data = data.to_frame("value" if data.name is None else data.name)
     if hasattr(data, "__dataframe__"):
         names = data.__dataframe__().column_names()
-        return {name: data[name] for name in names}, getattr(type(data), "from_pydict", type(data))
+        columns = {name: data[name] for name in names}
+        make = getattr(type(data), "from_pydict", type(data))
+        index: Any = getattr(data, "index", None)
+        if not _holds_positions(index):
+            return columns, make
+        own = "index" if index.name is None else str(index.name)
+        if own in columns:
+            raise DataError(f"smooth: expected an index with a name of its own; found {own!r}, which a column has, too")
+
+        def with_index(answer: dict[str, Any]) -> Any:
+            return make(answer).set_index(own) if own in answer else make(answer)
+
+        with_index.own = own  # type: ignore[attr-defined]
+        return {own: index.to_numpy(), **columns}, with_index
 
     def records(columns: dict[str, Any]) -> Any:
         kinds = [(name, values.dtype) for name, values in columns.items()]
@@ -147,7 +169,8 @@ class _Table:
         values = [self.numbers(self.name("y", one)) for one in names]
         counted = isinstance(x, str) and x == "none" and x not in self.columns
         position = None if x is None or counted else self.numbers(self.name("x", x))
-        taken = used + [column.name for column in values] + ([position.name] if position else [])
+        index = [own] if (own := getattr(self.make, "own", None)) and x is not None else []  # which is no value
+        taken = used + index + [column.name for column in values] + ([position.name] if position else [])
         left = [_column(name, raw) for name, raw in self.columns.items() if name not in taken]
         others = [column for column in left if column is not None]
         if x is None and len(others) > (0 if values else 1):

@@ -210,3 +210,24 @@ def test_arrays_without_tables():
         subcert.smooth({"a": numpy.array(["u", "v"])})
     with pytest.raises(subcert.DataError, match="rows"):
         subcert.smooth({"a": numpy.arange(3.0), "b": numpy.arange(4.0)})
+
+
+def test_an_index_of_pandas_that_has_a_name_or_dates_is_the_positions():
+    pandas = pytest.importorskip("pandas")
+    days = pandas.to_datetime(["2024-01-01", "2024-01-02", "2024-01-04", "2024-01-05", "2024-01-08", "2024-01-09"])
+    frame = pandas.DataFrame({"v": [0.0, 1, 3, 4, 7, 8]}, index=days)
+    found = subcert.smooth(frame, at="data", irregular=True)
+    assert list(found.index) == list(days)
+    assert numpy.allclose(found["v"], frame["v"])
+    assert numpy.allclose(subcert.smooth(frame["v"], at="data", irregular=True)["v"], frame["v"])
+    counted = subcert.smooth(frame, x="none", at="data")
+    assert list(counted["x"]) == [0, 1, 2, 3, 4, 5]
+    named = pandas.DataFrame({"v": [0.0, 1, 3, 4, 7, 8]}, index=pandas.Index([0, 1, 3, 4, 7, 8], name="t"))
+    assert numpy.allclose(subcert.smooth(named, at="data", irregular=True)["v"], named["v"])
+    assert list(subcert.smooth(named, x="none", at="data").columns)[:2] == ["x", "v"]
+    clash = pandas.DataFrame({"t": [1.0, 2, 3], "v": [1.0, 2, 3]}, index=pandas.Index([1, 2, 3], name="t"))
+    with pytest.raises(subcert.DataError):
+        subcert.smooth(clash)
+    # Labels of rows are none.
+    labels = pandas.DataFrame({"v": [1.0, 2, 3, 4]}, index=[7, 9, 11, 13])
+    assert list(subcert.smooth(labels, at="data")["x"]) == [0, 1, 2, 3]

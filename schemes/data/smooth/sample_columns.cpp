@@ -91,6 +91,45 @@ bool counts_rows(const Table& table) {
   return first == 0 || first == 1;
 }
 
+/// Whether a text may be a date or a time of day in a form that is not read: numbers with marks between them, and
+/// perhaps the name of a month.
+bool may_be_date(std::string_view text) {
+  int numbers = 0, words = 0;
+  bool colon = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto is_digit = [&](std::size_t k) { return k < text.size() && text[k] >= '0' && text[k] <= '9'; };
+    const auto is_letter = [&](std::size_t k) {
+      return k < text.size() && ((text[k] | 32) >= 'a') && ((text[k] | 32) <= 'z');
+    };
+    if (is_digit(i)) {
+      ++numbers;
+      while (is_digit(i + 1)) ++i;
+    } else if (is_letter(i)) {
+      std::string word;
+      for (word += text[i]; is_letter(i + 1);) word += text[++i];
+      if (!readings_of_date(word.substr(0, 3) + " 2000").empty())
+        ++words;
+      else if (word.size() > 2)
+        return false;
+    } else if (std::string_view("/.-: ,+").find(text[i]) == std::string_view::npos) {
+      return false;
+    }
+    colon = colon || text[i] == ':';
+  }
+  return numbers >= 3 || (colon && numbers == 2) || (words == 1 && numbers == 2);
+}
+
+/// Refuses a first column of dates that cannot be read: the answer without it is one to another question.
+void require_readable_dates(const SampleOptions& options, const Table& table, const ColumnUse& use) {
+  if (!options.x.empty() || std::ranges::count(use.left_out, std::size_t{0}) == 0) return;
+  const std::string& text = table.contents[0].text;
+  if (may_be_date(text))
+    fail(ErrorKind::data,
+         "{}, column 1: expected numbers, or dates as 2023-01-31, 2023-01-31T10:00, Jan-31-2023, 2023-01 or 2023Q1; "
+         "found {} (--x none counts the rows)",
+         options.name(), in_quotes(text));
+}
+
 }  // namespace
 
 ColumnUse find_columns(const SampleOptions& options, const Table& table) {
@@ -110,6 +149,7 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
     else if (use.values.empty())
       use.left_out.push_back(c);
   }
+  require_readable_dates(options, table, use);
   const std::size_t fewest = use.values.empty() ? 2 : 1;  // for positions among them
   if (options.x.empty() && left.size() > fewest && left.front() == 0 && counts_rows(table)) {
     use.numbered = true;

@@ -107,9 +107,9 @@ bool may_be_date(std::string_view text) {
     } else if (is_letter(i)) {
       std::string word;
       for (word += text[i]; is_letter(i + 1);) word += text[++i];
-      if (!readings_of_date(word.substr(0, 3) + " 2000").empty())
+      if (word.size() >= 3 && !readings_of_date(word.substr(0, 3) + " 2000").empty())
         ++words;
-      else if (word.size() > 2)
+      else if (word != "T" && word != "Z" && word != "AM" && word != "PM" && word != "am" && word != "pm")
         return false;
     } else if (std::string_view("/.-: ,+").find(text[i]) == std::string_view::npos) {
       return false;

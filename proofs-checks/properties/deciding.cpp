@@ -1,5 +1,7 @@
 #include "deciding.hpp"
 
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+
 namespace subcert::properties {
 
 Decision decided(bool yes, const std::string& found) { return {yes ? Truth::yes : Truth::no, found}; }
@@ -11,15 +13,25 @@ bool compare(const Rational& value, const std::string& relation, const Rational&
   return relation == ">" ? value > number : value < number;
 }
 
-std::string lies_in(const std::string& what, const Enclosure& value) {
-  return what + " lies in [" + value.lower_text(8) + ", " + value.upper_text(8) + "]";
+std::string lies_in(const std::string& what, const Enclosure& value, const Rational& threshold) {
+  constexpr int fewest = 8, most = 100;
+  // As many digits as tell the ends from the threshold.
+  const auto tells = [&](const std::optional<Rational>& end, const std::string& text) {
+    const auto printed = end ? parse_number(text) : std::nullopt;
+    return !printed || (*printed < threshold) == (*end < threshold);
+  };
+  int digits = fewest;
+  while (digits < most &&
+         !(tells(value.lower, value.lower_text(digits)) && tells(value.upper, value.upper_text(digits))))
+    ++digits;
+  return what + " lies in [" + value.lower_text(digits) + ", " + value.upper_text(digits) + "]";
 }
 
 Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what) {
   const std::string& relation = expectation.relation;
   const Rational& number = expectation.number;
   const bool from_below = relation == ">=" || relation == ">";
-  const std::string found = lies_in(what, value);
+  const std::string found = lies_in(what, value, number);
   const auto& worst = from_below ? value.lower : value.upper;
   const auto& best = from_below ? value.upper : value.lower;
   if (worst && compare(*worst, relation, number)) return decided(true, found);
@@ -29,7 +41,7 @@ Decision compare(const Enclosure& value, const Expectation& expectation, const s
 
 Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation) {
   const Enclosure& exponent = regularity.exponent;
-  const std::string found = lies_in("the Hoelder exponent", exponent);
+  const std::string found = lies_in("the Hoelder exponent", exponent, expectation.number);
   if (regularity.converges.is_no()) return decided(false, "not convergent: " + regularity.converges.reason);
   if (regularity.converges.is_yes() && expectation.number == 0) return decided(true, "the scheme converges");
   if (exponent.lower && *exponent.lower > expectation.number) return decided(true, found);

@@ -14,8 +14,8 @@ bool compare(const Rational& value, const std::string& relation, const Rational&
 /// end is beyond all numbers. `what` names the value in the reason.
 Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what);
 
-/// `WHAT lies in [2, 3]`.
-std::string lies_in(const std::string& what, const Enclosure& value);
+/// `WHAT lies in [2, 3]`, with the digits that tell the ends from the threshold.
+std::string lies_in(const std::string& what, const Enclosure& value, const Rational& threshold);
 
 /// The answer of two.
 Decision decided(bool yes, const std::string& found);

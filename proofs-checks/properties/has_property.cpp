@@ -55,7 +55,8 @@ Decision smoothness(const Scheme& scheme, const Expectation& expectation, double
   if (scheme.rounding) {
     const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
     if (*regularity.exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
-    return {has_derivatives(regularity, expectation.number), lies_in("the Hoelder exponent", regularity.exponent)};
+    return {has_derivatives(regularity, expectation.number),
+            lies_in("the Hoelder exponent", regularity.exponent, expectation.number)};
   }
   const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
   if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
@@ -64,7 +65,7 @@ Decision smoothness(const Scheme& scheme, const Expectation& expectation, double
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
   const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
-  const std::string found = lies_in("the Hoelder exponent", regularity.exponent);
+  const std::string found = lies_in("the Hoelder exponent", regularity.exponent, expectation.number);
   const Truth smooth = has_derivatives(regularity, expectation.number);
   if (smooth != Truth::unknown) return {smooth, found};
   return {Truth::unknown, "C^" + std::to_string(proof.order) + " is proved; " + found};
@@ -158,7 +159,7 @@ Decision smoothness_of_vector(const Scheme& scheme, const Expectation& expectati
   const FunctionVector& vector = vector_of(regularity);
   if (!vector.continuous.is_yes() || expectation.number == 0) return vector.continuous;
   const Enclosure exponent = regularity.exponent();
-  const std::string found = lies_in("the Hoelder exponent", exponent);
+  const std::string found = lies_in("the Hoelder exponent", exponent, expectation.number);
   if (*exponent.lower > expectation.number) return decided(true, found);
   // docs/vectors.md, theorem 3
   if (exponent.upper && *exponent.upper <= expectation.number) return decided(false, found);

@@ -50,6 +50,10 @@ TEST_CASE("a comparison holds for all numbers of an enclosure, or for none, or i
     CHECK(truth(value, "<", number) == below);
   }
   CHECK(compare(wide, expected(">=", 2), "the exponent").reason == "the exponent lies in [1, 3]");
+  // As many digits as tell the ends from the number.
+  const Rational near = 2 - power(Rational(10), -12);
+  CHECK(compare(Enclosure{1, near}, expected(">=", 2), "it").reason == "it lies in [1, 1.999999999999]");
+  CHECK(compare(Enclosure{near, 3}, expected(">=", near), "it").reason == "it lies in [1.999999999999, 3]");
 }
 
 TEST_CASE("numbers that are known are compared as they are") {

@@ -1,6 +1,8 @@
 #include "local_levels.hpp"
 
-#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include "property_of_levels.hpp"
+
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -10,7 +12,6 @@ namespace subcert {
 namespace {
 
 constexpr std::size_t most_matrices = 1024;
-constexpr int norm_levels = 8;
 
 /// The masks at the corners of a box.
 std::vector<Mask> corners_of(const ParametricMask& mask, const Box& box) {
@@ -24,26 +25,15 @@ LaurentPolynomial rule(const Mask& mask, long n) {
   return mask.symbol().coset(mask.arity(), modulo(n, mask.arity())).reversed().shifted(floor_divide(n, mask.arity()));
 }
 
-/// sum over j of p_j j^degree
-Rational moment(const LaurentPolynomial& p, int degree) {
-  Rational sum = 0;
-  for (long j = p.lowest(); !p.is_zero() && j <= p.highest(); ++j) sum += p.coefficient(j) * power(Rational(j), degree);
-  return sum;
-}
-
 /// The largest m for which all rules take each polynomial of lower degree to its value at (n + shift)/arity, at all
 /// corners.
 int order_kept(const std::vector<Mask>& corners) {
-  const int arity = corners.front().arity();
-  const Rational shift = arity * moment(rule(corners.front(), 0), 1);
-  const auto keeps = [&](int degree) {
-    for (const Mask& mask : corners)
-      for (int n = 0; n < arity; ++n)
-        if (moment(rule(mask, n), degree) != power(Rational((n + shift) / arity), degree)) return false;
-    return true;
-  };
-  int order = 1;
-  while (order < corners.front().symbol().length() && keeps(order)) ++order;
+  const PolynomialReproduction first = polynomial_reproduction(corners.front());
+  int order = first.approximation_order();
+  for (const Mask& mask : corners) {
+    const PolynomialReproduction other = polynomial_reproduction(mask);
+    order = std::min(order, other.parametrization == first.parametrization ? other.approximation_order() : 1);
+  }
   return order;
 }
 
@@ -123,9 +113,7 @@ class Rules {
 }  // namespace
 
 LocalLevels local_levels(const ParametricMask& mask, const Box& box, const Budget& budget) {
-  require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
-  require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",
-          mask.letters(), box.letters());
+  require_levels(mask, box);
   require(std::ranges::all_of(mask.sizes(), [](std::size_t size) { return size <= 2; }) &&
               mask.denominators().entries.size() == 1,
           "levels: need coefficients of degree 1 in each letter, for a value at each point");
@@ -136,10 +124,7 @@ LocalLevels local_levels(const ParametricMask& mask, const Box& box, const Budge
   LocalLevels result{order, {}, std::move(family), std::move(radius)};
   const Rational lower = order - *log_ratio(*result.radius.radius.upper, mask.arity()).upper;
   if (lower > 0) result.exponent.lower = lower;
-  for (const Mask& corner : corners) {
-    const auto upper = holder_regularity(corner, norm_levels, {budget.deadline, budget.memory}).proved_exponent().upper;
-    if (upper) result.exponent.upper = result.exponent.upper ? std::min(*result.exponent.upper, *upper) : *upper;
-  }
+  result.exponent.upper = upper_end_of_levels(mask, box, budget);
   return result;
 }
 

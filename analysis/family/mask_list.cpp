@@ -42,7 +42,7 @@ std::optional<Mask> in_one(const std::vector<Mask>& masks, const std::vector<std
 }
 
 int common_sum_rules(const std::vector<Mask>& masks, const std::optional<int>& most) {
-  int rules = most ? std::min(*most, sum_rules(masks.front())) : sum_rules(masks.front());
+  int rules = most.value_or(sum_rules(masks.front()));
   for (const Mask& mask : masks) rules = std::min(rules, sum_rules(mask));
   return rules;
 }

@@ -20,13 +20,6 @@ constexpr double excess = 1e-6;      // of a radius that only bounds an exponent
 constexpr double nearly = 1 - 1e-9;  // at the threshold, in doubles, which others then decide
 constexpr int norm_levels = 8;
 
-void require_levels(const ParametricMask& mask, const Box& box) {
-  require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
-  require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",
-          mask.letters(), box.letters());
-  family::require_box("levels", mask, box);
-}
-
 /// The corners, and then the middle.
 std::vector<Values> some_values(const Box& box) {
   std::vector<Values> values;
@@ -104,15 +97,6 @@ class Levels {
   PropertyOfLevels result_;
 };
 
-/// No ends where nothing is proved.
-Enclosure exponent_at(const ParametricMask& mask, const Values& w, const Budget& budget) {
-  try {
-    return holder_regularity(mask.at(w), norm_levels, budget).proved_exponent();
-  } catch (const Error&) {
-    return {};
-  }
-}
-
 /// Part of a box, about a point.
 Box shrunk(const Box& box, const Values& about, const Rational& share) {
   Box result = box;
@@ -124,6 +108,25 @@ Box shrunk(const Box& box, const Values& about, const Rational& share) {
 }
 
 }  // namespace
+
+void require_levels(const ParametricMask& mask, const Box& box) {
+  require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
+  require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",
+          mask.letters(), box.letters());
+  family::require_box("levels", mask, box);
+}
+
+std::optional<Rational> upper_end_of_levels(const ParametricMask& mask, const Box& box, const Budget& budget) {
+  std::optional<Rational> least;
+  for (unsigned corner = 0; corner < box.corners(); ++corner) {
+    try {
+      const auto upper = holder_regularity(mask.at(box.corner(corner)), norm_levels, budget).proved_exponent().upper;
+      if (upper && (!least || *upper < *least)) least = upper;
+    } catch (const Error&) {  // nothing is proved there
+    }
+  }
+  return least;
+}
 
 PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                                     const Budget& budget) {
@@ -155,9 +158,7 @@ std::vector<ExponentOfLevels> exponents_of_levels(const ParametricMask& mask, co
         one.exponent.lower = Rational(rules) - *log_ratio(above->proved_upper(), mask.arity()).upper;
     } catch (const Error&) {  // nothing is proved there
     }
-    for (unsigned corner = 0; corner < one.box.corners(); ++corner)
-      if (const auto upper = exponent_at(mask, one.box.corner(corner), share).upper)
-        one.exponent.upper = one.exponent.upper ? std::min(*one.exponent.upper, *upper) : *upper;
+    one.exponent.upper = upper_end_of_levels(mask, one.box, share);
   });
   return result;
 }

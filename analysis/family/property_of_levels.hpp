@@ -25,6 +25,13 @@ struct PropertyOfLevels {
 PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                                     const Budget& budget);
 
+/// The least upper end of the exponents of one value for all levels, at the corners of the box: no larger number holds
+/// for all sequences. Nothing where none is proved. Domain: as above. Cost: an exponent for each corner.
+std::optional<Rational> upper_end_of_levels(const ParametricMask& mask, const Box& box, const Budget& budget);
+
+/// Errors: throws Error unless the mask is one of numbers and property_map takes the box.
+void require_levels(const ParametricMask& mask, const Box& box);
+
 /// Of all sequences of values in a box.
 struct ExponentOfLevels {
   Box box;

@@ -127,23 +127,26 @@ bool Recurrence::contracts(const Interval& w) const {
   return true;
 }
 
+std::optional<Rational> Recurrence::fixed_point_in(const Interval& w) const {
+  const LaurentPolynomial &p = function_.numerator(), &q = function_.denominator(),
+                          letter = LaurentPolynomial::monomial(1, 1);
+  for (const PolynomialFactor& factor : irreducible_factors(p - (is_root_ ? letter * letter : letter) * q)) {
+    const LaurentPolynomial& f = factor.polynomial;
+    if (f.highest() != 1) continue;
+    const Rational zero = -f.coefficient(0) / f.coefficient(1);
+    if (w.contains(zero) && (!is_root_ || zero >= 0)) return zero;
+  }
+  return std::nullopt;
+}
+
 std::optional<Rational> Recurrence::limit_in(const Interval& kept) const {
   constexpr int most_steps = 64;
   Interval values = kept;
   for (int step = 0; step < most_steps; ++step) {
     const auto next = image(values);
     if (!next || !contains(values, *next)) return std::nullopt;
-    if (contracts(values)) break;
+    if (contracts(values)) return fixed_point_in(values);
     values = *next;
-  }
-  if (!contracts(values)) return std::nullopt;
-  const LaurentPolynomial &p = function_.numerator(), &q = function_.denominator(),
-                          w = LaurentPolynomial::monomial(1, 1);
-  for (const PolynomialFactor& factor : irreducible_factors(p - (is_root_ ? w * w : w) * q)) {
-    const LaurentPolynomial& f = factor.polynomial;
-    if (f.highest() != 1) continue;
-    const Rational zero = -f.coefficient(0) / f.coefficient(1);
-    if (values.contains(zero) && (!is_root_ || zero >= 0)) return zero;
   }
   return std::nullopt;
 }

@@ -38,6 +38,8 @@ class Recurrence {
 
  private:
   bool contracts(const Interval& w) const;
+  /// A rational one.
+  std::optional<Rational> fixed_point_in(const Interval& w) const;
 
   std::string text_;
   RationalFunction function_;

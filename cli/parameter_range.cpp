@@ -65,11 +65,7 @@ std::string number_text(const Rational& value, Rounding rounding, int digits) {
 }
 
 int digits_apart(const Rational& low, const Rational& high) {
-  int digits = 12;
-  if (low < high)
-    for (Rational ends = std::max(abs(low), abs(high)) / (high - low) * 4; ends > power(Rational(10), digits - 1);)
-      ++digits;
-  return digits;
+  return low < high ? digits_within(std::max(abs(low), abs(high)), (high - low) / 4, 12) : 12;
 }
 
 std::string number_text(const Enclosure& value) {

@@ -13,7 +13,7 @@
 namespace subcert::cli {
 
 /// `w=-1..1` for this name. Errors: throws a usage error.
-std::pair<Rational, Rational> read_over(const std::string& text, const std::string& name);
+std::pair<Rational, Rational> read_over(const std::string& written, const std::string& name);
 
 /// One range for each of these names, in their order. Errors: throws a usage error.
 Box read_box(const std::vector<std::string>& over, const std::vector<std::string>& names);

@@ -130,7 +130,7 @@ RoundedMask daubechies_mask(int n) {
   const Rational unit = power(Rational(2), -bits);
   for (const ComplexBall& c : q) {
     const Enclosure enclosure = c.real().enclosure();
-    rounded.push_back(unit * Rational(to_integer(*enclosure.lower / unit, Rounding::nearest)));
+    rounded.push_back(to_multiple(*enclosure.lower, unit, Rounding::nearest));
     sum += rounded.back();
     distance = std::max({distance, abs(*enclosure.lower - rounded.back()), abs(*enclosure.upper - rounded.back())});
   }

@@ -56,7 +56,7 @@ std::optional<NearbyMask> nearby_mask(const std::vector<Rational>& coefficients,
     sigma *= step;
     std::vector<Rational> q = nearest_factor(a, sigma, arity, order);
     Rational rest = power(Rational(arity), 1 - order);
-    for (Rational& c : q) rest -= c = unit * Rational(to_integer(c / unit, Rounding::nearest));
+    for (Rational& c : q) rest -= c = to_multiple(c, unit, Rounding::nearest);
     q.front() += rest;
     const LaurentPolynomial symbol = sigma * LaurentPolynomial(q, 0);
     Rational change = 0;

@@ -127,7 +127,7 @@ std::string letters_for(const std::vector<std::string>& names) {
 }
 
 /// The text with the letters in place of the names.
-std::string replaced(std::string_view text, std::vector<Piece> pieces, const std::vector<std::string>& names,
+std::string replaced(std::string_view text, const std::vector<Piece>& pieces, const std::vector<std::string>& names,
                      std::string_view letters) {
   std::string result;
   std::size_t done = 0;
@@ -344,7 +344,7 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
   const ParametricMask mask(text.coefficients, text.first, text.arity);
   const std::string arity = text.arity == 2 ? "" : ",arity=" + std::to_string(text.arity);
   const Rational unit = power(Rational(2), -algebraic_bits), &low = *number.value.lower, &high = *number.value.upper;
-  const Rational value = number.value.is_exact() ? low : unit * Rational(to_integer(low / unit, Rounding::nearest));
+  const Rational value = number.value.is_exact() ? low : to_multiple(low, unit, Rounding::nearest);
   Scheme scheme{
       fmt::format("mask:{}{},where={}:{}..{}", mask.to_text(letter), arity,
                   RationalFunction(number.polynomial).to_text(letter), to_text(number.low), to_text(number.high)),

@@ -28,7 +28,7 @@ struct ParametricScheme {
 /// Coefficients, positions and weights are what RationalFunction::parse reads. Domain: up to 100 coefficients, degree
 /// up to 12 over their common denominator; else as make_scheme. Errors: throws SpecificationError, also for two
 /// letters, none, or coset sums other than 1 for some value.
-ParametricScheme make_parametric_scheme(std::string_view specification);
+ParametricScheme make_parametric_scheme(std::string_view text);
 
 /// Whether the text names a family that make_parametric_scheme may read: with a letter where a number may stand.
 bool has_parameter(std::string_view text);

@@ -42,6 +42,7 @@ class Rules {
  public:
   Rules(const ParametricMask& mask, const std::vector<Mask>& corners, int order)
       : corners_(corners), arity_(mask.arity()), order_(order), depends_(static_cast<std::size_t>(arity_)) {
+    require(arity_ >= 2, "levels: need arity >= 2, got {}", arity_);
     for (const Mask& corner : corners)
       for (long n = 0; n < arity_; ++n)
         if (rule(corner, n) != rule(corners.front(), n)) depends_[static_cast<std::size_t>(n)] = true;

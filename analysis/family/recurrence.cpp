@@ -44,7 +44,7 @@ std::optional<Interval> range_of(const RationalFunction& r, const Interval& w) {
 /// Moved to a multiple of 2^-kept_bits, so that numbers do not grow from level to level.
 Rational shortened(const Rational& x, Rounding rounding) {
   const Integer unit = Integer(1) << kept_bits;
-  return denominator(x) <= unit ? x : Rational(to_integer(x * unit, rounding), unit);
+  return denominator(x) <= unit ? x : to_multiple(x, Rational(1, unit), rounding);
 }
 
 RationalFunction derivative(const RationalFunction& r) {

@@ -202,14 +202,12 @@ std::string limit_text(const LimitOfLevels& limit, const std::string& name) {
 }
 
 Json limit_json(const LimitOfLevels& limit) {
-  const ExponentOfList& found = limit.exponent;
-  return {{"value", to_text(limit.value)},
-          {"sum_rules", limit.rules.sum_rules},
-          {"exponentials", limit.rules.exponentials},
-          {"holder", enclosure_json(positive_part(found.exponent))},
-          {"exact", found.exact.is_yes()},
-          {"exactness", found.exact.reason},
-          {"stable", found.stable.is_yes()}};
+  Json json{{"value", to_text(limit.value)},
+            {"sum_rules", limit.rules.sum_rules},
+            {"exponentials", limit.rules.exponentials}};
+  json.update(exponent_json(limit.exponent));
+  json["stable"] = limit.exponent.stable.is_yes();
+  return json;
 }
 
 Json json_of(const LevelsAnswer& found) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace subcert::cli {
 namespace {
 
@@ -36,11 +38,8 @@ std::string list_text() {
   return text;
 }
 
-/// Of those for which the theorem is proved.
-int least_degree(const std::string& id) {
-  for (const TheoremEntry& entry : theorems::theorem_list())
-    if (entry.id == id && !entry.degrees.empty()) return entry.degrees.front();
-  return 1;
+const TheoremEntry& entry_of(const std::string& id) {
+  return *std::ranges::find(theorems::theorem_list(), id, &TheoremEntry::id);
 }
 
 ExitCode run(const TheoremOptions& options) {
@@ -48,10 +47,10 @@ ExitCode run(const TheoremOptions& options) {
     options.json ? options.answer(list_json()) : options.answer(list_text());
     return done;
   }
-  const int degree = options.degree.value_or(least_degree(options.id));
-  const bool of_dual = options.id == "smoothness-dual";
-  const std::string family = !options.family.empty() ? options.family : of_dual ? "dual" : "primal";
-  if (of_dual && !family.starts_with("dual"))
+  const TheoremEntry& entry = entry_of(options.id);
+  const int degree = options.degree.value_or(entry.degrees.empty() ? 1 : entry.degrees.front());
+  const std::string& family = options.family.empty() ? entry.family : options.family;
+  if (entry.family == "dual" && !family.starts_with("dual"))
     fail(ErrorKind::usage, "--family {}: expected dual or dual-odd, of which {} speaks", family, options.id);
   if (family.starts_with("primal") && degree % 2 == 0)
     fail(ErrorKind::usage, "--d {}: expected an odd degree; {} schemes of degree {} are those of degree {}", degree,

@@ -60,10 +60,10 @@ std::string text_of(const MaskListFile& file, const ExponentOfList& found, const
 }
 
 Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::string& property, Truth answer) {
-  Json json{{"masks", file.specifications},  {"order", order_text(file.list)},
-            {"sum_rules", found.sum_rules},  {"holder", enclosure_json(positive_part(found.exponent))},
-            {"exact", found.exact.is_yes()}, {"exactness", found.exact.reason},
-            {"sequence", found.sequence},    {"stable", found.stable.is_yes()}};
+  Json json{{"masks", file.specifications}, {"order", order_text(file.list)}, {"sum_rules", found.sum_rules}};
+  json.update(exponent_json(found));
+  json["sequence"] = found.sequence;
+  json["stable"] = found.stable.is_yes();
   if (!property.empty()) {
     json["property"] = property;
     json["verdict"] = verdict_text(answer);
@@ -72,6 +72,12 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
 }
 
 }  // namespace
+
+Json exponent_json(const ExponentOfList& found) {
+  return {{"holder", enclosure_json(positive_part(found.exponent))},
+          {"exact", found.exact.is_yes()},
+          {"exactness", found.exact.reason}};
+}
 
 Truth holds(const Enclosure& exponent, const RangeProperty& property) {
   using Kind = RangeProperty::Kind;

@@ -18,6 +18,9 @@ RangeProperty read_levels_property(const std::string& text);
 /// proved; the upper one is that of some.
 Truth holds(const Enclosure& exponent, const RangeProperty& property);
 
+/// The exponent, and whether it is exact.
+Json exponent_json(const ExponentOfList& found);
+
 /// `property`: empty where none is asked for. `certificates`: a folder, or empty. Errors: throws Error.
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
                             const std::string& certificates);

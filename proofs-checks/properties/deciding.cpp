@@ -1,6 +1,6 @@
 #include "deciding.hpp"
 
-#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <algorithm>
 
 namespace subcert::properties {
 
@@ -15,15 +15,9 @@ bool compare(const Rational& value, const std::string& relation, const Rational&
 
 std::string lies_in(const std::string& what, const Enclosure& value, const Rational& threshold) {
   constexpr int fewest = 8, most = 100;
-  // As many digits as tell the ends from the threshold.
-  const auto tells = [&](const std::optional<Rational>& end, const std::string& text) {
-    const auto printed = end ? parse_number(text) : std::nullopt;
-    return !printed || (*printed < threshold) == (*end < threshold);
-  };
   int digits = fewest;
-  while (digits < most &&
-         !(tells(value.lower, value.lower_text(digits)) && tells(value.upper, value.upper_text(digits))))
-    ++digits;
+  for (const auto& end : {value.lower, value.upper})
+    if (end) digits = *end == threshold ? most : std::min(most, digits_within(*end, abs(*end - threshold), digits));
   return what + " lies in [" + value.lower_text(digits) + ", " + value.upper_text(digits) + "]";
 }
 

@@ -152,7 +152,8 @@ const std::vector<Entry>& entries() {
                     "the dual schemes of degree 1 are C^2, and their Hoelder exponents tend to 3 faster than every "
                     "power of n",
                     "every n >= 2, of (2n+1) points every n >= 1",
-                    {1}},
+                    {1},
+                    "dual"},
                    {},
                    {"for degrees other than 1 see smoothness --family dual, and smoothness-all"},
                    false,

@@ -31,8 +31,9 @@ struct Theorem {
 struct TheoremEntry {
   std::string id;
   std::string title;
-  std::string range;         ///< of n, and of the degrees where they are not only those listed
-  std::vector<int> degrees;  ///< for which it can be asked and is proved
+  std::string range;              ///< of n, and of the degrees where they are not only those listed
+  std::vector<int> degrees;       ///< for which it can be asked and is proved
+  std::string family = "primal";  ///< where none is named
 };
 
 const std::vector<TheoremEntry>& theorem_list();

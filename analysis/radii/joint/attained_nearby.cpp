@@ -31,10 +31,7 @@ Rational length_of(const Vector& x) {
   return sum;
 }
 
-Rational dyadic(const Rational& x, long bits) {
-  const Rational unit = power(Rational(2), -bits);
-  return unit * Rational(to_integer(x / unit, Rounding::nearest));
-}
+Rational dyadic(const Rational& x, long bits) { return to_multiple(x, power(Rational(2), -bits), Rounding::nearest); }
 
 /// The equations for an eigenvalue and an eigenvector, one coordinate of which is kept: SPEC.md, 7.1.
 class EigenvectorSystem {
@@ -133,7 +130,7 @@ class NearbyProof {
 
   /// The reason why there is no proof, empty where there is one. `proof`: what find_nearby_cycles() finds.
   std::string run(AttainedProof& proof, int bits) {
-    if (const std::string missing = enclose_cycles(proof, bits); !missing.empty()) return missing;
+    if (std::string missing = enclose_cycles(proof, bits); !missing.empty()) return missing;
     const Rational &low = *coarse_.lower, &high = *coarse_.upper, &growth = polytope_.bound;
     for (const auto& [vertex, parent, letter] : proof.origins) {
       const Rational off = distance_to_image(vertex, parent, letter, low) +
@@ -242,8 +239,7 @@ class NearbyProof {
   }
 
   static Rational dyadic_end(const Rational& x, Rounding rounding) {
-    const Rational unit = power(Rational(2), binary_exponent(x) - radius_bits);
-    return unit * Rational(to_integer(x / unit, rounding));
+    return to_multiple(x, power(Rational(2), binary_exponent(x) - radius_bits), rounding);
   }
 
   /// From left to right, of matrices that are not transposed.

@@ -38,7 +38,7 @@ Rational content(const RationalMatrix& matrix) {
 /// of integers have algebraic integers as eigenvalues.
 std::optional<Rational> rational_eigenvalue(const RationalMatrix& matrix, const LaurentPolynomial& p,
                                             const Rational& near) {
-  const Rational unit = content(matrix), value = unit * Rational(to_integer(near / unit, Rounding::nearest));
+  const Rational unit = content(matrix), value = to_multiple(near, unit, Rounding::nearest);
   return value != 0 && p(value) == 0 ? std::optional(value) : std::nullopt;
 }
 
@@ -93,7 +93,7 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   if (real)
     if (const auto exact = rational_eigenvalue(product, p, z.re)) return Centre{{*exact, 0}, exact, bits};
   const Rational unit = power(Rational(2), -bits);
-  const auto rounded = [&](const Rational& x) { return unit * Rational(to_integer(x / unit, Rounding::nearest)); };
+  const auto rounded = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
   return Centre{{rounded(z.re), rounded(z.im)}, std::nullopt, bits};
 }
 
@@ -173,7 +173,7 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
   if (near.squared_modulus() == 0) return std::nullopt;
   const long place = (binary_exponent(near.squared_modulus()) + 1) / 2 - inverse_distance;
   const Rational unit = power(Rational(2), place);
-  const auto rounded = [&](const Rational& x) { return unit * Rational(to_integer(x / unit, Rounding::nearest)); };
+  const auto rounded = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
   ApproximateInverse result{{rounded(near.re) + unit, rounded(near.im)}, 0, {}};
   const Rational column = one_norm(product) + abs(near.re) + abs(near.im);
   const long bits = std::max(inverse_accuracy + binary_exponent(Rational(column * n * n)), 0L);
@@ -226,7 +226,7 @@ bool is_dominated(const MatrixFamily& first, const ProductEvidence& above, const
   // these. Few bits will do; zeros above a bound are those of the reversed polynomial below its inverse.
   if (largest == 0 || std::max(a.rows(), b.rows()) > most_paired) return false;
   const Rational unit = power(Rational(2), binary_exponent(largest) - precision),
-                 bound = unit * Rational(to_integer(largest / unit, Rounding::down));
+                 bound = to_multiple(largest, unit, Rounding::down);
   return covered(polynomial_of_pairs, [&](const LaurentPolynomial& rest) {
     const LaurentPolynomial inverted = rest.reversed();
     return count_real_roots(inverted.shifted(-inverted.lowest()), 0, 1 / bound, deadline) == 0;

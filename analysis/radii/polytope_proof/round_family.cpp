@@ -41,8 +41,7 @@ std::optional<polytope::Matrix> rounding_step(const std::vector<polytope::Matrix
 
 Rational rounded(const Rational& value) {
   if (value == 0) return value;
-  const Rational unit = power(Rational(2), binary_exponent(value) - bits);
-  return unit * Rational(to_integer(value / unit, Rounding::nearest));
+  return to_multiple(value, power(Rational(2), binary_exponent(value) - bits), Rounding::nearest);
 }
 
 /// The fixed point of G = sum of A G A^T up to its size, with many bits; nothing where all long products vanish.

@@ -88,8 +88,7 @@ double largest_square(const ComplexVector& row, const Integers& coordinates, con
 /// With 512 binary digits.
 Rational rounded(const Rational& value, Rounding rounding) {
   constexpr long bits = 512;
-  const Rational unit = power(Rational(2), binary_exponent(value) - bits);
-  return unit * Rational(to_integer(value / unit, rounding));
+  return to_multiple(value, power(Rational(2), binary_exponent(value) - bits), rounding);
 }
 
 }  // namespace

@@ -70,6 +70,10 @@ Integer to_integer(const Rational& value, Rounding rounding) {
   return result;
 }
 
+Rational to_multiple(const Rational& value, const Rational& unit, Rounding rounding) {
+  return unit * Rational(to_integer(value / unit, rounding));
+}
+
 std::optional<Rational> parse_rational(std::string_view text) {
   bool negative = false;
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
@@ -139,18 +143,19 @@ std::string Enclosure::lower_text(int digits) const {
 
 std::string Enclosure::upper_text(int digits) const { return upper ? to_decimal(*upper, digits, Rounding::up) : "inf"; }
 
+int digits_within(const Rational& value, const Rational& distance, int least) {
+  // A digit more brings the printed value ten times nearer.
+  const Rational most = abs(value);
+  for (Rational error = power(Rational(10), 1 - least) * most;
+       error >= distance && least < static_cast<int>(max_digits); error /= 10)
+    ++least;
+  return least;
+}
+
 int Enclosure::telling_digits(int digits) const {
-  // A digit more brings the printed end ten times nearer.
   const auto enough = [](const Rational& end, Rounding rounding, int least) {
-    const Rational grain(1, thresholds_per_unit), next = grain * Rational(subcert::to_integer(end / grain, rounding));
-    if (end == next) return least;
-    const Rational gap = abs((end - next) / end);
-    Rational error = power(Rational(10), 1 - least);
-    while (error >= gap && least < static_cast<int>(max_digits)) {
-      error /= 10;
-      ++least;
-    }
-    return least;
+    const Rational next = to_multiple(end, Rational(1, thresholds_per_unit), rounding);
+    return end == next ? least : digits_within(end, abs(end - next), least);
   };
   if (lower) digits = enough(*lower, Rounding::down, digits);
   if (upper) digits = enough(*upper, Rounding::up, digits);

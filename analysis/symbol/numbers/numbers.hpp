@@ -22,10 +22,16 @@ Rational power(const Rational& base, long exponent);
 /// The least k >= 0 with 10^-k <= width. Domain: width > 0.
 int decimal_places(const Rational& width);
 
+/// So many significant digits, `least` or more, that a value printed with them is less than that away. Domain: distance
+/// > 0. At most 10,000.
+int digits_within(const Rational& value, const Rational& distance, int least);
+
 enum class Rounding { down, up, nearest };
 
 /// The floor, the ceiling, or the nearest integer (ties away from zero).
 Integer to_integer(const Rational& value, Rounding rounding);
+/// The multiple of the unit that is next below, next above or nearest. Domain: unit > 0.
+Rational to_multiple(const Rational& value, const Rational& unit, Rounding rounding);
 
 /// Decimal string with `digits` significant digits, rounded towards -infinity, +infinity or to the nearest (ties away
 /// from zero). Domain: 1 <= digits <= 10,000. Error: less than one unit in the last digit. Plain notation for decimal

@@ -415,12 +415,16 @@ def mask_with_letter(rng):
 
 
 def range_case(rng, low, high):
+    lowest, between = Fraction(-1), Fraction(0)
     if rng.random() < 0.4:
         name = rng.choice(sorted(LETTERS))
         scheme, at = f"{name}:w", lambda w: f"{name}:w={w}"
+        lowest = max(lowest, LETTERS[name][0])  # below it, some masks have a zero in their denominator
+        between = max(between, lowest)
     else:
         scheme, at = mask_with_letter(rng)
-    start, end = rational(rng, Fraction(-1), Fraction(0)), rational(rng, Fraction(1, 100), Fraction(1))
+    start = rational(rng, lowest, between)
+    end = between + rational(rng, Fraction(1, 100), Fraction(1))
     asked = rng.choice(("convergent", "convergent", "C1", "C2", "stable", "holder>=1/2", "holder>=3/2"))
     case = Case("range", ["range", scheme, "--over", f"w={start}..{end}", "--property", asked,
                           "--width", rng.choice(("1e-3", "1e-9"))], budget(rng, low, high))

@@ -35,8 +35,9 @@ struct DifferenceSpace {
 /// The differences of the scheme: sequences that annihilate all polynomials of degree below `order`, T_w nabla^mu delta
 /// for |mu| = order and all words w of window.steps() letters or more among them. The largest modulus of the
 /// differences of order `order` of the n-th power of the scheme grows as JSR(family)^n. Proof: docs/surfaces.md.
-/// Domain: sum rules of this order >= 1; at most `most_points` lattice points. Errors: throws Error. Cost: one
-/// elimination, and the dimension times the coefficients for each digit.
-DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t most_points = 4096);
+/// Domain: sum rules of this order >= 1; at most `most_points` lattice points, and a dimension of at most `largest`.
+/// Errors: throws Error. Cost: one elimination, and the dimension times the coefficients for each digit.
+DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t largest = 4096,
+                                 std::size_t most_points = 4096);
 
 }  // namespace subcert

@@ -74,15 +74,15 @@ std::vector<LatticeMask> with_turned_dilations(const LatticeMask& mask) {
 }
 
 /// Where the shifts are not proved stable the differences of phi, as those of the scheme give no upper end. A Sobolev
-/// exponent below 0 is that of no continuous phi.
+/// exponent below 0 is that of no continuous phi. Errors: throws Error, a size error where the space is too large.
 DifferenceSpace space_of_differences(const LatticeMask& mask, const MultivariateRegularity& result,
                                      const std::optional<MultivariateSobolev>& sobolev) {
   if (!result.stable.is_yes() && sobolev && sobolev->exponent.upper && *sobolev->exponent.upper >= 0) {
     // The exponent is at most the Sobolev exponent.
     const int order = static_cast<int>(floor_index(*sobolev->exponent.upper)) + 1;
-    if (auto space = value_space(mask, order)) return std::move(*space);
+    if (auto space = value_space(mask, order); space && space->family.size() <= largest_space) return std::move(*space);
   }
-  return difference_space(mask, result.sum_rules);
+  return difference_space(mask, result.sum_rules, largest_space);
 }
 
 /// Differences of the first order, or of that of the sum rules. `briefly`: by norms alone.
@@ -90,8 +90,7 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
                                                           bool briefly) {
   const Rational target = 1 - power(Rational(2), -20);
   for (const int order : sum_rules > 1 ? std::vector{1, sum_rules} : std::vector{1}) {
-    DifferenceSpace space = difference_space(mask, order);
-    if (space.family.size() > largest_space) break;
+    DifferenceSpace space = difference_space(mask, order, largest_space);
     const Budget share{budget.deadline.after(shares::convergence), budget.memory};
     const NormProof norms = norm_of_products(space.family, {share.deadline.after(shares::norms), share.memory});
     JointSpectralRadius radius;
@@ -128,21 +127,31 @@ Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int su
   return decision;
 }
 
+/// Nothing where it is too large, with the reason in `result`.
+std::optional<DifferenceSpace> searchable_space(const LatticeMask& mask,
+                                                const std::optional<MultivariateSobolev>& sobolev,
+                                                MultivariateRegularity& result) {
+  try {
+    return space_of_differences(mask, result, sobolev);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::size) throw;
+    if (!result.radius) result.exact = {Truth::unknown, error.what()};
+    return std::nullopt;
+  }
+}
+
 /// Fills in what the differences tell: by the dilation with which a polytope closes, in slices of time that grow.
 void search_radius(const LatticeMask& mask, const std::optional<MultivariateSobolev>& sobolev, const Budget& budget,
                    MultivariateRegularity& result) {
-  result.exact = {Truth::unknown, "the transition operators act on too many lattice points"};
   const std::vector<LatticeMask> masks = with_turned_dilations(mask);
-  std::vector<DifferenceSpace> spaces;  // of the masks that had their turn
+  std::vector<std::optional<DifferenceSpace>>
+      spaces;  // of the masks that had their turn; nothing where it is too large
   for (double slice = masks.size() > 1 ? shares::first_slice : budget.deadline.remaining();;
        slice *= shares::slice_factor) {
     for (std::size_t k = 0; k < masks.size(); ++k) {
-      if (k == spaces.size()) spaces.push_back(space_of_differences(masks[k], result, sobolev));
-      const DifferenceSpace& space = spaces[k];
-      if (space.family.size() > largest_space) {
-        if (!result.space) result.space = space;
-        continue;
-      }
+      if (k == spaces.size()) spaces.push_back(searchable_space(masks[k], sobolev, result));
+      if (!spaces[k]) continue;
+      const DifferenceSpace& space = *spaces[k];
       if (result.radius && result.space->is_of_values() && !space.is_of_values()) continue;
       const Budget share{budget.deadline.at_most(slice), budget.memory};
       const NormProof norms = norm_of_products(space.family, {share.deadline.after(shares::norms), share.memory});

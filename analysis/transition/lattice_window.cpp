@@ -49,43 +49,123 @@ class Lattice {
   bool has_components_;
 };
 
+/// The least box around points. One is added at least.
+struct LatticeBox {
+  FixedPoint low, high;
+  bool is_empty = true;
+
+  void add(const FixedPoint& point) {
+    if (is_empty) low = high = point;
+    is_empty = false;
+    for (std::size_t v = 0; v < point.size(); ++v) {
+      low[v] = std::min(low[v], point[v]);
+      high[v] = std::max(high[v], point[v]);
+    }
+  }
+  double volume() const {
+    double result = 1;
+    for (std::size_t v = 0; v < low.size(); ++v)
+      result *= static_cast<double>(high[v]) - static_cast<double>(low[v]) + 1;
+    return result;
+  }
+  /// The place of low + offset in the box, row by row. Linear in the offset.
+  long place(const FixedPoint& offset) const {
+    long result = 0;
+    for (std::size_t v = 0; v < low.size(); ++v) result = result * (high[v] - low[v] + 1) + offset[v];
+    return result;
+  }
+  FixedPoint point(long place) const {
+    FixedPoint result = low;
+    for (std::size_t v = low.size(); v-- > 0;) {
+      const long length = high[v] - low[v] + 1;
+      result[v] += place % length;
+      place /= length;
+    }
+    return result;
+  }
+};
+
+/// The component is that of a.
+FixedPoint plus(FixedPoint a, const FixedPoint& b) {
+  for (std::size_t v = 0; v < 3; ++v) a[v] += b[v];
+  return a;
+}
+
+FixedPoint minus(FixedPoint a, const FixedPoint& b) {
+  for (std::size_t v = 0; v < a.size(); ++v) a[v] -= b[v];
+  return a;
+}
+
 /// Where a component leads to: the exponents of the entries in a column, with their rows.
 class Steps {
  public:
   explicit Steps(const LatticeMask& mask) : lattice(mask), dilation(mask.dilation()), columns_(mask.components()) {
     for (const LatticeMask::Term& term : mask.terms()) {
-      columns_[term.column].push_back(lattice.fixed(term.exponents, term.row));
+      const FixedPoint& step = columns_[term.column].emplace_back(lattice.fixed(term.exponents, term.row));
+      box_.add(step);
       ++count_;
     }
   }
 
-  /// The sum of a point and the exponents of a step from there.
-  std::vector<FixedPoint> from(const LatticePoint& point) const {
-    const FixedPoint at = lattice.fixed(point);
-    std::vector<FixedPoint> sums = columns_[lattice.component(point)];
-    for (FixedPoint& sum : sums)
-      for (std::size_t v = 0; v < 3; ++v) sum[v] += at[v];
-    return sums;
-  }
+  /// All steps from a point of this component.
+  const std::vector<FixedPoint>& from(std::size_t component) const { return columns_[component]; }
+  std::size_t components() const { return columns_.size(); }
   std::size_t count() const { return count_; }
+  const LatticeBox& box() const { return box_; }
 
   const Lattice lattice;
   const Dilation& dilation;
 
  private:
   std::vector<std::vector<FixedPoint>> columns_;
+  LatticeBox box_;
   std::size_t count_ = 0;
 };
 
-/// Where T_d v has its support, over all digits d or for one, for v supported on `points`. Cost: a look at a table for
-/// each pair, and a division for each different sum.
+/// The different sums of points and steps from there, with the component to which the step leads, in a box of places:
+/// a mark for each place.
+std::vector<FixedPoint> sums_in_box(const Steps& steps, const std::vector<FixedPoint>& points, const LatticeBox& from,
+                                    const LatticeBox& box) {
+  std::vector<std::vector<long>> offsets;
+  for (std::size_t c = 0; c < steps.components(); ++c)
+    for (std::vector<long>& column = offsets.emplace_back(); const FixedPoint& step : steps.from(c))
+      column.push_back(box.place(minus(step, steps.box().low)));
+  std::vector<char> marks(static_cast<std::size_t>(box.volume()), 0);
+  for (const FixedPoint& point : points) {
+    FixedPoint offset = minus(point, from.low);
+    offset.back() = 0;  // the step has the component of the sum
+    char* const base = marks.data() + box.place(offset);
+    for (const long step : offsets[static_cast<std::size_t>(point.back())]) base[step] = 1;
+  }
+  std::vector<FixedPoint> result;
+  for (std::size_t place = 0; place < marks.size(); ++place)
+    if (marks[place]) result.push_back(box.point(static_cast<long>(place)));
+  return result;
+}
+
+/// The different sums of points and steps from there. Cost: a mark for each pair in a box that is not much larger than
+/// their number, else a look at a table for each.
+std::vector<FixedPoint> sums(const Steps& steps, const std::set<LatticePoint>& points) {
+  constexpr double places_of_pair = 8;
+  std::vector<FixedPoint> fixed;
+  LatticeBox from;
+  for (const LatticePoint& point : points) from.add(fixed.emplace_back(steps.lattice.fixed(point)));
+  LatticeBox box{plus(steps.box().low, from.low), plus(steps.box().high, from.high), false};
+  const double pairs = static_cast<double>(points.size()) * static_cast<double>(steps.count());
+  if (box.volume() <= places_of_pair * pairs) return sums_in_box(steps, fixed, from, box);
+  std::unordered_set<FixedPoint, Hash> result;
+  for (const FixedPoint& point : fixed)
+    for (const FixedPoint& step : steps.from(static_cast<std::size_t>(point.back()))) result.insert(plus(step, point));
+  return {result.begin(), result.end()};
+}
+
+/// Where T_d v has its support, over all digits d or for one, for v supported on `points`. Cost: as sums(), and a
+/// division for each different sum.
 std::set<LatticePoint> images(const Steps& steps, const std::set<LatticePoint>& points,
                               std::optional<std::size_t> digit) {
-  std::unordered_set<FixedPoint, Hash> sums;
-  for (const LatticePoint& k : points)
-    for (const FixedPoint& sum : steps.from(k)) sums.insert(sum);
+  if (points.empty() || steps.count() == 0) return {};
   std::set<LatticePoint> result;
-  for (const FixedPoint& sum : sums) {
+  for (const FixedPoint& sum : sums(steps, points)) {
     Dilation::Division at = steps.lattice.divide(steps.dilation, sum);
     if (!digit || at.digit == *digit) result.insert(std::move(at.quotient));
   }

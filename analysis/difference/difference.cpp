@@ -63,12 +63,14 @@ RationalMatrix moments(const std::vector<LatticePoint>& points, int order) {
 DifferenceSpace difference_space(const LatticeMask& mask, int order, std::size_t largest, std::size_t most_points) {
   require(order >= 1, "difference space: need sum rules of order 1 or more, got {}", order);
   LatticeWindow window(mask, exponents_up_to(mask.dilation().variables(), order), most_points);
-  const std::vector<std::vector<Rational>> vectors = kernel(moments(window.points(), order));
+  const RationalMatrix conditions = moments(window.points(), order);
+  if (window.size() > largest + conditions.rows())
+    fail(ErrorKind::size,
+         "difference space: need a dimension of at most {}, got {} or more for differences of order {}", largest,
+         window.size() - conditions.rows(), order);
+  const std::vector<std::vector<Rational>> vectors = kernel(conditions);
   require(!vectors.empty(), "difference space: no sequence on the {} points of the window annihilates polynomials",
           window.size());
-  if (vectors.size() > largest)
-    fail(ErrorKind::size, "difference space: need a dimension of at most {}, got {} for differences of order {}",
-         largest, vectors.size(), order);
   std::vector<LatticeSequence> basis(vectors.size());
   for (std::size_t c = 0; c < vectors.size(); ++c)
     for (std::size_t k = 0; k < window.size(); ++k)

@@ -105,6 +105,8 @@ def main():
             case = draw(rng, *options.budget)
             run, findings = judged(program, case, rng.random() < 0.15)
             runs, found = runs + 1, found + len(findings)
+            if runs % 500 == 0:
+                print(f"{runs} runs, {found} findings", file=sys.stderr, flush=True)
             for kind, what in findings:
                 print(f"{kind}: {what}\n  draw {i} of seed {seed}: {shortened(shell_command(case))}", flush=True)
                 if report:

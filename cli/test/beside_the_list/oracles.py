@@ -30,6 +30,7 @@ class Words:
         self.family = [[[next(numbers) for _ in range(n)] for _ in range(n)] for _ in family]
         self.edges = edges or [[0, 0, letter] for letter in range(len(family))]
         self.size = n
+        self.length = 1 + max((abs(v).bit_length() for v in (*flat, self.denominator)), default=0) // 256  # of numbers
 
     def levels(self):
         """Lists of (start, end, product) for length 1, 2, ..."""
@@ -38,7 +39,7 @@ class Words:
             if not words:
                 break
             yield words
-            cost = len(words) * len(self.edges) * self.size**3
+            cost = len(words) * len(self.edges) * self.size**3 * self.length
             spent += cost
             if spent > MOST_OPERATIONS or length == LONGEST_WORD:
                 return
@@ -54,7 +55,7 @@ class Words:
         for length, words in enumerate(self.levels(), 1):
             norm = max(max(sum(map(abs, row)) for row in m) for _, _, m in words)
             norm = min(norm, max(max(sum(map(abs, column)) for column in zip(*m)) for _, _, m in words))
-            if upper is None or norm**upper[1] < upper[0]**length:
+            if upper is None or not norm or math.log(norm) / length < math.log(upper[0]) / upper[1]:
                 upper = (norm, length)
             closed = [m for start, end, m in words if start == end]
             for m in closed:
@@ -63,28 +64,29 @@ class Words:
         return lower, (0, 1) if self.no_longer_words else upper
 
     def better(self, one, other):
-        """Of (|trace| / n)^(1/length)."""
-        left, right = one[0] ** other[1] * self.size ** one[1], other[0] ** one[1] * self.size ** other[1]
-        return one if left >= right else other
+        """Of (|trace| / n)^(1/length), as far as doubles tell: each is a bound."""
+        def logarithm(trace, length):
+            return (math.log(trace) - math.log(self.size)) / length if trace else -math.inf
+        return one if logarithm(*one) >= logarithm(*other) else other
 
     def of_powers(self, m, length):
         best, power, times = (0, 1), m, 1
         while True:
             best = self.better(best, (abs(sum(power[i][i] for i in range(self.size))), times * length))
-            if self.size**3 * times * length > 4000 or times >= 16:
+            if self.size**3 * self.length * times * length > 4000 or times >= 16:
                 return best
             power, times = product(power, power), 2 * times
 
     def is_at_least(self, number, lower):
         """Whether number^length n >= |trace|."""
-        trace, length = lower
-        return Fraction(number) ** length * self.size >= Fraction(trace, self.denominator**length)
+        (trace, length), number = lower, Fraction(number)
+        return (number.numerator * self.denominator) ** length * self.size >= trace * number.denominator**length
 
     def is_at_most(self, number, upper):
         """Whether number^length <= norm; true for number <= 0."""
         norm, length = upper
         number = Fraction(number)
-        return number <= 0 or number**length <= Fraction(norm, self.denominator**length)
+        return number <= 0 or (number.numerator * self.denominator) ** length <= norm * number.denominator**length
 
 
 class DifferenceScheme:

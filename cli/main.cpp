@@ -79,11 +79,12 @@ int main(int argc, char** argv) {
     const int code = cli::run_program(
         "Proves how smooth the limits of subdivision schemes are, and what else is claimed of them",
         cli::program_footer(),
-        {cli::add_reproduce,  cli::add_analyze,    cli::add_mask,       cli::add_regularity, cli::add_range,
-         cli::add_curve,      cli::add_levels,     cli::add_map,        cli::add_jsr,        cli::add_verify,
-         cli::add_limit,      cli::add_variance,   cli::add_refine,     cli::add_smooth,     cli::add_gallery,
-         cli::add_compare,    cli::add_experiment, cli::add_conjecture, cli::add_merge,      cli::add_theorem,
-         cli::add_statements, cli::add_check,      cli::add_completion, cli::add_manual,     cli::add_l1},
+        {cli::add_reproduce, cli::add_analyze,    cli::add_mask,       cli::add_regularity, cli::add_range,
+         cli::add_curve,     cli::add_levels,     cli::add_map,        cli::add_jsr,        cli::add_verify,
+         cli::add_limit,     cli::add_variance,   cli::add_refine,     cli::add_smooth,     cli::add_gallery,
+         cli::add_compare,   cli::add_experiment, cli::add_conjecture, cli::add_merge,      cli::add_sweep,
+         cli::add_theorem,   cli::add_statements, cli::add_check,      cli::add_completion, cli::add_manual,
+         cli::add_l1},
         argc, argv);
     cli::require_output_written();
     return code;

@@ -2,19 +2,13 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
-
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <subcert/schemes/data/runtime/process.hpp>
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
-
-extern char** environ;
 
 namespace subcert {
 namespace {
@@ -31,33 +25,14 @@ std::string checker_program() {
 }
 
 CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::string& program) {
-  int channel[2];
-  if (pipe2(channel, O_CLOEXEC) != 0)
-    throw std::system_error(errno, std::generic_category(), "checker: cannot make a pipe");
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, channel[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, channel[1], STDERR_FILENO);
-  posix_spawn_file_actions_addclose(&actions, channel[0]);
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  const int started = posix_spawnp(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(channel[1]);
-  if (started != 0) {
-    close(channel[0]);
+  runtime::ProcessEnd end;
+  try {
+    end = runtime::run_process(program, arguments);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::missing_file) throw;
     fail(ErrorKind::missing_file, "the checker {} is not installed", program);
   }
-  CheckerAnswer answer{};
-  char buffer[4096];
-  for (ssize_t n; (n = read(channel[0], buffer, sizeof buffer)) > 0;)
-    answer.text.append(buffer, static_cast<std::size_t>(n));
-  close(channel[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : internal_error;
+  CheckerAnswer answer{end.signal == 0 ? end.code : internal_error, end.output + end.errors};
   while (!answer.text.empty() && answer.text.back() == '\n') answer.text.pop_back();
   return answer;
 }

@@ -10,7 +10,7 @@
 namespace subcert::sweeps {
 namespace {
 
-std::optional<int> parse_number(std::string_view text) {
+std::optional<int> parse_integer(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || text.front() == '-' || error != std::errc() || end != text.data() + text.size())
@@ -27,8 +27,8 @@ std::vector<int> parse_number_list(const std::string& subject, std::string_view 
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view token = text.substr(begin, end - begin);
     const std::size_t dots = token.find("..");
-    const auto first = parse_number(token.substr(0, dots));
-    const auto last = dots == std::string_view::npos ? first : parse_number(token.substr(dots + 2));
+    const auto first = parse_integer(token.substr(0, dots));
+    const auto last = dots == std::string_view::npos ? first : parse_integer(token.substr(dots + 2));
     if (!first || !last || *first < lowest || *last > highest || *first > *last)
       throw ParseError(subject, token, begin + 1,
                        "an integer " + bounds + " or a range A..B of such with A <= B, as in 1..5,8");

@@ -59,6 +59,7 @@ class Ledger {
       if (journal_) journal_->append({options_.version, cases_[i].specification, value});
       results_.values[i] = std::move(value);
       ++results_.computed;
+      if (options_.finished) options_.finished(i, *results_.values[i]);
       report_progress();
     } catch (...) {
       if (!failure_) failure_ = std::current_exception();
@@ -84,6 +85,7 @@ class Ledger {
       if (const auto found = known.find(ids[i]); options_.shard.contains(i) && found != known.end()) {
         results_.values[i] = *found->second;
         ++results_.from_journal;
+        if (options_.finished) options_.finished(i, *results_.values[i]);
       }
   }
 

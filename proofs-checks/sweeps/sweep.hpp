@@ -40,6 +40,8 @@ struct SweepOptions {
   std::string version = {};
   /// Called with a line on how far the sweep is; may be empty.
   std::function<void(const std::string&)> progress = {};
+  /// Called with each case that is known, in the order in which they come, those of the journal first; may be empty.
+  std::function<void(std::size_t, const Json&)> finished = {};
   /// Called with what the user must know, such as a damaged line of the journal; may be empty.
   std::function<void(const std::string&)> warn = {};
 };

@@ -151,7 +151,8 @@ def vector(case, run):
         for order in (1, 3):
             yield from vector_exponent(answer["holder"], equation.of_values(order), mask["arity"], order)
     words = equation.of_differences()
-    if not words or answer["hermite"]:
+    is_hermite = case.facts["scheme"].startswith(("hermite", "merrien"))  # data of which derivatives are scaled
+    if not words or answer["hermite"] or is_hermite:
         return
     words = Words(words)
     at_least, at_most = words.bounds()

@@ -1,0 +1,206 @@
+// subcert sweep SCHEMES...: what other commands answer, for many schemes
+
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/cli/pages/sweep_lines.hpp>
+#include <subcert/cli/sweep_arguments.hpp>
+#include <subcert/proofs-checks/file_error.hpp>
+#include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
+#include <subcert/schemes/data/runtime/process.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace subcert::cli {
+namespace {
+
+struct SweepCommandOptions : CommonOptions, SweepArguments {
+  std::vector<std::string> schemes;
+  std::vector<std::string> ask, columns;
+  std::string where, expect;
+  std::optional<double> budget;
+  std::optional<int> memory;
+  bool in_order = false;
+  std::string certificates, worker;
+};
+
+constexpr std::size_t most_counterexamples = 5;
+
+/// The plan that is given, options over what its file says.
+sweeps::SweepPlan plan_of(const SweepCommandOptions& options) {
+  sweeps::SweepPlan plan;
+  if (options.schemes.size() == 1 && options.schemes.front().ends_with(".toml")) {
+    const std::string& file = options.schemes.front();
+    try {
+      plan = sweeps::read_sweep_plan(read_file(file));
+    } catch (const FileError& error) {
+      fail(ErrorKind::data, "{}, {}", file, error.what());
+    }
+  } else {
+    for (const std::string& text : options.schemes) {
+      if (text.ends_with(".toml")) fail(ErrorKind::usage, "sweep: need a plan alone, got others beside {}", text);
+      if (text != standard_stream) {
+        plan.schemes.push_back(text);
+        continue;
+      }
+      std::istringstream lines(read_input(text));
+      for (std::string line; std::getline(lines, line);)
+        if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
+          plan.schemes.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+    }
+  }
+  if (!options.ask.empty()) plan.ask = options.ask;
+  if (!options.columns.empty()) plan.columns = options.columns;
+  if (!options.where.empty()) plan.where = options.where;
+  if (!options.expect.empty()) plan.expect = options.expect;
+  if (options.budget) plan.budget = *options.budget;
+  if (options.memory) plan.memory = static_cast<std::size_t>(*options.memory);
+  return plan;
+}
+
+/// What came of the schemes.
+class Tally {
+ public:
+  explicit Tally(const std::string& expect) {
+    if (!expect.empty()) expect_ = sweeps::Condition::parse("--expect", expect);
+  }
+
+  /// The answers with what became of the expectation, where there is one.
+  Json judged(const Json& answers) {
+    Json result = answers;
+    if (expect_)
+      result["expected"] = to_text(
+          expect_->holds([&](const std::string& name) { return sweeps::value_of(answers, name); }));
+    return result;
+  }
+
+  void add(const Json& answers) {
+    ++schemes_;
+    const bool has_error = !answers.at("errors").empty();
+    if (has_error && errors_++ == 0)
+      first_error_ = answers.at("scheme").get<std::string>() + ": " +
+                     answers.at("errors").begin().value().get<std::string>();
+    if (!expect_) return;
+    const std::string found = judged(answers).at("expected");
+    if (found == to_text(Truth::yes)) ++held_;
+    if (found != to_text(Truth::no)) return;
+    ++failed_;
+    if (counterexamples_.size() < most_counterexamples)
+      counterexamples_.push_back(answers.at("scheme").get<std::string>());
+  }
+
+  std::string text() const {
+    std::string result = fmt::format("{} schemes", schemes_);
+    if (errors_ > 0) result += fmt::format(", {} with errors, the first: {}", errors_, first_error_);
+    if (!expect_) return result;
+    result += fmt::format("; as expected {}, not {}, open {}", held_, failed_, schemes_ - held_ - failed_);
+    if (failed_ > 0) result += fmt::format("; the first that are not: {}", fmt::join(counterexamples_, "  "));
+    return result;
+  }
+
+  const std::vector<std::string>& counterexamples() const { return counterexamples_; }
+
+  ExitCode code() const {
+    if (failed_ > 0) return failed;
+    return errors_ > 0 || (expect_ && held_ < schemes_) ? undecided : done;
+  }
+
+ private:
+  std::optional<sweeps::Condition> expect_;
+  std::size_t schemes_ = 0, errors_ = 0, held_ = 0, failed_ = 0;
+  std::string first_error_;
+  std::vector<std::string> counterexamples_;
+};
+
+/// Lets the program write and verify a certificate of the exponent of each scheme; says which there are.
+void write_certificates(const SweepCommandOptions& options, const sweeps::SweepPlan& plan, const std::string& program,
+                        const std::vector<std::string>& schemes) {
+  std::filesystem::create_directories(options.certificates);
+  for (std::size_t k = 0; k < schemes.size(); ++k) {
+    const std::string file = fmt::format("{}/{}.cert", options.certificates, k + 1);
+    const runtime::ProcessEnd end = runtime::run_process(
+        program, {"regularity", schemes[k], "--certificate", file, "--json", "--quiet", "--jobs", "1", "--budget",
+                  fmt::format("{}", plan.budget), "--memory", std::to_string(plan.memory)});
+    const Json answer = Json::parse(end.output, nullptr, false);
+    const bool is_written = answer.is_object() && answer.contains("certificate") && !answer.at("certificate").is_null();
+    options.remark(is_written ? fmt::format("{}: certificate {}, verified", schemes[k], file)
+                              : schemes[k] + ": no certificate");
+  }
+}
+
+ExitCode run(const SweepCommandOptions& options) {
+  const sweeps::SweepPlan plan = plan_of(options);
+  const std::vector<std::string> schemes = schemes_of_plan(plan);
+  if (schemes.empty()) fail(ErrorKind::usage, "sweep: no scheme is left; expected schemes for which {}", plan.where);
+  std::vector<sweeps::SweepCase> cases;
+  for (const std::string& scheme : schemes)
+    cases.push_back({fmt::format("sweep {} of {} budget {} memory {}", fmt::join(plan.ask, ","), scheme, plan.budget,
+                                 plan.memory)});
+  if (!options.worker.empty()) runtime::run_process(options.worker, {"--version"});  // throws where there is none
+  const std::string program = options.worker.empty() ? std::filesystem::read_symlink("/proc/self/exe").string()
+                                                     : options.worker;
+  std::vector<std::string> columns = plan.columns.empty() ? usual_columns(plan.ask) : plan.columns;
+  if (plan.columns.empty() && !plan.expect.empty()) columns.emplace_back("expected");
+  const SweepLines lines(options.json, columns);
+  Tally tally(plan.expect);
+  const bool at_once = !options.in_order && (options.out.empty() || options.out == standard_stream);
+  sweeps::SweepOptions sweep = sweep_options(options, options, "sweep");
+  bool has_head = false;
+  const auto print = [&](const std::string& text) {
+    if (!has_head) std::cout << lines.head();
+    has_head = true;
+    std::cout << text << std::flush;
+    require_output_written();
+  };
+  if (at_once) sweep.finished = [&](std::size_t, const Json& answers) { print(lines.line(tally.judged(answers))); };
+  const auto results = run_sweep(
+      cases, [&](std::size_t i) { return answers_of_scheme(plan, schemes[i], program); }, sweep);
+  if (!results) return done;  // the first rank prints
+  options.end_progress();
+  std::string text = lines.head();
+  for (const auto& answers : results->values) {
+    if (!answers) continue;
+    tally.add(*answers);
+    if (!at_once) text += lines.line(tally.judged(*answers));
+  }
+  if (!at_once) options.answer(text);
+  options.remark(tally.text());
+  if (!options.certificates.empty()) write_certificates(options, plan, program, tally.counterexamples());
+  return tally.code();
+}
+
+}  // namespace
+
+void add_sweep(Command& app) {
+  auto options = std::make_shared<SweepCommandOptions>();
+  Command command = add_command(app, "sweep", "What other commands answer, for many schemes, in processes of their own",
+                                "subcert sweep 'primal:n=1..20,d={1,3}' --expect 'holder > 1.5'", options,
+                                [=] { return run(*options); });
+  command
+      .option("SCHEMES", options->schemes,
+              "Schemes with lists of values, as primal:n=1..60,d={1,3} or four-point:w=0..1/4 step 1/64; all masks, as "
+              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; - for lines on standard input")
+      .required();
+  command
+      .option("--ask", options->ask,
+              fmt::format("Commands that answer, some of {}; regularity if none",
+                          fmt::join(sweeps::known_questions(), ", ")))
+      .separated_by_commas()
+      .one_of(sweeps::known_questions());
+  command.option("--where", options->where, "Only schemes whose keys meet this, as 'n >= 4 and d == 1'");
+  command.option("--expect", options->expect, "What the answers should meet, as 'holder > 1.9 and converges == yes'");
+  command.option("--columns", options->columns, "Columns of the table, by the names of --json").separated_by_commas();
+  command.flag("--in-order", options->in_order, "Lines in the order of the schemes, at the end, not as they come");
+  command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none");
+  command.option("--memory", options->memory, "MiB that a search of one answer may hold; 512 if none")
+      .within(1, 1'000'000);
+  command.option("--certificates", options->certificates,
+                 "A folder for certificates of the first schemes that are not as expected");
+  command.option("--worker", options->worker, "Another program that answers, called as this one");
+  add_sweep_arguments(command, *options);
+}
+
+}  // namespace subcert::cli

@@ -1,0 +1,58 @@
+#include "sweep_lines.hpp"
+
+#include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
+
+#include <algorithm>
+
+namespace subcert::cli {
+namespace {
+
+/// Between quotes where a comma, a quote or an end of line asks for them.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string value_text(const Json& result, const std::string& column) {
+  const Json* value = sweeps::value_of(result, column);
+  if (!value || value->is_null() || (value->is_structured() && value->empty())) return "";
+  if (value->is_boolean()) return value->get<bool>() ? "yes" : "no";
+  return value->is_string() ? value->get<std::string>() : value->dump();
+}
+
+std::string joined(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k) line += (k > 0 ? "," : "") + cell(cells[k]);
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string SweepLines::head() const { return json_ ? "" : joined(columns_); }
+
+std::string SweepLines::line(const Json& result) const {
+  if (json_) return result.dump() + "\n";
+  std::vector<std::string> cells;
+  for (const std::string& column : columns_) cells.push_back(value_text(result, column));
+  return joined(cells);
+}
+
+std::vector<std::string> usual_columns(const std::vector<std::string>& asked) {
+  static const std::vector<std::pair<std::string, std::vector<std::string>>> of_commands = {
+      {"regularity", {"sum_rules", "converges", "holder.lower", "holder.upper", "exact", "stable"}},
+      {"analyze", {"sum_rules", "converges", "holder.lower", "holder.upper"}},
+      {"variance", {"mean", "sup.lower", "sup.upper", "inf.lower", "inf.upper"}},
+      {"limit", {"maximum.lower", "maximum.upper", "minimum.lower", "minimum.upper"}},
+      {"mask", {"arity", "first_index"}}};
+  std::vector<std::string> columns = {"scheme"};
+  for (const auto& [command, members] : of_commands)
+    if (std::ranges::find(asked, command) != asked.end())
+      for (const std::string& member : members)
+        if (std::ranges::find(columns, member) == columns.end()) columns.push_back(member);
+  columns.emplace_back("errors");
+  return columns;
+}
+
+}  // namespace subcert::cli

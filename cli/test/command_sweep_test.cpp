@@ -1,0 +1,88 @@
+#include "program.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+using namespace subcert::testing;
+
+namespace {
+
+std::vector<std::string> sorted_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::ranges::sort(lines);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("sweep: a line for each scheme, as they come, in order, and continued") {
+  const Folder folder;
+  const std::string schemes = "sweep 'primal:n=1..3,d={1,3}' --ask regularity,variance ";
+  const Run whole = run(schemes + "--in-order");
+  CHECK(whole.code == 0);
+  CHECK(whole.out.starts_with("scheme,sum_rules,converges,holder.lower,"));
+  CHECK(whole.out.find("\"primal:n=2,d=1\",2,yes,1.745589247334424666") != std::string::npos);
+  CHECK(sorted_lines(run(schemes).out) == sorted_lines(whole.out));
+
+  std::string journals;
+  for (const char* shard : {"1", "2"}) {
+    const std::string journal = folder / shard;
+    CHECK(run(schemes + "--shard " + shard + "/2 --journal " + journal).code == 0);
+    journals += " " + journal;
+  }
+  const std::string joined = folder / "joined";
+  CHECK(run("merge" + journals + " --out " + joined).out == joined + ": 6 cases\n");
+  const std::string before = content(joined), table = folder / "table.csv";
+  CHECK(run(schemes + "--journal " + joined + " --worker /bin/false --out " + table).code == 0);
+  CHECK(content(joined) == before);
+  CHECK(content(table) == whole.out);
+
+  const Run lines = run(schemes + "--json --in-order --journal " + joined);
+  const auto first = nlohmann::json::parse(lines.out.substr(0, lines.out.find('\n')));
+  CHECK(first.at("scheme") == "primal:n=1,d=1");
+  CHECK(first.at("keys").at("d") == "1");
+  CHECK(first.at("answers").at("variance").contains("mean"));
+  CHECK(!first.at("answers").at("regularity").contains("seconds"));
+}
+
+TEST_CASE("sweep: a crash costs its scheme alone") {
+  const Folder folder;
+  const std::string worker = folder.write(
+      "worker",
+      std::string("#!/bin/sh\ncase \"$*\" in *n=2*) kill -SEGV $$ ;; esac\nexec ") + SUBCERT_PROGRAM + " \"$@\"\n");
+  std::filesystem::permissions(worker, std::filesystem::perms::owner_all);
+  const Run found = run("sweep 'dd:n=1..3' --in-order --worker " + worker);
+  CHECK(found.code == 2);
+  CHECK(found.out.find("ended by signal 11") != std::string::npos);
+  CHECK(found.out.find("dd:n=3,6,yes,2.83") != std::string::npos);
+  CHECK(found.err.find("3 schemes, 1 with errors, the first: dd:n=2: ended by signal 11") != std::string::npos);
+  CHECK(run("sweep dd:n=1 --worker " + (folder / "none")).code == 66);
+}
+
+TEST_CASE("sweep: expectations, conditions, and input from elsewhere") {
+  const Folder folder;
+  const Run found = run("sweep 'primal:n=1..3,d=1' --expect 'holder > 1.5' --in-order");
+  CHECK(found.code == 1);
+  CHECK(found.out.find("\"primal:n=1,d=1\",2,yes,1,1,yes,yes,,no\n") != std::string::npos);
+  CHECK(found.err.find("as expected 2, not 1, open 0; the first that are not: primal:n=1,d=1") != std::string::npos);
+  CHECK(run("sweep 'primal:n=1..3,d=1' --expect 'holder > 1.5' --where 'n >= 2'").code == 0);
+  CHECK(run("sweep 'primal:n=1..3,d=1' --expect 'nothing > 1.5'").code == 2);
+  const std::string certificates = folder / "certificates";
+  CHECK(contains(run("sweep 'primal:n=1..3,d=1' --expect 'holder > 1.8' --certificates " + certificates).err,
+                 "primal:n=2,d=1: certificate " + certificates + "/2.cert, verified"));
+  CHECK(run("verify " + certificates + "/2.cert").code == 0);
+  const std::string plan = folder.write("plan.toml",
+                                        "schemes = [\"dd:n=1..2\"]\ncolumns = [\"n\", \"holder.upper\"]\n");
+  CHECK(run("sweep " + plan + " --in-order").out == "n,holder.upper\n1,1\n2,2\n");
+  CHECK(run("sweep " + plan + " --in-order --columns n").out == "n\n1\n2\n");
+  CHECK(run("sweep " + plan + " dd:n=3").code == 64);
+  CHECK(run("sweep - --columns scheme --in-order < " + folder.write("lines", "# two\ndd:n=2\n\n dd:n={2,1}\r\n")).out ==
+        "scheme\ndd:n=2\ndd:n=1\n");
+  CHECK(run("sweep " + folder.write("wrong.toml", "schemes = [\"a\"]\nseed = 3\n")).code == 65);
+  CHECK(run("sweep 'primal:n=3..1'").code == 64);
+  CHECK(run("sweep dd:n=1 --where 'n >= 4'").code == 64);
+  CHECK(run("sweep nosuch:3").code == 2);
+}

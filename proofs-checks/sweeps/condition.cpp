@@ -1,0 +1,121 @@
+#include "condition.hpp"
+
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
+
+#include <algorithm>
+
+namespace subcert::sweeps {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+std::optional<Rational> number_in(const Json& value) {
+  if (value.is_number_integer()) return Rational(value.get<long>());
+  if (value.is_number_float()) return parse_number(value.dump());
+  return value.is_string() ? parse_number(value.get<std::string>()) : std::nullopt;
+}
+
+/// An end that is infinite, or no number, is none.
+Enclosure enclosure_in(const Json& value) {
+  if (value.is_object() && value.contains("lower") && value.contains("upper"))
+    return {number_in(value.at("lower")), number_in(value.at("upper"))};
+  const auto number = number_in(value);
+  return {number, number};
+}
+
+Truth negated(Truth truth) {
+  return truth == Truth::yes ? Truth::no : truth == Truth::no ? Truth::yes : Truth::unknown;
+}
+
+/// Whether x > y, or x >= y, for the x of an enclosure.
+Truth is_above(const Enclosure& x, const Rational& y, bool or_equal) {
+  if (x.lower && (*x.lower > y || (or_equal && *x.lower == y))) return Truth::yes;
+  if (x.upper && (*x.upper < y || (!or_equal && *x.upper == y))) return Truth::no;
+  return Truth::unknown;
+}
+
+Truth equals(const Enclosure& x, const Rational& y) {
+  if ((x.lower && *x.lower > y) || (x.upper && *x.upper < y)) return Truth::no;
+  return x.lower && x.upper && *x.lower == *x.upper ? Truth::yes : Truth::unknown;
+}
+
+}  // namespace
+
+const Json* member_at(const Json& answer, std::string_view path) {
+  const Json* at = &answer;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const auto found = at->is_object() ? at->find(std::string(path.substr(begin, end - begin))) : at->end();
+    if (found == at->end()) return nullptr;
+    at = &*found;
+    begin = end + 1;
+  }
+  return at;
+}
+
+Condition Condition::parse(const std::string& subject, std::string_view text) {
+  static const std::vector<std::pair<std::string_view, Relation>> relations = {
+      {">=", Relation::at_least},  {"<=", Relation::at_most}, {"==", Relation::equal},
+      {"!=", Relation::different}, {">", Relation::greater},  {"<", Relation::less}};
+  Condition result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(" and ", begin), text.size());
+    const std::string_view part = text.substr(begin, end - begin);
+    const auto fail_at = [&](std::string_view token) {
+      throw ParseError(subject, token, begin + 1, "NAME OP VALUE with >, >=, <, <=, == or !=, as 'holder > 1.9'");
+    };
+    const std::size_t at = part.find_first_of("<>=!");
+    if (at == std::string_view::npos) fail_at(part);
+    const auto relation = std::ranges::find_if(relations,
+                                               [&](const auto& r) { return part.substr(at).starts_with(r.first); });
+    if (relation == relations.end()) fail_at(part);
+    const std::string_view name = trimmed(part.substr(0, at)),
+                           value = trimmed(part.substr(at + relation->first.size()));
+    if (name.empty() || value.empty() || value.find_first_of("<>=! ") != std::string_view::npos) fail_at(part);
+    const auto number = parse_number(value);
+    const bool has_order = relation->second != Relation::equal && relation->second != Relation::different;
+    if (!number && has_order) fail_at(value);
+    result.comparisons_.push_back(
+        {std::string(name), relation->second, number ? "" : std::string(value), number.value_or(Rational(0))});
+    begin = end + 5;
+  }
+  return result;
+}
+
+Truth Condition::holds(const Comparison& comparison, const Json* value) {
+  if (!value || value->is_null()) return Truth::unknown;
+  const bool is_negated = comparison.relation == Relation::different;
+  if (!comparison.word.empty()) {
+    const std::string found = value->is_boolean()  ? (value->get<bool>() ? "yes" : "no")
+                              : value->is_string() ? value->get<std::string>()
+                                                   : value->dump();
+    const Truth truth = found == comparison.word           ? Truth::yes
+                        : found == to_text(Truth::unknown) ? Truth::unknown
+                                                           : Truth::no;
+    return is_negated ? negated(truth) : truth;
+  }
+  const Enclosure x = enclosure_in(*value);
+  switch (comparison.relation) {
+    case Relation::greater: return is_above(x, comparison.number, false);
+    case Relation::at_least: return is_above(x, comparison.number, true);
+    case Relation::less: return negated(is_above(x, comparison.number, true));
+    case Relation::at_most: return negated(is_above(x, comparison.number, false));
+    default: return is_negated ? negated(equals(x, comparison.number)) : equals(x, comparison.number);
+  }
+}
+
+Truth Condition::holds(const Lookup& lookup) const {
+  Truth all = Truth::yes;
+  for (const Comparison& comparison : comparisons_) {
+    const Truth truth = holds(comparison, lookup(comparison.name));
+    if (truth == Truth::no) return Truth::no;
+    if (truth == Truth::unknown) all = Truth::unknown;
+  }
+  return all;
+}
+
+}  // namespace subcert::sweeps

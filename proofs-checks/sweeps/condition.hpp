@@ -1,0 +1,42 @@
+#pragma once
+/// What is asked of answers: `holder > 1.9 and converges == yes`.
+
+#include "journal.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace subcert::sweeps {
+
+/// The member of an answer with this path, names between dots; nullptr where there is none.
+const Json* member_at(const Json& answer, std::string_view path);
+
+/// Comparisons NAME OP VALUE joined by `and`, OP one of >, >=, <, <=, ==, !=, VALUE a number or a word.
+class Condition {
+ public:
+  /// What a name stands for; nullptr: nothing.
+  using Lookup = std::function<const Json*(const std::string& name)>;
+
+  /// Errors: throws ParseError; `subject` is the option that the text stands for.
+  static Condition parse(const std::string& subject, std::string_view text);
+
+  /// Three-valued: an enclosure {"lower": ..., "upper": ...} may leave a comparison open, and a name that stands for
+  /// nothing, or for null, does. Numbers are compared exactly, as they are printed; true is the word yes, false no.
+  Truth holds(const Lookup& lookup) const;
+
+ private:
+  enum class Relation { greater, at_least, less, at_most, equal, different };
+  struct Comparison {
+    std::string name;
+    Relation relation;
+    std::string word;  ///< in place of a number
+    Rational number;
+  };
+  static Truth holds(const Comparison& comparison, const Json* value);
+
+  std::vector<Comparison> comparisons_;
+};
+
+}  // namespace subcert::sweeps

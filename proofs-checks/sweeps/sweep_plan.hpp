@@ -1,0 +1,40 @@
+#pragma once
+/// Which schemes a sweep is about, and what is asked of each.
+
+#include "condition.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace subcert::sweeps {
+
+struct SweepPlan {
+  std::vector<std::string> schemes;               ///< grids, as schemes_of_grid() reads them
+  std::vector<std::string> ask = {"regularity"};  ///< commands that answer
+  std::string where, expect;                      ///< conditions; empty: none
+  std::vector<std::string> columns = {};          ///< of a table; empty: those of the commands
+  double budget = 10;                             ///< seconds of processor time for each answer
+  std::size_t memory = 512;                       ///< MiB for each answer
+};
+
+/// The commands that may be asked: those that answer about one scheme with --json.
+const std::vector<std::string>& known_questions();
+
+/// Reads a plan: `schemes = ["primal:n=1..60,d={1,3}"]` and perhaps `ask`, `where`, `expect`, `columns`, `budget` and
+/// `memory`. Errors: throws FileError.
+SweepPlan read_sweep_plan(std::string_view toml);
+
+/// The schemes of the plan that meet its `where`, each once, in the order of the plan. Errors: throws ParseError.
+std::vector<std::string> schemes_of_plan(const SweepPlan& plan);
+
+/// What answered, a scheme's answers beside each other: {"scheme", "keys", "answers": {COMMAND: ...}, "errors":
+/// {COMMAND: text}}. An answer has neither the time that it took nor the program's name, so it is the same each time.
+Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program);
+
+/// What a name stands for in a scheme's answers: a member of the whole, of an answer in the order of the plan, or a key
+/// of the scheme; nullptr where it is none.
+const Json* value_of(const Json& answers, std::string_view name);
+
+}  // namespace subcert::sweeps

@@ -1,0 +1,21 @@
+#pragma once
+/// Other programs: what they print and how they end.
+
+#include <string>
+#include <vector>
+
+namespace subcert::runtime {
+
+struct ProcessEnd {
+  int code = 0;    ///< what it left with; 0 where a signal ended it
+  int signal = 0;  ///< that ended it; 0 where it left
+  std::string output, errors;
+};
+
+/// Runs a program, looked for on the PATH where its name has no slash, without input, and waits for its end. A program
+/// that used more than `most_seconds` of processor time is ended by SIGKILL. Errors: throws missing_file where it
+/// cannot be started. May be called from several threads.
+ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments,
+                       double most_seconds = 1e9);
+
+}  // namespace subcert::runtime

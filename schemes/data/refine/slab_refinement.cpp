@@ -177,14 +177,14 @@ SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension
                             const RefineOptions& options) {
   require_axes(axes, mask);
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  return steps_at_boundary(
-      axes, dimension, fewest_points(mask, Boundary::shrink), options,
-      [&](const std::vector<Axis>& on, const RefineOptions& how) {
-        require_refinable(numbers_of_slice(on, dimension) * on.back().count, mask.dilation().classes(), how.levels,
-                          most_streamed_numbers);
-        if (!mask.has_factors()) return grid_steps(on, dimension, mask, how);
-        return axis_steps(on, dimension, steps_of_refinement(on, mask.factors(), how), how.threads);
-      });
+  return steps_at_boundary(axes, dimension, fewest_points(mask, Boundary::shrink), options,
+                           [&](const std::vector<Axis>& on, const RefineOptions& how) {
+                             require_refinable(numbers_of_slice(on, dimension) * on.back().count,
+                                               mask.dilation().classes(), how.levels, most_streamed_numbers);
+                             if (!mask.has_factors()) return grid_steps(on, dimension, mask, how);
+                             return axis_steps(on, dimension, steps_of_refinement(on, mask.factors(), how),
+                                               how.threads);
+                           });
 }
 
 SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,

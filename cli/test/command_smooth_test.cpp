@@ -155,7 +155,9 @@ TEST_CASE("data at scattered positions are smoothed, by local polynomials and by
   check_fails(run(command + "--scheme local:points=9"), 65,
               data + ": expected at least 9 data for local:points=9,d=1,weight=tricube; found 7");
   check_fails(run(command + "--scheme local:width=0.1"), 65,
-              data + ": smoothing: 1 data count at 0 spacings from the first, a fit of degree 1 needs 2");
+              data +
+                  ": smoothing: 1 datum counts at 0 spacings from the first, a fit of degree 1 needs 2; take a larger "
+                  "width (the farthest have weight 0)");
 }
 
 TEST_CASE("the last position is not lost by rounding, and row numbers that are positions are said") {

@@ -185,7 +185,9 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   CHECK(with("a;b\n0,5;1,25\n1,5;2,5\n2,5;3,75\n", "--decimal ,").out ==
         "a;b;b_sd\n0,5;1,25;0\n1,5;2,5;0\n2,5;3,75;0\n");
   check_fails(with("a;b\n0,5;1\n", ""), 65,
-              data + ", line 2, column 1: expected a number; found '0,5', a number with a comma for the decimal point");
+              data +
+                  ", line 2, column 1: expected a number; found '0,5', a number with a comma for the decimal point "
+                  "(--decimal , takes it)");
   CHECK(with("a|b\n0|1\n1|2\n2|3\n", "--delimiter '|'").out == "a|b|b_sd\n0|1|0\n1|2|0\n2|3|0\n");
   CHECK(with("\"speed\" \"dist\"\n\"1\" 4 2\n\"2\" 7 4\n\"3\" 10 6\n", "").out ==
         "speed dist dist_sd\n4 2 0\n7 4 0\n10 6 0\n");

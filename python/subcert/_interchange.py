@@ -28,7 +28,7 @@ def _texts(buffers: Any, first: int, count: int) -> Any:
     """Texts of UTF-8 between offsets."""
     import numpy
 
-    ends = _numbers(*buffers["offsets"], first, count + 1)
+    ends = _numbers(buffers["offsets"][0], buffers["offsets"][1], first, count + 1)
     data = _numbers(buffers["data"][0], (_UINT, 8), 0, buffers["data"][0].bufsize).tobytes()
     return numpy.array([data[a:b].decode() for a, b in zip(ends, ends[1:])], dtype=object)
 
@@ -67,9 +67,9 @@ def _chunk(column: Any) -> Any:
     if kind == _STRING:
         values = codes = _texts(buffers, first, count)
     elif kind == _CATEGORICAL:
-        codes = _numbers(*buffers["data"], first, count)
-        names = column.describe_categorical["categories"]
-        values = numpy.append(array(names).astype(object), None)[codes]
+        codes = _numbers(buffers["data"][0], buffers["data"][1], first, count)
+        names = array(column.describe_categorical["categories"]).tolist()
+        values = numpy.array([*names, None], dtype=object)[codes]
     else:
         codes = _numbers(buffers["data"][0], (kind, bits), first, count)
         values = _dates(codes, form) if kind == _DATETIME else codes

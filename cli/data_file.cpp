@@ -28,8 +28,8 @@ std::size_t expected_numbers(const std::string& path, std::size_t bytes, std::si
 }
 
 /// The table, whose text need not be held.
-data::Table read_pieces(const std::string& path, RowLines& lines) {
-  data::TableReader reader(input_name(path));
+data::Table read_pieces(const std::string& path, RowLines& lines, const data::TableForm& form) {
+  data::TableReader reader(input_name(path), form);
   runtime::LineInput input(path);
   std::optional<data::Table> all;
   for (std::string text; input.read_lines(text);) {
@@ -51,8 +51,11 @@ data::Table read_pieces(const std::string& path, RowLines& lines) {
 DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
   if (variables > 2) fail(ErrorKind::usage, "{}: a scheme of three variables needs a volume in a .vtk file", path);
   RowLines lines;
-  data::Table table = pieces && variables == 1 ? read_pieces(path, lines)
-                                               : data::parse_table(read_input(path), input_name(path));
+  data::TableForm form;
+  form.gaps = variables == 1 ? " (subcert smooth fills gaps, with --missing drop)"
+                             : " (grids have no gaps: fill them first)";
+  data::Table table = pieces && variables == 1 ? read_pieces(path, lines, form)
+                                               : data::parse_table(read_input(path), input_name(path), form);
   for (const std::size_t line : std::exchange(table.lines, {})) lines.add(line);
   data::GridData<double> data;
   if (variables == 1) {

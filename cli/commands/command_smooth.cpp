@@ -130,8 +130,9 @@ ExitCode run(const SmoothOptions& options) {
     fail(ErrorKind::usage,
          "--bands-kind prediction: a new datum may be an outlier, of which robust steps know nothing");
   std::optional<Rational> noise;
-  if (!options.noise.empty() && (!(noise = parse_number(options.noise)) || *noise <= 0))
-    fail(ErrorKind::usage, "--noise {}: expected a standard deviation > 0", options.noise);
+  if (!options.noise.empty() &&
+      (!(noise = parse_number(options.noise)) || !data::is_noise(data::nearest_double(*noise))))
+    fail(ErrorKind::usage, "--noise {}: expected a standard deviation from 1e-150 to 1e150", options.noise);
   require_picture_name(options.plot);
   if (options.grid) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);

@@ -21,11 +21,14 @@ struct GridColumn {
 
 void refuse_options_of_columns(const SmoothOptions& options) {
   const data::SampleOptions& samples = options.samples;
+  if (samples.missing != "raise")
+    fail(ErrorKind::usage, "--grid and --missing {}: expected one of the two; grids have no gaps: fill them first",
+         samples.missing);
   if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.by.empty() ||
-      !samples.keep.empty() || samples.missing != "raise" || options.irregular != "auto" || options.stream ||
-      !samples.spacing.empty() || options.derivative != 0 || options.select != "risk")
+      !samples.keep.empty() || options.irregular != "auto" || options.stream || !samples.spacing.empty() ||
+      options.derivative != 0 || options.select != "risk")
     fail(ErrorKind::usage,
-         "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+         "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --derivative, "
          "--select cv, --stream");
 }
 

@@ -149,11 +149,15 @@ TEST_CASE("data at scattered positions are smoothed, by local polynomials and by
   check_fails(run(command + "--at data --scheme primal:n=2"), 64,
               "smoothing: the limit of a scheme is known on a grid alone; at the data need local polynomials");
   check_fails(run(command + "--spacing 0"), 64, "--spacing 0: expected a number > 0");
-  check_fails(run(command + "--noise -1"), 64, "--noise -1: expected a standard deviation > 0");
+  for (const std::string noise : {"-1", "0", "1e200", "1e-200"})
+    check_fails(run(command + "--noise " + noise), 64,
+                "--noise " + noise + ": expected a standard deviation from 1e-150 to 1e150");
   check_fails(run(command + "--scheme local:points=9"), 65,
               data + ": expected at least 9 data for local:points=9,d=1,weight=tricube; found 7");
   check_fails(run(command + "--scheme local:width=0.1"), 65,
-              data + ": smoothing: 1 data count at 0 spacings from the first, a fit of degree 1 needs 2");
+              data +
+                  ": smoothing: 1 datum counts at 0 spacings from the first, a fit of degree 1 needs 2; take a larger "
+                  "width (the farthest have weight 0)");
 }
 
 TEST_CASE("the last position is not lost by rounding, and row numbers that are positions are said") {
@@ -287,11 +291,20 @@ TEST_CASE("heights and volumes are smoothed") {
     check_fails(run("smooth " + plane + " --grid " + arguments), code, message);
   };
   fails("--select cv", 64,
-        "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --derivative, "
         "--select cv, --stream");
   fails("--scheme primal:n=1 --by x", 64,
-        "--grid: expected none of --x, --y, --weights, --by, --keep, --missing, --irregular, --spacing, --derivative, "
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --derivative, "
         "--select cv, --stream");
+  fails("--missing drop", 64,
+        "--grid and --missing drop: expected one of the two; grids have no gaps: fill them first");
+  const std::string gap = folder.write("gap.csv", "1,2\n3,NA\n4,5\n");
+  check_fails(run("smooth " + gap + " --grid --scheme primal:n=1"), 65,
+              gap + ", line 2, column 2: expected a finite number; found 'NA' (grids have no gaps: fill them first)");
+  check_fails(run("refine primal:n=1 " + gap), 65,
+              gap +
+                  ", line 2, column 2: expected a finite number; found 'NA' (subcert smooth fills gaps, with --missing "
+                  "drop)");
   fails("--scheme l1:points=4 --bands 0", 64, "smoothing: l1:points=4,d=1,iterations=6,delta=1e-8 is not linear");
   check_fails(run("smooth " + folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 4\nf 1 2 4 3\n") +
                   " --grid --scheme primal:n=1"),

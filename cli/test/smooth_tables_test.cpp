@@ -111,6 +111,12 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   std::ofstream(data, std::ios::binary) << cars;
   CHECK(run("smooth " + data + " --scheme primal:n=1").err.find("make holds text and is left out") !=
         std::string::npos);
+  std::ofstream(data, std::ios::binary) << "land,code,1960,1961\nA,a,1,2\nB,b,2,3\nC,c,3,4\n";
+  const std::string unnamed = run("smooth " + data + " --scheme primal:n=1 --irregular fit").err;
+  CHECK(unnamed.find("column 1, column 2 hold text and are left out; line 1 counts as data") != std::string::npos);
+  CHECK(unnamed.find("--header yes takes it") != std::string::npos);
+  CHECK(run("smooth " + data + " --scheme primal:n=1 --level 0 --quiet --bands 0 --header yes").out ==
+        "1960,1961,1961_sd\n1,2,0\n2,3,0\n3,4,0\n");
   check_fails(with(cars, "--y make"), 65, data + ", line 2, column 1: expected a number; found 'VW'");
   check_fails(with("a,b\n1,2\n2,x\n3,4\n", ""), 65, data + ", line 3, column 2: expected a number; found 'x'");
   check_fails(run("smooth " + data + " --keep a"), 64,
@@ -179,7 +185,9 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
   CHECK(with("a;b\n0,5;1,25\n1,5;2,5\n2,5;3,75\n", "--decimal ,").out ==
         "a;b;b_sd\n0,5;1,25;0\n1,5;2,5;0\n2,5;3,75;0\n");
   check_fails(with("a;b\n0,5;1\n", ""), 65,
-              data + ", line 2, column 1: expected a number; found '0,5', a number with a comma for the decimal point");
+              data +
+                  ", line 2, column 1: expected a number; found '0,5', a number with a comma for the decimal point "
+                  "(--decimal , takes it)");
   CHECK(with("a|b\n0|1\n1|2\n2|3\n", "--delimiter '|'").out == "a|b|b_sd\n0|1|0\n1|2|0\n2|3|0\n");
   CHECK(with("\"speed\" \"dist\"\n\"1\" 4 2\n\"2\" 7 4\n\"3\" 10 6\n", "").out ==
         "speed dist dist_sd\n4 2 0\n7 4 0\n10 6 0\n");

@@ -150,7 +150,7 @@ void require_choices(int level, double bands, const std::optional<double>& noise
                      const std::string& at) {
   require(level >= 0 && level <= 12, "smooth: need 0 <= level <= 12, got {}", level);
   require(bands >= 0 && bands < 1, "smooth: need 0 <= bands < 1, got {}", bands);
-  require(!noise || (std::isfinite(*noise) && *noise > 0), "smooth: need noise > 0, got {}", noise.value_or(0));
+  require(!noise || data::is_noise(*noise), "smooth: need 1e-150 <= noise <= 1e150, got {}", noise.value_or(0));
   if (!data::parse_band_kind(kind_name))
     fail(ErrorKind::usage, "kind: expected {}, got '{}'", fmt::join(data::band_kind_names(), ", "), kind_name);
   if (at != "grid" && at != "data") fail(ErrorKind::usage, "at: expected grid or data, got '{}'", at);

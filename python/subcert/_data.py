@@ -132,7 +132,7 @@ def smooth(
     constant: float = 0.0,
     origin: Exact = 0,
     spacing: Optional[Exact] = None,
-    irregular: bool = False,
+    irregular: Optional[bool] = None,
     at: str = "grid",
     noise: Optional[float] = None,
     select: str = "risk",
@@ -155,18 +155,19 @@ def smooth(
     v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`: "raise", or "drop" for
     samples that are NaN or missing and rows without a position.
 
-    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and
-    `spacing`, 1 by default. With `irregular` other positions are taken as they are, also several data at one, and
-    `spacing`, by default the mean, is that of the answer. At the data the answer has the order of `y`; on a grid it
-    falls where `x` falls. `scheme`: a scheme or a specification, also "local:points=21,d=1" and its like; by default
-    the one with the smallest estimated error. `weights`: prior weights, inverse to the variance of the noise; 0:
-    missing. `bands`: level of the confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected
-    value of the limit, or prediction, for a new datum. `level`: values at the multiples of arity^-level of the
-    spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard deviation, where it is known.
-    `select`: by what the method is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of
-    l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest,
-    constant or wrap. Where outliers move a linear fit a UserWarning names the method that leaves them out. Raises
-    DataError for samples that cannot be smoothed, DomainError for a scheme without proof of convergence.
+    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and `spacing`,
+    1 by default. With `irregular` other positions are taken as they are, also several data at one, and `spacing`, by
+    default the mean, is that of the answer; None does so where no scheme is named, or a local one. At the data the
+    answer has the order of `y`; on a grid it falls where `x` falls. `scheme`: a scheme or a specification, also
+    "local:points=21,d=1" and its like; by default the one with the smallest estimated error. `weights`: prior weights,
+    inverse to the variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`:
+    pointwise or simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at
+    the multiples of arity^-level of the spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard
+    deviation, where it is known. `select`: by what the method is chosen, its estimated error ("risk") or
+    cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no
+    bands. `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names
+    the method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
+    without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -193,9 +194,11 @@ def smooth(
     if array.ndim in (2, 3):
         grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, _jobs(jobs), progress)
         curves: dict[str, Any] = {"x": x is not None, "weights": weights is not None, "missing": missing == "drop"}
-        curves.update(derivative=derivative, irregular=irregular, spacing=spacing is not None, origin=origin != 0)
+        curves.update(derivative=derivative, irregular=bool(irregular), spacing=spacing is not None, origin=origin != 0)
         curves.update({"select='cv'": select == "cv", "resamples": resamples})
         return _smooth_grid(array, grid, curves)
+    if irregular is None:
+        irregular = x is not None and (not str(scheme) or str(scheme).startswith("local:"))
     if missing == "drop" and array.ndim == 1:
         array, x, weights = _without_missing(array, x, weights)
     positions = None

@@ -10,6 +10,7 @@ from decimal import Decimal
 from numbers import Real
 from typing import Any, Callable, Optional, Sequence, Union
 
+from . import _interchange
 from ._errors import DataError, Error, UsageError
 
 Name = Union[str, int]
@@ -20,9 +21,20 @@ def is_table(data: Any) -> bool:
     return (
         isinstance(data, (Mapping, str, os.PathLike))
         or hasattr(data, "__dataframe__")
+        or (hasattr(data, "__arrow_c_stream__") and _names(data) is not None)
         or bool(getattr(getattr(data, "dtype", None), "names", None))
         or (hasattr(data, "to_frame") and _holds_positions(getattr(data, "index", None)))
     )
+
+
+def _names(data: Any) -> Optional[list[Any]]:
+    """Of the columns that data[name] gives; None where it does not."""
+    if not hasattr(data, "__getitem__"):
+        return None
+    names = getattr(data, "column_names", None)  # of pyarrow, whose columns are arrays
+    if names is None or callable(names):
+        names = getattr(data, "columns", None)
+    return None if names is None else list(names)
 
 
 def _holds_positions(index: Any) -> bool:
@@ -65,8 +77,10 @@ def _columns(data: Any) -> tuple[dict[str, Any], Callable[[dict[str, Any]], Any]
         return {str(name): numpy.asarray(values) for name, values in data.items()}, dict
     if hasattr(data, "to_frame") and not hasattr(data, "__dataframe__"):
         data = data.to_frame("value" if data.name is None else data.name)
-    if hasattr(data, "__dataframe__"):
-        names = data.__dataframe__().column_names()
+    names = _names(data) if hasattr(data, "__dataframe__") or hasattr(data, "__arrow_c_stream__") else None
+    if names is None and hasattr(data, "__dataframe__"):
+        return _interchange.columns(data.__dataframe__()), dict
+    if names is not None:
         columns = {name: data[name] for name in names}
         make = getattr(type(data), "from_pydict", type(data))
         index: Any = getattr(data, "index", None)

@@ -149,7 +149,11 @@ def test_positions_in_any_order():
     closed = subcert.scheme("four-point:w=1/16").refine(numpy.array([[0.0, 0], [1, 0], [0, 1]]), 1, closed=True)
     assert numpy.array_equal(closed[1], [0.5625, -0.125])
     with pytest.raises(subcert.DataError, match="twice"):
-        subcert.smooth([1.0, 2, 3], [0.0, 1, 1])
+        subcert.smooth([1.0, 2, 3], [0.0, 1, 1], irregular=False)
+    with pytest.raises(subcert.DataError, match="twice"):
+        subcert.smooth([1.0, 2, 3], [0.0, 1, 1], scheme="primal:n=1")
+    taken, named = (subcert.smooth(noisy, x, irregular=how, at="data", scheme="local:d=1") for how in (None, True))
+    assert (taken.values == named.values).all()
     with pytest.raises(subcert.DataError, match="two different"):
         subcert.smooth([1.0, 2, 3], [1.0, 1, 1], irregular=True)
 
@@ -186,7 +190,7 @@ def test_robust_smoothing():
 def test_smoothing_refuses():
     y = numpy.zeros(50)
     with pytest.raises(subcert.DataError, match="uniform"):
-        subcert.smooth(y, numpy.arange(50.0) ** 2)
+        subcert.smooth(y, numpy.arange(50.0) ** 2, irregular=False)
     with pytest.raises(subcert.DataError, match="finite"):
         subcert.smooth(numpy.full(50, numpy.inf))
     with pytest.raises(subcert.DomainError, match="as many"):

@@ -11,10 +11,11 @@ numbers = numpy.random.default_rng(11)
 
 
 class Frame:
-    """What every frame with the interchange protocol has, and nothing else."""
+    """What every frame with the interchange protocol has that gives its columns by their names, and nothing else."""
 
     def __init__(self, columns):
         self.columns_of_it = {name: numpy.asarray(values) for name, values in columns.items()}
+        self.columns = list(columns)
 
     def __dataframe__(self):
         return self
@@ -97,7 +98,7 @@ def test_missing_values_and_dates(kind):
     scattered = kind({"time": lost, "y": y})
     with pytest.raises(subcert.DataError, match="expected a position"):
         subcert.smooth(scattered)
-    found = subcert.smooth(scattered, missing="drop", irregular=True, scheme="local:points=5", at="data")
+    found = subcert.smooth(scattered, missing="drop", scheme="local:points=5", at="data")
     stay = numpy.array([i for i in range(40) if i not in (3, 7)])
     assert (numpy.asarray(found["time"]).astype("datetime64[s]") == lost[stay]).all()
     slope = subcert.smooth(scattered, missing="drop", irregular=True, scheme="local:points=5", derivative=1, at="data")

@@ -232,7 +232,8 @@ class TableReader::Lines {
     if (missing && word != fields_.end())
       fail(static_cast<std::size_t>(word - fields_.begin()) + 1,
            "a header or numbers; found " + in_quotes(*word) +
-               ", a name or a missing value: a name stands in quotes, and missing values below a header");
+               ", a name or a missing value: a name stands in quotes, and missing values below a header" +
+               (form_.text ? " (--header says which)" : ""));
     return name;
   }
 
@@ -242,13 +243,14 @@ class TableReader::Lines {
     const auto number = std::find_if(fields_.begin(), fields_.end(), is_number);
     if (rows_ > 0 || !table_.header.empty() || number == fields_.end() || is_number(field)) return "";
     return "; a header has no number, as column " + std::to_string(number - fields_.begin() + 1) + " has with " +
-           in_quotes(*number);
+           in_quotes(*number) + (form_.text ? " (--header yes takes it as one)" : "");
   }
 
   /// For a number with another decimal mark.
   std::string other_mark(std::string_view field) const {
     if (form_.decimal != '.' || std::count(field.begin(), field.end(), ',') != 1) return "";
-    return read_field(field, ',').kind == Kind::number ? ", a number with a comma for the decimal point" : "";
+    if (read_field(field, ',').kind != Kind::number) return "";
+    return std::string(", a number with a comma for the decimal point") + (form_.text ? " (--decimal , takes it)" : "");
   }
 
   void start() {
@@ -286,7 +288,7 @@ class TableReader::Lines {
                      is_like_number(fields_[c], form_.decimal) || !other_mark(fields_[c]).empty()};
       }
       if (field.kind == Kind::missing && form_.missing == Missing::refuse)
-        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])));
+        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])) + form_.gaps);
       table_.values.push_back(field.kind == Kind::number ? field.value : std::numeric_limits<double>::quiet_NaN());
     }
     for (std::size_t k = 0; k < form_.kept.size(); ++k) table_.fields[k].emplace_back(fields_[form_.kept[k]]);

@@ -54,6 +54,7 @@ struct TableForm {
   char decimal = '.';                  ///< or ','
   std::optional<bool> header = {};     ///< whether the first row is one; nothing: found
   std::vector<std::size_t> kept = {};  ///< columns whose fields are kept as they are written
+  std::string gaps = {};               ///< ends the error for a missing value: what would help
 };
 
 /// Reads a table. The separator is the first of semicolon, tab, comma (unless that is the decimal mark) that occurs in

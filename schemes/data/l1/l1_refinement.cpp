@@ -360,11 +360,10 @@ LocalRegression l1_linear_part(const L1Scheme& scheme) {
 
 SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const L1Scheme& scheme,
                             const RefineOptions& options) {
-  if (continues_data(options.boundary))
-    return extended_steps(
-        axes, dimension, {scheme.points.begin(), scheme.points.end()}, options,
-        [&](const auto& longer, const RefineOptions& how) { return refinement_steps(longer, dimension, scheme, how); });
-  return l1_steps(axes, dimension, scheme, options, most_streamed_numbers);
+  return steps_at_boundary(axes, dimension, {scheme.points.begin(), scheme.points.end()}, options,
+                           [&](const std::vector<Axis>& on, const RefineOptions& how) {
+                             return l1_steps(on, dimension, scheme, how, most_streamed_numbers);
+                           });
 }
 
 GridData<double> refine(const GridData<double>& data, const L1Scheme& scheme, const RefineOptions& options) {

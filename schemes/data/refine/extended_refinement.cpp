@@ -4,59 +4,58 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace subcert::data {
 namespace {
 
-/// Where a point of the result is read, or beyond the data.
-struct Origin {
-  std::size_t at;
-  bool outside;
-};
-
-/// Reads the points of its output at places of its input: continues data, or leaves points out.
+/// Output i of an axis is read at i + first: continues data, or leaves points out.
 class PlaceStep : public SliceStep {
  public:
-  /// A list of places for each axis; `value` stands outside.
-  PlaceStep(std::vector<Axis> input, std::vector<Axis> output, std::size_t dimension,
-            std::vector<std::vector<Origin>> places, double value)
+  /// `first` for each axis; `beyond` stands outside the data, without it the nearest of them.
+  PlaceStep(std::vector<Axis> input, std::vector<Axis> output, std::size_t dimension, std::vector<long> first,
+            std::optional<double> beyond)
       : SliceStep(std::move(output)),
         input_(std::move(input)),
         dimension_(dimension),
-        places_(std::move(places)),
-        value_(value) {}
+        first_(std::move(first)),
+        beyond_(beyond) {}
 
   void append(std::size_t begin, std::size_t end, const SliceSource& source,
               std::vector<double>& values) const override {
-    const std::vector<Origin>& last = places_.back();
-    std::vector<std::size_t> wanted;
+    const std::size_t last = input_.size() - 1, slice = numbers_of_slice(input_, dimension_);
+    const std::size_t low = nearest(begin, last);
+    std::vector<double> in;
+    source(low, nearest(end - 1, last) + 1, in);
+    values.reserve(values.size() + (end - begin) * numbers_of_slice(output(), dimension_));
     for (std::size_t o = begin; o < end; ++o)
-      if (!last[o].outside) wanted.push_back(last[o].at);
-    const SliceBuffer in(wanted, source);
-    const std::size_t slice = numbers_of_slice(input_, dimension_);
-    for (std::size_t o = begin; o < end; ++o) {
-      const double* const from = last[o].outside ? nullptr : in.values().data() + in.place(last[o].at) * slice;
-      append_points(from, input_.size() - 1, values);
-    }
+      append_points(outside(o, last) ? nullptr : in.data() + (nearest(o, last) - low) * slice, slice, last, values);
   }
 
  private:
-  /// The points of the first `axes` axes.
-  void append_points(const double* from, std::size_t axes, std::vector<double>& values) const {
+  long place(std::size_t output, std::size_t axis) const { return static_cast<long>(output) + first_[axis]; }
+  std::size_t nearest(std::size_t output, std::size_t axis) const {
+    return static_cast<std::size_t>(std::clamp(place(output, axis), 0L, static_cast<long>(input_[axis].count) - 1));
+  }
+  bool outside(std::size_t output, std::size_t axis) const {
+    return beyond_ && place(output, axis) != static_cast<long>(nearest(output, axis));
+  }
+
+  /// The points of the first `axes` axes, from `numbers` numbers, or from none.
+  void append_points(const double* from, std::size_t numbers, std::size_t axes, std::vector<double>& values) const {
     if (axes == 0) {
-      for (std::size_t c = 0; c < dimension_; ++c) values.push_back(from ? from[c] : value_);
+      for (std::size_t c = 0; c < dimension_; ++c) values.push_back(from ? from[c] : *beyond_);
       return;
     }
-    std::size_t inner = dimension_;
-    for (std::size_t k = 0; k + 1 < axes; ++k) inner *= input_[k].count;
-    for (const Origin& place : places_[axes - 1])
-      append_points(from && !place.outside ? from + place.at * inner : nullptr, axes - 1, values);
+    const std::size_t k = axes - 1, inner = numbers / input_[k].count;
+    for (std::size_t o = 0; o < output()[k].count; ++o)
+      append_points(from && !outside(o, k) ? from + nearest(o, k) * inner : nullptr, inner, k, values);
   }
 
   std::vector<Axis> input_;
   std::size_t dimension_;
-  std::vector<std::vector<Origin>> places_;
-  double value_;
+  std::vector<long> first_;
+  std::optional<double> beyond_;
 };
 
 /// With so many points more at both ends.
@@ -98,38 +97,32 @@ std::size_t points_more(const std::vector<Axis>& axes, const std::vector<std::si
 
 }  // namespace
 
-SliceSteps extended_steps(const std::vector<Axis>& axes, std::size_t dimension, const std::vector<std::size_t>& fewest,
-                          const RefineOptions& options, const StepMaker& make) {
-  require(continues_data(options.boundary), "extended_steps: need nearest or constant, got {}",
-          to_text(options.boundary));
+SliceSteps steps_at_boundary(const std::vector<Axis>& axes, std::size_t dimension,
+                             const std::vector<std::size_t>& fewest, const RefineOptions& options,
+                             const StepMaker& make) {
+  if (!continues_data(options.boundary)) return make(axes, options);
   RefineOptions inside = options;
   inside.boundary = Boundary::shrink;
   const std::size_t more = points_more(axes, fewest, inside, make);
   std::vector<Axis> longer;
-  std::vector<std::vector<Origin>> places;
+  std::vector<long> first;
   for (const Axis& axis : axes) {
     longer.push_back(lengthened(axis, more));
-    std::vector<Origin>& along = places.emplace_back();
-    for (std::size_t i = 0; i < longer.back().count; ++i) {
-      const std::size_t before = axis.closed ? 0 : more;
-      const std::size_t at = std::min(std::max(i, before) - before, axis.count - 1);
-      along.push_back({at, options.boundary == Boundary::constant && at + before != i});
-    }
+    first.push_back(axis.closed ? 0 : -static_cast<long>(more));
   }
+  const auto beyond = options.boundary == Boundary::constant ? std::optional(options.constant) : std::nullopt;
   SliceSteps steps;
-  steps.push_back(std::make_unique<PlaceStep>(axes, longer, dimension, std::move(places), options.constant));
+  steps.push_back(std::make_unique<PlaceStep>(axes, longer, dimension, first, beyond));
   for (auto& step : make(longer, inside)) steps.push_back(std::move(step));
   const std::vector<Axis> made = steps.back()->output();
   std::vector<Axis> output;
-  places.clear();
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const PartInDomain part = *part_in_domain(made[k], more, axes[k].length);
     require(part.axis.count > 0, "refine: need more points for one output, got {}", axes[k].count);
     output.push_back(part.axis);
-    std::vector<Origin>& along = places.emplace_back();
-    for (std::size_t i = 0; i < part.axis.count; ++i) along.push_back({part.first + i, false});
+    first[k] = static_cast<long>(part.first);
   }
-  steps.push_back(std::make_unique<PlaceStep>(made, output, dimension, std::move(places), 0));
+  steps.push_back(std::make_unique<PlaceStep>(made, output, dimension, std::move(first), std::nullopt));
   return steps;
 }
 

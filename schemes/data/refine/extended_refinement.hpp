@@ -8,10 +8,11 @@ namespace subcert::data {
 /// Makes the steps for data on these axes.
 using StepMaker = std::function<SliceSteps(const std::vector<Axis>& axes, const RefineOptions& options)>;
 
-/// The data continued past the ends of open axes as options.boundary says, the steps with `shrink`, and of their result
-/// the points in the domain of the data: those of the steps on infinite data. `fewest`: data that the steps take along
-/// each axis. Domain: nearest or constant. Errors: as the steps.
-SliceSteps extended_steps(const std::vector<Axis>& axes, std::size_t dimension, const std::vector<std::size_t>& fewest,
-                          const RefineOptions& options, const StepMaker& make);
+/// The steps; with nearest and constant those, with `shrink`, of data continued past the ends of open axes, and of
+/// their result the points in the domain of the data: what the steps make of infinite data. `fewest`: data that the
+/// steps take along each axis. Errors: as the steps. Memory: none for the continuation.
+SliceSteps steps_at_boundary(const std::vector<Axis>& axes, std::size_t dimension,
+                             const std::vector<std::size_t>& fewest, const RefineOptions& options,
+                             const StepMaker& make);
 
 }  // namespace subcert::data

@@ -177,25 +177,25 @@ SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension
                             const RefineOptions& options) {
   require_axes(axes, mask);
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  if (continues_data(options.boundary))
-    return extended_steps(
-        axes, dimension, fewest_points(mask, Boundary::shrink), options,
-        [&](const auto& longer, const RefineOptions& how) { return refinement_steps(longer, dimension, mask, how); });
-  require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, mask.dilation().classes(), options.levels,
-                    most_streamed_numbers);
-  if (!mask.has_factors()) return grid_steps(axes, dimension, mask, options);
-  return axis_steps(axes, dimension, steps_of_refinement(axes, mask.factors(), options), options.threads);
+  return steps_at_boundary(axes, dimension, fewest_points(mask, Boundary::shrink), options,
+                           [&](const std::vector<Axis>& on, const RefineOptions& how) {
+                             require_refinable(numbers_of_slice(on, dimension) * on.back().count,
+                                               mask.dilation().classes(), how.levels, most_streamed_numbers);
+                             if (!mask.has_factors()) return grid_steps(on, dimension, mask, how);
+                             return axis_steps(on, dimension, steps_of_refinement(on, mask.factors(), how),
+                                               how.threads);
+                           });
 }
 
 SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                        const RefineOptions& options) {
   require_axes(axes, mask);
-  if (continues_data(options.boundary))
-    return extended_steps(
-        axes, dimension, fewest_points(mask, Boundary::shrink), options,
-        [&](const auto& longer, const RefineOptions& how) { return limit_steps(longer, dimension, mask, how); });
-  return axis_steps(axes, dimension, steps_of_limit(axes, dimension, mask.factors(), options, most_streamed_numbers),
-                    options.threads);
+  return steps_at_boundary(
+      axes, dimension, fewest_points(mask, Boundary::shrink), options,
+      [&](const std::vector<Axis>& on, const RefineOptions& how) {
+        return axis_steps(on, dimension, steps_of_limit(on, dimension, mask.factors(), how, most_streamed_numbers),
+                          how.threads);
+      });
 }
 
 SlabRefinement::SlabRefinement(std::vector<Axis> axes, std::size_t dimension, SliceSource data, SliceSteps steps)

@@ -121,9 +121,11 @@ void LocalSmoother::require_fit(const LocalWindows::Window& window) const {
   std::size_t counted = 0;
   for (std::size_t k = window.first; k < window.end; ++k) counted += windows_.factor(window, k) > 0 ? 1 : 0;
   const auto needed = static_cast<std::size_t>(method_.degree) + 1;
-  fail(ErrorKind::data, "smoothing: {} data{} count at {} spacings from the first, a fit of degree {} needs {}",
-       counted, counted >= needed ? " at too few positions" : "",
-       window.position + static_cast<double>(data().sites().before), method_.degree, needed);
+  fail(ErrorKind::data, "smoothing: {}{} at {} spacings from the first, a fit of degree {} needs {}; take {}{}",
+       counted == 1 ? "1 datum counts" : fmt::format("{} data count", counted),
+       counted >= needed ? " at too few positions" : "", window.position + static_cast<double>(data().sites().before),
+       method_.degree, needed, method_.points > 0 ? "more points" : "a larger width",
+       method_.weight == LocalWeight::box ? "" : " (the farthest have weight 0)");
 }
 
 template <class Number>

@@ -99,7 +99,8 @@ RiskEstimate estimate_risk(const LinearSmoother& smoother, const Samples& sample
       risk.bias_squared += (predictions - noise[c].variance * static_cast<double>(present)) / total_weight - variance;
     risk.variance += variance;
   }
-  require(std::isfinite(risk.total()), "smoothing: the squares of the data pass the range of doubles; scale them");
+  if (!std::isfinite(risk.total()))
+    fail(ErrorKind::data, "smoothing: the squares of the data pass the range of doubles; scale them");
   return risk;
 }
 

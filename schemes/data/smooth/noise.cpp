@@ -81,6 +81,7 @@ double covariance(const SecondDifference& a, const SecondDifference& b, const st
 }  // namespace
 
 NoiseEstimate known_noise(double deviation) {
+  require(is_noise(deviation), "known_noise: need 1e-150 <= deviation <= 1e150, got {}", deviation);
   return {deviation * deviation, std::numeric_limits<double>::infinity(), 0};
 }
 

@@ -24,7 +24,10 @@ struct NoiseEstimate {
   bool exists() const { return degrees_of_freedom > 0; }
 };
 
-/// The noise of this standard deviation.
+/// Whether this can be the standard deviation of noise: its square, and those of data beside it, are doubles.
+inline bool is_noise(double deviation) { return deviation >= 1e-150 && deviation <= 1e150; }
+
+/// The noise of this standard deviation. Domain: is_noise(deviation).
 NoiseEstimate known_noise(double deviation);
 
 /// From the distances of data to the chords of their neighbours. Domain: as many prior weights, and positions, as data,

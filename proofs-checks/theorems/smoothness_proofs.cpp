@@ -308,15 +308,15 @@ SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {
   static std::mutex mutex;
   static std::map<std::pair<std::string, int>, SmoothnessRange> known;
   const std::lock_guard lock(mutex);
-  const auto [found, is_new] = known.try_emplace({family.id, degree});
-  if (!is_new) return found->second;
+  const std::pair key(family.id, degree);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
   SmoothnessRange range = find_range(family, degree);
   range.first = range.start;
   // Without a start there is no theorem, and single schemes need not be looked at.
   while (range.is_found && range.first > family.least_n(degree) &&
          exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
     --range.first;
-  return found->second = range;
+  return known[key] = range;
 }
 
 void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads) {

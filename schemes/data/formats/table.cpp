@@ -286,7 +286,8 @@ class TableReader::Lines {
                      is_like_number(fields_[c], form_.decimal) || !other_mark(fields_[c]).empty()};
       }
       if (field.kind == Kind::missing && form_.missing == Missing::refuse)
-        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])));
+        fail(c + 1, "a finite number; found " + (fields_[c].empty() ? "nothing" : in_quotes(fields_[c])) +
+                        "; only 'smooth' of columns takes gaps, with --missing drop: fill it before");
       table_.values.push_back(field.kind == Kind::number ? field.value : std::numeric_limits<double>::quiet_NaN());
     }
     for (std::size_t k = 0; k < form_.kept.size(); ++k) table_.fields[k].emplace_back(fields_[form_.kept[k]]);

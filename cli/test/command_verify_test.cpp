@@ -281,8 +281,7 @@ TEST_CASE("claims that follow from certificates, contradict them, or are open") 
                                                         {"primal:n=5 <= 1.99", "FALSE 1"},
                                                         {"primal:n=5 <= C1", "FALSE 1"},
                                                         {"1 <= primal:n=5 <= 1.5", "FALSE 1"},
-                                                        {"1.9 <= primal:n=4", "REJECTED 1"},
-                                                        {"1.9901439593862557 <= primal:n=5 <= 2", "REJECTED 1"}}) {
+                                                        {"1.9 <= primal:n=4", "REJECTED 1"}}) {
     CAPTURE(claim);
     CHECK(asked(file, claim) == verdict);
   }
@@ -295,7 +294,7 @@ TEST_CASE("claims that follow from certificates, contradict them, or are open") 
   CHECK(asked(file, "dd:n=2 <= 2") == "VERIFIED 0");
   CHECK(asked(file, "dd:n=2 < 2") == "FALSE 1");
   CHECK(asked(file, "2 < dd:n=2") == "FALSE 1");
-  CHECK(asked(file, "dd:n=2 <= C2") == "VERIFIED 0");  // of the certificate itself, if it does
+  CHECK(asked(file, "dd:n=2 <= C2") == "REJECTED 1");  // |log h| decides it, of which these numbers say nothing
   // Of a range: subranges, other letters, single values; `<` and `<=`.
   CHECK(run("range four-point:w --over w=1/20..1/10 --property C1 --certificate " + bundle).code == 0);
   for (const auto& [claim, verdict] :

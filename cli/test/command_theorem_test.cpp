@@ -31,9 +31,10 @@ TEST_CASE("theorems: where the budget ends, what was proved until then") {
   CHECK(none.at("verdict") == "unknown");
   CHECK(none.at("reason").get<std::string>().starts_with("the budget ran out after "));
   // Enough for the large n, not for single schemes.
-  const Run part = run("theorem smoothness --family dual --d 3 --budget 3");
+  const Run part = run("theorem smoothness --family dual --d 3 --budget 15");
   CHECK(part.code == 2);
-  CHECK(contains(part.out, "missing: time, before "));
+  CHECK(contains(part.out, "missing: time, before the step "));
   CHECK(contains(part.out, "verdict: unknown (the budget ran out after "));
+  CHECK(contains(part.out, "(V.7) holds"));
   CHECK(run("theorem smoothness --d 1 --budget 1000").code == 0);
 }

@@ -297,7 +297,7 @@ Theorem prove_in_time(const std::string& id, int degree, const std::string& fami
     theorem.degrees = {degree};
     theorem.title = find(id).entry.title;
     theorem.checks = std::move(late.checks);
-    theorem.missing = {"time, before " + late.step};
+    theorem.missing = {"time, before the step " + late.step};
     theorem.out_of_time = true;
     theorem.decision = {Truth::unknown, fmt::format("the budget ran out after {} inequalities", theorem.checks.size())};
     return theorem;

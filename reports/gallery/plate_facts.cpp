@@ -107,8 +107,8 @@ Facts plate_facts(const Plate& plate, int digits) {
   list.push_back(holder_fact(plate, digits));
   list.push_back(member("exact", plate.exact.is_yes()));
   const auto known = [&](bool is, Fact fact) { list.push_back(is && converges ? fact : member(fact.key, fact.json)); };
-  const auto number = [](const std::optional<Enclosure>& value, int digits) {
-    return value ? number_text(*value, digits) : "";
+  const auto number = [](const std::optional<Enclosure>& value, int shown) {
+    return value ? number_text(*value, shown) : "";
   };
   known(plate.sobolev.has_value(),
         {"sobolev", "Sobolev exponent", number(plate.sobolev, digits), "", facts::enclosure_json(plate.sobolev)});

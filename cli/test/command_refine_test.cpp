@@ -226,10 +226,12 @@ TEST_CASE("refine: data go on as the nearest datum, or as a constant") {
 
 TEST_CASE("titles of pictures are whole: in lines, and no sign of a specification is markup") {
   const Folder folder;
-  const std::string data = folder.write("data.csv", "1\n4\n2\n3\n"), plot = folder / "plot.svg";
+  std::string rows;
+  for (int i = 0; i < 20; ++i) rows += std::to_string(i * 7 % 5) + "\n";
+  const std::string data = folder.write("data.csv", rows), plot = folder / "plot.svg";
   const std::string mask = "mask:[1,13,78,286,715,1287,1716,1716,1287,715,286,78,13,1]/4096@0";  // longer than a line
   REQUIRE(run("refine '" + mask + "' " + data + " --out " + (folder / "out.csv") + " --plot " + plot).code == 0);
   const std::string picture = content(plot);
-  CHECK(contains(picture, "mask:[1,13,78,286,715,1287,1716,"));
-  CHECK(contains(picture, "1]/4096@0"));
+  CHECK(contains(picture, "mask:[1,13,78,286,715,1287,1716,1716,1287,715,286,78,13,"));
+  CHECK(contains(picture, ">1]/4096@0<"));
 }

@@ -290,7 +290,7 @@ TEST_CASE("outliers are counted where they spoil the noise, and nothing else is"
       bends += count_outliers(peak, {}, at) > 0 ? 1 : 0;
       CHECK(count_outliers(waves, {}, at) == 0);
     }
-    CHECK(length <= 5 ? counted > runs * 8 / 10 : counted == 0);
+    CHECK((length <= 5 ? counted > runs * 8 / 10 : counted == 0));
     CHECK(bends < runs / 8);
   }
   // At an end, and beside a missing datum.

@@ -1,6 +1,7 @@
 #include "checker.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/proofs-checks/certificates/identity.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
@@ -14,8 +15,12 @@ namespace subcert::cli {
 
 namespace {
 
-Json claim_json(const CertificateClaim& claim) {
-  return {{"lower", optional_json(claim.lower)},
+Json certificate_json(const WrittenCertificate& written) {
+  const CertificateClaim& claim = *written.claim;
+  return {{"file", written.file},
+          {"id", written.id},
+          {"verified", true},  // otherwise it is not written
+          {"lower", optional_json(claim.lower)},
           {"upper", optional_json(claim.upper)},
           {"exact", optional_json(claim.exact)},
           {"attains", optional_json(claim.attains)},
@@ -43,7 +48,7 @@ std::string WrittenCertificate::text(bool attained) const {
 
 void WrittenCertificate::add_to(Json& json) const {
   if (file.empty()) return;
-  json["certificate"] = claim ? claim_json(*claim) : Json();
+  json["certificate"] = claim ? certificate_json(*this) : Json();
   if (!claim || (!reason.empty() && claim->lower != claim->upper)) json["certificate_reason"] = reason;
 }
 
@@ -52,14 +57,15 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
   if (file.empty()) return {};
   try {
     const Certificate accepted = verified(make(), matrices);
+    const std::string text = accepted.text();
     if (matrices.empty()) {
-      runtime::write_file(file, accepted.text());
+      runtime::write_file(file, text);
     } else {  // both or neither
       runtime::write_stream(file + ".matrices", [&](std::ostream& stream) {
-        if (stream << matrices << std::flush) runtime::write_file(file, accepted.text());
+        if (stream << matrices << std::flush) runtime::write_file(file, text);
       });
     }
-    return {file, accepted.claim, accepted.missing};
+    return {file, accepted.claim, accepted.missing, {}, content_id(text)};
   } catch (const Error& error) {
     const bool unwritable = error.kind() == ErrorKind::missing_file;
     return {file, std::nullopt, reason_text(error), {unwritable ? std::optional(error) : std::nullopt}};

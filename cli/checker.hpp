@@ -28,10 +28,12 @@ struct WrittenCertificate {
   std::optional<CertificateClaim> claim;  ///< what it proves; nothing where none was written,
   std::string reason = {};                ///< and why, or why it does not say what the exact number is
   WriteFailure failure = {};              ///< a file that cannot be written, or no checker
+  std::string id = {};                    ///< the SHA-256 of what was written
 
   /// The line of a page; empty where none was asked for. `attained`: the page says that a product attains the radius.
   std::string text(bool attained) const;
-  /// Adds `certificate`, null where none was written, and then, or where it says less, `certificate_reason`.
+  /// Adds `certificate`: what it proves, its file, its id and that it was verified; null where none was written, and
+  /// then, or where it says less, `certificate_reason`.
   void add_to(Json& json) const;
 };
 

@@ -1,5 +1,7 @@
 #include "manual.hpp"
 
+#include <subcert/reports/formats/provenance.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -123,7 +125,7 @@ std::string manual_page(const CommandHelp& program, const CommandHelp& command, 
   std::string text = fmt::format(
       ".\\\" Made from the help of the program.\n.TH {} 1 \"\" \"subcert {}\" \"subcert\"\n"
       ".ad l\n.nh\n.SH NAME\n{} \\- {}{}\n.SH SYNOPSIS\n{}\n",
-      escaped(capitals(name)), SUBCERT_VERSION, escaped(name), escaped(command.meaning),
+      escaped(capitals(name)), formats::version(), escaped(name), escaped(command.meaning),
       is_shared ? "; the independent checker of certificates" : "", bold(command.usage));
   if (is_shared) text += ".PP\n\\fBsubcert\\-check\\fR \\fICLAIM\\fR \\fIFILE\\fR\n";
   text += section("Description") + escaped(command.meaning) + ".\n";

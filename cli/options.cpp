@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -251,6 +252,34 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
+/// The names in quotes behind a beginning, as `; see 'a', 'b'`; empty where there are none.
+std::string see_also(const char* beginning, const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? beginning : ", ") + ("'" + name + "'");
+  return text;
+}
+
+/// For a word that is near no command: those whose names begin as it does, or whose meanings speak of it.
+std::string commands_about(const CLI::App& app, const std::string& word) {
+  constexpr std::size_t shortest = 3, most = 5;
+  std::vector<std::string> found;
+  const std::string wanted = CLI::detail::to_lower(word);
+  for (const CLI::App* command : app.get_subcommands({})) {
+    const std::string name = command->get_name(), meaning = CLI::detail::to_lower(command->get_description());
+    const bool near = name.starts_with(wanted) || wanted.starts_with(name) || meaning.find(wanted) != std::string::npos;
+    if (!command->get_group().empty() && wanted.size() >= shortest && near) found.push_back(name);
+  }
+  return found.size() > most ? "" : see_also("; did you mean one of ", found);
+}
+
+/// Commands that have the option.
+std::string commands_with(const CLI::App& app, const std::string& option) {
+  std::vector<std::string> found;
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!command->get_group().empty() && command->get_option_no_throw(option)) found.push_back(command->get_name());
+  return see_also("; it is one of ", found);
+}
+
 /// Refuses a first argument that is neither a command nor an option.
 void require_command(const CLI::App& app, const std::vector<std::string>& arguments) {
   if (arguments.empty())
@@ -266,8 +295,9 @@ void require_command(const CLI::App& app, const std::vector<std::string>& argume
     if (command->get_name() == arguments.front()) return;
     if (!command->get_group().empty()) names.push_back(command->get_name());
   }
+  const std::string nearest = did_you_mean(arguments.front(), names);
   fail(ErrorKind::usage, "there is no command {}{}; see 'subcert --help'", in_quotes(arguments.front()),
-       did_you_mean(arguments.front(), names));
+       nearest.empty() ? commands_about(app, arguments.front()) : nearest);
 }
 
 /// Whose help says more: of the command that is named first, or of the program.
@@ -295,9 +325,11 @@ void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& 
         break;
       }
     const std::string name = argument.substr(0, argument.find('='));
-    if (name.starts_with("--") && std::ranges::find(names, name) == names.end())
+    if (name.starts_with("--") && std::ranges::find(names, name) == names.end()) {
+      const std::string elsewhere = commands_with(app, name);
       fail(ErrorKind::usage, "there is no option {}{}; see 'subcert {}--help'", in_quotes(name),
-           did_you_mean(name, names), helped(app, arguments));
+           elsewhere.empty() ? did_you_mean(name, names) : elsewhere, helped(app, arguments));
+    }
   }
 }
 
@@ -306,7 +338,7 @@ void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& 
 int run_program(const std::string& description, const std::string& footer,
                 const std::vector<void (*)(Command&)>& add_commands, int argc, char** argv) {
   CLI::App app{description, "subcert"};
-  app.set_version_flag("--version", std::string("subcert ") + SUBCERT_VERSION);
+  app.set_version_flag("--version", std::string("subcert ") + formats::version());
   app.require_subcommand(1);
   app.formatter(std::make_shared<ScreenFormatter>());  // before its commands, which take it over
   Command program(&app);

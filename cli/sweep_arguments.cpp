@@ -1,6 +1,7 @@
 #include "sweep_arguments.hpp"
 
 #include <subcert/proofs-checks/sweeps/ranks.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 
 #include <iostream>
 
@@ -18,7 +19,7 @@ sweeps::SweepOptions sweep_options(const CommonOptions& common, const SweepArgum
   options.shard = sweeps::parse_shard(arguments.shard);
   sweeps::rank_count();  // refuses processes that cannot work together
   options.jobs = common.jobs;
-  options.version = SUBCERT_VERSION;
+  options.version = formats::version();
   options.progress = [&common, title](const std::string& line) { common.progress(title + ": " + line); };
   options.warn = [&common](const std::string& line) {
     common.end_progress();

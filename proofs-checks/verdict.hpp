@@ -22,16 +22,17 @@ enum class ValueVerdict { match, mismatch, open, not_reproducible };
 /// formula saves it. not_checkable: the reason is in the outcome. undecided: the check ran out of its budget.
 enum class StatementVerdict { holds, holds_for_all, misprint, false_claim, not_checkable, undecided };
 
-/// holds: as printed, in its best fair reading, under every fair choice that was tried. contrary: its contrary was
-/// shown under every fair choice. depends: it holds under one fair choice of what the paper leaves open and not under
-/// another. own_data: the paper's data were not published, so that only ours speak. undecided: more samples are needed.
-enum class ClaimVerdict { holds, contrary, depends, own_data, undecided };
+/// holds: as printed, in its best fair reading, under every fair choice that was tried. weaker: not as printed, but in
+/// a reading that says less than its words. contrary: its contrary was shown under every fair choice. depends: it holds
+/// under one fair choice of what the paper leaves open and not under another. own_data: the paper's data were not
+/// published, so that only ours speak. undecided: more samples are needed.
+enum class ClaimVerdict { holds, weaker, contrary, depends, own_data, undecided };
 
 /// How much is wrong. slip: an index, a sign, a letter or a word. edge: all holds but for a case at the edge of the
 /// range. number: a printed number is off. claim: what is said is not so.
 enum class Grade { slip, edge, number, claim };
 
-/// What a result adds to a count. open: not decided, or by nobody but the reader; aside: there is nothing to decide by.
+/// What a result adds to a count. open: not decided, or between right and wrong; aside: there is nothing to decide by.
 enum class Standing { right, wrong, open, aside };
 
 /// The words of each kind, in the order of its verdicts; those of statements and values are words of the contract.
@@ -48,8 +49,8 @@ struct VerdictWords<StatementVerdict> {
 };
 template <>
 struct VerdictWords<ClaimVerdict> {
-  static constexpr std::array<const char*, 5> list{"holds as printed", "contrary shown", "depends on a choice",
-                                                   "on our data only", "undecided"};
+  static constexpr std::array<const char*, 6> list{"holds as printed",    "holds in a weaker reading", "contrary shown",
+                                                   "depends on a choice", "on our data only",          "undecided"};
 };
 template <>
 struct VerdictWords<Grade> {
@@ -82,7 +83,8 @@ inline Standing standing(StatementVerdict verdict) {
 }
 
 inline Standing standing(ClaimVerdict verdict) {
-  constexpr std::array all{Standing::right, Standing::wrong, Standing::open, Standing::aside, Standing::open};
+  constexpr std::array all{Standing::right, Standing::open,  Standing::wrong,
+                           Standing::open,  Standing::aside, Standing::open};
   return all[static_cast<std::size_t>(verdict)];
 }
 

@@ -12,12 +12,28 @@ namespace {
 
 using formats::html;
 
+/// What counts as one bar; what nothing decides stands beside it.
 std::string bar(const Counts& counts) {
-  std::string parts;
-  for (const Standing standing : {Standing::right, Standing::wrong, Standing::open, Standing::aside})
-    if (const int count = counts.of(standing); count > 0)
-      parts += fmt::format("<span class=\"{}\" style=\"flex-grow:{}\"></span>", to_text(standing), count);
-  return "<span class=bar aria-hidden=true>" + parts + "</span>";
+  const auto part = [&](Standing standing) {
+    const int count = counts.of(standing);
+    return count == 0 ? "" : fmt::format("<span class=\"{}\" style=\"flex-grow:{}\"></span>", to_text(standing), count);
+  };
+  const std::string counted = part(Standing::right) + part(Standing::wrong) + part(Standing::open);
+  return "<span class=bar aria-hidden=true>" +
+         (counted.empty()
+              ? ""
+              : fmt::format("<span class=counted style=\"flex-grow:{}\">{}</span>", counts.checked(), counted)) +
+         part(Standing::aside) + "</span>";
+}
+
+/// Links to the groups, those that nothing decides behind the others.
+std::string group_links(const Counts& counts, const std::string& link) {
+  std::vector<std::string> counted, beside;
+  for (const Counts::Group& group : counts.groups)
+    (group.standing == Standing::aside ? beside : counted)
+        .push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{}</a>", link, to_text(group.standing), group.text()));
+  return fmt::format("{}{}{}", fmt::join(counted, ", "), counted.empty() || beside.empty() ? "" : "; beside them ",
+                     fmt::join(beside, ", "));
 }
 
 /// The first words of a citation: authors and title.
@@ -81,10 +97,11 @@ constexpr const char* how_to_read =
 
 constexpr const char* about_experiments =
     "<p>Experiments are another matter: they repeat what a paper shows once, over many samples of random noise, in "
-    "double precision. Each sentence of the text has a statistic that decides it. It <b>holds as printed</b>; or its "
-    "<b>contrary is shown</b>, under every fair choice that was tried; or it <b>depends on a choice the paper leaves "
-    "open</b>; it stands <b>on our data only</b> where the paper's data were not published, which is a remark and no "
-    "minus; it is <b>undecided</b> where more samples would be needed.</p>\n";
+    "double precision. Each sentence of the text has a statistic that decides it. It <b>holds as printed</b>, or <b>in "
+    "a weaker reading</b> that says less than its words; or its <b>contrary is shown</b>, under every fair choice that "
+    "was tried; or it <b>depends on a choice the paper leaves open</b>; it stands <b>on our data only</b> where the "
+    "paper's data were not published, which is a remark and no minus; it is <b>undecided</b> where more samples would "
+    "be needed.</p>\n";
 
 constexpr const char* how_to_object =
     "<h2 id=object>How to object</h2>\n<p>The texts of the papers were typed in from what was at hand, and each "
@@ -142,12 +159,9 @@ std::string score_bars(const std::vector<Result>& results, const std::string& pa
     if (total.all() == 0) continue;
     const std::string link = fmt::format("results.html?kind={}{}", to_text(kind),
                                          paper.empty() ? "" : "&amp;paper=" + html(paper));
-    std::vector<std::string> parts;
-    for (const Counts::Group& group : total.groups)
-      parts.push_back(fmt::format("<a href=\"{}&amp;verdict={}\">{}</a>", link, to_text(group.standing), group.text()));
     lines += fmt::format("<li><a href=\"{}\">{}</a><small>{}</small>{}</li>\n", link,
                          total.head().empty() ? to_text(kind) + "s" : "<b>" + total.head() + "</b>",
-                         fmt::join(parts, ", "), bar(total));
+                         group_links(total, link), bar(total));
   }
   return lines.empty() ? "" : "<ul class=scores>\n" + lines + "</ul>\n";
 }

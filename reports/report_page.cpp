@@ -161,12 +161,12 @@ std::string summaries_html(const Report& report) {
   for (const auto& [experiment, options, result] : report.experiments)
     experiments.push_back({report.paper + "-" + experiment->id,
                            experiment->title,
-                           {result.claims.size(), result.count(ClaimVerdict::holds),
+                           {result.claims.size(), result.count(ClaimVerdict::holds), result.count(ClaimVerdict::weaker),
                             result.count(ClaimVerdict::contrary), result.count(ClaimVerdict::depends),
                             result.count(ClaimVerdict::own_data), result.count(ClaimVerdict::undecided)}});
   return formats::summary_html({"table", "values", "match", "mismatch", "open"}, tables) +
-         formats::summary_html({"experiment", "claims", "hold as printed", "contrary shown", "depend on a choice",
-                                "on our data only", "undecided"},
+         formats::summary_html({"experiment", "claims", "hold as printed", "in a weaker reading", "contrary shown",
+                                "depend on a choice", "on our data only", "undecided"},
                                experiments);
 }
 

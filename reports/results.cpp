@@ -30,15 +30,15 @@ const std::vector<std::string>& groups_of(ResultKind kind) {
       std::vector<std::string>{"match", "wrong", "open", "rest on data that were not published"},
       {"proved for all n", "on the range tried", "but for an edge", "slips of the pen", "numbers off", "wrong claims",
        "undecided", "left to experiments", "cannot be checked"},
-      {"hold as printed", "contrary shown", "depend on a choice the paper leaves open", "undecided",
-       "on our data only"}};
+      {"hold as printed", "hold in a weaker reading", "contrary shown", "depend on a choice the paper leaves open",
+       "undecided", "on our data only"}};
   return all[static_cast<std::size_t>(kind)];
 }
 
 std::string group_of(ValueVerdict verdict) { return groups_of(ResultKind::value)[static_cast<std::size_t>(verdict)]; }
 
 std::string group_of(ClaimVerdict verdict) {
-  constexpr std::array places{0, 1, 2, 4, 3};
+  constexpr std::array places{0, 1, 2, 3, 5, 4};
   return groups_of(ResultKind::claim)[static_cast<std::size_t>(places[static_cast<std::size_t>(verdict)])];
 }
 
@@ -210,6 +210,7 @@ std::string Counts::Group::text() const {
       {"slips of the pen", "slip of the pen"},
       {"numbers off", "number off"},
       {"wrong claims", "wrong claim"},
+      {"hold in a weaker reading", "holds in a weaker reading"},
       {"rest on data that were not published", "rests on data that were not published"},
       {"depend on a choice the paper leaves open", "depends on a choice the paper leaves open"}};
   const auto one = singular.find(name);
@@ -240,9 +241,10 @@ std::string Counts::text() const {
   const auto right = std::ranges::count(groups, Standing::right, &Group::standing);
   const bool told = right > 1 || (right == 1 && kind == ResultKind::statement);  // proved, or tried?
   const std::string parts = told ? fmt::format(" ({})", listed(groups, {Standing::right})) : "";
-  const std::string others = listed(groups, {Standing::wrong, Standing::open, Standing::aside});
-  if (checked() == 0) return fmt::format("{} {}: {}", all(), words_of(kind).name, others);
-  return head() + parts + (others.empty() ? "" : "; " + others);
+  const std::string others = listed(groups, {Standing::wrong, Standing::open}),
+                    beside = listed(groups, {Standing::aside});
+  if (checked() == 0) return fmt::format("{} {}: {}", all(), words_of(kind).name, beside);
+  return head() + parts + (others.empty() ? "" : "; " + others) + (beside.empty() ? "" : "; beside them " + beside);
 }
 
 Counts counts(const std::vector<Result>& results, ResultKind kind, const std::string& paper) {

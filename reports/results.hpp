@@ -100,7 +100,8 @@ struct Counts {
   int checked() const { return all() - of(Standing::aside); }
   /// `81 of 114 printed values match`; empty where there are none to be checked.
   std::string head() const;
-  /// `97 of 109 statements hold (60 proved for all n, 37 on the range tried); 8 slips of the pen, 6 cannot be checked`.
+  /// `97 of 109 statements hold (60 proved for all n, 37 on the range tried); 12 slips of the pen; beside them 6 cannot
+  /// be checked`: what nothing decides is in no total.
   std::string text() const;
   /// What is wrong: `8 slips of the pen, 4 numbers off`; empty where nothing is.
   std::string wrong_text() const;

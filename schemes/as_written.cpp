@@ -183,6 +183,37 @@ std::string in_brackets(std::string text) {
   return text;
 }
 
+/// `array([1., 3., 3., 1.])/4`, as numpy shows it, without the word.
+std::string without_array(std::string text) {
+  const std::size_t open = text.find("array(");
+  if (open == std::string::npos || (open != 0 && text.substr(0, open) != "np." && text.substr(0, open) != "numpy."))
+    return text;
+  const std::size_t begin = open + 6, close = text.find(')', begin);
+  if (close == std::string::npos) return text;
+  return text.substr(begin, close - begin) + text.substr(close + 1);
+}
+
+/// z1 and z2, or z_1 and z_2, and z3, as x, y and z, where no other letters stand for them.
+std::string in_own_letters(std::string text) {
+  const auto has_index = [&](std::size_t i, char digit) {
+    return text[i] == 'z' && i + 1 < text.size() && text[i + (text[i + 1] == '_' ? 2 : 1)] == digit;
+  };
+  if (text.find_first_of("xy") != std::string::npos) return text;
+  std::string result;
+  bool first = false, second = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char letter = 0;
+    for (const char digit : {'1', '2', '3'})
+      if (has_index(i, digit)) letter = static_cast<char>('x' + (digit - '1'));
+    if (text[i] == 'z' && letter == 0) return text;
+    first = first || letter == 'x';
+    second = second || letter == 'y';
+    result += letter == 0 ? text[i] : letter;
+    if (letter != 0) i += text[i + 1] == '_' ? 2 : 1;
+  }
+  return first && second ? result : text;
+}
+
 /// The family of a symbol by its variables: symbol in z, symbol2 in x and y, symbol3 in x, y and z.
 std::string symbol_family(std::string_view body) {
   const std::string_view expression = body.substr(0, body.find(','));
@@ -199,21 +230,28 @@ bool is_symbol(std::string_view text) {
 }  // namespace
 
 std::string specification_as_written(std::string_view text) {
-  const std::string written = in_brackets(trimmed(plain_text(text)));
+  const std::string written = in_brackets(without_array(trimmed(plain_text(text))));
   const std::size_t colon = written.starts_with('[') ? std::string::npos : written.find(':');
   if (colon == std::string::npos) {
     if (std::string mask = mask_as_written(written); !mask.empty()) return mask;
-    if (is_symbol(written)) return symbol_family(written) + ":" + written;
+    if (is_symbol(written)) {
+      const std::string symbol = in_own_letters(written);
+      return symbol_family(symbol) + ":" + symbol;
+    }
   }
   std::string name = name_of(trimmed(written.substr(0, colon)));
-  const std::string body = colon == std::string::npos ? "" : trimmed(written.substr(colon + 1));
+  std::string body = colon == std::string::npos ? "" : trimmed(written.substr(colon + 1));
   if (body.empty())
     for (const auto& [other, specification] : names)
       if (other == name) return std::string(specification);
   if (colon == std::string::npos) return name;
   if (name == "mask" || name == "mask2" || name == "mask3")
     if (std::string mask = mask_as_written(body, name); !mask.empty()) return mask;
-  return (name == "symbol" ? symbol_family(body) : name) + ":" + body;
+  if (name == "symbol") {
+    body = in_own_letters(body);
+    name = symbol_family(body);
+  }
+  return name + ":" + body;
 }
 
 std::vector<std::string> other_names() {

@@ -11,9 +11,11 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <mutex>
 #include <new>
+#include <variant>
 
 namespace subcert::cli {
 namespace {
@@ -24,16 +26,39 @@ struct CheckOptions : CommonOptions {
   double budget = 20;
 };
 
-/// One property of one scheme of one file.
+using SchemeOfFile = std::variant<properties::ExpectedScheme, FileError>;
+
+/// One property of one scheme of one file, or a scheme of which nothing can be asked.
 struct Question {
   std::string file;
-  const properties::ExpectedScheme* scheme;
-  const properties::Expectation* expectation;
+  Place place;
+  std::string specification, name, property, expected;
+  std::function<Decision(double seconds)> decide;
+  bool unreadable = false;
+
+  std::string claim() const { return unreadable ? "the scheme" : name + ": " + property + " " + expected; }
 };
 
-std::vector<properties::ExpectedScheme> read_expected(const std::string& file) {
+/// Domain: the schemes outlive the questions.
+void add_questions(const std::string& file, const std::vector<SchemeOfFile>& schemes,
+                   std::vector<Question>& questions) {
+  for (const SchemeOfFile& one : schemes) {
+    if (const auto* error = std::get_if<FileError>(&one)) {
+      const auto raise = [error](double) -> Decision { throw Error(ErrorKind::data, error->message); };
+      questions.push_back({file, error->place, "", "", "", "", raise, true});
+      continue;
+    }
+    const auto& scheme = std::get<properties::ExpectedScheme>(one);
+    for (const properties::Expectation& expectation : scheme.expectations)
+      questions.push_back({file, expectation.place, scheme.specification, scheme.name, expectation.property,
+                           expectation.expected,
+                           [&](double seconds) { return has_property(scheme, expectation, seconds); }});
+  }
+}
+
+std::vector<SchemeOfFile> read_expected(const std::string& file) {
   try {
-    return properties::read_expectations(read_file(file));
+    return properties::read_schemes(read_file(file));
   } catch (const properties::FileError& error) {
     fail(ErrorKind::data, "{}, {}", file, error.what());
   }
@@ -50,7 +75,7 @@ struct Answer {
 /// An error in one question is the answer to that question alone.
 Answer answer_to(const Question& question, double seconds) {
   try {
-    return {has_property(*question.scheme, *question.expectation, seconds)};
+    return {question.decide(seconds)};
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -60,22 +85,19 @@ Answer answer_to(const Question& question, double seconds) {
 
 Json answer_json(const Question& question, const Answer& answer) {
   return {{"file", question.file},
-          {"line", question.expectation->place.line},
-          {"scheme", question.scheme->specification},
-          {"name", question.scheme->name},
-          {"property", question.expectation->property},
-          {"expected", question.expectation->expected},
+          {"line", question.place.line},
+          {"scheme", question.specification},
+          {"name", question.name},
+          {"property", question.property},
+          {"expected", question.expected},
           {"holds", answer.error ? "error" : to_text(answer.decision.truth)},
           {"found", answer.decision.reason}};
 }
 
-std::string claim_of(const Question& question) {
-  return question.scheme->name + ": " + question.expectation->property + " " + question.expectation->expected;
-}
-
 std::string answer_line(const Question& question, const Answer& answer) {
-  const std::string claim = claim_of(question);
-  const std::string place = question.file + ":" + std::to_string(question.expectation->place.line) + ": ";
+  const std::string claim = question.claim();
+  const std::string column = question.unreadable ? ":" + std::to_string(question.place.column) : "";
+  const std::string place = question.file + ":" + std::to_string(question.place.line) + column + ": ";
   if (answer.is(Truth::yes)) return "holds      " + place + claim + "\n";
   const std::string verdict = answer.error ? "error      " : answer.is(Truth::no) ? "FAILS      " : "undecided  ";
   return verdict + place + claim + " (" + visible(answer.decision.reason) + ")\n";
@@ -112,7 +134,7 @@ std::string junit_text(const std::vector<Question>& questions, const std::vector
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const std::string file = html(visible(questions[i].file)), reason = html(visible(answers[i].decision.reason));
     tests += fmt::format("  <testcase classname=\"{0}\" name=\"{1}\" file=\"{0}\" line=\"{2}\"", file,
-                         html(visible(claim_of(questions[i]))), questions[i].expectation->place.line);
+                         html(visible(questions[i].claim())), questions[i].place.line);
     tests += answers[i].is(Truth::yes)  ? "/>\n"
              : answers[i].is(Truth::no) ? fmt::format("><failure message=\"{}\"/></testcase>\n", reason)
                                         : fmt::format("><error message=\"{}{}\"/></testcase>\n",
@@ -138,13 +160,10 @@ std::string counts_text(const std::vector<Answer>& answers) {
 }
 
 ExitCode run(const CheckOptions& options) {
-  std::vector<std::vector<properties::ExpectedScheme>> files;
+  std::vector<std::vector<SchemeOfFile>> files;
   for (const std::string& file : options.files) files.push_back(read_expected(file));
   std::vector<Question> questions;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    for (const auto& scheme : files[i])
-      for (const auto& expectation : scheme.expectations)
-        questions.push_back({options.files[i], &scheme, &expectation});
+  for (std::size_t i = 0; i < files.size(); ++i) add_questions(options.files[i], files[i], questions);
   std::vector<Answer> answers(questions.size());
   const bool at_once = !options.json && (options.out.empty() || options.out == standard_stream);
   Lines lines(questions, answers);
@@ -161,6 +180,7 @@ ExitCode run(const CheckOptions& options) {
   if (!options.junit.empty()) runtime::write_file(options.junit, junit_text(questions, answers));
   options.answer(json, text + counts_text(answers));
   if (std::ranges::any_of(answers, [](const Answer& answer) { return answer.is(Truth::no); })) return failed;
+  if (std::ranges::any_of(questions, &Question::unreadable)) return bad_data;
   return std::ranges::all_of(answers, [](const Answer& answer) { return answer.is(Truth::yes); }) ? done : undecided;
 }
 

@@ -1,6 +1,6 @@
 // subcert compare SCHEME SCHEME...: schemes side by side
 
-#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>
@@ -9,7 +9,10 @@
 #include <subcert/reports/gallery/gallery.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <string_view>
 
 namespace subcert::cli {
 namespace {
@@ -21,23 +24,77 @@ constexpr std::size_t most_lines = 3;   // of a cell
 struct CompareOptions : SearchOptions {
   std::vector<std::string> schemes;
   std::string html;
+  std::vector<std::string> rows;  ///< labels of facts, or what JSON calls them; none: all
   PaperForm form;
 };
 
+/// What fits the width of a paper's text: the label, its name there, and what ends the cell.
+struct PaperColumn {
+  std::string_view label, name;
+  char end;
+};
+constexpr PaperColumn paper_columns[] = {{"sum rules", "sum rules", ';'},
+                                         {"Hoelder exponent", "Hoelder", '\n'},
+                                         {"Sobolev exponent", "Sobolev", '\n'},
+                                         {"continuous derivatives", "derivatives", '\n'},
+                                         {"stable shifts", "stable", '\n'}};
+constexpr int paper_digits = 6;
+
+std::string cell_of(const Facts& known, const std::string& label, char end) {
+  const Fact* fact = find(known, label);
+  return fact ? fact->text.substr(0, std::min(fact->text.find('\n'), fact->text.find(end))) : "-";
+}
+
+/// The labels of all facts that people read, or of those that are asked for. Errors: throws a usage error for others.
+std::vector<std::string> shown_labels(const std::vector<Facts>& known, const std::vector<std::string>& wanted) {
+  std::vector<std::string> all = labels(known);
+  if (wanted.empty()) return all;
+  std::vector<std::string> shown;
+  for (const std::string& word : wanted) {
+    std::string label = std::ranges::find(all, word) == all.end() ? "" : word;
+    for (const Facts& list : known)
+      for (const Fact& fact : list)
+        if (label.empty() && fact.key == word) label = fact.label;
+    if (label.empty())
+      fail(ErrorKind::usage, "--rows: no scheme has the row {}{}; the rows are {}", in_quotes(word),
+           did_you_mean(word, all), fmt::join(all, ", "));
+    shown.push_back(label);
+  }
+  return shown;
+}
+
 /// A row a fact, a column a scheme.
-formats::TableRows table_rows(const std::vector<reports::Plate>& plates) {
+formats::TableRows table_rows(const std::vector<reports::Plate>& plates, const std::vector<std::string>& wanted) {
   std::vector<Facts> known;
   for (const reports::Plate& plate : plates) known.push_back(reports::plate_facts(plate));
   std::vector<std::vector<std::string>> rows{{"scheme"}};
   for (const reports::Plate& plate : plates) rows.front().push_back(plate.specification());
-  for (const std::string& label : labels(known)) {
+  for (const std::string& label : shown_labels(known, wanted)) {
     rows.push_back({label});
-    for (const Facts& list : known) {
-      const Fact* fact = find(list, label);
-      rows.back().push_back(fact ? fact->text.substr(0, fact->text.find('\n')) : "-");
-    }
+    for (const Facts& list : known) rows.back().push_back(cell_of(list, label, '\n'));
   }
   return rows;
+}
+
+/// A row a scheme: what is asked for, or what fits the width of a paper's text.
+TableAnswer paper_table(const std::vector<reports::Plate>& plates, const std::vector<std::string>& wanted) {
+  std::vector<Facts> known;
+  for (const reports::Plate& plate : plates) known.push_back(reports::plate_facts(plate, paper_digits));
+  std::vector<PaperColumn> columns(std::begin(paper_columns), std::end(paper_columns));
+  const std::vector<std::string> shown = wanted.empty() ? wanted : shown_labels(known, wanted);
+  if (!wanted.empty()) columns.clear();
+  for (const std::string& label : shown) columns.push_back({label, label, '\n'});
+  TableAnswer table{"", {{"scheme"}}};
+  for (const PaperColumn& column : columns) {
+    if (column.label == "symbol") table.formulas.push_back(table.rows.front().size());
+    table.rows.front().emplace_back(column.name);
+  }
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    table.rows.push_back({plates[i].specification()});
+    for (const PaperColumn& column : columns)
+      table.rows.back().push_back(cell_of(known[i], std::string(column.label), column.end));
+  }
+  return table;
 }
 
 /// Where a line of the cell ends: behind a blank or a comma, or in the middle of a word.
@@ -110,11 +167,12 @@ ExitCode run(const CompareOptions& options) {
   if (!options.html.empty()) plate_options.verified = verified;
   const std::vector<reports::Plate> plates = make_plates(schemes, plate_options, options);
   if (!options.html.empty()) runtime::write_file(options.html, reports::comparison_html(plates));
-  formats::TableRows rows = table_rows(plates);
-  if (options.form.asked_for())
-    answer(options, options.form, TableAnswer{"", std::move(rows)});
+  if (options.form.latex)
+    answer(options, options.form, paper_table(plates, options.rows));
+  else if (options.form.markdown)
+    answer(options, options.form, TableAnswer{"", table_rows(plates, options.rows)});
   else
-    options.answer(plates_json(plates), table_text(rows));
+    options.answer(plates_json(plates), table_text(table_rows(plates, options.rows)));
   return exit_code(schemes, plates);
 }
 
@@ -128,8 +186,15 @@ void add_compare(Command& app) {
                                 [=] { return run(*options); });
   command.option("SCHEME", options->schemes, "Scheme specifications, two or more").required();
   command.option("--html", options->html, "A page with pictures and certificates, all in one file");
+  command
+      .option(
+          "--rows", options->rows,
+          "Which rows, or columns of --latex, separated by commas: what stands before them, or what --json calls it")
+      .separated_by_commas()
+      .one_each();
   add_limits(command, *options);
-  add_paper_form(command, options->form, "The table in LaTeX", "The table in Markdown");
+  add_paper_form(command, options->form, "In LaTeX, a line a scheme: what fits the width of a text, or --rows",
+                 "The table in Markdown");
 }
 
 }  // namespace subcert::cli

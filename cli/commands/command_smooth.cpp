@@ -25,16 +25,23 @@ data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSa
   return smooth(samples, options.scheme, how, options.threads());
 }
 
-/// Where data are as no linear method takes them well, what does.
-void remark_on_outliers(const SmoothOptions& options, const data::NamedSamples& samples,
-                        const data::SmoothedSamples& result) {
-  for (std::size_t c = 0; c < result.columns.size(); ++c)
+/// Where data are as no linear method takes them well, what does; where their noise is not as bands suppose.
+void remark_on_data(const SmoothOptions& options, const data::NamedSamples& samples,
+                    const data::SmoothedSamples& result) {
+  for (std::size_t c = 0; c < result.columns.size(); ++c) {
+    const std::string name = samples.names[c] + (samples.group.empty() ? "" : " of " + samples.group);
+    if (const auto& correlation = result.columns[c].correlated)
+      options.remark(fmt::format(
+          "{}: neighbouring second differences have the correlation {:.3g}, beyond that of independent noise, about "
+          "-2/3: the noise is correlated from datum to datum, and bands are too narrow, or the mean bends within few "
+          "data; docs/smoothing.md, section 3",
+          name, *correlation));
     if (const std::size_t count = result.columns[c].outliers; count > 0)
       options.remark(fmt::format(
-          "{}{}: {} this fit, its bands and the choice of its window (more than six deviations from both neighbours); "
+          "{}: {} this fit, its bands and the choice of its window (more than six deviations from both sides); "
           "--scheme local:d=1,robust=3 leaves {} out",
-          samples.names[c], samples.group.empty() ? "" : " of " + samples.group,
-          count == 1 ? "1 outlier moves" : fmt::format("{} outliers move", count), count == 1 ? "it" : "them"));
+          name, count == 1 ? "1 outlier moves" : fmt::format("{} outliers move", count), count == 1 ? "it" : "them"));
+  }
 }
 
 /// What data-dependent schemes cannot do.
@@ -163,7 +170,7 @@ ExitCode run(const SmoothOptions& options) {
     try {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
       data::SmoothedSamples result = smoothed(options, samples);
-      remark_on_outliers(options, samples, result);
+      remark_on_data(options, samples, result);
       if (result.choice && samples.names.size() > 1)
         options.remark("one method is chosen for all columns together; --y NAME chooses it for one alone");
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));

@@ -108,7 +108,7 @@ void add_statements(Command& app) {
   Command group = app.subcommand("statements", "The statements of the papers as executable checks");
   std::string known;
   for (const auto& paper : statements::paper_keys()) known += (known.empty() ? "" : ", ") + paper;
-  const std::string meaning = "Statements or papers (" + known + "; default: all)";
+  const std::string meaning = "Statements, what their ids begin with, or papers (" + known + "; default: all)";
 
   const auto suggestions = [] {
     std::vector<Suggestion> words;

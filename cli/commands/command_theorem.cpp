@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace subcert::cli {
 namespace {
@@ -18,6 +19,7 @@ struct TheoremOptions : CommonOptions {
   std::optional<int> degree = {};
   std::string family = {};  ///< empty: that of the theorem
   bool all = false;
+  std::optional<double> budget = {};
 };
 
 Json list_json() {
@@ -55,13 +57,16 @@ ExitCode run(const TheoremOptions& options) {
   if (family.starts_with("primal") && degree % 2 == 0)
     fail(ErrorKind::usage, "--d {}: expected an odd degree; {} schemes of degree {} are those of degree {}", degree,
          family, degree, degree + 1);
-  options.progress("theorem " + options.id);
-  const Theorem theorem = theorems::prove(options.id, degree,
-                                          theorems::stated_constants(options.id, degree, family, options.threads()),
-                                          options.threads(), family);
+  std::mutex mutex;
+  const theorems::Patience patience{options.budget ? Deadline::in(*options.budget) : Deadline(),
+                                    [&](const std::string& step) {
+                                      const std::scoped_lock lock(mutex);
+                                      options.progress("theorem " + options.id + ": " + step);
+                                    }};
+  const Theorem theorem = theorems::prove_in_time(options.id, degree, family, options.threads(), patience);
   options.end_progress();
   options.json ? options.answer(theorem_json(theorem)) : options.answer(theorem_text(theorem, options.all));
-  return exit_code(theorem.decision.truth);
+  return exit_code(theorem.decision.truth, !theorem.out_of_time);
 }
 
 }  // namespace
@@ -81,6 +86,10 @@ void add_theorem(Command& app) {
       .within(1, theorems::largest_degree);
   command.option("--family", options->family, "Family of the schemes, by default primal; for smoothness-dual dual")
       .one_of({"primal", "primal-odd", "dual", "dual-odd"});
+  command
+      .option("--budget", options->budget,
+              "Seconds of processor time (default: no end); after them what is proved until then is printed")
+      .within(0.001, 1e6);
   command.flag("--all", options->all, "Every single inequality, also where many differ in n only");
 }
 

@@ -1,10 +1,13 @@
 // subcert verify FILE|DIR...: asks the independent checker, a program of its own
 
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
-#include <subcert/proofs-checks/certificates/claim.hpp>
 #include <subcert/proofs-checks/certificates/identity.hpp>
+#include <subcert/proofs-checks/certificates/stated_claim.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
@@ -50,37 +53,110 @@ std::vector<std::string> certificates_in(const std::string& path) {
   return inside;
 }
 
-/// A file that cannot be asked about ends the work, after the answers so far.
-ExitCode run(const VerifyOptions& options) {
+struct Verdict {
+  std::string word;  ///< `verified`, `false`, or `rejected`
+  ExitCode code;
+  std::string text;
+};
+
+/// The ends in decimals, where the claim has them as long fractions: ` (1.9901439593863)`.
+std::string decimals(const CertificateClaim& claim) {
+  constexpr int digits = 14;
+  constexpr std::size_t long_fraction = 8;
+  const auto is_long = [](const std::optional<std::string>& end) { return end && end->size() > long_fraction; };
+  if (claim.says_rough() || !(is_long(claim.lower) || is_long(claim.upper))) return "";
+  const auto number = [](const std::optional<std::string>& end) { return end ? parse_number(*end) : std::nullopt; };
+  return " (" + enclosure_text({number(claim.lower), number(claim.upper)}, digits) + ")";
+}
+
+/// What the file says of itself.
+Verdict own_verdict(const CertificateClaim& claim, const std::string& file) {
+  const CheckerAnswer answer = run_checker(checker_arguments(claim, file));
+  if (answer.code != 0) return {"rejected", static_cast<ExitCode>(answer.code), answer.text};
+  return {"verified", done, answer.text + decimals(claim)};
+}
+
+/// A claim in words: what a checker proves of it as it stands, or what follows from what the file says of itself, once
+/// a checker proved that of the subject of these words.
+Verdict stated_verdict(const std::string& words, const CertificateClaim& own, const std::string& file) {
+  const StatedClaim stated = with_letter_of(own, stated_claim(words));
+  if (stated.is_plain()) {
+    const CheckerAnswer answer = run_checker(checker_arguments(stated.claim, file));
+    const auto code = static_cast<ExitCode>(answer.code);
+    if (code == done) return {"verified", done, answer.text + decimals(stated.claim)};
+    if (code != failed) return {"rejected", code, answer.text};  // no claim, or not about these files
+  }
+  constexpr std::string_view verified = "VERIFIED ";
+  const CertificateClaim claim = about_subject_of(stated, own);
+  const CheckerAnswer answer = run_checker(checker_arguments(claim, file));
+  if (answer.code != 0) return {"rejected", static_cast<ExitCode>(answer.code), answer.text};
+  const std::string proved = answer.text.substr(verified.size()) + decimals(claim);
+  switch (follows(stated, own)) {
+    case Truth::yes: return {"verified", done, fmt::format("VERIFIED {}, as {}", words, proved)};
+    case Truth::no: return {"false", failed, fmt::format("FALSE {}: {}", words, proved)};
+    case Truth::unknown: break;
+  }
+  return {"rejected", failed, fmt::format("REJECTED {}: neither proved nor refuted by {}", words, proved)};
+}
+
+/// What the checkers are to be asked.
+CertificateClaim plain_claim(const std::string& words, const CertificateClaim& own) {
+  const StatedClaim stated = with_letter_of(own, stated_claim(words));
+  if (!stated.is_plain())
+    fail(ErrorKind::usage, "--print-claim: checkers know <= alone, and ranges with LOW < HIGH, got '{}'", words);
+  return stated.claim;
+}
+
+/// What is found about the files.
+struct Answers {
   Json list = Json::array();
   std::string lines;
   ExitCode worst = done;
+};
+
+/// A claim in words about a folder is proved by one of its files.
+void ask(const VerifyOptions& options, const std::string& path, Answers& answers) {
+  const bool one_suffices = std::filesystem::is_directory(path) && !options.claim.empty();
+  bool one_proves = false;
+  ExitCode worst = done;
+  for (const std::string& file : certificates_in(path)) {
+    const std::string text = read_file(file);
+    const CertificateClaim own = read_claim(text, file);
+    if (options.print_claim) {
+      const std::vector<std::string> arguments = checker_arguments(
+          options.claim.empty() ? own : plain_claim(options.claim, own), file);
+      answers.list.push_back({{"file", file}, {"arguments", arguments}});
+      answers.lines += shell_line(arguments);
+      continue;
+    }
+    const Verdict verdict = options.claim.empty() ? own_verdict(own, file) : stated_verdict(options.claim, own, file);
+    one_proves = one_proves || verdict.code == done;
+    worst = std::max(worst, verdict.code);
+    answers.list.push_back({{"file", file},
+                            {"verified", verdict.code == done},
+                            {"verdict", verdict.word},
+                            {"answer", verdict.text},
+                            {"id", content_id(text)}});
+    answers.lines += file + ": " + verdict.text + "\n";
+    if (options.ids) answers.lines += file + ": sha256 " + content_id(text) + "\n";
+  }
+  if (!one_suffices || !one_proves) answers.worst = std::max(answers.worst, worst);
+}
+
+/// A file that cannot be asked about ends the work, after the answers so far.
+ExitCode run(const VerifyOptions& options) {
+  if (!options.claim.empty()) static_cast<void>(stated_claim(options.claim));  // errors before work
+  Answers answers;
   std::exception_ptr unread;
   try {
-    for (const std::string& path : options.files)
-      for (const std::string& file : certificates_in(path)) {
-        const std::string text = read_file(file);
-        const std::vector<std::string> arguments = checker_arguments(
-            options.claim.empty() ? read_claim(text, file) : stated_claim(options.claim), file);
-        if (options.print_claim) {
-          list.push_back({{"file", file}, {"arguments", arguments}});
-          lines += shell_line(arguments);
-          continue;
-        }
-        const CheckerAnswer answer = run_checker(arguments);
-        if (answer.code != 0) worst = std::max(worst, static_cast<ExitCode>(answer.code));
-        list.push_back(
-            {{"file", file}, {"verified", answer.code == 0}, {"answer", answer.text}, {"id", content_id(text)}});
-        lines += file + ": " + answer.text + "\n";
-        if (options.ids) lines += file + ": sha256 " + content_id(text) + "\n";
-      }
+    for (const std::string& path : options.files) ask(options, path, answers);
   } catch (const Error&) {
-    if (list.empty()) throw;
+    if (answers.list.empty()) throw;
     unread = std::current_exception();
   }
-  options.answer(Json{{"certificates", list}}, lines);
+  options.answer(Json{{"certificates", answers.list}}, answers.lines);
   if (unread) std::rethrow_exception(unread);
-  return worst;
+  return answers.worst;
 }
 
 }  // namespace
@@ -92,10 +168,10 @@ void add_verify(Command& app) {
                                 [=] { return run(*options); });
   command.option("FILE", options->files, "Certificates, or folders of them").required();
   command.option("--claim", options->claim,
-                 "What is to be proved, as '1.99 <= primal:n=5 <= 2', '2 <= four-point:w for w=1/20..1/10', "
+                 "What is to be proved, as '1.99 <= primal:n=5 <= 2', '1 < four-point:w for 1/20 <= w <= 1/10', "
                  "'radius FILE <= 3/2', '1 <= subradius FILE', 'contraction 1,1 of l1:points=6,d=1 <= 3/5', or "
                  "'dd:n=2 = 4-log|[-4,1]@4,0,1/1000|^1/1 with |log h|^1', in place of what "
-                 "the certificate says of itself");
+                 "the certificate says of itself; what follows from that is proved, what contradicts it is false");
   command.flag(
       "--print-claim", options->print_claim,
       "Asks no checker: prints the arguments by which each of them is asked, one line a file, as a shell reads "

@@ -153,7 +153,8 @@ Json SmoothPage::json() const {
                        {"degrees_of_freedom",
                         std::isinf(estimate->degrees_of_freedom) ? Json() : Json(estimate->degrees_of_freedom)},
                        {"terms", estimate->terms},
-                       {"outliers", result.columns[c].outliers}});
+                       {"outliers", result.columns[c].outliers},
+                       {"correlated", optional_json(result.columns[c].correlated)}});
   for (std::size_t o = 0; o < result.positions.size(); ++o) {
     Json& row = rows.emplace_back(Json::array());
     for (const data::TableColumn& column : table)

@@ -57,6 +57,46 @@ TEST_CASE("one question that cannot be answered leaves the others alone") {
   CHECK(content(folder / "answer") == fails.out);
 }
 
+TEST_CASE("a scheme that cannot be read is its own error, and the others have their verdicts") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml",
+                                        "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\n"
+                                        "[[scheme]]\nname = 'mine'\nmask = 'primmal:n=2'\nholder = '>= 1'\n"
+                                        "[[scheme]]\nmask = 'dd:n=2'\nholder = 1.9\n");
+  const std::string report = folder / "report.xml", answer = folder / "answer.json";
+  const Run found = run("check " + file + " --junit " + report);
+  CHECK(found.code == 65);
+  CHECK(found.err.empty());
+  CHECK(contains(found.out, "holds      " + file + ":3: dd:n=2: reproduces 3\nerror      " + file +
+                                ":6:8: the scheme (scheme specification, position 1: 'primmal'"));
+  CHECK(contains(found.out, "did you mean 'primal'"));
+  CHECK(contains(found.out,
+                 ":10:10: the scheme ('holder' takes \">= X\", \"<= X\", \"> X\", \"< X\" or \"= X\"; 1.9 alone "
+                 "does not say which: \">= 1.9\", \"<= 1.9\", or \"= 1.9\" for exactly that number)"));
+  CHECK(contains(found.out, "\n\n3 properties: 1 hold, 0 fail, 0 undecided, 2 errors.\n"));
+  CHECK(contains(content(report), "tests=\"3\" failures=\"0\" errors=\"2\">"));
+  CHECK(run("check " + file + " --json --out " + answer).code == 65);
+  const auto json = nlohmann::json::parse(content(answer)).at("properties");
+  CHECK(json.at(1).at("holds") == "error");
+  CHECK(json.at(1).at("line") == 6);
+  // What fails is worse.
+  folder.write("file.toml", "[[scheme]]\nmask = 'x:'\nholder = '>= 1'\n[[scheme]]\nmask = 'dd:n=2'\nreproduces = 4\n");
+  CHECK(run("check " + file).code == 1);
+}
+
+TEST_CASE("a number that the exponent is to have exactly") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml",
+                                        "[[scheme]]\nmask = 'dd:n=2'\nholder = '= 2'\nsum_rules = '= 4'\n"
+                                        "[[scheme]]\nmask = 'dd:n=2'\nholder = '= 1.99'\n"
+                                        "[[scheme]]\nmask = 'primal:n=5'\nholder = '= 1.9901439593863'\n");
+  const Run found = run("check " + file);
+  CHECK(found.code == 1);
+  CHECK(contains(found.out, "\n4 properties: 2 hold, 2 fail, 0 undecided.\n"));
+  folder.write("file.toml", "mask = 'four-point:w'\nfor = '0.05 < w < 0.1'\nholder = '= 1'\n");
+  CHECK(contains(run("check " + file).out, "'holder' over a range of a parameter takes \">= X\""));
+}
+
 TEST_CASE("properties of vectors of functions and Hermite schemes") {
   const Folder folder;
   const std::string file = folder.write(
@@ -75,15 +115,14 @@ TEST_CASE("properties of vectors of functions and Hermite schemes") {
   CHECK(contains(fails.out, "\n5 properties: 0 hold, 5 fail, 0 undecided.\n"));
   CHECK(contains(fails.out, ":3: hermite-dd:points=4,order=2: HC >= 3 (HC^2 is proved, HC^3 refuted)"));
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
-           {"mask = 'ghm'\nvariance = '<= 1'\n",
-            ", line 2, column 1: 'variance' is no property of vectors of functions"},
-           {"mask = 'ghm'\nHC = '>= 1'\n", ", line 2, column 1: 'HC' is no property of vectors of functions"},
-           {"mask = 'chaikin'\nHC = '>= 1'\n", ", line 2, column 1: 'HC' is no property of schemes of one variable"},
-           {"mask = 'loop'\nsupport = [0, 1]\n", ", line 2, column 1: 'support' is no property of surfaces"}}) {
+           {"mask = 'ghm'\nvariance = '<= 1'\n", ":2:1: the scheme ('variance' is no property of vectors of functions"},
+           {"mask = 'ghm'\nHC = '>= 1'\n", ":2:1: the scheme ('HC' is no property of vectors of functions"},
+           {"mask = 'chaikin'\nHC = '>= 1'\n", ":2:1: the scheme ('HC' is no property of schemes of one variable"},
+           {"mask = 'loop'\nsupport = [0, 1]\n", ":2:1: the scheme ('support' is no property of surfaces"}}) {
     folder.write("file.toml", text);
     const Run refused = run("check " + file);
     CHECK(refused.code == 65);
-    CHECK(contains(refused.err, message));
+    CHECK(contains(refused.out, message));
   }
 }
 

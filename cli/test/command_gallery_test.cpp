@@ -110,6 +110,23 @@ TEST_CASE("compare: a line a fact, a column a scheme") {
   CHECK(diverging.substr(line + 1, diverging.find('\n', line + 1) - line - 1).ends_with(" none"));
 }
 
+TEST_CASE("compare: rows that are chosen, and a table that a paper's text has room for") {
+  CHECK(run("compare chaikin loop --rows holder,'sum rules' --markdown").out ==
+        "| scheme | bspline:degree=2 | loop |\n|---|---|---|\n| Hoelder exponent | 2 | 3 |\n"
+        "| sum rules | 3 | 4; factors (1 + x)^2, (1 + y)^2 |\n");
+  const Run wrong = run("compare chaikin dd4 --rows 'sum rule'");
+  CHECK(wrong.code == 64);
+  CHECK(
+      contains(wrong.err, "--rows: no scheme has the row 'sum rule'; did you mean 'sum rules'?; the rows are mask, "));
+  const std::string table = run("compare primal:n=3 dual-odd:n=10 loop ghm 'tensor:(ghm)x(ghm)' --latex").out;
+  CHECK(contains(table, "\n  scheme & sum rules & H\\\"older & Sobolev & derivatives & stable \\\\\n"));
+  CHECK(contains(table, "\n  primal:n=3,d=1 & 2 & 1.936309 & 1.994842 & 1 & yes \\\\\n"));
+  CHECK(contains(table, "\n  loop & 4 & 3 & 7/2 & 2 & yes \\\\\n"));
+  CHECK(contains(table, "\n  ghm & - & 1 & 1.500000 & 0 & - \\\\\n"));
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 75);
+}
+
 TEST_CASE("compare and pages of one scheme: wrong usage") {
   check_fails(run("compare primal:n=2"), 64, "compare: needs two schemes or more, got 'primal:n=2'");
   CHECK(run("compare").code == 64);

@@ -74,9 +74,9 @@ TEST_CASE("mask and regularity for papers") {
   CHECK(contains(run("regularity dd:n=2 --markdown").out, "\n| exponent | 2  (exactly, with proof) |\n"));
   const std::string table = run("compare dd:n=2 chaikin --markdown").out;
   CHECK(table.starts_with("| scheme | dd:n=2 | bspline:degree=2 |\n|---|---|---|\n"));
-  CHECK(contains(run("compare dd:n=2 chaikin --latex").out,
-                 "\n  scheme & dd:n=2 & bspline:degree=2 \\\\\n  \\midrule\n"));
-  CHECK(contains(run("compare dd:n=2 chaikin --latex").out, "& $\\frac{1}{4} z^{-2} + \\frac{3}{4} z^{-1}"));
+  const std::string beside = run("compare dd:n=2 chaikin --latex --rows symbol,holder").out;
+  CHECK(contains(beside, "\n  scheme & symbol & H\\\"older exponent \\\\\n  \\midrule\n"));
+  CHECK(contains(beside, "\n  bspline:degree=2 & $\\frac{1}{4} z^{-2} + \\frac{3}{4} z^{-1}"));
   CHECK(contains(run("range four-point:mu --over mu=0..1/4 --property C1 --latex").out,
                  "$C^{1}$ for $0 < \\mu < r$, and for no other $\\mu$ from $0$ to $\\frac{1}{4}$; open on both "
                  "sides within "));

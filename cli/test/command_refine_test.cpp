@@ -223,3 +223,15 @@ TEST_CASE("refine: data go on as the nearest datum, or as a constant") {
   check_fails(run("refine merrien:lambda=-1/8,mu=1/2 " + folder.write("h.csv", "1,2\n3,2\n") + " --boundary nearest"),
               64, "refine: need boundary regression, reflect, periodic or shrink, got nearest");
 }
+
+TEST_CASE("titles of pictures are whole: in lines, and no sign of a specification is markup") {
+  const Folder folder;
+  std::string rows;
+  for (int i = 0; i < 20; ++i) rows += std::to_string(i * 7 % 5) + "\n";
+  const std::string data = folder.write("data.csv", rows), plot = folder / "plot.svg";
+  const std::string mask = "mask:[1,13,78,286,715,1287,1716,1716,1287,715,286,78,13,1]/4096@0";  // longer than a line
+  REQUIRE(run("refine '" + mask + "' " + data + " --out " + (folder / "out.csv") + " --plot " + plot).code == 0);
+  const std::string picture = content(plot);
+  CHECK(contains(picture, "mask:[1,13,78,286,715,1287,1716,1716,1287,715,286,78,13,"));
+  CHECK(contains(picture, ">1]/4096@0<"));
+}

@@ -34,6 +34,10 @@ TEST_CASE("regularity: a bound by frequencies has a certificate") {
     CHECK(run(std::string("regularity '") + scheme + "' --method frequency --certificate " + file).code == 0);
     CHECK(run("verify " + file).code == 0);
   }
+  const auto written = run_json("regularity dd:n=2 --certificate " + file).at("certificate");
+  CHECK(written.at("file") == file);
+  CHECK(written.at("verified") == true);
+  CHECK(written.at("id") == run_json("verify " + file).at("certificates")[0].at("id"));
   const auto large = run_json("regularity primal:n=200 --method frequency --certificate " + file);
   CHECK(large.at("certificate").is_null());
   CHECK(large.at("certificate_reason").is_string());

@@ -20,6 +20,12 @@ TEST_CASE("statements: the fields of the contract") {
   check_fails(run("statements check conjecture-7"), 64,
               "no statement or paper 'conjecture-7'; did you mean dyn-2015/conjecture-7?");
   CHECK(run("statements").out == run("statements list").out);
+  // What an id begins with means all of these; a whole id that one alone.
+  CHECK(run("statements list --ids dyn-2015/table-3").out ==
+        "dyn-2015/table-3-sup\ndyn-2015/table-3-n-sup\ndyn-2015/table-3-slope\ndyn-2015/table-3-n2-slope\n"
+        "dyn-2015/table-3-rates\ndyn-2015/table-3-rates-slope\n");
+  CHECK(run("statements list --ids dyn-2015/table-1").out == "dyn-2015/table-1\n");
+  CHECK(run("statements list dyn-2015/table-").code == 64);
 
   const Folder folder;
   const std::string page = folder / "page.html";

@@ -16,7 +16,7 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   CHECK(dual.at("d").at(0) == 2);
   check_fails(run("theorem conjecture-7 --family bspline"), 64,
               "--family: bspline not in {primal,primal-odd,dual,dual-odd}; see 'subcert theorem --help'");
-  const auto unknown = run_json("theorem conjecture-7 --d 31", 2);
+  const auto unknown = run_json("theorem conjecture-7 --d 31", 3);  // more time would not change it
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());
   const auto list = run_json("theorem list").at("theorems");
@@ -24,4 +24,17 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   for (const auto& one : list) CHECK_FALSE(one.at("range").empty());
   CHECK(run_json("theorem convergence --d 41").at("verdict") == "holds");
   CHECK(run("theorem").out == run("theorem list").out);
+}
+
+TEST_CASE("theorems: where the budget ends, what was proved until then") {
+  const auto none = run_json("theorem smoothness --d 1 --budget 0.001", 2);
+  CHECK(none.at("verdict") == "unknown");
+  CHECK(none.at("reason").get<std::string>().starts_with("the budget ran out after "));
+  // Enough for the large n, not for single schemes.
+  const Run part = run("theorem smoothness --family dual --d 3 --budget 15");
+  CHECK(part.code == 2);
+  CHECK(contains(part.out, "missing: time, before the step "));
+  CHECK(contains(part.out, "verdict: unknown (the budget ran out after "));
+  CHECK(contains(part.out, "(V.7) holds"));
+  CHECK(run("theorem smoothness --d 1 --budget 1000").code == 0);
 }

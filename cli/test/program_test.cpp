@@ -108,7 +108,9 @@ TEST_CASE("help names an example in every subcommand") {
     CHECK(result.code == 0);
     CHECK(result.out.find("Example:\n  subcert " + std::string(command)) != std::string::npos);
   }
-  CHECK(run("--version").out.starts_with("subcert "));
+  // What an answer says of the program is what the program says.
+  const std::string version = run_json("mask chaikin").at("subcert").at("version");
+  CHECK(run("--version").out == "subcert " + version + "\n");
 }
 
 TEST_CASE("help of the program has the exit codes, and hides what only the build calls") {
@@ -162,6 +164,14 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("mask duall:n=2").err, "did you mean 'dual'?"));
   CHECK(contains(run("mask fourpoint:w=1/16").err, "did you mean 'four-point'?"));
   CHECK(contains(run("mask chaikn").err, "did you mean 'chaikin'?"));
+  CHECK(contains(run("levls four-point:w").err, "did you mean 'levels'?"));
+  CHECK(contains(run("statement list").err, "did you mean 'statements'?"));
+  CHECK(contains(run("exponent chaikin").err, "there is no command 'exponent'; did you mean one of 'regularity', "));
+  CHECK(contains(run("regularity chaikin --juntt x").err, "there is no option '--juntt'; see 'subcert regularity"));
+  CHECK(contains(run("regularity chaikin --junit x").err, "there is no option '--junit'; it is one of 'check'; see"));
+  CHECK(contains(run("vertex loop").err, "there is no command 'vertex'; see 'subcert --help'"));
+  for (const char* root : {"mask:[sqrt2,1]/2", "mask:[sqrt(2),1]/2", "four-point:w=sqrt2/16", "mask:[√2,1]/2"})
+    CHECK(contains(run("mask '" + std::string(root) + "'").err, ",where=t^2-3:1.7..1.8"));
   CHECK(contains(run("--nosuch").err, "there is no option '--nosuch' before a command"));
   CHECK(run("help").out == run("--help").out);
   CHECK(run("help mask").out == run("mask --help").out);

@@ -61,18 +61,6 @@ std::string head_text(const CertificateClaim& claim);
 /// for a text that is no certificate. Cost: the first four lines are read, and the power of a logarithm is looked for.
 CertificateClaim read_claim(const std::string& text, const std::string& file);
 
-/// A claim in words: `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, blanks around the signs. EXACT is a
-/// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, or `component K of` it with K = 1,
-/// 2, ..., whose exponent is meant; a family
-/// with a parameter, as `four-point:w for w=1/100..19/100`, where `HC of` before it says that an end is the k of HC^k,
-/// or `for all levels w=...`, where each level has a value; or `radius FILE` or `subradius FILE`, of the matrices in
-/// that file. LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer
-/// shifts are stable. Of `l1:points=6,d=1` the rule of least absolute deviations is meant; `LOWER <= SUBJECT [<=
-/// UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT
-/// <= UPPER` about differences. Errors: throws a usage error for another text, and for a scheme with rounded
-/// coefficients, of which a claim needs the distance.
-CertificateClaim stated_claim(const std::string& words);
-
 /// The command line of a checker, without its name, that asks whether the file proves the claim. The matrices of a
 /// family are in FILE.matrices where the claim does not name them.
 std::vector<std::string> checker_arguments(const CertificateClaim& claim, const std::string& file);

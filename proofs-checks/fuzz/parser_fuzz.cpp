@@ -1,8 +1,8 @@
 // Whatever the bytes, a parser takes them or refuses them with an Error, and the checker answers. FUZZED names which.
 
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/proofs-checks/certificates/claim.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
+#include <subcert/proofs-checks/certificates/stated_claim.hpp>
 #include <subcert/proofs-checks/checker/check.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/proofs-checks/sweeps/journal.hpp>

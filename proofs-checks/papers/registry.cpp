@@ -115,6 +115,9 @@ std::vector<const Statement*> find_statements(const std::string& id_or_paper) {
   std::vector<const Statement*> result;
   for (const Statement& statement : statements())
     if (statement.id == id_or_paper || statement.paper() == id_or_paper) result.push_back(&statement);
+  if (result.empty())
+    for (const Statement& statement : statements())
+      if (statement.id.starts_with(id_or_paper + "-")) result.push_back(&statement);
   std::vector<std::string> meant;  // without its paper
   for (const Statement& statement : statements())
     if (statement.id.ends_with("/" + id_or_paper)) meant.push_back(statement.id);

@@ -20,7 +20,8 @@ std::string reference(const std::string& key);
 
 /// All statements, paper by paper.
 const std::vector<Statement>& statements();
-/// The statements with this id or of this paper. Errors: throws a usage error that names both.
+/// The statement with this id, or those of this paper; where there is none, those whose ids begin so, as
+/// dyn-2015/table-3-sup with dyn-2015/table-3. Errors: throws a usage error that names both.
 std::vector<const Statement*> find_statements(const std::string& id_or_paper);
 /// Those with one of these ids or of one of these papers, each once and in the order of the papers; all where none is
 /// named. Errors: as find_statements().

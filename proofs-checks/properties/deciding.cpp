@@ -26,6 +26,10 @@ Decision compare(const Enclosure& value, const Expectation& expectation, const s
   const Rational& number = expectation.number;
   const bool from_below = relation == ">=" || relation == ">";
   const std::string found = lies_in(what, value, number);
+  if (relation == "=") {
+    if (!value.contains(number)) return decided(false, found);
+    return {value.is_exact() ? Truth::yes : Truth::unknown, found};
+  }
   const auto& worst = from_below ? value.lower : value.upper;
   const auto& best = from_below ? value.upper : value.lower;
   if (worst && compare(*worst, relation, number)) return decided(true, found);

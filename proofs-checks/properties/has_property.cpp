@@ -202,7 +202,7 @@ const std::vector<Property>& known_properties() {
   using S = const Scheme&;
   const char* answer = "true or false";
   const char* whole = "an integer or a comparison";
-  const char* comparison = "\">= X\", \"<= X\", \"> X\" or \"< X\"";
+  const char* comparison = "\">= X\", \"<= X\", \"> X\", \"< X\" or \"= X\"";
   constexpr auto rules = [](S s, E e, double) { return whole_number(polynomial_reproduction(s.mask).sum_rules, e); };
   constexpr auto generates = [](S s, E e, double) {
     return whole_number(polynomial_reproduction(s.mask).generation_degree(), e);
@@ -255,8 +255,7 @@ const std::vector<Property>& known_properties() {
        interpolatory,
        {},
        interpolatory},
-      {"variance", "\"<= X\", \">= X\", \"< X\" or \"> X\"", "the maximum of the variance curve", Expects::comparison,
-       variance, nullptr}};
+      {"variance", comparison, "the maximum of the variance curve", Expects::comparison, variance, nullptr}};
   return all;
 }
 

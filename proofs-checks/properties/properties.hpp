@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace subcert::properties {
@@ -67,8 +68,11 @@ const std::vector<Property>& known_properties();
 /// The one of this name, or null.
 const Property* find_property(std::string_view name);
 
-/// Reads a file. Domain: at most 10^6 characters. Errors: throws FileError for what is no TOML, an unknown key, a value
-/// of the wrong kind, a scheme that cannot be made, a scheme without expected properties, a file without schemes.
+/// Reads a file; a scheme with an unknown key, a value of the wrong kind, without expected properties, or one that
+/// cannot be made, is that error. Domain: at most 10^6 characters. Errors: throws FileError for what is no TOML, and
+/// for a file without schemes.
+std::vector<std::variant<ExpectedScheme, FileError>> read_schemes(std::string_view text);
+/// The same where no scheme is an error. Errors: throws the first one.
 std::vector<ExpectedScheme> read_expectations(std::string_view text);
 
 /// Whether the scheme has the property, of a range: for all values of the parameter. The reason says what was found.

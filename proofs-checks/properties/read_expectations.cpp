@@ -3,6 +3,8 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/proofs-checks/toml_file.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace subcert::properties {
@@ -20,6 +22,19 @@ std::optional<Rational> exact_number(const toml::node& node) {
   throw FileError(place_of(node), "'" + property.name + "' takes " + property.values);
 }
 
+/// A number without a sign, which could mean each of them.
+void refuse_number_alone(const toml::node& node, const Property& property) {
+  const auto text = node.as_string() ? node.as_string()->get() : std::string();
+  std::string number = parse_number(text) ? text : "";
+  if (const auto* integer = node.as_integer()) number = std::to_string(integer->get());
+  if (const auto* real = node.as_floating_point()) number = fmt::format("{}", real->get());
+  if (number.empty() || property.expects == Expects::whole_number) return;
+  const bool is_order = property.expects == Expects::order;
+  const std::string others = is_order ? "" : fmt::format(", \"<= {0}\", or \"= {0}\" for exactly that number", number);
+  throw FileError(place_of(node), fmt::format("'{0}' takes {1}; {2} alone does not say which: \">= {2}\"{3}",
+                                              property.name, property.values, number, others));
+}
+
 void read_comparison(Expectation& to, const toml::node& node, const Property& property) {
   if (const auto* integer = node.as_integer(); integer && property.expects == Expects::whole_number) {
     to.relation = "=";
@@ -27,10 +42,11 @@ void read_comparison(Expectation& to, const toml::node& node, const Property& pr
     to.expected = subcert::to_text(to.number);
     return;
   }
+  refuse_number_alone(node, property);
   const auto* text = node.as_string();
   if (!text) refuse(node, property);
   const std::string& value = text->get();
-  for (const char* relation : {">=", "<=", ">", "<"}) {
+  for (const char* relation : {">=", "<=", ">", "<", "="}) {
     if (value.rfind(relation, 0) != 0) continue;
     const std::size_t begin = value.find_first_not_of(' ', std::string(relation).size());
     const auto number = begin == std::string::npos ? std::nullopt : parse_number(std::string_view(value).substr(begin));
@@ -143,7 +159,7 @@ ExpectedScheme read_scheme(const toml::table& table) {
       throw FileError(place, "'" + property->name + "' is a property of single schemes, got a range of a parameter");
     result.expectations.push_back(read_expectation(*property, node, place));
     if (const Expectation& expected = result.expectations.back();
-        range && (expected.relation.starts_with('<') || expected.relation == ">" ||
+        range && (expected.relation.starts_with('<') || expected.relation == ">" || expected.relation == "=" ||
                   (expected.relation.empty() && !expected.yes)))
       throw FileError(place, "'" + property->name + "' over a range of a parameter takes " +
                                  (expected.relation.empty() ? "true" : "\">= X\""));
@@ -157,13 +173,21 @@ ExpectedScheme read_scheme(const toml::table& table) {
 
 }  // namespace
 
-std::vector<ExpectedScheme> read_expectations(std::string_view text) {
+std::vector<std::variant<ExpectedScheme, FileError>> read_schemes(std::string_view text) {
   const toml::table table = parse_toml(text);
-  std::vector<ExpectedScheme> result;
+  std::vector<std::variant<ExpectedScheme, FileError>> result;
+  const auto read = [&](const toml::table& scheme) {
+    try {
+      result.emplace_back(read_scheme(scheme));
+    } catch (const FileError& error) {
+      result.emplace_back(error);
+    }
+  };
   const toml::node* list = table.get("scheme");
   if (!list) {
     if (table.empty()) throw FileError({1, 1}, "no scheme; expected 'mask' and properties, or tables [[scheme]]");
-    return {read_scheme(table)};
+    read(table);
+    return result;
   }
   for (const auto& [key, node] : table)
     if (key.str() != "scheme")
@@ -171,7 +195,16 @@ std::vector<ExpectedScheme> read_expectations(std::string_view text) {
                       "'" + printable(key.str()) + "' beside [[scheme]]; expected it inside of one");
   if (!list->is_array_of_tables())
     throw FileError(place_of(*list), "'scheme' is not a list of tables; expected [[scheme]]");
-  for (const toml::node& entry : *list->as_array()) result.push_back(read_scheme(*entry.as_table()));
+  for (const toml::node& entry : *list->as_array()) read(*entry.as_table());
+  return result;
+}
+
+std::vector<ExpectedScheme> read_expectations(std::string_view text) {
+  std::vector<ExpectedScheme> result;
+  for (auto& one : read_schemes(text)) {
+    if (const auto* error = std::get_if<FileError>(&one)) throw *error;
+    result.push_back(std::get<ExpectedScheme>(std::move(one)));
+  }
   return result;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// Answers about single schemes that are computed once, for the sources of this floor.
 
+#include "patience.hpp"
+
 #include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <map>
@@ -22,6 +24,7 @@ class KeptByScheme {
       const std::lock_guard lock(mutex_);
       if (const auto found = known_.find(scheme); found != known_.end()) return found->second;
     }
+    next_step(scheme);
     Value value = compute_(scheme);
     const std::lock_guard lock(mutex_);
     return known_.try_emplace(scheme, std::move(value)).first->second;
@@ -29,7 +32,11 @@ class KeptByScheme {
 
   /// Asks for all of them, the last ones, which cost most, first.
   void prepare(const std::vector<std::string>& schemes, int threads) {
-    parallel_tasks(schemes.size(), threads, [&](std::size_t i) { (*this)(schemes[schemes.size() - 1 - i]); });
+    const Patience* patience = PatienceScope::current();
+    parallel_tasks(schemes.size(), threads, [&](std::size_t i) {
+      const PatienceScope scope(patience);
+      (*this)(schemes[schemes.size() - 1 - i]);
+    });
   }
 
  private:

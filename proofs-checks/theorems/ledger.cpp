@@ -1,11 +1,14 @@
 #include "ledger.hpp"
 
+#include "patience.hpp"
+
 #include <algorithm>
 
 namespace subcert::theorems {
 
 Ball Ledger::state(const std::string& name, Side side, const std::string& id, const std::string& meaning,
                    const std::string& formula, const Ball& number, int digits) {
+  next_step("(" + id + ") " + name);
   const Enclosure actual = number.enclosure();
   const bool above = side == Side::above;
   Constant constant{name, 1, side, id, meaning};
@@ -25,6 +28,7 @@ Ball Ledger::state(const std::string& name, Side side, const std::string& id, co
 }
 
 void Ledger::need(Check one) {
+  next_step("(" + one.id + ") " + one.claim);
   if (one.decision.is_no()) one.decision = {Truth::unknown, "the bounds do not suffice"};
   checks_.push_back(std::move(one));
 }

@@ -272,6 +272,18 @@ SmoothnessRange find_range(const SchemeFamily& family, int degree) {
   return range;
 }
 
+/// From where on the chain holds, with `first` the same: single schemes are not looked at.
+SmoothnessRange range_of_chain(const SchemeFamily& family, int degree) {
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, int>, SmoothnessRange> known;
+  const std::lock_guard lock(mutex);
+  const std::pair key(family.id, degree);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  SmoothnessRange range = find_range(family, degree);
+  range.first = range.start;
+  return known[key] = range;
+}
+
 }  // namespace
 
 Rational exponent_bound(const std::string& scheme) {
@@ -308,15 +320,14 @@ SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {
   static std::mutex mutex;
   static std::map<std::pair<std::string, int>, SmoothnessRange> known;
   const std::lock_guard lock(mutex);
-  const auto [found, is_new] = known.try_emplace({family.id, degree});
-  if (!is_new) return found->second;
-  SmoothnessRange range = find_range(family, degree);
-  range.first = range.start;
+  const std::pair key(family.id, degree);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  SmoothnessRange range = range_of_chain(family, degree);
   // Without a start there is no theorem, and single schemes need not be looked at.
   while (range.is_found && range.first > family.least_n(degree) &&
          exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
     --range.first;
-  return found->second = range;
+  return known[key] = range;
 }
 
 void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads) {
@@ -327,9 +338,9 @@ void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int thre
     degree_one_single(ledger, family);
     return;
   }
-  const SmoothnessRange range = smoothness_range(family, degree);
-  state_class(ledger, family, degree, range.start);
+  state_class(ledger, family, degree, range_of_chain(family, degree).start);
   if (!ledger.holds()) return;
+  const SmoothnessRange range = smoothness_range(family, degree);
   known_bounds().prepare(family.schemes(range.first, range.start - 1, degree), threads);
   for (int n = range.first; n < range.start; ++n) {
     const std::string scheme = family.scheme(n, degree);

@@ -4,6 +4,8 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -33,18 +35,29 @@ struct Entry {
 
 /// A proof of section 7: its constants are found by the same run.
 using Run = void (*)(Ledger&, const SchemeFamily&, int degree, int threads);
+
+/// Where time runs out the inequalities so far are not lost.
+void run_in_time(Run run, Ledger& ledger, const SchemeFamily& family, int degree, int threads) {
+  try {
+    run(ledger, family, degree, threads);
+  } catch (OutOfTime& late) {
+    late.checks = ledger.checks();
+    throw;
+  }
+}
+
 std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
                            void (*describe)(Theorem&, const SchemeFamily&), int most = most_degree) {
   if (degree > most) return std::nullopt;
   return Proof{degree,
                [=, &family](int threads) {
                  Ledger ledger;
-                 run(ledger, family, degree, threads);
+                 run_in_time(run, ledger, family, degree, threads);
                  return ledger.constants();
                },
                [=, &family](const Constants& constants, int threads) {
                  Ledger ledger(&constants);
-                 run(ledger, family, degree, threads);
+                 run_in_time(run, ledger, family, degree, threads);
                  return ledger.checks();
                },
                [=, &family](Theorem& t) { describe(t, family); }};
@@ -272,5 +285,23 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
 }
 
 Theorem prove(const std::string& id, int degree) { return prove(id, degree, stated_constants(id, degree)); }
+
+Theorem prove_in_time(const std::string& id, int degree, const std::string& family, int threads,
+                      const Patience& patience) {
+  const PatienceScope scope(&patience);
+  try {
+    return prove(id, degree, stated_constants(id, degree, family, threads), threads, family);
+  } catch (OutOfTime& late) {
+    Theorem theorem;
+    theorem.id = id;
+    theorem.degrees = {degree};
+    theorem.title = find(id).entry.title;
+    theorem.checks = std::move(late.checks);
+    theorem.missing = {"time, before the step " + late.step};
+    theorem.out_of_time = true;
+    theorem.decision = {Truth::unknown, fmt::format("the budget ran out after {} inequalities", theorem.checks.size())};
+    return theorem;
+  }
+}
 
 }  // namespace subcert::theorems

@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "constants.hpp"
+#include "patience.hpp"
 
 #include <string>
 #include <utility>
@@ -24,7 +25,8 @@ struct Theorem {
   std::vector<std::pair<std::string, std::string>> ranges;  ///< which n, and by what they are settled
   std::vector<std::pair<std::string, std::string>> values;  ///< numbers that the theorem gives, with their names
   std::vector<std::string> missing;                         ///< what would be needed where nothing is proved
-  Decision decision;  ///< the verdict on all checks; unknown where something is missing
+  Decision decision;         ///< the verdict on all checks; unknown where something is missing
+  bool out_of_time = false;  ///< which is time alone
 };
 
 /// A theorem that can be asked for; where nothing is proved for a degree the answer says what is missing.
@@ -48,5 +50,10 @@ Constants stated_constants(const std::string& id, int degree, const std::string&
 Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1,
               const std::string& family = "primal");
 Theorem prove(const std::string& id, int degree);
+
+/// The same with the constants that the text states, or that are found. Where the patience ends first the answer is
+/// unknown, with the inequalities that were proved until then.
+Theorem prove_in_time(const std::string& id, int degree, const std::string& family, int threads,
+                      const Patience& patience);
 
 }  // namespace subcert::theorems

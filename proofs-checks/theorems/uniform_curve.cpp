@@ -1,5 +1,9 @@
 #include "uniform_curve.hpp"
 
+#include "patience.hpp"
+
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -107,6 +111,8 @@ const UniformNumbers& uniform_numbers(Evaluation evaluation, int degree, const R
   const std::lock_guard lock(mutex);
   const std::tuple key(evaluation, degree, first_N);
   const auto found = known.find(key);
+  if (found == known.end())
+    next_step("degree " + std::to_string(degree) + " from N = " + to_decimal(first_N, 6, Rounding::nearest) + " on");
   return found != known.end() ? found->second
                               : known.emplace(key, UniformNumbers(evaluation, degree, first_N)).first->second;
 }

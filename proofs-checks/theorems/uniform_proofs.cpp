@@ -198,20 +198,19 @@ int uniform_start(const SchemeFamily& family, int degree) {
   static std::mutex mutex;
   static std::map<std::pair<std::string, int>, int> known;
   const std::lock_guard lock(mutex);
-  const auto [found, is_new] = known.try_emplace({family.id, degree}, 0);
-  if (!is_new) return found->second;
-  int enough = 0;
+  const std::pair key(family.id, degree);
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  int enough = 0, last = 0;
   for (int start : starts) {
     if (start < 5 * degree) continue;  // never good enough
-    found->second = start;
+    last = start;
     const Start judgement = judged(family, degree, start);
-    if (judgement == Start::sharp) return start;
+    if (judgement == Start::sharp) return known[key] = start;
     if (judgement == Start::enough && enough == 0) enough = start;
     // Beyond this the single n cost more than sharpness is worth.
     if (enough > 0 && start > 12 * degree + 32) break;
   }
-  if (enough > 0) found->second = enough;
-  return found->second;
+  return known[key] = enough > 0 ? enough : last;
 }
 
 void uniform_8_n(Ledger& ledger, const SchemeFamily& family, int degree, int threads) {

@@ -238,8 +238,10 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
           "smooth: a new datum may be an outlier, of which robust steps know nothing");
   if (x) restore_order(smoothed, order, at == "data");
   const std::size_t outliers = smoothed.columns.front().outliers;
+  const std::optional<double> correlated = smoothed.columns.front().correlated;
   py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, *kind);
   answer["outliers"] = outliers;
+  answer["correlated"] = correlated;
   if (answer.contains("lower")) answer["bands_method"] = to_text(smoothed.band_method);
   answer["x"] = array_of(std::move(smoothed.positions));
   answer["scheme"] = smoothed.method;

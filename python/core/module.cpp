@@ -4,6 +4,7 @@
 #include "casters.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 
 #include <exception>
 
@@ -37,7 +38,7 @@ void translate(std::exception_ptr thrown) {
 PYBIND11_MODULE(_core, module) {
   using namespace subcert::python;
   py::register_exception_translator(&translate);
-  module.attr("version") = SUBCERT_VERSION;
+  module.attr("version") = subcert::formats::version();
   module.def("enclosure_text", &subcert::enclosure_text);
   add_schemes(module);
   add_regularity(module);

@@ -75,6 +75,8 @@ class Smoothed:
     """Of the choice by estimated error: schemes with their expected squared error, the smallest first."""
     outliers: int = 0
     """Data that stand out so far that no linear method takes them well; robust ones do."""
+    correlated: Optional[float] = None
+    """The correlation of neighbouring second differences, where it is beyond that of independent noise, about -2/3."""
     bands_method: Optional[str] = None
     """What the bands are computed from: linear, sandwich or bootstrap."""
 
@@ -234,6 +236,12 @@ def smooth(
     if facts["outliers"]:
         warnings.warn(
             f"{facts['outliers']} outliers move this fit; scheme='local:d=1,robust=3' leaves them out", stacklevel=2
+        )
+    if facts["correlated"] is not None:
+        warnings.warn(
+            f"second differences have the correlation {facts['correlated']:.3g}, beyond that of independent noise: "
+            "it is correlated, and bands are too narrow, or the mean bends within few data",
+            stacklevel=2,
         )
     facts["candidates"] = tuple(facts["candidates"])
     return Smoothed(**facts)

@@ -12,8 +12,9 @@ int rank(ClaimVerdict verdict) {
   switch (verdict) {
     case ClaimVerdict::holds: return 0;
     case ClaimVerdict::depends: return 1;
-    case ClaimVerdict::contrary: return 3;
-    default: return 2;
+    case ClaimVerdict::weaker: return 2;
+    case ClaimVerdict::contrary: return 4;
+    default: return 3;
   }
 }
 
@@ -41,9 +42,11 @@ ClaimVerdict verdict_over(const std::vector<VariantFinding>& findings) {
 }
 
 std::string DecidedReading::read_as() const {
-  if (!late) return words;
-  return words + (words.empty() ? "" : " ") +
-         "(chosen after the numbers were seen: it can save a sentence, not show it)";
+  std::string text = words;
+  const auto add = [&](const char* more) { text += (text.empty() ? "" : " ") + std::string(more); };
+  if (weaker) add("(less than the words say)");
+  if (late) add("(chosen after the numbers were seen: it can save a sentence, not show it)");
+  return text;
 }
 
 std::string DecidedReading::numbers() const {
@@ -78,8 +81,9 @@ DecidedClaim decided(const Claim& claim, const std::vector<Variant>& variants) {
   for (const Reading& reading : claim.readings) {
     auto findings = findings_of(reading, claim, variants);
     ClaimVerdict verdict = verdict_over(findings);
+    if (reading.weaker && verdict == ClaimVerdict::holds) verdict = ClaimVerdict::weaker;
     if (reading.late && verdict == ClaimVerdict::holds) verdict = ClaimVerdict::depends;
-    readings.push_back({reading.words, verdict, reading.late, std::move(findings)});
+    readings.push_back({reading.words, verdict, reading.late, reading.weaker, std::move(findings)});
   }
   std::ranges::stable_sort(readings, {}, [](const DecidedReading& r) { return rank(r.verdict); });
   const DecidedReading& best = readings.front();

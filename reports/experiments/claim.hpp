@@ -20,7 +20,8 @@ struct Choice {
 struct Reading {
   std::string words;
   Relation relation;
-  bool late = false;  ///< chosen after the numbers were seen: it can save a sentence, but not show it
+  bool late = false;    ///< chosen after the numbers were seen: it can save a sentence, but not show it
+  bool weaker = false;  ///< it says less than the words: what it shows is not the sentence as printed
 };
 
 /// Canonical: at least one reading.
@@ -57,6 +58,7 @@ struct DecidedReading {
   std::string words;
   ClaimVerdict verdict;                  ///< of this reading, whosever data they are; never own_data
   bool late;                             ///< then depends at best
+  bool weaker;                           ///< then weaker at best
   std::vector<VariantFinding> findings;  ///< as taken first
   /// How the sentence is read, and whether that was chosen late; may be empty.
   std::string read_as() const;

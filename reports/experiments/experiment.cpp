@@ -197,6 +197,7 @@ nlohmann::ordered_json claim_json(const DecidedClaim& c) {
                          {"numbers", f.finding.numbers}});
     json["readings"].push_back({{"read as", r.words},
                                 {"late", r.late},
+                                {"weaker", r.weaker},
                                 {"finding", to_text(r.verdict)},
                                 {"statistic", r.findings.front().finding.statistic},
                                 {"choices", choices}});

@@ -172,11 +172,11 @@ Reading read_reading(const Fields& fields, const Keys& others) {
   if (kind == kinds.end())
     throw FileError(place_of(fields.table), "expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
   Keys known(others);
-  known.insert(known.end(), {"read-as", "late", kind->key});
+  known.insert(known.end(), {"read-as", "late", "weaker", kind->key});
   known.insert(known.end(), kind->keys.begin(), kind->keys.end());
   only_keys(fields.table, known);
   return {fields.has("read-as") ? fields.text("read-as") : "", kind->relation(fields),
-          flag(fields.table, "late", false)};
+          flag(fields.table, "late", false), flag(fields.table, "weaker", false)};
 }
 
 /// Whether the data are ours, by the key `data` of an experiment or of a claim.

@@ -126,7 +126,7 @@ std::string tics_of(const Panel& panel) {
 
 void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
   const std::string plain = panel.plain_texts ? " noenhanced" : "";
-  gnuplot << "set title " << kind.quoted_text(panel.title) << plain << "\nset xlabel "
+  gnuplot << "set title " << kind.title(panel.title, panel.plain_texts) << "\nset xlabel "
           << kind.quoted_text(panel.x_label) << plain << "\nset ylabel " << kind.quoted_text(panel.y_label) << plain
           << "\nset key " << panel.key << "\n"
           << tics_of(panel)
@@ -256,6 +256,34 @@ std::string PictureKind::size(int width, int height) const {
 
 std::string PictureKind::quoted_text(const std::string& text) const {
   return quoted(ending == ".tex" ? latex_text(text) : text);
+}
+
+std::string PictureKind::title(const std::string& text, bool plain) const {
+  constexpr std::size_t width = 56, most_lines = 3;
+  std::string lines, rest = text;
+  const auto whole = [&](std::size_t at) {  // not within a character of UTF-8
+    while (at > 1 && (static_cast<unsigned char>(rest[at]) & 0xC0U) == 0x80) --at;
+    return at;
+  };
+  for (std::size_t line = 1; !rest.empty() || line == 1; ++line) {
+    std::size_t stop = rest.size();
+    if (stop > width) {
+      // Behind a sign that parts, else in the middle of what has none.
+      const std::size_t sign = rest.find_last_of(" ,;", width - 1);
+      stop = sign == std::string::npos ? whole(width) : sign + 1;
+      if (line == most_lines) {
+        rest = rest.substr(0, whole(width - 3)) + "...";
+        stop = rest.size();
+      }
+    }
+    const std::string quoted_line = quoted_text(rest.substr(0, stop));
+    lines += (lines.empty() ? "" : "\\n") + quoted_line.substr(1, quoted_line.size() - 2);
+    rest.erase(0, stop);
+  }
+  const std::size_t colon = text.find(':');
+  const bool is_specification = text.find('@') != std::string::npos ||
+                                (colon != std::string::npos && text.substr(colon + 1, 1) != " ");
+  return '"' + lines + '"' + (plain || is_specification ? " noenhanced" : "");
 }
 
 bool is_picture_name(const std::filesystem::path& file) {

@@ -80,6 +80,9 @@ struct PictureKind {
   std::string size(int width, int height) const;
   /// In quotes, as gnuplot reads strings; in pictures that LaTeX reads what it prints as this text.
   std::string quoted_text(const std::string& text) const;
+  /// For gnuplot, behind `set title`: in as many lines as the width of a panel asks for, at most three, of which the
+  /// last one may end in dots. Specifications have no markup, nor what is plain.
+  std::string title(const std::string& text, bool plain = false) const;
 };
 const std::vector<PictureKind>& picture_kinds();
 /// As people read them.

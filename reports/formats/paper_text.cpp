@@ -94,6 +94,7 @@ std::string latex_text(std::string_view text) {
     else
       result += (std::string_view("&%$#_{}").find(c) == std::string_view::npos ? "" : "\\") + std::string(1, c);
   }
+  result = with_all_replaced(std::move(result), "Hoelder", "H\\\"older");
   result = with_all_replaced(with_all_replaced(result, ">=", "$\\ge$"), "<=", "$\\le$");
   return with_all_replaced(with_all_replaced(result, "<", "\\textless{}"), ">", "\\textgreater{}");
 }

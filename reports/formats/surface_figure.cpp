@@ -63,7 +63,7 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::s
           << "set pm3d lighting primary 0.4 specular 0.1\n";
   for (const DrawnSurface& surface : surfaces) {
     const bool coarse = surface.columns * surface.rows <= 2500;
-    gnuplot << "set title " << kind.quoted_text(surface.title) << "\n"
+    gnuplot << "set title " << kind.title(surface.title) << "\n"
             << (surface.heights ? "set view 60,30,1\n"
                                 : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) +
                                       "\nunset tics\nunset border\n")

@@ -54,7 +54,7 @@ struct Plate {
   Decision exact;  ///< whether a product attains the radius behind the exponent
   std::optional<Enclosure> sobolev;
   std::optional<FunctionVector> vector;  ///< of a mask of matrices: `convergence` is that of the scheme itself
-  int derivatives = -1;  ///< continuous ones that are proved, without the budget of the exponent; -1: not asked
+  int derivatives = -1;  ///< continuous ones that norms prove, without the budget of the exponent; -1: not asked
   std::optional<Enclosure> largest_variance;
   std::optional<Rational> mean_variance;
   std::vector<PlatePicture> pictures;
@@ -83,7 +83,7 @@ std::string comparison_html(const std::vector<Plate>& plates);
 std::vector<PlatePicture> overlaid(const std::vector<Plate>& plates);
 
 /// What follows from the mask, shortened where it is too long for people, and what is proved; what is not known of this
-/// scheme is left out, in JSON it is null.
-facts::Facts plate_facts(const Plate& plate);
+/// scheme is left out, in JSON it is null. Exponents have `digits` decimals for people.
+facts::Facts plate_facts(const Plate& plate, int digits = 10);
 
 }  // namespace subcert::reports

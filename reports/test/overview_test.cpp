@@ -71,7 +71,7 @@ TEST_CASE("the first screen shows what is open and what cannot be checked") {
   CHECK(mentions(first_screen(findings, {}), "1 of 4 printed values match; 2 wrong, 1 open"));
   cells.insert(cells.end(), 2, comparison(ValueVerdict::not_reproducible, ValueVerdict::not_reproducible));
   CHECK(mentions(first_screen(findings, {}),
-                 "1 of 4 printed values match; 2 wrong, 1 open, 2 rest on data that were not published"));
+                 "1 of 4 printed values match; 2 wrong, 1 open; beside them 2 rest on data that were not published"));
   cells.erase(cells.begin(), cells.end() - 2);
   CHECK(mentions(first_screen(findings, {}), "2 printed values: 2 rest on data that were not published"));
 }

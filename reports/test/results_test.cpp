@@ -27,7 +27,7 @@ TEST_CASE("values that follow from others are compared and not counted") {
   const Counts found = counts(all, ResultKind::value);
   CHECK(found.all() == 3);
   CHECK(found.checked() == 2);
-  CHECK(found.text() == "1 of 2 printed values match; 1 wrong, 1 rests on data that were not published");
+  CHECK(found.text() == "1 of 2 printed values match; 1 wrong; beside them 1 rests on data that were not published");
   CHECK(counts(all, ResultKind::value, "b").text().empty());
   CHECK(counts({all.back()}, ResultKind::value).head().empty());
 }
@@ -43,8 +43,8 @@ TEST_CASE("statements count by what is known, and a cause once") {
   });
   const Counts found = counts(all, ResultKind::statement);
   CHECK(found.text() ==
-        "3 of 5 statements hold (1 proved for all n, 1 on the range tried, 1 but for an edge); 2 slips of the pen, "
-        "1 left to experiments");
+        "3 of 5 statements hold (1 proved for all n, 1 on the range tried, 1 but for an edge); 2 slips of the pen; "
+        "beside them 1 left to experiments");
   CHECK(counts({all.front()}, ResultKind::statement).text() == "1 of 1 statements hold (1 proved for all n)");
   CHECK(found.causes == 1);
   CHECK(errata_sentence(found).starts_with("2 of 5 statements do not hold, from 1 cause: 2 slips of the pen;"));

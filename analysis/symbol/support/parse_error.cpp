@@ -58,6 +58,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return steps.back().back();
 }
 
+/// How masks with roots are written, where the text has a root.
+std::string root_hint(std::string_view text) {
+  const bool has_root = text.find("sqrt") != std::string_view::npos || text.find("\u221A") != std::string_view::npos;
+  return has_root ? "; a root is a letter with its polynomial and place, as in "
+                    "mask:[1+t,3+t,3-t,1-t]/4@0,where=t^2-3:1.7..1.8"
+                  : "";
+}
+
 }  // namespace
 
 std::string visible(std::string_view text) { return visible(text, std::string_view::npos); }
@@ -73,8 +81,8 @@ std::string in_quotes(std::string_view token) {
 }
 
 ParseError::ParseError(const std::string& subject, std::string_view token, std::size_t position, std::string expected)
-    : Error(ErrorKind::usage,
-            fmt::format("{}, position {}: {}; expected {}", subject, position, in_quotes(token), expected)),
+    : Error(ErrorKind::usage, fmt::format("{}, position {}: {}; expected {}{}", subject, position, in_quotes(token),
+                                          expected, root_hint(token))),
       token_(printable(token)),
       position_(position),
       expected_(std::move(expected)) {}

@@ -95,6 +95,11 @@ TEST_CASE("properties of surfaces") {
   // C^1 with the exponent 2: never said to be C^2.
   CHECK_FALSE(first_answer("mask = 'zwart-powell:'\nsmoothness = '>= 2'").is_yes());
   CHECK(first_answer("mask = 'kobbelt:w=1/16'\nsmoothness = '>= 1'").is_yes());
+  // Exactly a number: where it is proved to be it, not where the enclosure has a width.
+  CHECK(first_answer("mask = 'dd:n=2'\nholder = '= 2'").is_yes());
+  CHECK(first_answer("mask = 'dd:n=2'\nholder = '= 1.999999999'").is_no());
+  CHECK(first_answer("mask = 'daubechies:n=3'\nholder = '= 1.0878'").is_no());
+  CHECK(first_answer("mask = 'dd:n=2'\nreproduces = '= 3'").is_yes());
   CHECK_THAT(error_of(quincunx + "variance = '<= 1'"), Catch::Contains("is no property of surfaces"));
 }
 
@@ -128,8 +133,13 @@ TEST_CASE("several schemes, with names, in the order of the file") {
 TEST_CASE("bad files are refused with line and column") {
   CHECK(error_of("") == "line 1, column 1: no scheme; expected 'mask' and properties, or tables [[scheme]]");
   CHECK(error_of("mask = 'bspline:degree=1'") == "line 1, column 8: the scheme has no expected property");
-  CHECK(error_of("mask = 'bspline:degree=1'\nholder = 2") ==
-        "line 2, column 10: 'holder' takes \">= X\", \"<= X\", \"> X\" or \"< X\"");
+  CHECK(
+      error_of("mask = 'bspline:degree=1'\nholder = 2") ==
+      "line 2, column 10: 'holder' takes \">= X\", \"<= X\", \"> X\", \"< X\" or \"= X\"; 2 alone does not say which: "
+      "\">= 2\", \"<= 2\", or \"= 2\" for exactly that number");
+  CHECK(error_of("mask = 'bspline:degree=1'\nsmoothness = 1")
+            .ends_with("'smoothness' takes \">= K\"; 1 alone does not say which: \">= 1\""));
+  CHECK(error_of("mask = 'dd:n=2'\nreproduces = 3.0").ends_with("'reproduces' takes an integer or a comparison"));
   CHECK(error_of("mask = 'bspline:degree=1'\n smothness = '>= 1'")
             .rfind("line 2, column 2: unknown property 'smothness'; expected one of mask, name, convergent", 0) == 0);
   CHECK(error_of("msk = 'dd:n=2'\nstable = true")

@@ -200,6 +200,10 @@ TEST_CASE("a claim is decided over every choice, by its best reading") {
   CHECK(found("4", readings + "late = false\n").claims.front().finding == ClaimVerdict::holds);
   CHECK_THROWS_AS(experiment("4", readings + "late = 'true'\n"), FileError);
   CHECK_THROWS_AS(experiment("4", moving + "over = ['time']\n"), FileError);
+  // One that says less than the words is not the sentence as printed.
+  const std::string weaker = readings + "weaker = true\n";
+  CHECK(found("4", weaker).claims.front().finding == ClaimVerdict::weaker);
+  CHECK(found("4", weaker).claims.front().statistic.find("(less than the words say)") != std::string::npos);
   CHECK_THROWS_AS(experiment("4", "data = 'theirs'\n" + readings), FileError);
 }
 
@@ -208,9 +212,9 @@ TEST_CASE("a reading is open where a decision of it would count") {
       unknown{"c", 2, {Truth::unknown, "", ""}};
   const auto open = [](ClaimVerdict best, const std::vector<VariantFinding>& findings, bool late = false,
                        ClaimVerdict finding = ClaimVerdict::depends) {
-    const DecidedReading reading{"", verdict_over(findings), late, findings};
+    const DecidedReading reading{"", verdict_over(findings), late, false, findings};
     DecidedClaim claim{"", "", finding, "", ""};
-    claim.readings = {{"", best, false, {}}, reading};
+    claim.readings = {{"", best, false, false, {}}, reading};
     return is_open(claim, reading);
   };
   CHECK(open(ClaimVerdict::undecided, {no, unknown}));
@@ -269,7 +273,7 @@ TEST_CASE("what is wrong in a file of experiments is named with its place") {
   CHECK(refusal(file) == "line 7, column 1: expected one of the keys 'of', 'facts', 'smaller-error', 'equal-error'");
   CHECK(refusal(file + "facts = 'kept'\nmeasure = 'error'\nstatistic = 's'\n") ==
         "line 11, column 1: unknown key 'measure'; expected one of sentence, place, recorded, data, over, counted-in, "
-        "read-as, late, facts, statistic");
+        "read-as, late, weaker, facts, statistic");
   CHECK(refusal(file + "of = 'a'\nmeasure = 'error'\nstatistic = 's'\n") ==
         "line 10, column 6: expected the list 'of'");
   // What would hold of nothing, or twice.

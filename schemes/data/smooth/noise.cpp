@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 namespace subcert::data {
 namespace {
@@ -132,6 +133,55 @@ namespace {
 
 constexpr double far = 6, raised = 1.5;
 constexpr double answer = -0.25;  // of a neighbour's difference to an outlier, -1/2 where data are uniform
+constexpr std::size_t longest_run = 5;
+
+/// A datum less the line through two others, normed to the variance of a datum of weight 1.
+double beside_chord(const std::vector<double>& data, const std::vector<double>& weights,
+                    const std::vector<double>& positions, std::size_t first, std::size_t second, std::size_t at) {
+  const auto place = [&](std::size_t i) { return positions.empty() ? static_cast<double>(i) : positions[i]; };
+  const double t = (place(at) - place(first)) / (place(second) - place(first));
+  const double variance = 1 / at_or_one(weights, at) + (1 - t) * (1 - t) / at_or_one(weights, first) +
+                          t * t / at_or_one(weights, second);
+  return (data[at] - (1 - t) * data[first] - t * data[second]) / std::sqrt(variance);
+}
+
+/// Whether the data from `first` to `last` stand out together, on one side and about as far, from a line through two
+/// data on either side that rises by less.
+bool stand_out_together(const std::vector<double>& data, const std::vector<double>& weights,
+                        const std::vector<double>& positions, std::size_t first, std::size_t last, double deviation) {
+  const auto off = [&](std::size_t i) {
+    return beside_chord(data, weights, positions, first - 1, last + 1, i) / deviation;
+  };
+  constexpr double on_line = 3, alike = 0.5;
+  if (std::abs(off(first - 2)) > on_line || std::abs(off(last + 2)) > on_line) return false;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  const double side = off(first) < 0 ? -1 : 1;
+  for (std::size_t i = first; i <= last; ++i) {
+    least = std::min(least, side * off(i));
+    most = std::max(most, side * off(i));
+  }
+  return least > far && least > alike * most && std::abs(data[last + 1] - data[first - 1]) < least * deviation;
+}
+
+/// Marks runs of outliers side by side, unless they are more than a fifth of the data.
+void mark_runs(const std::vector<double>& data, const std::vector<double>& weights,
+               const std::vector<double>& positions, double deviation, std::vector<bool>& marked) {
+  std::vector<bool> in_runs(data.size(), false);
+  std::size_t next = 2;  // no run is told by data of the one before
+  for (std::size_t end = 4; end + 2 <= data.size(); ++end)
+    for (std::size_t length = 2; length <= longest_run && next + length <= end; ++length) {
+      const std::size_t first = end - length;
+      const bool present = std::ranges::all_of(std::views::iota(first - 2, end + 2),
+                                               [&](std::size_t i) { return at_or_one(weights, i) > 0; });
+      if (!present || !stand_out_together(data, weights, positions, first, end - 1, deviation)) continue;
+      std::fill(in_runs.begin() + static_cast<std::ptrdiff_t>(first),
+                in_runs.begin() + static_cast<std::ptrdiff_t>(end), true);
+      next = end + 2;
+      break;
+    }
+  if (5 * std::ranges::count(in_runs, true) > std::ssize(data)) return;
+  for (std::size_t i = 0; i < data.size(); ++i) marked[i] = marked[i] || in_runs[i];
+}
 
 }  // namespace
 
@@ -154,7 +204,7 @@ std::size_t count_outliers(const std::vector<double>& data, const std::vector<do
   std::nth_element(moduli.begin(), middle, moduli.end());
   const double deviation = *middle / normal_quartile;
   double all = 0, bulk = 0;
-  std::size_t outliers = 0;
+  std::vector<bool> outliers(data.size(), false);
   for (std::size_t i = 1; i + 1 < data.size(); ++i) {
     const double e = differences[i], before = differences[i - 1] / e, after = differences[i + 1] / e;
     if (std::isnan(e)) continue;
@@ -162,9 +212,41 @@ std::size_t count_outliers(const std::vector<double>& data, const std::vector<do
     if (std::abs(e) <= far * deviation)
       bulk += e * e;
     else if (!(before > answer) && !(after > answer) && (before <= answer || after <= answer))
-      ++outliers;
+      outliers[i] = true;
   }
-  return deviation > 0 && all > raised * bulk ? outliers : 0;
+  if (!(deviation > 0 && all > raised * bulk)) return 0;
+  mark_runs(data, prior_weights, positions, deviation, outliers);
+  return static_cast<std::size_t>(std::ranges::count(outliers, true));
+}
+
+std::optional<double> correlated_differences(const std::vector<double>& data, const std::vector<double>& prior_weights,
+                                             const std::vector<double>& positions) {
+  if (has_ties(positions)) {
+    const DifferentPositions means(data, prior_weights, positions);
+    return correlated_differences(means.data, means.weights, means.positions);
+  }
+  // Of noise in the order of the data; Bartlett's variance of the lag-1 correlation of second differences.
+  constexpr double variance = 0.30247, beyond = 4;
+  constexpr std::size_t fewest = 30;
+  const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
+  double products = 0, squares = 0, expected = 0;
+  std::size_t pairs = 0;
+  for (std::size_t i = 1; i + 1 < data.size(); ++i) {
+    if (!is_present(i - 1) || !is_present(i) || !is_present(i + 1)) continue;
+    const SecondDifference here(i, prior_weights, positions);
+    const double value = here.of(data);
+    squares += value * value;
+    if (i == 1 || !is_present(i - 2)) continue;
+    const SecondDifference before(i - 1, prior_weights, positions);
+    products += before.of(data) * value;
+    expected += covariance(before, here, prior_weights);
+    ++pairs;
+  }
+  if (pairs < fewest || !(squares > 0)) return std::nullopt;
+  const auto m = static_cast<double>(pairs);
+  const double correlation = products / squares;
+  const bool is_beyond = correlation - expected / m > beyond * std::sqrt(variance / m) && correlation < 0;
+  return is_beyond ? std::optional(correlation) : std::nullopt;
 }
 
 namespace {

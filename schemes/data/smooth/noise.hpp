@@ -4,6 +4,7 @@
 #include "uniform_grid.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace subcert::data {
@@ -40,10 +41,20 @@ NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<
 std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
 
 /// How many data stand out from both neighbours, not as steps and bends do, by more than six standard deviations of the
-/// bulk of the data, where such differences raise the estimate of the variance by more than half; else 0. The deviation
-/// of the bulk is that of the median of second differences. Domain: as estimate_noise.
+/// bulk of the data, where such differences raise the estimate of the variance by more than half; else 0. Two to five
+/// data side by side count where they stand out together from a line through two data on either side, and where such
+/// runs are at most a fifth of the data. The deviation of the bulk is that of the median of second differences. Domain:
+/// as estimate_noise.
 std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
                            const std::vector<double>& positions = {});
+
+/// The correlation of neighbouring second differences, where it is above what independent noise gives, -2/3 on uniform
+/// data, by more than four standard deviations, and below 0: noise that is correlated from datum to datum, which bands
+/// know nothing of, or a mean that bends within few data. Nothing else, and for fewer than 30 such pairs. Domain: as
+/// estimate_noise. Ref: [Bar46]; docs/smoothing.md, section 3.
+std::optional<double> correlated_differences(const std::vector<double>& data,
+                                             const std::vector<double>& prior_weights = {},
+                                             const std::vector<double>& positions = {});
 
 /// The factor between the standard deviation of a value and half the width of its confidence band of this level:
 /// a quantile of Student's distribution with the degrees of freedom of the noise. Domain: 0 < level < 1, an estimate

@@ -147,8 +147,12 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
   const std::unique_ptr<LinearSmoother> smoother = make_smoother(used, method, options);
   SmoothedSamples result = smoothed_columns(used, estimate_noise(samples), *smoother, options.derivative, 0,
                                             smoother->spacings(), 0);
-  for (std::size_t c = 0; c < samples.columns.size(); ++c)
-    result.columns[c].outliers = count_outliers(samples.columns[c], samples.rounded_weights(), samples.positions);
+  const std::vector<double> weights = samples.rounded_weights();
+  for (std::size_t c = 0; c < samples.columns.size(); ++c) {
+    result.columns[c].outliers = count_outliers(samples.columns[c], weights, samples.positions);
+    if (!samples.noise)
+      result.columns[c].correlated = correlated_differences(samples.columns[c], weights, samples.positions);
+  }
   result.method = to_text(method);
   set_positions_of_data(result, samples, options);
   return finite(std::move(result));

@@ -27,7 +27,8 @@ struct SmoothedColumn {
   std::optional<NoiseEstimate> noise = {};  ///< nothing for a scheme that is not linear
   std::vector<double> deviations = {};      ///< standard deviations; none where the noise has no estimate
   double path = 0;                          ///< SmoothedData::path
-  std::size_t outliers = 0;                 ///< that a linear method was given: OutlierCount
+  std::size_t outliers = 0;                 ///< that a linear method was given: count_outliers
+  std::optional<double> correlated = {};    ///< of its data: correlated_differences
 
   /// Half the widths of the bands; none without deviations. Domain: 0 < level < 1; prediction with derivative 0.
   /// Errors: throws a domain error.

@@ -274,9 +274,63 @@ TEST_CASE("outliers are counted where they spoil the noise, and nothing else is"
   }
   for (const auto& data : {growth, step, lattice, saw, std::vector<double>{1, 2}, std::vector<double>(9, 4)})
     CHECK(count_outliers(data) == 0);
+  // Two to five side by side, on one side, among noise; not a bend, nor steps that are the data.
+  for (const std::size_t length : {2U, 3U, 5U, 6U}) {
+    constexpr int runs = 40;
+    int counted = 0, bends = 0;
+    for (int run = 0; run < runs; ++run) {
+      const auto at = uneven(200, engine);
+      std::vector<double> data = noisy(at, wave, 0.1, 0, engine), peak = data, waves = data;
+      for (std::size_t i = 0; i < length; ++i) data[80 + i] += 3;
+      for (std::size_t i = 0; i < peak.size(); ++i) {
+        peak[i] += 3 * std::exp(-0.2 * std::pow(static_cast<double>(i) - 80, 2));
+        waves[i] += i / 4 % 2 == 0 ? 3 : 0;
+      }
+      counted += count_outliers(data, {}, at) == length ? 1 : 0;
+      bends += count_outliers(peak, {}, at) > 0 ? 1 : 0;
+      CHECK(count_outliers(waves, {}, at) == 0);
+    }
+    CHECK((length <= 5 ? counted > runs * 8 / 10 : counted == 0));
+    CHECK(bends < runs / 8);
+  }
   // At an end, and beside a missing datum.
   CHECK(count_outliers({1, 99, 1, 2, 1, 3, 2, 1, 2, 1, 3, 1}) == 1);
   CHECK(count_outliers({1, 2, 1, 2, 9e9, 2, 1, 2, 1, 3, 1}, {1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1}) == 0);
+}
+
+TEST_CASE("noise that is correlated from datum to datum is told, independent noise is not") {
+  std::mt19937_64 engine(41);
+  std::normal_distribution<double> normal(0, 0.1);
+  const auto wave = [](double x) { return std::sin(x / 9); };
+  const auto told = [&](std::size_t count, double rho, bool is_uneven) {
+    int number = 0;
+    for (int run = 0; run < 200; ++run) {
+      const auto at = is_uneven ? uneven(count, engine) : std::vector<double>();
+      std::vector<double> data, weights;
+      double noise = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        noise = rho * noise + std::sqrt(1 - rho * rho) * normal(engine);
+        const double weight = is_uneven ? 1 + static_cast<double>(i % 3) : 1;
+        weights.push_back(weight);
+        data.push_back(wave(is_uneven ? at[i] : static_cast<double>(i)) + noise / std::sqrt(weight));
+      }
+      number += correlated_differences(data, weights, at) ? 1 : 0;
+    }
+    return number;
+  };
+  for (const bool is_uneven : {false, true}) {
+    CHECK(told(60, 0, is_uneven) <= 1);
+    CHECK(told(1000, 0, is_uneven) <= 1);
+    CHECK(told(1000, 0.5, is_uneven) > 180);
+  }
+  CHECK(told(200, 0.9, false) > 60);
+  CHECK(told(20, 0.9, false) == 0);
+  // Not of curves without noise, constant data, and where the noise is given.
+  std::vector<double> curve;
+  for (int i = 0; i < 200; ++i) curve.push_back(std::sin(i / 9.0));
+  CHECK_FALSE(correlated_differences(curve));
+  CHECK_FALSE(correlated_differences(std::vector<double>(100, 4)));
+  CHECK_FALSE(correlated_differences({}));
 }
 
 TEST_CASE("l1 schemes at positions: on uniform ones the same values, elsewhere polynomials without the outliers") {

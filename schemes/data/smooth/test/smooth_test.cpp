@@ -159,9 +159,10 @@ TEST_CASE("a stream gives the same bits as all data at once, whatever comes at o
           const auto append = [&](const SmoothedSamples& more) {
             found.positions.insert(found.positions.end(), more.positions.begin(), more.positions.end());
             for (std::size_t c = 0; c < 2; ++c) {
-              auto& [values, noise, deviations, path, outliers] = found.columns[c];
-              values.insert(values.end(), more.columns[c].values.begin(), more.columns[c].values.end());
-              deviations.insert(deviations.end(), more.columns[c].deviations.begin(), more.columns[c].deviations.end());
+              const SmoothedColumn& from = more.columns[c];
+              SmoothedColumn& to = found.columns[c];
+              to.values.insert(to.values.end(), from.values.begin(), from.values.end());
+              to.deviations.insert(to.deviations.end(), from.deviations.begin(), from.deviations.end());
             }
           };
           for (std::size_t begin = 0; begin < (part == 1 ? 100 : count); begin += part) {

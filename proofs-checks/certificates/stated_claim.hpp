@@ -1,0 +1,48 @@
+#pragma once
+/// Claims in words, and what certificates say of them that prove more or less.
+
+#include "claim.hpp"
+
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
+
+#include <optional>
+#include <string>
+
+namespace subcert {
+
+/// A claim in words. Certificates about ranges prove their ends with `<`, others with `<=`.
+struct StatedClaim {
+  CertificateClaim claim;
+  bool lower_strict = false, upper_strict = false;  ///< `<` where certificates have `<=`
+  std::optional<ParameterRange> values = {};        ///< of a parameter; low = high for a single value
+
+  /// Whether a checker can be asked for it as it stands: without a sign `<` of its own, not about a single value of a
+  /// parameter, and not of an upper end alone where claims about ranges, radii or C^k are not meant.
+  bool is_plain() const;
+};
+
+/// Reads `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, with `<` in the place of `<=`, or all of it from
+/// the right with `>=` and `>`. EXACT is a number as in SPEC.md, section 1. SUBJECT is
+/// - a scheme, or a vector of functions, or `component K of` it with K = 1, 2, ..., whose exponent is meant;
+/// - a family with a parameter, as `four-point:w for w=1/100..19/100`, or `for 1/100 <= w <= 19/100`, `for all w=...`,
+///   `for w=1/16`, before or behind the upper end; `HC of` before it says that an end is the k of HC^k, `for all levels
+///   w=...` that each level has a value of its own;
+/// - `radius FILE` or `subradius FILE`, of the matrices in that file;
+/// - `l1:points=6,d=1`, of whose limits LOWER and UPPER are ends, or `contraction STEPS,ORDER of` it, with UPPER alone.
+/// LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer shifts are
+/// stable. Errors: throws a usage error for another text, and for a scheme with rounded coefficients, of which a claim
+/// needs the distance.
+StatedClaim stated_claim(const std::string& words);
+
+/// The same about a letter of the certificate's, where both are about families: letters are names.
+StatedClaim with_letter_of(const CertificateClaim& proved, StatedClaim stated);
+
+/// What the certificate says of itself, said of the subject of the stated claim, and on the certificate's own range:
+/// where a checker proves this, the two claims are about one subject.
+CertificateClaim about_subject_of(const StatedClaim& stated, const CertificateClaim& proved);
+
+/// What a proved claim says of another one about the same subject: yes where it follows, no where it is false.
+Truth follows(const StatedClaim& stated, const CertificateClaim& proved);
+
+}  // namespace subcert

@@ -89,6 +89,8 @@ Verdict stated_verdict(const std::string& words, const CertificateClaim& own, co
   constexpr std::string_view verified = "VERIFIED ";
   const CertificateClaim claim = about_subject_of(stated, own);
   const CheckerAnswer answer = run_checker(checker_arguments(claim, file));
+  if (answer.code == static_cast<int>(usage))  // the numbers of the file are none for a claim of this kind
+    return {"rejected", failed, fmt::format("REJECTED {}: the certificate is about another property", words)};
   if (answer.code != 0) return {"rejected", static_cast<ExitCode>(answer.code), answer.text};
   const std::string proved = answer.text.substr(verified.size()) + decimals(claim);
   switch (follows(stated, own)) {

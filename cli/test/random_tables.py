@@ -328,7 +328,7 @@ def draw_case(program, seed, number_of_draw, folder):
             one, other = normal(runs[0], forms[0]), normal(runs[1], forms[1])
         except (IndexError, ValueError) as error:
             one, other = error, None
-        if one != other:
+        if repr(one) != repr(other):  # nan is alike, too
             found.append(f"the forms differ\n    {shlex.join(common)}\n    {forms[1].__dict__}\n    {str(one)[:300]}\n"
                          f"    {str(other)[:300]}\n    {runs[0].errors[-200:]}{runs[1].errors[-200:]}")
     if draw.random() < 0.3:

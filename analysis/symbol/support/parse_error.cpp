@@ -73,7 +73,7 @@ std::string visible(std::string_view text) { return visible(text, std::string_vi
 std::string printable(std::string_view text) { return visible(text, most_characters); }
 
 std::string in_quotes(std::string_view token) {
-  const std::string between = "'" + printable(token) + "'";
+  std::string between = "'" + printable(token) + "'";
   for (; !token.empty(); token.remove_prefix(1))
     if (const auto [code, length] = first_character(token); length > 1)
       return between + fmt::format(" (with U+{:04X})", code);

@@ -152,7 +152,7 @@ ExitCode run(const SweepCommandOptions& options) {
   const auto print = [&](const std::string& text) {
     if (!has_head) std::cout << lines.head();
     has_head = true;
-    std::cout << text << std::flush;
+    std::cout << text;
     require_output_written();
   };
   if (at_once) sweep.finished = [&](std::size_t, const Json& answers) { print(lines.line(tally.judged(answers))); };

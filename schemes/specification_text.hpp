@@ -52,8 +52,8 @@ inline std::vector<Piece> split(const Piece& piece, char separator) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= piece.text.size(); ++i) {
     const char c = i < piece.text.size() ? piece.text[i] : separator;
-    if (c == '[' || c == '(') ++depth;
-    if (c == ']' || c == ')') --depth;
+    if (c == '[' || c == '(' || c == '{') ++depth;
+    if (c == ']' || c == ')' || c == '}') --depth;
     if (i == piece.text.size() || (c == separator && depth <= 0)) {
       result.push_back(trimmed({piece.text.substr(begin, i - begin), piece.at + begin}));
       begin = i + 1;

@@ -69,12 +69,9 @@ class Tally {
   }
 
   /// The answers with what became of the expectation, where there is one.
-  Json judged(const Json& answers) {
-    Json result = answers;
-    if (expect_)
-      result["expected"] = to_text(
-          expect_->holds([&](const std::string& name) { return sweeps::value_of(answers, name); }));
-    return result;
+  Json judged(Json answers) const {
+    if (expect_) answers["expected"] = to_text(verdict_on(answers));
+    return answers;
   }
 
   void add(const Json& answers) {
@@ -84,9 +81,9 @@ class Tally {
       first_error_ = answers.at("scheme").get<std::string>() + ": " +
                      answers.at("errors").begin().value().get<std::string>();
     if (!expect_) return;
-    const std::string found = judged(answers).at("expected");
-    if (found == to_text(Truth::yes)) ++held_;
-    if (found != to_text(Truth::no)) return;
+    const Truth found = verdict_on(answers);
+    if (found == Truth::yes) ++held_;
+    if (found != Truth::no) return;
     ++failed_;
     if (counterexamples_.size() < most_counterexamples)
       counterexamples_.push_back(answers.at("scheme").get<std::string>());
@@ -109,6 +106,11 @@ class Tally {
   }
 
  private:
+  /// Domain: something is expected.
+  Truth verdict_on(const Json& answers) const {
+    return expect_->holds([&](const std::string& name) { return sweeps::value_of(answers, name); });
+  }
+
   std::optional<sweeps::Condition> expect_;
   std::size_t schemes_ = 0, errors_ = 0, held_ = 0, failed_ = 0;
   std::string first_error_;
@@ -121,11 +123,7 @@ void write_certificates(const SweepCommandOptions& options, const sweeps::SweepP
   std::filesystem::create_directories(options.certificates);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const std::string file = fmt::format("{}/{}.cert", options.certificates, k + 1);
-    const runtime::ProcessEnd end = runtime::run_process(
-        program, {"regularity", schemes[k], "--certificate", file, "--json", "--quiet", "--jobs", "1", "--budget",
-                  fmt::format("{}", plan.budget), "--memory", std::to_string(plan.memory)});
-    const Json answer = Json::parse(end.output, nullptr, false);
-    const bool is_written = answer.is_object() && answer.contains("certificate") && !answer.at("certificate").is_null();
+    const bool is_written = sweeps::write_certificate(plan, schemes[k], program, file);
     options.remark(is_written ? fmt::format("{}: certificate {}, verified", schemes[k], file)
                               : schemes[k] + ": no certificate");
   }
@@ -140,8 +138,7 @@ ExitCode run(const SweepCommandOptions& options) {
     cases.push_back({fmt::format("sweep {} of {} budget {} memory {}", fmt::join(plan.ask, ","), scheme, plan.budget,
                                  plan.memory)});
   if (!options.worker.empty()) runtime::run_process(options.worker, {"--version"});  // throws where there is none
-  const std::string program = options.worker.empty() ? std::filesystem::read_symlink("/proc/self/exe").string()
-                                                     : options.worker;
+  const std::string program = options.worker.empty() ? runtime::own_program().string() : options.worker;
   std::vector<std::string> columns = plan.columns.empty() ? usual_columns(plan.ask) : plan.columns;
   if (plan.columns.empty() && !plan.expect.empty()) columns.emplace_back("expected");
   const SweepLines lines(options.json, columns);
@@ -194,7 +191,8 @@ void add_sweep(Command& app) {
   command.option("--expect", options->expect, "What the answers should meet, as 'holder > 1.9 and converges == yes'");
   command.option("--columns", options->columns, "Columns of the table, by the names of --json").separated_by_commas();
   command.flag("--in-order", options->in_order, "Lines in the order of the schemes, at the end, not as they come");
-  command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none");
+  command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none")
+      .within(0.001, 1e6);
   command.option("--memory", options->memory, "MiB that a search of one answer may hold; 512 if none")
       .within(1, 1'000'000);
   command.option("--certificates", options->certificates,

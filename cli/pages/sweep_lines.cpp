@@ -1,19 +1,12 @@
 #include "sweep_lines.hpp"
 
 #include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
 
 #include <algorithm>
 
 namespace subcert::cli {
 namespace {
-
-/// Between quotes where a comma, a quote or an end of line asks for them.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string value_text(const Json& result, const std::string& column) {
   const Json* value = sweeps::value_of(result, column);
@@ -24,7 +17,8 @@ std::string value_text(const Json& result, const std::string& column) {
 
 std::string joined(const std::vector<std::string>& cells) {
   std::string line;
-  for (std::size_t k = 0; k < cells.size(); ++k) line += (k > 0 ? "," : "") + cell(cells[k]);
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    line += (k > 0 ? "," : "") + (cells[k].empty() ? "" : data::quoted_where_needed(cells[k], ','));
   return line + "\n";
 }
 

@@ -18,10 +18,8 @@ constexpr int internal_error = 70;  // of a checker that was killed
 }  // namespace
 
 std::string checker_program() {
-  std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto beside = self.parent_path() / "subcert-check";
-  return !error && std::filesystem::exists(beside) ? beside.string() : "subcert-check";
+  const auto self = runtime::own_program(), beside = self.parent_path() / "subcert-check";
+  return !self.empty() && std::filesystem::exists(beside) ? beside.string() : "subcert-check";
 }
 
 CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::string& program) {

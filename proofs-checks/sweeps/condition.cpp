@@ -2,16 +2,12 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
 
 namespace subcert::sweeps {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-  return text.substr(0, text.find_last_not_of(' ') + 1);
-}
 
 std::optional<Rational> number_in(const Json& value) {
   if (value.is_number_integer()) return Rational(value.get<long>());
@@ -73,14 +69,12 @@ Condition Condition::parse(const std::string& subject, std::string_view text) {
     const auto relation = std::ranges::find_if(relations,
                                                [&](const auto& r) { return part.substr(at).starts_with(r.first); });
     if (relation == relations.end()) fail_at(part);
-    const std::string_view name = trimmed(part.substr(0, at)),
-                           value = trimmed(part.substr(at + relation->first.size()));
-    if (name.empty() || value.empty() || value.find_first_of("<>=! ") != std::string_view::npos) fail_at(part);
+    const std::string name = trimmed(part.substr(0, at)), value = trimmed(part.substr(at + relation->first.size()));
+    if (name.empty() || value.empty() || value.find_first_of("<>=! ") != std::string::npos) fail_at(part);
     const auto number = parse_number(value);
     const bool has_order = relation->second != Relation::equal && relation->second != Relation::different;
     if (!number && has_order) fail_at(value);
-    result.comparisons_.push_back(
-        {std::string(name), relation->second, number ? "" : std::string(value), number.value_or(Rational(0))});
+    result.comparisons_.push_back({name, relation->second, number ? "" : value, number.value_or(Rational(0))});
     begin = end + 5;
   }
   return result;

@@ -2,7 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/numbers/numbers.hpp>
-#include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/schemes/specification_text.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,75 +13,51 @@
 namespace subcert::sweeps {
 namespace {
 
+using specification_text::fail;
+using specification_text::Piece;
+using specification_text::split;
+using specification_text::trimmed;
+
 constexpr std::size_t most_schemes = 1'000'000;
 constexpr double most_combinations = 1e8;
-constexpr const char* subject = "schemes";
 
-/// A piece of a text and where it begins there.
-struct Piece {
-  std::string_view text;
-  std::size_t at = 0;
-
-  Piece part(std::size_t begin, std::size_t end = std::string_view::npos) const {
-    return {text.substr(begin, end - begin), at + begin};
-  }
-  Piece trimmed() const {
-    const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-    return part(begin, text.find_last_not_of(' ') + 1);
-  }
-  [[noreturn]] void refuse(const std::string& expected) const { throw ParseError(subject, text, at + 1, expected); }
-};
-
-/// Between commas that no bracket encloses.
-std::vector<Piece> split(const Piece& whole) {
-  std::vector<Piece> result;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= whole.text.size(); ++i) {
-    const char c = i < whole.text.size() ? whole.text[i] : ',';
-    if (c == '(' || c == '[' || c == '{') ++depth;
-    if (c == ')' || c == ']' || c == '}') --depth;
-    if (i == whole.text.size() || (c == ',' && depth == 0)) {
-      result.push_back(whole.part(begin, i));
-      begin = i + 1;
-    }
-  }
-  return result;
+Piece part(const Piece& piece, std::size_t begin, std::size_t end = std::string_view::npos) {
+  return {piece.text.substr(begin, end - begin), piece.at + begin};
 }
 
 Rational number(const Piece& piece) {
-  const auto value = parse_number(piece.trimmed().text);
-  if (!value) piece.refuse("a number, as 3 or 1/64");
+  const auto value = parse_number(trimmed(piece).text);
+  if (!value) fail(piece, "a number, as 3 or 1/64");
   return *value;
 }
 
 /// Whether it is A..B; `...` is refused.
 bool is_range(const Piece& piece) {
-  if (piece.text.find("...") != std::string_view::npos) piece.refuse("A..B with two dots");
+  if (piece.text.find("...") != std::string_view::npos) fail(piece, "A..B with two dots");
   return piece.text.find("..") != std::string_view::npos && piece.text.find_first_of("([") == std::string_view::npos;
 }
 
 void add_range(const Piece& piece, std::vector<std::string>& values) {
   const std::size_t dots = piece.text.find(".."), step_at = piece.text.find(" step ");
-  const Rational low = number(piece.part(0, dots)), high = number(piece.part(dots + 2, step_at)),
-                 step = step_at == std::string_view::npos ? Rational(1) : number(piece.part(step_at + 6));
-  if (high < low || step <= 0) piece.refuse("A..B or A..B step S with A <= B and S > 0");
-  if ((high - low) / step >= most_schemes) piece.refuse(fmt::format("at most {} values", most_schemes));
+  const Rational low = number(part(piece, 0, dots)), high = number(part(piece, dots + 2, step_at)),
+                 step = step_at == std::string_view::npos ? Rational(1) : number(part(piece, step_at + 6));
+  if (high < low || step <= 0) fail(piece, "A..B or A..B step S with A <= B and S > 0");
+  if ((high - low) / step >= most_schemes) fail(piece, fmt::format("at most {} values", most_schemes));
   for (Rational value = low; value <= high; value += step) values.push_back(to_text(value));
 }
 
 /// What may stand for a value.
 std::vector<std::string> values_of(const Piece& written) {
-  const Piece piece = written.trimmed();
+  const Piece piece = trimmed(written);
   std::vector<std::string> values;
   const bool is_list = piece.text.starts_with('{');
-  if (is_list && !piece.text.ends_with('}')) piece.refuse("a list {A,B,C..D}");
-  for (const Piece& item : is_list ? split(piece.part(1, piece.text.size() - 1)) : std::vector{piece}) {
-    if (is_list && item.trimmed().text.empty()) piece.refuse("a value between commas");
+  if (is_list && !piece.text.ends_with('}')) fail(piece, "a list {A,B,C..D}");
+  for (const Piece& item : is_list ? split(part(piece, 1, piece.text.size() - 1), ',') : std::vector{piece}) {
+    if (is_list && item.text.empty()) fail(piece, "a value between commas");
     if (is_range(item))
-      add_range(item.trimmed(), values);
+      add_range(item, values);
     else
-      values.emplace_back(item.trimmed().text);
+      values.emplace_back(item.text);
   }
   return values;
 }
@@ -93,12 +69,12 @@ struct Key {
 
 std::vector<Key> keys_of(const Piece& body) {
   std::vector<Key> keys;
-  for (const Piece& piece : split(body)) {
+  for (const Piece& piece : split(body, ',')) {
     const std::size_t equals = piece.text.find('=');
     if (equals == std::string_view::npos || piece.text.find_first_of("([") < equals)
       keys.push_back({"", {std::string(piece.text)}});
     else
-      keys.push_back({std::string(piece.part(0, equals + 1).trimmed().text), values_of(piece.part(equals + 1))});
+      keys.push_back({std::string(trimmed(part(piece, 0, equals + 1)).text), values_of(part(piece, equals + 1))});
   }
   return keys;
 }
@@ -158,7 +134,7 @@ std::vector<long> integers_of(const std::vector<Key>& keys, const std::string& n
   for (const std::string& text : found->values) {
     const auto value = parse_number(text);
     if (!value || denominator(*value) != 1 || *value < least || *value > most)
-      whole.refuse(fmt::format("{}= with integers from {} to {}", name, least, most));
+      fail(whole, fmt::format("{}= with integers from {} to {}", name, least, most));
     result.push_back(numerator(*value).convert_to<long>());
   }
   return result;
@@ -169,7 +145,7 @@ std::vector<std::string> small_masks(const Piece& body) {
   static const std::vector<std::string> known = {"length=", "numerators=", "denominator=", "arity="};
   for (const Key& key : keys)
     if (std::ranges::find(known, key.name) == known.end())
-      body.refuse("masks:length=L,numerators=N,denominator=D, perhaps with arity=A");
+      fail(body, "masks:length=L,numerators=N,denominator=D, perhaps with arity=A");
   std::vector<std::string> masks;
   for (const long arity : integers_of(keys, "arity", 2, 8, 2, body))
     for (const long denominator : integers_of(keys, "denominator", 1, 1'000'000, 1, body))
@@ -177,7 +153,7 @@ std::vector<std::string> small_masks(const Piece& body) {
         for (const long length : integers_of(keys, "length", 1, 100, 3, body)) {
           const auto free = static_cast<double>(std::max(length - arity, 0L));
           if (std::pow(2 * static_cast<double>(largest) + 1, free) > most_combinations)
-            body.refuse("at most 10^8 combinations of numerators");
+            fail(body, "at most 10^8 combinations of numerators");
           SmallMasks(length, largest, denominator, arity).add_to(masks);
         }
   return masks;
@@ -186,17 +162,17 @@ std::vector<std::string> small_masks(const Piece& body) {
 }  // namespace
 
 std::vector<std::string> schemes_of_grid(std::string_view text) {
-  const Piece whole = Piece{text, 0}.trimmed();
+  const Piece whole = trimmed({text, 0});
   const std::size_t colon = whole.text.find(':');
   if (colon == std::string_view::npos || whole.text.find_first_of("[(") < colon) return {std::string(whole.text)};
-  const Piece body = whole.part(colon + 1);
+  const Piece body = part(whole, colon + 1);
   if (whole.text.substr(0, colon) == "masks") return small_masks(body);
   const std::vector<Key> keys = keys_of(body);
   double count = 1;
   for (const Key& key : keys) count *= static_cast<double>(key.values.size());
   if (count == 1 && body.text.find('{') == std::string_view::npos && body.text.find("..") == std::string_view::npos)
     return {std::string(whole.text)};
-  if (count > most_schemes) whole.refuse(fmt::format("at most {} schemes", most_schemes));
+  if (count > most_schemes) fail(whole, fmt::format("at most {} schemes", most_schemes));
   std::vector<std::string> schemes{std::string(whole.text.substr(0, colon + 1))};
   for (std::size_t k = 0; k < keys.size(); ++k) {
     std::vector<std::string> longer;
@@ -212,10 +188,10 @@ std::vector<std::pair<std::string, std::string>> keys_of_scheme(std::string_view
   const std::size_t colon = specification.find(':');
   std::vector<std::pair<std::string, std::string>> result;
   if (colon == std::string_view::npos || specification.find_first_of("[(") < colon) return result;
-  for (const Piece& piece : split({specification.substr(colon + 1), colon + 1}))
+  for (const Piece& piece : split({specification.substr(colon + 1), colon + 1}, ','))
     if (const std::size_t equals = piece.text.find('=');
         equals != std::string_view::npos && piece.text.find_first_of("([") > equals)
-      result.emplace_back(piece.part(0, equals).trimmed().text, piece.part(equals + 1).trimmed().text);
+      result.emplace_back(trimmed(part(piece, 0, equals)).text, trimmed(part(piece, equals + 1)).text);
   return result;
 }
 

@@ -2,7 +2,7 @@
 
 #include "scheme_grid.hpp"
 
-#include <subcert/proofs-checks/toml_file.hpp>
+#include <subcert/proofs-checks/toml_fields.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
 
 #include <fmt/format.h>
@@ -30,49 +30,20 @@ const std::vector<Question>& questions() {
   return all;
 }
 
-std::string text_of(const toml::node& node, const char* key) {
-  if (const auto* text = node.as_string()) return text->get();
-  throw FileError(place_of(node), fmt::format("'{}' takes a text in quotes", key));
-}
-
-std::vector<std::string> texts_of(const toml::node& node, const char* key) {
-  const auto* list = node.as_array();
-  if (!list || list->empty()) throw FileError(place_of(node), fmt::format("'{}' takes a list of texts", key));
-  std::vector<std::string> result;
-  for (const toml::node& item : *list) result.push_back(text_of(item, key));
-  return result;
-}
-
-double number_of(const toml::node& node, const char* key, double least, double most) {
-  const auto number = node.value<double>();
+/// What stands at the key, or the usual number.
+double number_at(const toml::table& table, const std::string& key, double least, double most, double usual) {
+  const toml::node* node = table.get(key);
+  if (!node) return usual;
+  const auto number = node->value<double>();
   if (!number || !(*number >= least && *number <= most))
-    throw FileError(place_of(node), fmt::format("'{}' takes a number from {:g} to {:g}", key, least, most));
+    throw FileError(place_of(*node), fmt::format("'{}' takes a number from {:g} to {:g}", key, least, most));
   return *number;
 }
 
-/// What to do with a key, or nothing for one that is unknown.
-bool read_key(std::string_view key, const toml::node& node, SweepPlan& plan) {
-  if (key == "schemes") {
-    plan.schemes = texts_of(node, "schemes");
-  } else if (key == "ask") {
-    plan.ask = texts_of(node, "ask");
-    for (const std::string& name : plan.ask)
-      if (std::ranges::find(known_questions(), name) == known_questions().end())
-        throw FileError(place_of(node), fmt::format("'ask' takes some of {}", fmt::join(known_questions(), ", ")));
-  } else if (key == "where") {
-    plan.where = text_of(node, "where");
-  } else if (key == "expect") {
-    plan.expect = text_of(node, "expect");
-  } else if (key == "columns") {
-    plan.columns = texts_of(node, "columns");
-  } else if (key == "budget") {
-    plan.budget = number_of(node, "budget", 0.001, 1e6);
-  } else if (key == "memory") {
-    plan.memory = static_cast<std::size_t>(number_of(node, "memory", 1, 1e6));
-  } else {
-    return false;
-  }
-  return true;
+Json keys_json(const std::string& scheme) {
+  Json keys = Json::object();
+  for (const auto& [key, value] : keys_of_scheme(scheme)) keys[key] = value;
+  return keys;
 }
 
 /// The last line of what a program said, without its name.
@@ -82,6 +53,16 @@ std::string message_of(const runtime::ProcessEnd& end) {
   if (const std::size_t line = text.rfind('\n'); line != std::string::npos) text.erase(0, line + 1);
   if (text.starts_with("subcert: ")) text.erase(0, 9);
   return text.empty() ? fmt::format("exit code {} without an answer", end.code) : text;
+}
+
+/// How the program answered. A search that does not heed its budget is ended.
+runtime::ProcessEnd asked(const Question& question, const SweepPlan& plan, const std::string& scheme,
+                          const std::string& program) {
+  std::vector<std::string> arguments{question.name, scheme, "--json", "--quiet", "--jobs", "1"};
+  arguments.insert(arguments.end(), question.arguments.begin(), question.arguments.end());
+  if (question.has_budget) arguments.insert(arguments.end(), {"--budget", fmt::format("{}", plan.budget)});
+  if (question.has_memory) arguments.insert(arguments.end(), {"--memory", std::to_string(plan.memory)});
+  return runtime::run_process(program, arguments, 4 * plan.budget + 60);
 }
 
 }  // namespace
@@ -98,11 +79,19 @@ const std::vector<std::string>& known_questions() {
 SweepPlan read_sweep_plan(std::string_view toml) {
   SweepPlan plan;
   const toml::table table = parse_toml(toml);
-  for (const auto& [key, node] : table)
-    if (!read_key(key.str(), node, plan))
-      throw FileError(place_of(key.source()), "unknown key " + in_quotes(key.str()) +
-                                                  "; expected schemes, ask, where, expect, columns, budget or memory");
+  only_keys(table, {"schemes", "ask", "where", "expect", "columns", "budget", "memory"});
+  plan.schemes = optional_texts(table, "schemes");
   if (plan.schemes.empty()) throw FileError({1, 1}, "no schemes; expected schemes = [\"primal:n=1..9\", ...]");
+  if (table.get("ask")) plan.ask = optional_texts(table, "ask");
+  for (const std::string& name : plan.ask)
+    if (std::ranges::find(known_questions(), name) == known_questions().end())
+      throw FileError(place_of(*table.get("ask")),
+                      fmt::format("'ask' takes some of {}", fmt::join(known_questions(), ", ")));
+  plan.where = optional_text(table, "where");
+  plan.expect = optional_text(table, "expect");
+  plan.columns = optional_texts(table, "columns");
+  plan.budget = number_at(table, "budget", 0.001, 1e6, plan.budget);
+  plan.memory = static_cast<std::size_t>(number_at(table, "memory", 1, 1e6, static_cast<double>(plan.memory)));
   return plan;
 }
 
@@ -114,8 +103,7 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan) {
   for (const std::string& grid : plan.schemes)
     for (std::string& scheme : schemes_of_grid(grid)) {
       if (where) {
-        Json keys = Json::object();
-        for (const auto& [key, value] : keys_of_scheme(scheme)) keys[key] = value;
+        const Json keys = keys_json(scheme);
         if (where->holds([&](const std::string& name) { return member_at(keys, name); }) != Truth::yes) continue;
       }
       if (seen.insert(scheme).second) result.push_back(std::move(scheme));
@@ -124,16 +112,11 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan) {
 }
 
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program) {
-  Json result = {{"scheme", scheme}, {"keys", Json::object()}, {"answers", Json::object()}, {"errors", Json::object()}};
-  for (const auto& [key, value] : keys_of_scheme(scheme)) result["keys"][key] = value;
+  Json result = {
+      {"scheme", scheme}, {"keys", keys_json(scheme)}, {"answers", Json::object()}, {"errors", Json::object()}};
   for (const Question& question : questions()) {
     if (std::ranges::find(plan.ask, question.name) == plan.ask.end()) continue;
-    std::vector<std::string> arguments{question.name, scheme, "--json", "--quiet", "--jobs", "1"};
-    arguments.insert(arguments.end(), question.arguments.begin(), question.arguments.end());
-    if (question.has_budget) arguments.insert(arguments.end(), {"--budget", fmt::format("{}", plan.budget)});
-    if (question.has_memory) arguments.insert(arguments.end(), {"--memory", std::to_string(plan.memory)});
-    // A search that does not heed its budget is ended.
-    const runtime::ProcessEnd end = runtime::run_process(program, arguments, 4 * plan.budget + 60);
+    const runtime::ProcessEnd end = asked(question, plan, scheme, program);
     Json answer = Json::parse(end.output, nullptr, false);
     if (end.signal != 0) {
       result["errors"][question.name] = fmt::format("ended by signal {}", end.signal);
@@ -146,6 +129,15 @@ Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const s
     }
   }
   return result;
+}
+
+bool write_certificate(const SweepPlan& plan, const std::string& scheme, const std::string& program,
+                       const std::string& file) {
+  Question question = questions().front();
+  question.arguments = {"--certificate", file};
+  const Json answer = Json::parse(asked(question, plan, scheme, program).output, nullptr, false);
+  const Json* certificate = member_at(answer, "certificate");
+  return certificate && !certificate->is_null();
 }
 
 const Json* value_of(const Json& answers, std::string_view name) {

@@ -33,6 +33,10 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan);
 /// {COMMAND: text}}. An answer has neither the time that it took nor the program's name, so it is the same each time.
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program);
 
+/// Lets the program write a certificate of the exponent; whether it did, and the checker accepted it.
+bool write_certificate(const SweepPlan& plan, const std::string& scheme, const std::string& program,
+                       const std::string& file);
+
 /// What a name stands for in a scheme's answers: a member of the whole, of an answer in the order of the plan, or a key
 /// of the scheme; nullptr where it is none.
 const Json* value_of(const Json& answers, std::string_view name);

@@ -1,5 +1,5 @@
 #pragma once
-/// Answers about single schemes that are computed once, for the sources of this floor.
+/// Answers that are computed once, for the sources of this floor.
 
 #include "patience.hpp"
 
@@ -12,6 +12,23 @@
 #include <vector>
 
 namespace subcert::theorems {
+
+/// What was found for a key, kept for the next call, at a place that stays. One thread computes at a time; where that
+/// throws nothing is kept.
+template <class Key, class Value>
+class Kept {
+ public:
+  template <class Compute>
+  const Value& operator()(const Key& key, const Compute& compute) {
+    const std::lock_guard lock(mutex_);
+    const auto found = known_.find(key);
+    return found != known_.end() ? found->second : known_.emplace(key, compute()).first->second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Key, Value> known_;
+};
 
 /// What a function says of specifications, kept for the next call. Several threads may ask.
 template <class Value>

@@ -4,10 +4,8 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include "degree_one.hpp"
+#include "kept_by_scheme.hpp"
 #include "limit_constant.hpp"
-
-#include <map>
-#include <mutex>
 
 namespace subcert::theorems {
 namespace {
@@ -71,12 +69,8 @@ Observed second_coefficient_at_large() {
 }  // namespace
 
 const Ball& limit_ball(int degree) {
-  static std::mutex mutex;
-  static std::map<int, Ball> known;
-  const std::lock_guard lock(mutex);
-  const auto found = known.find(degree);
-  if (found != known.end()) return found->second;
-  return known.emplace(degree, Ball::containing(limit_constant(degree, 40), proof_bits)).first->second;
+  static Kept<int, Ball> known;
+  return known(degree, [&] { return Ball::containing(limit_constant(degree, 40), proof_bits); });
 }
 
 Constants limit_constants_stated() {

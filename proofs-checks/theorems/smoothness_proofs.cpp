@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <optional>
 
 namespace subcert::theorems {
@@ -273,15 +271,13 @@ SmoothnessRange find_range(const SchemeFamily& family, int degree) {
 }
 
 /// From where on the chain holds, with `first` the same: single schemes are not looked at.
-SmoothnessRange range_of_chain(const SchemeFamily& family, int degree) {
-  static std::mutex mutex;
-  static std::map<std::pair<std::string, int>, SmoothnessRange> known;
-  const std::lock_guard lock(mutex);
-  const std::pair key(family.id, degree);
-  if (const auto found = known.find(key); found != known.end()) return found->second;
-  SmoothnessRange range = find_range(family, degree);
-  range.first = range.start;
-  return known[key] = range;
+const SmoothnessRange& range_of_chain(const SchemeFamily& family, int degree) {
+  static Kept<std::pair<std::string, int>, SmoothnessRange> known;
+  return known({family.id, degree}, [&] {
+    SmoothnessRange range = find_range(family, degree);
+    range.first = range.start;
+    return range;
+  });
 }
 
 }  // namespace
@@ -317,17 +313,15 @@ void smoothness_table(Ledger& ledger, const SchemeFamily& family, int, int threa
 }
 
 SmoothnessRange smoothness_range(const SchemeFamily& family, int degree) {
-  static std::mutex mutex;
-  static std::map<std::pair<std::string, int>, SmoothnessRange> known;
-  const std::lock_guard lock(mutex);
-  const std::pair key(family.id, degree);
-  if (const auto found = known.find(key); found != known.end()) return found->second;
-  SmoothnessRange range = range_of_chain(family, degree);
-  // Without a start there is no theorem, and single schemes need not be looked at.
-  while (range.is_found && range.first > family.least_n(degree) &&
-         exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
-    --range.first;
-  return known[key] = range;
+  static Kept<std::pair<std::string, int>, SmoothnessRange> known;
+  return known({family.id, degree}, [&] {
+    SmoothnessRange range = range_of_chain(family, degree);
+    // Without a start there is no theorem, and single schemes need not be looked at.
+    while (range.is_found && range.first > family.least_n(degree) &&
+           exponent_bound(family.scheme(range.first - 1, degree)) > range.order)
+      --range.first;
+    return range;
+  });
 }
 
 void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int threads) {

@@ -1,11 +1,10 @@
 #include "uniform_curve.hpp"
 
+#include "kept_by_scheme.hpp"
 #include "patience.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 
-#include <map>
-#include <mutex>
 #include <tuple>
 
 namespace subcert::theorems {
@@ -106,15 +105,11 @@ Ball UniformNumbers::mean(const Ball& H) const {
 }
 
 const UniformNumbers& uniform_numbers(Evaluation evaluation, int degree, const Rational& first_N) {
-  static std::mutex mutex;
-  static std::map<std::tuple<Evaluation, int, Rational>, UniformNumbers> known;
-  const std::lock_guard lock(mutex);
-  const std::tuple key(evaluation, degree, first_N);
-  const auto found = known.find(key);
-  if (found == known.end())
+  static Kept<std::tuple<Evaluation, int, Rational>, UniformNumbers> known;
+  return known({evaluation, degree, first_N}, [&] {
     next_step("degree " + std::to_string(degree) + " from N = " + to_decimal(first_N, 6, Rounding::nearest) + " on");
-  return found != known.end() ? found->second
-                              : known.emplace(key, UniformNumbers(evaluation, degree, first_N)).first->second;
+    return UniformNumbers(evaluation, degree, first_N);
+  });
 }
 
 }  // namespace subcert::theorems

@@ -5,12 +5,11 @@
 
 #include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include "kept_by_scheme.hpp"
 #include "uniform_curve.hpp"
 #include "variance_ends.hpp"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 #include <optional>
 
 namespace subcert::theorems {
@@ -192,25 +191,25 @@ Start judged(const SchemeFamily& family, int degree, int start) {
 
 constexpr int starts[] = {24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512};
 
-}  // namespace
-
-int uniform_start(const SchemeFamily& family, int degree) {
-  static std::mutex mutex;
-  static std::map<std::pair<std::string, int>, int> known;
-  const std::lock_guard lock(mutex);
-  const std::pair key(family.id, degree);
-  if (const auto found = known.find(key); found != known.end()) return found->second;
+int find_start(const SchemeFamily& family, int degree) {
   int enough = 0, last = 0;
   for (int start : starts) {
     if (start < 5 * degree) continue;  // never good enough
     last = start;
     const Start judgement = judged(family, degree, start);
-    if (judgement == Start::sharp) return known[key] = start;
+    if (judgement == Start::sharp) return start;
     if (judgement == Start::enough && enough == 0) enough = start;
     // Beyond this the single n cost more than sharpness is worth.
     if (enough > 0 && start > 12 * degree + 32) break;
   }
-  return known[key] = enough > 0 ? enough : last;
+  return enough > 0 ? enough : last;
+}
+
+}  // namespace
+
+int uniform_start(const SchemeFamily& family, int degree) {
+  static Kept<std::pair<std::string, int>, int> known;
+  return known({family.id, degree}, [&] { return find_start(family, degree); });
 }
 
 void uniform_8_n(Ledger& ledger, const SchemeFamily& family, int degree, int threads) {

@@ -326,14 +326,14 @@ Table& TableReader::read(std::string_view lines) {
 
 void TableReader::finish() const { lines_->require_rows(); }
 
-namespace {
-
 std::string quoted_where_needed(const std::string& name, char separator) {
   if (name.find_first_of(std::string("\"\n\r") + separator) == std::string::npos && !name.empty()) return name;
   std::string result = "\"";
   for (char c : name) result += c == '"' ? "\"\"" : std::string(1, c);
   return result + "\"";
 }
+
+namespace {
 
 /// Appends rows to a text. Numbers that come again soon, as standard deviations do, are converted once.
 class RowText {

@@ -95,6 +95,10 @@ struct TableColumn {
   const std::string* texts = nullptr;
 };
 
+/// The text as a field of a line; between quotes where it is empty, or a separator, a quote or an end of line asks for
+/// them.
+std::string quoted_where_needed(const std::string& name, char separator);
+
 /// The header line of a table, nothing for an empty header.
 std::string header_text(const std::vector<std::string>& header, char separator);
 

@@ -75,6 +75,11 @@ void read_all(pid_t child, double most_seconds, const Pipe& output, const Pipe& 
 
 }  // namespace
 
+std::filesystem::path own_program() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error);
+}
+
 ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments, double most_seconds) {
   Pipe output, errors;
   posix_spawn_file_actions_t actions;

@@ -1,6 +1,7 @@
 #pragma once
 /// Other programs: what they print and how they end.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct ProcessEnd {
   int signal = 0;  ///< that ended it; 0 where it left
   std::string output, errors;
 };
+
+/// The file of the program that runs; empty where the system does not say.
+std::filesystem::path own_program();
 
 /// Runs a program, looked for on the PATH where its name has no slash, without input, and waits for its end. A program
 /// that used more than `most_seconds` of processor time is ended by SIGKILL. Errors: throws missing_file where it

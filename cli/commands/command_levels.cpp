@@ -1,5 +1,6 @@
 // subcert levels SCHEME --over w=LOW..HIGH [--over ...] --property PROPERTY [--certificate DIR] [--plot FILE]
 
+#include "level_values.hpp"
 #include "levels_of_list.hpp"
 
 #include <subcert/analysis/family/limit_of_levels.hpp>
@@ -65,39 +66,17 @@ struct Followed {
   std::optional<LimitOfLevels> limit = {};
 };
 
-/// `v0=1/2` or `v0=-1..1000`.
-Interval read_start(const std::string& written, const std::string& name) {
-  const std::string text = plain_text(written);
-  const std::string heads[] = {name + "0=", name + "="};
-  for (const std::string& head : heads) {
-    if (!text.starts_with(head)) continue;
-    if (text.find("..") == std::string::npos)
-      if (const auto value = parse_number(text.substr(head.size()))) return {*value, *value};
-    if (text.find("..") == std::string::npos) break;
-    const auto [low, high] = read_over(name + "=" + text.substr(head.size()), name);
-    return {low, high};
-  }
-  fail(ErrorKind::usage, "--start: expected {0}VALUE or {0}LOW..HIGH, got {1}", heads[0], in_quotes(written));
-}
-
 std::optional<Followed> follow(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box) {
   if (options.recurrence.empty() != options.start.empty())
     fail(ErrorKind::usage, "--recurrence and --start: expected both or none");
   if (options.recurrence.empty()) return std::nullopt;
   if (!scheme.letter) fail(ErrorKind::usage, "--recurrence: expected one range, got {}", box.letters());
   const std::string& name = scheme.names[0];
-  try {
-    Followed result{
-        read_start(options.start, name), Recurrence::parse(plain_text(options.recurrence), name, *scheme.letter), {}};
-    result.first_level = result.recurrence.first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
-    if (result.first_level)
-      result.masks_exist = masks_exist(scheme.mask, result.recurrence, result.start, *result.first_level);
-    return result;
-  } catch (const ParseError&) {
-    fail(ErrorKind::usage,
-         "--recurrence: expected {0}=EXPRESSION or {0}=sqrt(EXPRESSION), as {0}=sqrt((1+{0})/2), got {1}", name,
-         in_quotes(options.recurrence));
-  }
+  Followed result{read_start(options.start, name), read_recurrence(options.recurrence, name, *scheme.letter), {}};
+  result.first_level = result.recurrence.first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
+  if (result.first_level)
+    result.masks_exist = masks_exist(scheme.mask, result.recurrence, result.start, *result.first_level);
+  return result;
 }
 
 /// `w = 1/16`, `v = 0 and w = 1`.

@@ -1,6 +1,7 @@
 #include "levels_of_list.hpp"
 
 #include "checker.hpp"
+#include "level_values.hpp"
 #include "parameter_range.hpp"
 #include "width.hpp"
 
@@ -16,14 +17,6 @@ namespace subcert::cli {
 namespace {
 
 using properties::MaskListFile;
-
-MaskListFile read(const std::string& file) {
-  try {
-    return properties::read_mask_list(runtime::read_file(file));
-  } catch (const FileError& error) {
-    fail(ErrorKind::data, "{}, {}", file, error.what());
-  }
-}
 
 std::string order_text(const MaskList& list) {
   if (!list.period.empty()) return fmt::format("{} again and again", fmt::join(list.period, ", "));
@@ -100,7 +93,7 @@ RangeProperty read_levels_property(const std::string& text) {
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
                             const std::string& certificates) {
   const auto asked = property.empty() ? std::nullopt : std::optional(read_levels_property(property));
-  const MaskListFile read_file = read(file);
+  const MaskListFile read_file = read_lists(file);
   if (!certificates.empty()) require_folder(certificates);
   const Budget budget = options.limits();
   options.progress("masks");

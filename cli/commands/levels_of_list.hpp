@@ -8,9 +8,6 @@
 
 namespace subcert::cli {
 
-/// `lists:FILE` starts like that.
-inline constexpr const char* lists = "lists:";
-
 /// `convergent`, `C2` or `holder>=3/2`. Errors: throws a usage error for another text.
 RangeProperty read_levels_property(const std::string& text);
 

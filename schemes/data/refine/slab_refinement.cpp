@@ -175,16 +175,20 @@ std::size_t SliceBuffer::place(std::size_t number) const {
 
 SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                             const RefineOptions& options) {
-  require_axes(axes, mask);
-  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
+  return refinement_steps(axes, dimension, LevelMasks{{}, {mask}}, options);
+}
+
+SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LevelMasks& masks,
+                            const RefineOptions& options) {
+  require_refinable(axes, dimension, masks, options.levels, most_streamed_numbers);
   if (continues_data(options.boundary))
     return extended_steps(
-        axes, dimension, fewest_points(mask, Boundary::shrink), options,
-        [&](const auto& longer, const RefineOptions& how) { return refinement_steps(longer, dimension, mask, how); });
-  require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, mask.dilation().classes(), options.levels,
-                    most_streamed_numbers);
-  if (!mask.has_factors()) return grid_steps(axes, dimension, mask, options);
-  return axis_steps(axes, dimension, steps_of_refinement(axes, mask.factors(), options), options.threads);
+        axes, dimension, fewest_points(masks.at(0), Boundary::shrink), options,
+        [&](const auto& longer, const RefineOptions& how) { return refinement_steps(longer, dimension, masks, how); });
+  const bool is_one = masks.first.empty() && masks.again.size() == 1;
+  if (is_one && !masks.at(0).has_factors()) return grid_steps(axes, dimension, masks.at(0), options);
+  require_factors(masks);
+  return axis_steps(axes, dimension, steps_of_refinement(axes, masks, options), options.threads);
 }
 
 SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,

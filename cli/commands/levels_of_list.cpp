@@ -72,15 +72,6 @@ Json exponent_json(const ExponentOfList& found) {
           {"exactness", found.exact.reason}};
 }
 
-Truth holds(const Enclosure& exponent, const RangeProperty& property) {
-  using Kind = RangeProperty::Kind;
-  if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
-  const bool strictly = property.kind == Kind::smooth;
-  if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
-    return Truth::yes;
-  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
-}
-
 RangeProperty read_levels_property(const std::string& text) {
   using Kind = RangeProperty::Kind;
   const auto property = parse_range_property(text);

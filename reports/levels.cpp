@@ -94,17 +94,18 @@ formats::Comparison compare(const statements::PublishedCell& cell, const ReportO
   const PropertyOfLevels all = property_of_levels(mask, *property, {{one.low}, {one.high}}, budget_of(options));
   const FollowedLevels found = followed(one, options);
   const Truth answer = found.have(*property, all.holds);
-  const std::string exponent =
-      found.limit ? formats::fixed_text(found.limit->exponent.exponent, 10) : std::string("not known");
+  const std::string exponent = found.limit ? formats::fixed_text(found.limit->exponent.exponent, 10)
+                                           : std::string("not known");
   formats::Comparison comparison = compare_text(cell, "C^1, exponent " + exponent, answer);
   comparison.source = source_text(cell);
-  comparison.note = fmt::format("for all v_0 from {} to {} that have a mask at each level; v_k is from {} to {} from "
-                                "level {} on",
-                                to_text(one.start.lower), to_text(one.start.upper), to_text(one.low),
-                                to_text(one.high), found.first_level.value_or(-1));
-  comparison.command = fmt::format("subcert levels {} --over v={}..{} --property C1 --recurrence '{}' --start v0={}..{}",
-                                   cell.scheme, to_text(one.low), to_text(one.high), halving, to_text(one.start.lower),
-                                   to_text(one.start.upper));
+  comparison.note = fmt::format(
+      "for all v_0 from {} to {} that have a mask at each level; v_k is from {} to {} from "
+      "level {} on",
+      to_text(one.start.lower), to_text(one.start.upper), to_text(one.low), to_text(one.high),
+      found.first_level.value_or(-1));
+  comparison.command = fmt::format(
+      "subcert levels {} --over v={}..{} --property C1 --recurrence '{}' --start v0={}..{}", cell.scheme,
+      to_text(one.low), to_text(one.high), halving, to_text(one.start.lower), to_text(one.start.upper));
   return comparison;
 }
 
@@ -169,10 +170,11 @@ formats::PlainTable list_table(const ReportOptions& options) {
 }
 
 formats::PlainTable point_table(const ReportOptions& options) {
-  formats::PlainTable table{"points",
-                            "A value for each new point of each level: exponents of all choices, at least",
-                            {"family", "values", "degree kept", "matrices", "at least", "one value everywhere, at most"},
-                            {}};
+  formats::PlainTable table{
+      "points",
+      "A value for each new point of each level: exponents of all choices, at least",
+      {"family", "values", "degree kept", "matrices", "at least", "one value everywhere, at most"},
+      {}};
   for (const OfRange& one : point_ranges()) {
     const ParametricScheme scheme = make_parametric_scheme(one.family);
     const LocalLevels found = local_levels(scheme.mask, {{one.low}, {one.high}}, budget_of(options));
@@ -189,8 +191,10 @@ formats::PlainTable point_table(const ReportOptions& options) {
 Report report_levels(const ReportOptions& options) {
   formats::Section section{"levels", "Masks that change from level to level", {}};
   section.paragraphs.push_back(
-      "What sources that were read say of such schemes, and what is proved: for every sequence of values of an interval, "
-      "with certificates; for values that follow each other, by the mask in the limit; for masks of a list in any order, "
+      "What sources that were read say of such schemes, and what is proved: for every sequence of values of an "
+      "interval, "
+      "with certificates; for values that follow each other, by the mask in the limit; for masks of a list in any "
+      "order, "
       "in turn or along a graph; and where each new point takes a value of its own.");
   if (options.wants("published"))
     add_published(section, "levels", statements::paper("levels").table("published"),

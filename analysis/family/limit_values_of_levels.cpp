@@ -15,7 +15,7 @@ namespace {
 constexpr long most_values = 1'000'000;
 constexpr slong bits = 256;
 constexpr int wanted_bits = 80;
-constexpr int most_blocks = 40;            // of levels after that of the points
+constexpr int most_blocks = 40;  // of levels after that of the points
 constexpr long most_classes_of_block = 256;
 constexpr int highest_order = 8;
 
@@ -303,8 +303,8 @@ EnclosedLimitValues limit_values(const ParametricMask& mask, const Recurrence& r
   require(mask.letters() == 1 && mask.components() == 1, "limit: need numbers with one letter");
   const IndexRange range = mask.support();
   const int arity = mask.arity();
-  const IndexRange indices =
-      indices_of(Rational(range.first, arity - 1), Rational(range.last, arity - 1), arity, level);
+  const IndexRange indices = indices_of(Rational(range.first, arity - 1), Rational(range.last, arity - 1), arity,
+                                        level);
   const Tail tail(mask, recurrence);
   const auto points = static_cast<std::size_t>(level), block = static_cast<std::size_t>(tail.block());
   const std::vector<Interval> values = recurrence.values(start, points + block * most_blocks + 1);

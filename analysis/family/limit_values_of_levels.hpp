@@ -11,8 +11,8 @@
 namespace subcert {
 
 /// Those of so many levels of f_{k+1} = S_{w_k} f_k with w_{k+1} = r(w_k). Domain: one letter, numbers. Errors: throws
-/// Error of kind domain where a level has no value or no mask, or may have none. Error: the w_k are exact where they are
-/// rational and short, else within 2^-100 of the true ones.
+/// Error of kind domain where a level has no value or no mask, or may have none. Error: the w_k are exact where they
+/// are rational and short, else within 2^-100 of the true ones.
 LevelMasks masks_of_levels(const ParametricMask& mask, const Recurrence& recurrence, const Rational& start,
                            std::size_t levels);
 

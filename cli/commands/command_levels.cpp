@@ -139,8 +139,8 @@ std::string answer_text(const LevelsAnswer& found) {
 std::string limit_text(const LimitOfLevels& limit, const std::string& name) {
   std::string text = fmt::format("limit        {} tends to {} for all of them\n", name, number_text(limit.value));
   if (!limit.rules.exponentials.empty())
-    text += fmt::format("generates    {}, where {} is cos(t h) at the level with distances h\n",
-                        to_text(limit.rules), name);
+    text += fmt::format("generates    {}, where {} is cos(t h) at the level with distances h\n", to_text(limit.rules),
+                        name);
   const ExponentOfList& found = limit.exponent;
   const Enclosure& exponent = found.exponent;
   text += "exponent     ";

@@ -72,9 +72,9 @@ ExitCode run_levels(const std::variant<LevelDependentScheme, FollowedFamily>& le
          options.range ? "range" : "derivative");
   if (options.level < 0) options.level = usual_level;
   if (const auto* family = std::get_if<FollowedFamily>(&levels))
-    return print_limit_values(
-        family->specification,
-        limit_values(family->family.mask, family->recurrence, family->start, options.level), options);
+    return print_limit_values(family->specification,
+                              limit_values(family->family.mask, family->recurrence, family->start, options.level),
+                              options);
   const auto& scheme = std::get<LevelDependentScheme>(levels);
   const Deadline deadline = Deadline::in(options.budget);
   std::vector<Mask> again;

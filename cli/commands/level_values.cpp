@@ -67,8 +67,8 @@ FollowedFamily followed(ParametricScheme family, const LevelOptions& options) {
   if (start.lower != start.upper)
     fail(ErrorKind::usage, "--start: expected one value, {}0=VALUE, got {}", family.name, in_quotes(options.start));
   Recurrence recurrence = read_recurrence(options.recurrence, family.name, family.letter);
-  std::string text = fmt::format("{0} with {1} = {2}, {1}0 = {3}", family.specification, family.name,
-                                 recurrence.text(), to_text(start.lower));
+  std::string text = fmt::format("{0} with {1} = {2}, {1}0 = {3}", family.specification, family.name, recurrence.text(),
+                                 to_text(start.lower));
   return {std::move(text), std::move(family), std::move(recurrence), start.lower};
 }
 
@@ -125,7 +125,7 @@ std::optional<std::variant<LevelDependentScheme, FollowedFamily>> read_levels(co
   if (scheme.starts_with(lists)) {
     if (follows || listed)
       fail(ErrorKind::usage, "--{}: cannot be asked for with a list of masks",
-           listed                        ? "values"
+           listed                       ? "values"
            : options.recurrence.empty() ? "start"
                                         : "recurrence");
     return scheme_of_list(scheme.substr(std::string_view(lists).size()));

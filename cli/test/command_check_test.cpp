@@ -116,10 +116,11 @@ TEST_CASE("answers as a report of JUnit") {
 TEST_CASE("check: masks that change from level to level, with a report") {
   const Folder folder;
   const std::string report = folder / "report.xml",
-                    file = folder.write("levels.toml",
-                                        "[[scheme]]\nname = 'slider'\nmask = 'four-point:w'\nlevels = '0.001 <= w <= 0.19'\n"
-                                        "smoothness = '>= 1'\n[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\n"
-                                        "holder = '>= 5/2'\n");
+                    file = folder.write(
+                        "levels.toml",
+                        "[[scheme]]\nname = 'slider'\nmask = 'four-point:w'\nlevels = '0.001 <= w <= 0.19'\n"
+                        "smoothness = '>= 1'\n[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\n"
+                        "holder = '>= 5/2'\n");
   const Run found = run("check " + file + " --junit " + report);
   CHECK(found.code == 1);
   CHECK(contains(found.out, "holds      " + file + ":5: slider: smoothness >= 1\n"));

@@ -77,8 +77,8 @@ struct Property {
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
   /// Of masks that change from level to level.
   bool of_levels() const;
-  Decides of_vector = nullptr;                        ///< of masks of matrices
-  bool of_hermite = false;                            ///< of these of Hermite schemes alone
+  Decides of_vector = nullptr;  ///< of masks of matrices
+  bool of_hermite = false;      ///< of these of Hermite schemes alone
 
   /// The one for this scheme, or null.
   Decides decides(const Scheme& of) const;

@@ -51,8 +51,7 @@ Decision property_of(const SchemeLevels& levels, const Property& property, const
   const FollowedLevels followed = follow(mask, recurrence, start, levels.values, {Deadline::in(seconds)});
   const Truth answer = followed.have(asked, all.holds);
   const std::string rule = levels.family.name + " = " + recurrence.text();
-  if (!followed.first_level)
-    return {Truth::unknown, rule + " was not proved to lead into the range and to stay in it"};
+  if (!followed.first_level) return {Truth::unknown, rule + " was not proved to lead into the range and to stay in it"};
   if (!followed.masks_exist) return {Truth::unknown, "there may be no mask at a level before the range"};
   if (answer == Truth::yes || !followed.limit)
     return {answer, answer == Truth::yes ? fmt::format("in the range from level {} on", *followed.first_level)

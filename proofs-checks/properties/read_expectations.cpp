@@ -143,7 +143,9 @@ SchemeLevels read_levels(const toml::table& table, const toml::node& levels, Par
 
 SchemeList read_list(const toml::table& table) {
   MaskListFile file = mask_list_of(table);
-  const char* order = !file.list.period.empty() ? " in a period" : !file.list.follows.empty() ? " along a graph" : " in any order";
+  const char* order = !file.list.period.empty()    ? " in a period"
+                      : !file.list.follows.empty() ? " along a graph"
+                                                   : " in any order";
   return {fmt::format("{}{}", fmt::join(file.specifications, ", "), order), std::move(file.list)};
 }
 
@@ -160,7 +162,8 @@ Subject read_subject(const toml::table& table) {
     needs(key, other);
   const toml::node *mask = table.get("mask"), *masks = table.get("masks"), *levels = table.get("levels"),
                    *range = table.get("for");
-  if (masks && (mask || levels || range)) throw FileError(place_of(*masks), "'masks' stands without 'mask' and its values");
+  if (masks && (mask || levels || range))
+    throw FileError(place_of(*masks), "'masks' stands without 'mask' and its values");
   if (range && levels) throw FileError(place_of(*levels), "'levels' beside 'for'; expected one of them");
   if (masks) return read_list(table);
   if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
@@ -207,8 +210,7 @@ ExpectedScheme read_scheme(const toml::table& table) {
     }
     const Property* property = find_property(key.str());
     if (single && !property->decides(*single))
-      throw FileError(place, "'" + property->name + "' is no property of " + kind_of(*single) + ", got " +
-                                 written);
+      throw FileError(place, "'" + property->name + "' is no property of " + kind_of(*single) + ", got " + written);
     if (range && !property->of_ranges)
       throw FileError(place, "'" + property->name + "' is a property of single schemes, got a range of a parameter");
     if (!single && !range && !property->of_levels())
@@ -216,12 +218,13 @@ ExpectedScheme read_scheme(const toml::table& table) {
     result.expectations.push_back(read_expectation(*property, node, place));
     if (const Expectation& expected = result.expectations.back();
         !single && (expected.relation.starts_with('<') || expected.relation == ">" ||
-                  (expected.relation.empty() && !expected.yes)))
+                    (expected.relation.empty() && !expected.yes)))
       throw FileError(place, "'" + property->name +
                                  (range ? "' over a range of a parameter takes " : "' over levels takes ") +
                                  (expected.relation.empty() ? "true" : "\">= X\""));
   }
-  if (result.expectations.empty()) throw FileError(place_of(mask ? *mask : *table.get("masks")), "the scheme has no expected property");
+  if (result.expectations.empty())
+    throw FileError(place_of(mask ? *mask : *table.get("masks")), "the scheme has no expected property");
   std::sort(result.expectations.begin(), result.expectations.end(), [](const Expectation& a, const Expectation& b) {
     return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
   });

@@ -46,9 +46,9 @@ AnyScheme scheme_of(const std::vector<std::string>& specifications) {
 }
 
 /// Points in the order of numpy's rows: the last index of the points runs along the first axis of the scheme.
-py::tuple refine(const std::vector<std::string>& specifications, const DoubleArray& values, const std::vector<bool>& closed,
-                 int levels, const std::string& boundary_name, double constant, bool limit, int jobs,
-                 const py::object& progress) {
+py::tuple refine(const std::vector<std::string>& specifications, const DoubleArray& values,
+                 const std::vector<bool>& closed, int levels, const std::string& boundary_name, double constant,
+                 bool limit, int jobs, const py::object& progress) {
   const AnyScheme scheme = scheme_of(specifications);
   const std::string& specification = specification_of(scheme);
   const data::Boundary boundary = boundary_of(boundary_name);

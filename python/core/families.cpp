@@ -119,9 +119,9 @@ std::string specification_at(const Mask& mask) {
 std::vector<std::string> masks_at(const ParametricScheme& scheme, const std::string& recurrence, const Rational& start,
                                   int levels) {
   require(levels >= 0 && levels <= 1000, "levels: need 0 to 1000, got {}", levels);
-  const LevelMasks masks =
-      masks_of_levels(scheme.mask, Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter), start,
-                      static_cast<std::size_t>(levels));
+  const LevelMasks masks = masks_of_levels(scheme.mask,
+                                           Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter), start,
+                                           static_cast<std::size_t>(levels));
   std::vector<std::string> result;
   for (const LatticeMask& mask : masks.first) result.push_back(specification_at(mask.curve()));
   return result;
@@ -130,9 +130,8 @@ std::vector<std::string> masks_at(const ParametricScheme& scheme, const std::str
 py::tuple values_of(const ParametricScheme& scheme, const std::string& recurrence, const Rational& start, int level,
                     const py::object& progress) {
   const Recurrence read = Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter);
-  const EnclosedLimitValues found = interruptible(progress, [&] {
-    return limit_values(scheme.mask, read, start, level);
-  });
+  const EnclosedLimitValues found = interruptible(progress,
+                                                  [&] { return limit_values(scheme.mask, read, start, level); });
   std::vector<Enclosure> values;
   for (const Interval& value : found.values) values.push_back(value.enclosure());
   return py::make_tuple(found.arity, found.first_index, values);

@@ -22,14 +22,14 @@ std::string error_of(const std::string& text) {
 }
 
 const std::string tension = "mask = 'four-point:w'\n", conic = "mask = 'conic-four-point:v'\n",
-                  halving = "recurrence = 'v=sqrt((1+v)/2)'\n",
-                  pair = "masks = ['dd:n=2', 'bspline:degree=3']\n";
+                  halving = "recurrence = 'v=sqrt((1+v)/2)'\n", pair = "masks = ['dd:n=2', 'bspline:degree=3']\n";
 
 }  // namespace
 
 TEST_CASE("properties of every sequence of values") {
-  for (const char* text : {"levels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'", "levels = '0 <= w <= 1/8'\nconvergent = true",
-                           "levels = '1/32 <= w <= 1/8'\nholder = '>= 6/5'", "levels = '0 <= w <= 1/8'\nsmoothness = '>= 0'"}) {
+  for (const char* text :
+       {"levels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'", "levels = '0 <= w <= 1/8'\nconvergent = true",
+        "levels = '1/32 <= w <= 1/8'\nholder = '>= 6/5'", "levels = '0 <= w <= 1/8'\nsmoothness = '>= 0'"}) {
     CAPTURE(text);
     CHECK(first_answer(tension + text).is_yes());
   }
@@ -42,7 +42,9 @@ TEST_CASE("properties of every sequence of values") {
 }
 
 TEST_CASE("properties of values that follow each other") {
-  const auto answer = [&](const std::string& rest) { return first_answer(conic + "levels = '9/20 <= v <= 1000'\n" + rest); };
+  const auto answer = [&](const std::string& rest) {
+    return first_answer(conic + "levels = '9/20 <= v <= 1000'\n" + rest);
+  };
   CHECK(answer(halving + "start = '1/4 <= v0 <= 1000'\nsmoothness = '>= 1'").is_yes());
   CHECK(answer(halving + "start = 'v0 = 1/2'\nholder = '>= 2'").is_yes());
   // Not of all sequences in the range, and no lower one is known to fail for all of these.
@@ -57,8 +59,10 @@ TEST_CASE("properties of lists of masks") {
   CHECK(first_answer(pair + "period = [0, 1]\nsmoothness = '>= 2'").is_yes());
   CHECK(first_answer(pair + "holder = '>= 5/2'").is_no());
   CHECK(first_answer(pair + "convergent = true").is_yes());
-  CHECK(first_answer("masks = ['four-point:w=1/4', 'four-point:w=1/16']\nfollows = [[0, 1], [1, 0], [1, 1]]\nholder = '>= 0.997'")
-            .is_yes());
+  CHECK(
+      first_answer(
+          "masks = ['four-point:w=1/4', 'four-point:w=1/16']\nfollows = [[0, 1], [1, 0], [1, 1]]\nholder = '>= 0.997'")
+          .is_yes());
   const auto schemes = read_expectations(pair + "period = [0, 1]\nholder = '>= 2'");
   CHECK(schemes.at(0).name == "dd:n=2, bspline:degree=3 in a period");
   CHECK(schemes.at(0).expectations.size() == 1);
@@ -75,7 +79,8 @@ TEST_CASE("properties of levels: what is refused") {
            {tension + "levels = '0 <= w <= 1'\nholder = '< 2'", "over levels takes \">= X\""},
            {tension + "levels = '0 <= w <= 1'\nstart = 'w0=1'\nconvergent = true", "expected both"},
            {tension + "levels = '0 <= w <= 1'\nstart = 'w=1'\nrecurrence='w=w'\nconvergent = true", "'start' takes"},
-           {tension + "levels = '0 <= w <= 1'\nstart = 'w0=1'\nrecurrence='w'\nconvergent = true", "'recurrence' takes"},
+           {tension + "levels = '0 <= w <= 1'\nstart = 'w0=1'\nrecurrence='w'\nconvergent = true",
+            "'recurrence' takes"},
            {tension + "start = 'w0=1'\nconvergent = true", "'start' needs 'levels'"},
            {tension + "period = [0]\nconvergent = true", "'period' needs 'masks'"},
            {pair + tension + "convergent = true", "'masks' stands without"},

@@ -447,14 +447,15 @@ TEST_CASE("refinement with a mask for each level") {
   const LatticeMask a = make_scheme("dd:n=2").mask, b = make_scheme("bspline:degree=4").mask,
                     c = make_scheme("dual:n=2").mask;
   for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::shrink})
-    for (const LevelMasks& masks : {LevelMasks{{}, {a}}, LevelMasks{{}, {a, b}}, LevelMasks{{c}, {b, a}},
-                                    LevelMasks{{b, c, a}, {}}}) {
+    for (const LevelMasks& masks :
+         {LevelMasks{{}, {a}}, LevelMasks{{}, {a, b}}, LevelMasks{{c}, {b, a}}, LevelMasks{{b, c, a}, {}}}) {
       CAPTURE(to_text(boundary), masks.first.size());
       std::vector<Rational> values;
       for (int i = 0; i < 24; ++i) values.push_back(random.rational());
       const GridData<Rational> data = curve_data<Rational>(values, 2);
       GridData<Rational> one_by_one = data;
-      for (std::size_t level = 0; level < 3; ++level) one_by_one = refine(one_by_one, masks.at(level), {1, boundary, 1});
+      for (std::size_t level = 0; level < 3; ++level)
+        one_by_one = refine(one_by_one, masks.at(level), {1, boundary, 1});
       const GridData<Rational> found = refine(data, masks, {3, boundary, 1});
       CHECK(found.values == one_by_one.values);
       CHECK(found.axes[0].first == one_by_one.axes[0].first);
@@ -475,9 +476,8 @@ TEST_CASE("refinement with a mask for each level") {
 }
 
 TEST_CASE("refinement with a mask for each level keeps the points of an ellipse") {
-  const LevelMasks masks =
-      masks_of_levels(make_parametric_scheme("conic-four-point:v").mask, Recurrence::parse("v=sqrt((1+v)/2)", "v", 'v'),
-                      Rational(1, 2), 6);
+  const LevelMasks masks = masks_of_levels(make_parametric_scheme("conic-four-point:v").mask,
+                                           Recurrence::parse("v=sqrt((1+v)/2)", "v", 'v'), Rational(1, 2), 6);
   std::vector<double> corners;
   for (int j = 0; j < 3; ++j) {
     corners.push_back(3 * std::cos(2 * std::numbers::pi * j / 3));

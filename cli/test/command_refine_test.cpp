@@ -255,9 +255,9 @@ TEST_CASE("data are refined with a mask for each level") {
   fails("four-point:w " + line + " --recurrence w=w --start w0=1/16 --values w=1", 64,
         "--values: cannot be asked for with --recurrence");
   fails("lists:" + pair + " " + line + " --values w=1", 64, "--values: cannot be asked for with a list of masks");
-  fails("conic-four-point:v " + line + halving + " --start v0=0", 1,
+  fails("conic-four-point:v " + line + halving + " --start v0=0", 64,
         "levels: need a mask for each level, got none for level 0");
-  fails("conic-four-point:v " + line + " --values v=0", 1, "conic-four-point:v: there is no mask for v = 0");
+  fails("conic-four-point:v " + line + " --values v=0", 64, "conic-four-point:v: there is no mask for v = 0");
   CHECK(run("refine four-point:w " + line + " --recurrence w=w --start w0=1/16 --levels 100000000").code == 64);
   CHECK(run("refine lists:" + folder.write("any.toml", "masks = [\"dd:n=2\"]") + " " + line).code == 64);
   CHECK(run("refine four-point:w " + line + " --values w=1/16 --limit").code == 64);

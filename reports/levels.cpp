@@ -199,8 +199,9 @@ Report report_levels(const ReportOptions& options) {
   if (options.wants("published"))
     add_published(section, "levels", statements::paper("levels").table("published"),
                   [&](const statements::PublishedCell& cell) { return compare(cell, options); });
-  for (const auto& [item, make] : {std::pair{"intervals", interval_table}, std::pair{"recurrences", recurrence_table},
-                                   std::pair{"lists", list_table}, std::pair{"points", point_table}})
+  using Made = std::pair<const char*, formats::PlainTable (*)(const ReportOptions&)>;
+  for (const auto& [item, make] : {Made{"intervals", interval_table}, Made{"recurrences", recurrence_table},
+                                   Made{"lists", list_table}, Made{"points", point_table}})
     if (options.wants(item)) section.tables.push_back(make(options));
   return collection_report("levels", std::move(section));
 }

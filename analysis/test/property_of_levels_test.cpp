@@ -11,6 +11,7 @@
 
 using namespace subcert;
 using subcert::testing::Random;
+using subcert::testing::rounds;
 
 namespace {
 

@@ -1,28 +1,11 @@
-#include "../properties.hpp"
+#include "first_answer.hpp"
 
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
 using namespace subcert::properties;
-
-namespace {
-
-Decision first_answer(const std::string& text) {
-  const auto schemes = read_expectations(text);
-  return has_property(schemes.at(0), schemes.at(0).expectations.at(0), 20);
-}
-
-std::string error_of(const std::string& text) {
-  try {
-    read_expectations(text);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-}  // namespace
+using namespace subcert::properties::testing;
 
 TEST_CASE("true properties are proved and false ones refuted") {
   const std::string chaikin = "mask = 'mask:[1,3,3,1]/4'\n";

@@ -1,7 +1,6 @@
 #include "limit_values_of_levels.hpp"
 
 #include <subcert/analysis/symbol/numbers/balls.hpp>
-#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -250,14 +249,10 @@ Ball largest_difference(std::vector<Ball> values, int order) {
 
 LevelMasks masks_of_levels(const ParametricMask& mask, const Recurrence& recurrence, const Rational& start,
                            std::size_t levels) {
-  const Rational most(1, Integer(1) << 100);
   const LaurentPolynomial below = mask.denominator();
   LevelMasks result;
   for (const Interval& w : recurrence.values(start, levels)) {
     const std::size_t level = result.first.size();
-    if (w.width() > most)
-      fail(ErrorKind::undecided, "levels: need the value at level {} within {}, got a width of {}", level, "2^-100",
-           to_decimal(w.width(), 3, Rounding::up));
     if (w.lower < w.upper ? !has_no_real_root(below, w.lower, w.upper) : below(w.lower) == 0)
       fail(ErrorKind::domain, "levels: need a mask for each level, got none for level {}", level);
     result.first.emplace_back(mask.at((w.lower + w.upper) / 2));

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int parts = 64;
 constexpr int most_hulls = 12;
+const Rational widest_value(1, Integer(1) << 100), largest_value(Integer(1) << 256);
 constexpr int root_bits = 128, kept_bits = 256;
 
 bool contains(const Interval& whole, const Interval& part) {
@@ -104,6 +105,10 @@ std::vector<Interval> Recurrence::values(const Rational& start, std::size_t coun
     if (!next)
       fail(ErrorKind::domain, "recurrence: need a value for each level, got none after {}",
            to_decimal(result.back().upper, 12, Rounding::nearest));
+    // What is known so badly, or has so many digits, only grows from level to level.
+    if (next->width() > widest_value || abs(next->lower) > largest_value || abs(next->upper) > largest_value)
+      fail(ErrorKind::undecided,
+           "recurrence: need values below 2^256 that are known within 2^-100, got others at level {}", result.size());
     result.push_back(*next);
     next = image(*next);
   }

@@ -26,7 +26,8 @@ class Recurrence {
   /// Bernstein coefficients on 64 parts.
   std::optional<Interval> image(const Interval& w) const;
 
-  /// w_0, w_1, ..., so many of them. Errors: throws Error of kind domain where one does not exist, or may not. Error:
+  /// w_0, w_1, ..., so many of them. Errors: throws Error of kind domain where one does not exist, or may not, of
+  /// kind undecided where one is not known within 2^-100, or is above 2^256 in modulus. Error:
   /// exact where numbers are rational and short, else widths of some 2^-128 times what the recurrence makes of them.
   std::vector<Interval> values(const Rational& start, std::size_t count) const;
 

@@ -61,6 +61,8 @@ TEST_CASE("recurrences: their values") {
   }
   CHECK_FAILS(recurrence_of("w=1/w", 'w').values(0, 2), domain);
   CHECK_FAILS(recurrence_of(halved_angle).values(-2, 2), domain);
+  CHECK_FAILS(recurrence_of("v=v^2").values(2, 64), undecided);
+  CHECK_FAILS(recurrence_of("v=2*v^2-1").values(Rational(1, 3), 5000), undecided);
   CHECK(recurrence_of(halved_angle).values(-2, 1).size() == 1);
   CHECK(recurrence_of(halved_angle).values(-2, 0).empty());
 }

@@ -22,6 +22,9 @@ Report report_families(const ReportOptions& options);
 /// With a certificate for each of D4, ..., D50.
 Report report_daubechies(const ReportOptions& options);
 
+/// Masks that change from level to level. With a certificate of each interval. Errors: as property_of_levels.
+Report report_levels(const ReportOptions& options);
+
 /// Hermite schemes and multiwavelets. Errors: as regularity_of.
 Report report_vectors(const ReportOptions& options);
 

@@ -27,6 +27,7 @@ const SpecialReport* special_report(const std::string& paper) {
       {"families", {{"ranges"}, report_families}},
       {"daubechies", {{"published", "exponents"}, report_daubechies}},
       {"jsr", {{"published", "families"}, report_joint_spectral_radii}},
+      {"levels", {{"published", "intervals", "recurrences", "lists", "points"}, report_levels}},
       {"vectors", {{"published", "functions"}, report_vectors}},
   };
   const auto found = all.find(paper);

@@ -4,6 +4,7 @@
 #include "l1_scheme.hpp"
 #include "local_regression.hpp"
 
+#include <subcert/analysis/symbol/masks/level_masks.hpp>
 #include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/polynomials/term_text.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
@@ -51,7 +52,14 @@ struct DataDependentScheme {
   std::string choice = {};  ///< what was chosen by the program, for its user: the number of fits; else empty
 };
 
-using AnyScheme = std::variant<Scheme, DataDependentScheme>;
+/// A linear scheme of one variable with masks that change from level to level. It has no mask and, but for the values
+/// of its limits, only acts on data.
+struct LevelDependentScheme {
+  std::string specification;  ///< for people: the masks, and how they follow each other
+  LevelMasks masks;
+};
+
+using AnyScheme = std::variant<Scheme, DataDependentScheme, LevelDependentScheme>;
 
 /// Reads a specification of one variable and makes the mask. Domain: at most 30,000 characters. Errors: throws
 /// SpecificationError for an unknown family or key, a missing or repeated key, a malformed value, a value outside its

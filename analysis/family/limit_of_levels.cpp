@@ -3,10 +3,13 @@
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <fmt/ranges.h>
+
 namespace subcert {
 namespace {
 
 constexpr int most_multiples = 8;
+constexpr int most_levels = 1000;  // until a recurrence is to be in the range
 
 /// Coefficients of a polynomial in z, which are polynomials in v.
 using InTwoLetters = std::vector<LaurentPolynomial>;
@@ -47,6 +50,19 @@ int ExponentialSumRules::order() const {
   return result;
 }
 
+std::string to_text(const ExponentialSumRules& rules) {
+  std::vector<std::string> parts;
+  for (int i = 0; i < rules.sum_rules; ++i) parts.push_back(i == 0 ? "1" : i == 1 ? "x" : fmt::format("x^{}", i));
+  for (std::size_t j = 0; j < rules.exponentials.size(); ++j)
+    for (int i = 0; i < rules.exponentials[j]; ++i)
+      parts.push_back(fmt::format("{}e^(+-{}tx)",
+                                  i == 0   ? ""
+                                  : i == 1 ? "x "
+                                           : fmt::format("x^{} ", i),
+                                  j == 0 ? "" : std::to_string(j + 1)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 ExponentialSumRules exponential_sum_rules(const ParametricMask& mask) {
   require(mask.letters() == 1 && mask.components() == 1 && mask.arity() == 2,
           "exponential_sum_rules: need numbers with one letter, arity 2");
@@ -75,6 +91,22 @@ std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const R
   MaskList one{{mask.at(*value)}};
   one.most_rules = rules.order();
   return LimitOfLevels{*value, std::move(rules), exponent_of(one, budget)};
+}
+
+Truth FollowedLevels::have(const RangeProperty& property, Truth all_sequences) const {
+  if (!first_level) return Truth::unknown;
+  const bool in_limit = limit && holds(limit->exponent.exponent, property) == Truth::yes;
+  return all_sequences == Truth::yes || in_limit ? Truth::yes : Truth::unknown;
+}
+
+FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start,
+                      const Interval& kept, const Budget& budget) {
+  FollowedLevels result{start, recurrence};
+  result.first_level = recurrence.first_level_in(kept, start, most_levels);
+  if (!result.first_level) return result;
+  result.masks_exist = masks_exist(mask, recurrence, start, *result.first_level);
+  result.limit = limit_of_levels(mask, recurrence, kept, budget);
+  return result;
 }
 
 bool masks_exist(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start, int levels) {

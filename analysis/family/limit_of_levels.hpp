@@ -2,6 +2,7 @@
 /// The exponent of a level-dependent scheme whose masks tend to one.
 
 #include "mask_list.hpp"
+#include "property_of_levels.hpp"
 #include "recurrence.hpp"
 
 #include <subcert/analysis/symbol/masks/parametric_mask.hpp>
@@ -20,6 +21,9 @@ struct ExponentialSumRules {
   bool operator==(const ExponentialSumRules& other) const = default;
 };
 
+/// What is generated: `1, x, e^(+-tx), x e^(+-tx)`.
+std::string to_text(const ExponentialSumRules& rules);
+
 /// Domain: one letter, numbers, arity 2. Error: none; j is up to 8. Cost: divisions of polynomials.
 ExponentialSumRules exponential_sum_rules(const ParametricMask& mask);
 
@@ -37,6 +41,22 @@ struct LimitOfLevels {
 /// docs/levels.md.
 std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const Recurrence& recurrence,
                                              const Interval& kept, const Budget& budget);
+
+/// Values of which each follows from the one before, and the level from which on they are in an interval.
+struct FollowedLevels {
+  Interval start;
+  Recurrence recurrence;
+  std::optional<int> first_level = {};
+  bool masks_exist = true;                  ///< before that level, for all of `start`
+  std::optional<LimitOfLevels> limit = {};  ///< where there is such a level
+
+  /// Whether the masks of these levels have a property that all sequences in the interval have, or not; yes or unknown.
+  Truth have(const RangeProperty& property, Truth all_sequences) const;
+};
+
+/// For all w_0 in `start`, until they are in `kept` for good. Domain: as limit_of_levels. Cost: the same.
+FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start,
+                      const Interval& kept, const Budget& budget);
 
 /// Whether the masks at so many levels exist for all w_0 in `start`; no where some do not, or may not. Domain: as
 /// above.

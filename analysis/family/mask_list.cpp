@@ -81,16 +81,6 @@ std::vector<std::size_t> masks_of(std::vector<int> word, const std::vector<int>&
 
 }  // namespace
 
-Mask levels_as_one(const std::vector<Mask>& levels) {
-  LaurentPolynomial symbol(1);
-  int arity = 1;
-  for (std::size_t k = levels.size(); k-- > 0;) {
-    symbol *= levels[k].symbol().dilated(arity);
-    arity *= levels[k].arity();
-  }
-  return Mask(symbol, arity);
-}
-
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   require_list(list);
   std::vector<Mask> masks = list.masks;

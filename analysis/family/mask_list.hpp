@@ -2,7 +2,7 @@
 /// Finitely many masks, one for each level.
 
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
-#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/masks/level_masks.hpp>
 
 #include <optional>
 #include <utility>
@@ -29,10 +29,6 @@ struct ExponentOfList {
   MatrixFamily family;                ///< whose radius it is from
   JointSpectralRadius radius;
 };
-
-/// a_(L-1)(z) a_(L-2)(z^a) ... a_0(z^(a^(L-1))): L levels as one, the coarsest first. Domain: one arity a, a^L at most
-/// 2^30.
-Mask levels_as_one(const std::vector<Mask>& levels);
 
 /// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum
 /// rules, on one window, along the successions: all limits have exponents of at least m - log_a r, and those of the

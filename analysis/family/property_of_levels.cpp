@@ -109,6 +109,14 @@ Box shrunk(const Box& box, const Values& about, const Rational& share) {
 
 }  // namespace
 
+Truth holds(const Enclosure& exponent, const RangeProperty& property) {
+  if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
+  const bool strictly = property.kind == Kind::smooth;
+  if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
+    return Truth::yes;
+  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
+}
+
 void require_levels(const ParametricMask& mask, const Box& box) {
   require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
   require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",

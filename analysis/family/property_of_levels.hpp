@@ -7,6 +7,10 @@
 
 namespace subcert {
 
+/// Whether all limits have the property; no where some have not. `exponent`: no lower end where no convergence is
+/// proved; the upper one is that of some. Domain: `convergent`, `smooth` or `holder`.
+Truth holds(const Enclosure& exponent, const RangeProperty& property);
+
 /// Of f_{k+1} = S_{w_k} f_k with w_0, w_1, ... in a box: the limits of all these sequences have the property, uniformly
 /// (yes), or those of one sequence do not (no).
 struct PropertyOfLevels {

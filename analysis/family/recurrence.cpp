@@ -1,7 +1,9 @@
 #include "recurrence.hpp"
 
 #include <subcert/analysis/symbol/masks/parametric_mask.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <fmt/format.h>
@@ -12,6 +14,8 @@ namespace subcert {
 namespace {
 
 constexpr int parts = 64;
+constexpr int most_hulls = 12;
+const Rational widest_value(1, Integer(1) << 100), largest_value(Integer(1) << 256);
 constexpr int root_bits = 128, kept_bits = 256;
 
 bool contains(const Interval& whole, const Interval& part) {
@@ -92,6 +96,40 @@ std::optional<Interval> Recurrence::image(const Interval& w) const {
     result = result ? hull(*result, *part) : *part;
   }
   return Interval{shortened(result->lower, Rounding::down), shortened(result->upper, Rounding::up)};
+}
+
+std::vector<Interval> Recurrence::values(const Rational& start, std::size_t count) const {
+  std::vector<Interval> result;
+  std::optional<Interval> next = Interval::exactly(start);
+  while (result.size() < count) {
+    if (!next)
+      fail(ErrorKind::domain, "recurrence: need a value for each level, got none after {}",
+           to_decimal(result.back().upper, 12, Rounding::nearest));
+    // What is known so badly, or has so many digits, only grows from level to level.
+    if (next->width() > widest_value || abs(next->lower) > largest_value || abs(next->upper) > largest_value)
+      fail(ErrorKind::undecided,
+           "recurrence: need values below 2^256 that are known within 2^-100, got others at level {}", result.size());
+    result.push_back(*next);
+    next = image(*next);
+  }
+  return result;
+}
+
+std::optional<Interval> Recurrence::all_from(const Interval& w) const {
+  const auto next = image(w);
+  if (!next) return std::nullopt;
+  Interval values = hull(w, *next);
+  // To a limit from one side or from both; farther, if the values come nearer to it slowly.
+  for (int round = 0; round < most_hulls; ++round) {
+    const auto after = image(values);
+    if (!after) return std::nullopt;
+    if (contains(values, *after)) return values;
+    const Rational more = round == 0 ? Rational(0) : values.width();
+    const Interval wider = hull(values, *after);
+    values = {wider.lower == values.lower ? values.lower : wider.lower - more,
+              wider.upper == values.upper ? values.upper : wider.upper + more};
+  }
+  return std::nullopt;
 }
 
 std::optional<int> Recurrence::first_level_in(const Interval& kept, const Interval& start, int most) const {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace subcert {
 
@@ -24,6 +25,14 @@ class Recurrence {
   /// Error: the ends are exact or rounded outward; with many zeros of r' the interval may be larger than needed. Cost:
   /// Bernstein coefficients on 64 parts.
   std::optional<Interval> image(const Interval& w) const;
+
+  /// w_0, w_1, ..., so many of them. Errors: throws Error of kind domain where one does not exist, or may not, of
+  /// kind undecided where one is not known within 2^-100, or is above 2^256 in modulus. Error:
+  /// exact where numbers are rational and short, else widths of some 2^-128 times what the recurrence makes of them.
+  std::vector<Interval> values(const Rational& start, std::size_t count) const;
+
+  /// An interval that contains w_k, given in one, and all values after it; nothing where none was found.
+  std::optional<Interval> all_from(const Interval& w) const;
 
   /// The least level found from which on all values stay in `kept`, for all w_0 in `start`; nothing where that is not
   /// proved within `most` levels: where `kept` is not mapped into itself, for one. Domain: most >= 0.

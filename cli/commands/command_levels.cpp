@@ -1,5 +1,6 @@
 // subcert levels SCHEME --over w=LOW..HIGH [--over ...] --property PROPERTY [--certificate DIR] [--plot FILE]
 
+#include "level_values.hpp"
 #include "levels_of_list.hpp"
 
 #include <subcert/analysis/family/limit_of_levels.hpp>
@@ -54,50 +55,19 @@ struct LevelsCommandOptions : SearchOptions {
   PaperForm form;
 };
 
-constexpr int most_levels = 1000;  // until a recurrence is to be in the range
-
-/// Values of which each follows from the one before, and the level from which on they are in the range.
-struct Followed {
-  Interval start;
-  Recurrence recurrence;
-  std::optional<int> first_level;
-  bool masks_exist = true;  ///< before that level, for all of `start`
-  std::optional<LimitOfLevels> limit = {};
-};
-
-/// `v0=1/2` or `v0=-1..1000`.
-Interval read_start(const std::string& written, const std::string& name) {
-  const std::string text = plain_text(written);
-  const std::string heads[] = {name + "0=", name + "="};
-  for (const std::string& head : heads) {
-    if (!text.starts_with(head)) continue;
-    if (text.find("..") == std::string::npos)
-      if (const auto value = parse_number(text.substr(head.size()))) return {*value, *value};
-    if (text.find("..") == std::string::npos) break;
-    const auto [low, high] = read_over(name + "=" + text.substr(head.size()), name);
-    return {low, high};
-  }
-  fail(ErrorKind::usage, "--start: expected {0}VALUE or {0}LOW..HIGH, got {1}", heads[0], in_quotes(written));
-}
-
-std::optional<Followed> follow(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box) {
+/// Errors: throws a usage error where options do not fit, a domain error for a first value that has no mask.
+std::optional<FollowedLevels> follow(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box,
+                                     const Budget& budget) {
   if (options.recurrence.empty() != options.start.empty())
     fail(ErrorKind::usage, "--recurrence and --start: expected both or none");
   if (options.recurrence.empty()) return std::nullopt;
   if (!scheme.letter) fail(ErrorKind::usage, "--recurrence: expected one range, got {}", box.letters());
   const std::string& name = scheme.names[0];
-  try {
-    Followed result{
-        read_start(options.start, name), Recurrence::parse(plain_text(options.recurrence), name, *scheme.letter), {}};
-    result.first_level = result.recurrence.first_level_in({box.low[0], box.high[0]}, result.start, most_levels);
-    if (result.first_level)
-      result.masks_exist = masks_exist(scheme.mask, result.recurrence, result.start, *result.first_level);
-    return result;
-  } catch (const ParseError&) {
-    fail(ErrorKind::usage,
-         "--recurrence: expected {0}=EXPRESSION or {0}=sqrt(EXPRESSION), as {0}=sqrt((1+{0})/2), got {1}", name,
-         in_quotes(options.recurrence));
-  }
+  const Interval start = read_start(options.start, name);
+  const Recurrence recurrence = read_recurrence(options.recurrence, name, *scheme.letter);
+  if (start.lower == start.upper && scheme.mask.denominator()(start.lower) == 0)
+    fail(ErrorKind::domain, "--start: expected a value that has a mask, got {} = {}", name, number_text(start.lower));
+  return subcert::follow(scheme.mask, recurrence, start, {box.low[0], box.high[0]}, budget);
 }
 
 /// `w = 1/16`, `v = 0 and w = 1`.
@@ -130,20 +100,14 @@ struct LevelsAnswer {
   std::string property;
   LetteredScheme scheme;
   Box box;
-  std::optional<Followed> followed;
+  std::optional<FollowedLevels> followed;
   RangeProperty asked = {};
   PropertyOfLevels levels = {};
   std::vector<ExponentOfLevels> growing = {};
 
   std::string values() const { return box_text(box, scheme); }
   /// What fails for some sequence may hold for those of a recurrence.
-  Truth truth() const {
-    if (!followed) return levels.holds;
-    return followed->first_level && (levels.holds == Truth::yes || holds_in_limit()) ? Truth::yes : Truth::unknown;
-  }
-  bool holds_in_limit() const {
-    return followed && followed->limit && holds(followed->limit->exponent.exponent, asked) == Truth::yes;
-  }
+  Truth truth() const { return followed ? followed->have(asked, levels.holds) : levels.holds; }
 };
 
 /// `C1 for every sequence of w from 1/1000 to 19/100, one for each level`
@@ -171,26 +135,12 @@ std::string answer_text(const LevelsAnswer& found) {
   return fmt::format("not {} for every sequence: not for {}", property, last);
 }
 
-/// `1, x and x^i e^(+-tx) for i < 2`
-std::string generated_text(const ExponentialSumRules& rules) {
-  std::vector<std::string> parts;
-  for (int i = 0; i < rules.sum_rules; ++i) parts.push_back(i == 0 ? "1" : i == 1 ? "x" : fmt::format("x^{}", i));
-  for (std::size_t j = 0; j < rules.exponentials.size(); ++j)
-    for (int i = 0; i < rules.exponentials[j]; ++i)
-      parts.push_back(fmt::format("{}e^(+-{}tx)",
-                                  i == 0   ? ""
-                                  : i == 1 ? "x "
-                                           : fmt::format("x^{} ", i),
-                                  j == 0 ? "" : std::to_string(j + 1)));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 /// What the masks at late levels tell of all limits.
 std::string limit_text(const LimitOfLevels& limit, const std::string& name) {
   std::string text = fmt::format("limit        {} tends to {} for all of them\n", name, number_text(limit.value));
   if (!limit.rules.exponentials.empty())
-    text += fmt::format("generates    {}, where {} is cos(t h) at the level with distances h\n",
-                        generated_text(limit.rules), name);
+    text += fmt::format("generates    {}, where {} is cos(t h) at the level with distances h\n", to_text(limit.rules),
+                        name);
   const ExponentOfList& found = limit.exponent;
   const Enclosure& exponent = found.exponent;
   text += "exponent     ";
@@ -375,18 +325,10 @@ ExitCode run(const LevelsCommandOptions& options) {
     fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter",
          found.box.letters());
   if (!options.certificate.empty()) require_folder(options.certificate);
-  found.followed = follow(options, scheme, found.box);
-  if (found.followed && found.followed->start.lower == found.followed->start.upper &&
-      scheme.mask.denominator()(found.followed->start.lower) == 0)
-    fail(ErrorKind::domain, "--start: expected a value that has a mask, got {} = {}", scheme.names[0],
-         number_text(found.followed->start.lower));
   options.progress("values");
   const Budget budget = options.limits();
   const bool growing = options.boxes > 0 || !options.plot.empty();
-  if (found.followed && found.followed->first_level)
-    found.followed->limit = limit_of_levels(scheme.mask, found.followed->recurrence,
-                                            {found.box.low[0], found.box.high[0]},
-                                            {budget.deadline.after(0.4), budget.memory});
+  found.followed = follow(options, scheme, found.box, {budget.deadline.after(0.4), budget.memory});
   found.levels = property_of_levels(scheme.mask, property, found.box,
                                     growing ? Budget{budget.deadline.after(0.5), budget.memory} : budget);
   if (growing)

@@ -4,6 +4,7 @@
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/cli/commands/level_values.hpp>
 #include <subcert/cli/pages/limit_page.hpp>
 
 #include <charconv>
@@ -21,6 +22,7 @@ struct LimitCommandOptions : LimitPageOptions {
   std::string scheme;
   std::string derivative;
   bool range = false;
+  LevelOptions level_options;
 };
 
 /// The order in each variable; zeros where none is given.
@@ -63,8 +65,27 @@ void require_vector(const Scheme& scheme, const LatticePoint& orders, const Limi
     fail(ErrorKind::undecided, "{}: continuous derivatives of order {} are not proved", scheme.specification, total);
 }
 
+/// Of masks that change from level to level.
+ExitCode run_levels(const std::variant<LevelDependentScheme, FollowedFamily>& levels, LimitCommandOptions options) {
+  if (options.range || !options.derivative.empty())
+    fail(ErrorKind::usage, "--{}: cannot be asked for with masks that change from level to level",
+         options.range ? "range" : "derivative");
+  if (options.level < 0) options.level = usual_level;
+  if (const auto* family = std::get_if<FollowedFamily>(&levels))
+    return print_limit_values(family->specification,
+                              limit_values(family->family.mask, family->recurrence, family->start, options.level),
+                              options);
+  const auto& scheme = std::get<LevelDependentScheme>(levels);
+  const Deadline deadline = Deadline::in(options.budget);
+  std::vector<Mask> again;
+  for (const LatticeMask& mask : scheme.masks.again) again.push_back(mask.curve());
+  require_derivative(scheme.specification, levels_as_one(again), {0}, {proof_levels, deadline});
+  return print_limit_values(scheme.specification, limit_values(scheme.masks, options.level, deadline), options);
+}
+
 ExitCode run(LimitCommandOptions options) {
   require_one_form(options, options.form);
+  if (const auto levels = read_levels(options.scheme, options.level_options)) return run_levels(*levels, options);
   const Scheme scheme = make_refinable_scheme(options.scheme);
   const int dimension = scheme.mask.dimension();
   const LatticePoint orders = derivative_orders(options.derivative, static_cast<std::size_t>(dimension));
@@ -100,6 +121,7 @@ void add_limit(Command& app) {
       .option("--budget", options->budget, "Seconds of processor time, for the proof of convergence and what follows")
       .within(0.001, 1e6)
       .with_default();
+  add_level_options(command, options->level_options);
   add_scheme(command, options->scheme, true);
   add_paper_form(command, options->form, "The table in LaTeX", "The table in Markdown");
 }

@@ -4,6 +4,7 @@
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/cli/commands/level_values.hpp>
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
@@ -26,7 +27,16 @@ struct RefineCommand : CommonOptions {
   double constant = 0;
   std::string plot;
   bool limit = false;
+  LevelOptions level_options;
 };
+
+/// Of whatever acts on data.
+AnyScheme make_scheme_for_data(const RefineCommand& options) {
+  const auto levels = read_levels(options.scheme, options.level_options);
+  if (!levels) return data::make_data_scheme(options.scheme);
+  if (const auto* given = std::get_if<LevelDependentScheme>(&*levels)) return *given;
+  return std::get<FollowedFamily>(*levels).levels(options.levels);
+}
 
 /// The mask of which limits are drawn, where these are proved to exist.
 LatticeMask mask_with_limits(const AnyScheme& scheme) {
@@ -106,7 +116,7 @@ void answer_json(const RefineCommand& options, Json json, std::size_t dimension,
 
 ExitCode run(const RefineCommand& options) {
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
-  const AnyScheme scheme = data::make_data_scheme(options.scheme);
+  const AnyScheme scheme = make_scheme_for_data(options);
   const std::string& name = specification_of(scheme);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
@@ -175,6 +185,7 @@ void add_refine(Command& app) {
   command.option("--constant", options->constant, "The value of --boundary constant")
       .within(-1e300, 1e300)
       .with_default();
+  add_level_options(command, options->level_options);
   command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
 }
 

@@ -1,6 +1,7 @@
 #include "levels_of_list.hpp"
 
 #include "checker.hpp"
+#include "level_values.hpp"
 #include "parameter_range.hpp"
 #include "width.hpp"
 
@@ -16,14 +17,6 @@ namespace subcert::cli {
 namespace {
 
 using properties::MaskListFile;
-
-MaskListFile read(const std::string& file) {
-  try {
-    return properties::read_mask_list(runtime::read_file(file));
-  } catch (const FileError& error) {
-    fail(ErrorKind::data, "{}, {}", file, error.what());
-  }
-}
 
 std::string order_text(const MaskList& list) {
   if (!list.period.empty()) return fmt::format("{} again and again", fmt::join(list.period, ", "));
@@ -79,15 +72,6 @@ Json exponent_json(const ExponentOfList& found) {
           {"exactness", found.exact.reason}};
 }
 
-Truth holds(const Enclosure& exponent, const RangeProperty& property) {
-  using Kind = RangeProperty::Kind;
-  if (property.kind == Kind::convergent) return exponent.lower ? Truth::yes : Truth::unknown;
-  const bool strictly = property.kind == Kind::smooth;
-  if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
-    return Truth::yes;
-  return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
-}
-
 RangeProperty read_levels_property(const std::string& text) {
   using Kind = RangeProperty::Kind;
   const auto property = parse_range_property(text);
@@ -100,7 +84,7 @@ RangeProperty read_levels_property(const std::string& text) {
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
                             const std::string& certificates) {
   const auto asked = property.empty() ? std::nullopt : std::optional(read_levels_property(property));
-  const MaskListFile read_file = read(file);
+  const MaskListFile read_file = read_lists(file);
   if (!certificates.empty()) require_folder(certificates);
   const Budget budget = options.limits();
   options.progress("masks");

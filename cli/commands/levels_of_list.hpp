@@ -4,19 +4,12 @@
 #include "command.hpp"
 
 #include <subcert/analysis/family/mask_list.hpp>
-#include <subcert/analysis/family/property_range.hpp>
+#include <subcert/analysis/family/property_of_levels.hpp>
 
 namespace subcert::cli {
 
-/// `lists:FILE` starts like that.
-inline constexpr const char* lists = "lists:";
-
 /// `convergent`, `C2` or `holder>=3/2`. Errors: throws a usage error for another text.
 RangeProperty read_levels_property(const std::string& text);
-
-/// Whether all limits have the property; no where some have not. `exponent`: no lower end where no convergence is
-/// proved; the upper one is that of some.
-Truth holds(const Enclosure& exponent, const RangeProperty& property);
 
 /// The exponent, and whether it is exact.
 Json exponent_json(const ExponentOfList& found);

@@ -22,13 +22,13 @@ LimitOptions limit_options(const LimitPageOptions& options, const Deadline& dead
 }
 
 /// Points in a column of that width, then the values, rounded and exact.
-void print_points(const Scheme& scheme, const std::vector<std::pair<std::string, Rational>>& points, int width,
+void print_points(const std::string& scheme, const std::vector<std::pair<std::string, Rational>>& points, int width,
                   const LimitPageOptions& options) {
   const auto rounded = [](const Rational& value) { return to_decimal(value, 15, Rounding::nearest); };
   if (options.form.asked_for()) {
     formats::TableRows rows{{"x", "value", "rounded"}};
     for (const auto& [point, value] : points) rows.push_back({point, to_text(value), rounded(value)});
-    return answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", std::move(rows), {0, 1, 2}});
+    return answer(options, options.form, TableAnswer{"% " + scheme + "\n", std::move(rows), {0, 1, 2}});
   }
   std::ostringstream text;
   for (const auto& [point, value] : points)
@@ -36,21 +36,20 @@ void print_points(const Scheme& scheme, const std::vector<std::pair<std::string,
   options.answer(text.str());
 }
 
-void print_curve_values(const Scheme& scheme, int order, const LimitPageOptions& options, const Deadline& deadline) {
-  const LimitValues values = limit_values(scheme.mask.curve(), options.level, order, deadline);
-  if (options.json) {
-    options.answer(Json{{"scheme", scheme.specification},
-                        {"arity", values.arity},
-                        {"level", values.level},
-                        {"derivative", values.order},
-                        {"first_index", values.first_index},
-                        {"values", numbers_json(values.values)}});
-    return;
+/// Points, and numbers in columns.
+void print_rows(const std::string& scheme, formats::TableRows rows, const LimitPageOptions& options) {
+  if (options.form.asked_for()) {
+    std::vector<std::size_t> formulas;
+    for (std::size_t c = 0; c < rows.front().size(); ++c) formulas.push_back(c);
+    return answer(options, options.form, TableAnswer{"% " + scheme + "\n", std::move(rows), std::move(formulas)});
   }
-  std::vector<std::pair<std::string, Rational>> points;
-  for (std::size_t i = 0; i < values.values.size(); ++i)
-    points.emplace_back(to_text(values.point(i)), values.values[i]);
-  print_points(scheme, points, 12, options);
+  std::string text;
+  for (const auto& row : rows) {
+    text += fmt::format("{:>12}", row.front());
+    for (std::size_t c = 1; c < row.size(); ++c) text += fmt::format("  {:>20}", row[c]);
+    text += "\n";
+  }
+  options.answer(text);
 }
 
 /// The coordinates of M^-level index.
@@ -78,7 +77,7 @@ void print_surface_values(const Scheme& scheme, const LatticePoint& orders, cons
   for (const auto& [index, value] : values) {
     points.emplace_back(point_text(scheme, index, options.level), value);
   }
-  print_points(scheme, points, 20, options);
+  print_points(scheme.specification, points, 20, options);
 }
 
 }  // namespace
@@ -86,9 +85,53 @@ void print_surface_values(const Scheme& scheme, const LatticePoint& orders, cons
 ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options,
                             const Deadline& deadline) {
   if (scheme.mask.dimension() == 1)
-    print_curve_values(scheme, static_cast<int>(orders.front()), options, deadline);
-  else
-    print_surface_values(scheme, orders, options);
+    return print_limit_values(
+        scheme.specification,
+        limit_values(scheme.mask.curve(), options.level, static_cast<int>(orders.front()), deadline), options);
+  print_surface_values(scheme, orders, options);
+  return done;
+}
+
+ExitCode print_limit_values(const std::string& scheme, const LimitValues& values, const LimitPageOptions& options) {
+  if (options.json) {
+    options.answer(Json{{"scheme", scheme},
+                        {"arity", values.arity},
+                        {"level", values.level},
+                        {"derivative", values.order},
+                        {"first_index", values.first_index},
+                        {"values", numbers_json(values.values)}});
+    return done;
+  }
+  std::vector<std::pair<std::string, Rational>> points;
+  for (std::size_t i = 0; i < values.values.size(); ++i)
+    points.emplace_back(to_text(values.point(i)), values.values[i]);
+  print_points(scheme, points, 12, options);
+  return done;
+}
+
+ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues& values,
+                            const LimitPageOptions& options) {
+  if (options.json) {
+    Json numbers = Json::array();
+    for (const Interval& value : values.values) numbers.push_back(enclosure_json(value.enclosure()));
+    options.answer(Json{{"scheme", scheme},
+                        {"arity", values.arity},
+                        {"level", values.level},
+                        {"derivative", 0},
+                        {"first_index", values.first_index},
+                        {"order", values.order},
+                        {"levels", values.levels},
+                        {"values", std::move(numbers)}});
+    return done;
+  }
+  formats::TableRows rows{{"x", "at least", "at most"}};
+  const Rational size = power(Rational(values.arity), values.level);
+  for (std::size_t i = 0; i < values.values.size(); ++i) {
+    const Enclosure value = values.values[i].enclosure();
+    rows.push_back({to_text(Rational((values.first_index + static_cast<long>(i)) / size)), value.lower_text(15),
+                    value.upper_text(15)});
+  }
+  print_rows(scheme, std::move(rows), options);
   return done;
 }
 
@@ -115,28 +158,13 @@ ExitCode print_vector_values(const Scheme& scheme, const LatticePoint& orders, c
     return done;
   }
   formats::TableRows rows{{"x"}};
-  std::vector<std::size_t> formulas{0};
-  for (std::size_t c = 1; c <= size; ++c) {
-    rows.front().push_back(fmt::format("phi_{}", c));
-    formulas.push_back(c);
-  }
+  for (std::size_t c = 1; c <= size; ++c) rows.front().push_back(fmt::format("phi_{}", c));
   for (const auto& [index, vector] : values) {
     rows.push_back({point_text(scheme, index, options.level)});
     for (const Rational& value : vector)
       rows.back().push_back(options.form.asked_for() ? to_text(value) : to_decimal(value, 15, Rounding::nearest));
   }
-  if (options.form.asked_for()) {
-    answer(options, options.form,
-           TableAnswer{"% " + scheme.specification + "\n", std::move(rows), std::move(formulas)});
-    return done;
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    text += fmt::format("{:>12}", row.front());
-    for (std::size_t c = 1; c < row.size(); ++c) text += fmt::format("  {:>20}", row[c]);
-    text += "\n";
-  }
-  options.answer(text);
+  print_rows(scheme.specification, std::move(rows), options);
   return done;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What `subcert limit` prints: values of the basic limit function and its derivatives, or its extremes and sign.
 
+#include <subcert/analysis/family/limit_values_of_levels.hpp>
 #include <subcert/cli/paper_form.hpp>
 
 namespace subcert::cli {
@@ -15,6 +16,11 @@ struct LimitPageOptions : CommonOptions {
 /// Domain: level >= 0; an order for each variable, such that the derivative is continuous.
 ExitCode print_limit_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options,
                             const Deadline& deadline);
+
+/// The same of masks that change from level to level: exact values, or enclosures.
+ExitCode print_limit_values(const std::string& scheme, const LimitValues& values, const LimitPageOptions& options);
+ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues& values,
+                            const LimitPageOptions& options);
 
 /// The same of a vector of functions that is continuous and unique up to a factor.
 ExitCode print_vector_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options);

@@ -151,3 +151,18 @@ TEST_CASE("answers as a report of JUnit") {
   CHECK(contains(text, "line=\"7\"><failure message=\"it is 3\"/></testcase>\n"));
   CHECK(contains(text, "line=\"10\"><error message=\"undecided: "));
 }
+
+TEST_CASE("check: masks that change from level to level, with a report") {
+  const Folder folder;
+  const std::string report = folder / "report.xml",
+                    file = folder.write(
+                        "levels.toml",
+                        "[[scheme]]\nname = 'slider'\nmask = 'four-point:w'\nlevels = '0.001 <= w <= 0.19'\n"
+                        "smoothness = '>= 1'\n[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\n"
+                        "holder = '>= 5/2'\n");
+  const Run found = run("check " + file + " --junit " + report);
+  CHECK(found.code == 1);
+  CHECK(contains(found.out, "holds      " + file + ":5: slider: smoothness >= 1\n"));
+  CHECK(contains(found.out, "FAILS      " + file + ":8: dd:n=2, bspline:degree=3 in any order: holder >= 5/2"));
+  CHECK(content(report).find("failures=\"1\" errors=\"0\"") != std::string::npos);
+}

@@ -67,3 +67,26 @@ TEST_CASE("limit: extremes and sign") {
               "--width: expected a positive number, as 1e-9 or 1/1000, got '0'");
   CHECK(run("limit 'mask:[1,1]' --range").code == 1);
 }
+
+TEST_CASE("limit: masks that change from level to level") {
+  const Folder folder;
+  const std::string spline = "limit exponential-bspline:v --recurrence 'v=sqrt((1+v)/2)' --start v0=1/2 --level 0";
+  const Run page = run(spline);
+  CHECK(contains(page.out, "           0     0.608997781044229      0.60899778104423\n"));
+  const auto enclosed = run_json(spline);
+  CHECK(enclosed.at("first_index") == -2);
+  CHECK(enclosed.at("order") == 2);
+  CHECK(enclosed.at("values").at(2).at("lower").get<std::string>().starts_with("0.6089977810442293"));
+  CHECK(contains(run(spline + " --latex").out, "at least"));
+  const auto exact = run_json("limit four-point:w --values w=1/8,1/16 --level 1");
+  CHECK(exact.at("scheme") == "four-point:w with w = 1/8, 1/16");
+  CHECK(exact.at("values").at(5) == "5/8");
+  CHECK(run("limit four-point:w --values w=1/16 --level 4").out == run("limit four-point:w=1/16 --level 4").out);
+  const std::string pair = folder.write("pair.toml", "masks = [\"dd:n=2\", \"bspline:degree=3\"]\nperiod = [0, 1]\n");
+  CHECK(run_json("limit lists:" + pair + " --level 0").at("values").at(3) == "82/93");
+  CHECK(run_json("limit lists:" + pair).at("level") == 8);
+  CHECK(run("limit four-point:w --recurrence w=w/2+1/2 --start w0=0").code == 2);
+  CHECK(run("limit four-point:w --values w=1/16,1").code == 1);
+  check_fails(run(spline + " --range"), 64, "--range: cannot be asked for with masks that change from level to level");
+  CHECK(run(spline + " --derivative 1").code == 64);
+}

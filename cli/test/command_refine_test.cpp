@@ -235,3 +235,43 @@ TEST_CASE("titles of pictures are whole: in lines, and no sign of a specificatio
   CHECK(contains(picture, "mask:[1,13,78,286,715,1287,1716,1716,1287,715,286,78,13,"));
   CHECK(contains(picture, ">1]/4096@0<"));
 }
+
+TEST_CASE("data are refined with a mask for each level") {
+  const Folder folder;
+  const std::string line = folder.write("line.csv", "5\n3\n1\n2\n4\n2\n"), halving = " --recurrence 'v=sqrt((1+v)/2)'";
+  CHECK(run("refine four-point:w " + line + " --values w=1/16,1/16 --levels 3").out ==
+        run("refine four-point:w=1/16 " + line + " --levels 3").out);
+  CHECK(run("refine four-point:w " + line + " --recurrence w=w/2 --start w0=1/8 --levels 2").out ==
+        run("refine four-point:w " + line + " --values w=1/8,1/16,5 --levels 2").out);
+  const std::string pair = folder.write("pair.toml", "masks = [\"dd:n=2\", \"bspline:degree=3\"]\nperiod = [0, 1]\n"),
+                    once = folder.write("once.csv", run("refine dd:n=2 " + line + " --levels 1").out);
+  const auto json = run_json("refine lists:" + pair + " " + line + " --levels 2");
+  CHECK(json.at("scheme") == "dd:n=2, bspline:degree=3 again and again");
+  CHECK(json.at("count") == 21);
+  const std::string twice = run("refine lists:" + pair + " " + line + " --levels 2").out;
+  CHECK(twice == run("refine bspline:degree=3 " + once + " --levels 1").out);
+  // A mask for v = 1/2, and the one data that are there for no level.
+  CHECK(run_json("refine conic-four-point:v " + line + halving + " --start v0=1/2 --levels 0").at("count") == 6);
+  CHECK(run_json("refine conic-four-point:v " + line + halving + " --start v0=1/2 --levels 1").at("scheme") ==
+        "conic-four-point:v with v = sqrt((1+v)/2), v0 = 1/2");
+  const auto fails = [&](const std::string& rest, int code, const std::string& message) {
+    check_fails(run("refine " + rest), code, message);
+  };
+  fails("four-point:w " + line + " --values 1/16", 64,
+        "--values: expected w=VALUE,VALUE,... with exact numbers, got '1/16'");
+  fails("four-point:w " + line + " --values w=1/16,", 64,
+        "--values: expected w=VALUE,VALUE,... with exact numbers, got 'w=1/16,'");
+  fails("four-point:w " + line + " --start w0=1/16", 64, "--recurrence and --start: expected both or none");
+  fails("four-point:w " + line + " --recurrence w=w --start w0=0..1", 64,
+        "--start: expected one value, w0=VALUE, got 'w0=0..1'");
+  fails("four-point:w " + line + " --recurrence w=w --start w0=1/16 --values w=1", 64,
+        "--values: cannot be asked for with --recurrence");
+  fails("lists:" + pair + " " + line + " --values w=1", 64, "--values: cannot be asked for with a list of masks");
+  fails("conic-four-point:v " + line + halving + " --start v0=0", 64,
+        "levels: need a mask for each level, got none for level 0");
+  fails("conic-four-point:v " + line + " --values v=0", 64, "conic-four-point:v: there is no mask for v = 0");
+  CHECK(run("refine four-point:w " + line + " --recurrence w=w --start w0=1/16 --levels 100000000").code == 64);
+  CHECK(run("refine lists:" + folder.write("any.toml", "masks = [\"dd:n=2\"]") + " " + line).code == 64);
+  CHECK(run("refine four-point:w " + line + " --values w=1/16 --limit").code == 64);
+  CHECK(run("refine dd:n=2 " + line + " --values w=1/16").code == 64);
+}

@@ -39,6 +39,7 @@ const std::vector<Registered>& registered() {
       {"families", nullptr},
       {"daubechies", nullptr},
       {"jsr", nullptr},
+      {"levels", nullptr},
       {"vectors", nullptr},
   };
   return all;

@@ -20,6 +20,14 @@ std::string lies_in(const std::string& what, const Enclosure& value, const Ratio
 /// The answer of two.
 Decision decided(bool yes, const std::string& found);
 
+/// What is asked of ranges and levels. C^0 limits are those of a scheme that converges. Domain: property.of_ranges.
+RangeProperty asked_of(const Property& property, const Expectation& expectation);
+
+/// Of masks that change from level to level. Domain: property.of_levels().
+Decision property_of(const SchemeLevels& levels, const Property& property, const Expectation& expectation,
+                     double seconds);
+Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation, double seconds);
+
 /// Whether limits of surfaces are C^k. An exponent above k says yes and one below it no; one that is k says neither.
 Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation);
 

@@ -271,6 +271,11 @@ std::string kind_of(const Scheme& scheme) {
                                             : "surfaces";
 }
 
+bool Property::of_levels() const {
+  using Kind = RangeProperty::Kind;
+  return of_ranges == Kind::convergent || of_ranges == Kind::smooth || of_ranges == Kind::holder;
+}
+
 const Property* find_property(std::string_view name) {
   const auto& all = known_properties();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Property& one) { return one.name == name; });
@@ -288,11 +293,7 @@ Decision property_of(const Scheme& scheme, const Property& property, const Expec
 /// For all values: every piece is proved, single values of gaps included.
 Decision property_of(const SchemeRange& range, const Property& property, const Expectation& expectation,
                      double seconds) {
-  using Kind = RangeProperty::Kind;
   if (!property.of_ranges) fail(ErrorKind::domain, "has_property: need a property of ranges, got '{}'", property.name);
-  // C^0 limits are those of a scheme that converges.
-  const Kind kind = property.of_ranges == Kind::smooth && expectation.number == 0 ? Kind::convergent
-                                                                                  : *property.of_ranges;
   const std::string& letter = range.family.name;
   const auto describe = [&](const RangePiece& piece, const char* verdict) {
     const auto text = [](const Rational& value) { return to_decimal(value, 10, Rounding::nearest); };
@@ -300,7 +301,7 @@ Decision property_of(const SchemeRange& range, const Property& property, const E
                           ? " for " + letter + " = " + text(piece.low)
                           : " for " + text(piece.low) + " <= " + letter + " <= " + text(piece.high));
   };
-  const PropertyRange found = property_range(range.family.mask, {kind, expectation.number}, range.values.low,
+  const PropertyRange found = property_range(range.family.mask, asked_of(property, expectation), range.values.low,
                                              range.values.high, {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
   Decision answer{Truth::yes, ""};
   for (const RangePiece& piece : found.pieces) {

@@ -1,6 +1,5 @@
-#include "mask_list_file.hpp"
+#include "mask_list_table.hpp"
 
-#include <subcert/proofs-checks/toml_file.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
@@ -46,12 +45,7 @@ void add_mask(MaskListFile& file, const toml::node& node) {
 
 }  // namespace
 
-MaskListFile read_mask_list(std::string_view text) {
-  const toml::table table = parse_toml(text);
-  for (const auto& [key, node] : table)
-    if (key.str() != "masks" && key.str() != "period" && key.str() != "follows")
-      throw FileError(place_of(key.source()),
-                      "unknown key " + in_quotes(key.str()) + "; expected masks, period or follows");
+MaskListFile mask_list_of(const toml::table& table) {
   const toml::node *masks = table.get("masks"), *period = table.get("period"), *follows = table.get("follows");
   if (!masks) throw FileError({1, 1}, "no masks; expected masks = [\"dd:n=2\", ...]");
   if (period && follows) throw FileError(place_of(*follows), "'follows' beside 'period'; expected one of them");
@@ -68,6 +62,15 @@ MaskListFile read_mask_list(std::string_view text) {
       file.list.follows.emplace_back(number_of_mask(*pair.get(0), count), number_of_mask(*pair.get(1), count));
     }
   return file;
+}
+
+MaskListFile read_mask_list(std::string_view text) {
+  const toml::table table = parse_toml(text);
+  for (const auto& [key, node] : table)
+    if (key.str() != "masks" && key.str() != "period" && key.str() != "follows")
+      throw FileError(place_of(key.source()),
+                      "unknown key " + in_quotes(key.str()) + "; expected masks, period or follows");
+  return mask_list_of(table);
 }
 
 }  // namespace subcert::properties

@@ -1,7 +1,9 @@
 #pragma once
 /// Expected properties of schemes, read from a TOML file and checked: docs/properties.md.
 
+#include <subcert/analysis/family/mask_list.hpp>
 #include <subcert/analysis/family/property_range.hpp>
+#include <subcert/analysis/family/recurrence.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -34,10 +36,29 @@ struct SchemeRange {
   ParameterRange values;
 };
 
+/// The same family with a value for each level: every sequence of values, closed ends included, or those that follow
+/// each other from a start on.
+struct SchemeLevels {
+  /// All that is said of how they follow each other.
+  struct Following {
+    Recurrence recurrence;
+    Interval start;
+  };
+  ParametricScheme family;
+  Interval values;
+  std::optional<Following> following;
+};
+
+/// Masks of a list, one for each level.
+struct SchemeList {
+  std::string specification;  ///< for people
+  MaskList list;
+};
+
 struct ExpectedScheme {
   std::string name;  ///< the specification where the file gives none
   std::string specification;
-  std::variant<Scheme, SchemeRange> scheme;
+  std::variant<Scheme, SchemeRange, SchemeLevels, SchemeList> scheme;
   std::vector<Expectation> expectations;
 };
 
@@ -55,8 +76,10 @@ struct Property {
   Decides of_curve;
   Decides of_surface;
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
-  Decides of_vector = nullptr;                        ///< of masks of matrices
-  bool of_hermite = false;                            ///< of these of Hermite schemes alone
+  /// Of masks that change from level to level.
+  bool of_levels() const;
+  Decides of_vector = nullptr;  ///< of masks of matrices
+  bool of_hermite = false;      ///< of these of Hermite schemes alone
 
   /// The one for this scheme, or null.
   Decides decides(const Scheme& of) const;
@@ -75,10 +98,10 @@ std::vector<std::variant<ExpectedScheme, FileError>> read_schemes(std::string_vi
 /// The same where no scheme is an error. Errors: throws the first one.
 std::vector<ExpectedScheme> read_expectations(std::string_view text);
 
-/// Whether the scheme has the property, of a range: for all values of the parameter. The reason says what was found.
-/// Domain: a property of surfaces for schemes of two and three variables, of vectors for masks of matrices, of ranges
-/// for ranges. Cost: as the analysis
-/// that it needs, with about this many seconds for each search.
+/// Whether the scheme has the property, of a range: for all values of the parameter, of levels: for all sequences that
+/// are meant. The reason says what was found. Domain: a property of surfaces for schemes of two and three variables, of
+/// vectors for masks of matrices, of ranges for ranges, of levels for these. Cost: as the analysis that it needs, with
+/// about this many seconds for each search.
 Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds);
 
 }  // namespace subcert::properties

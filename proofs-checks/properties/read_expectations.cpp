@@ -1,9 +1,10 @@
+#include "mask_list_table.hpp"
 #include "properties.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
-#include <subcert/proofs-checks/toml_file.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -89,7 +90,7 @@ Expectation read_expectation(const Property& property, const toml::node& node, c
 std::vector<std::string> known_keys() {
   std::vector<std::string> keys{"mask", "name"};
   for (const Property& property : known_properties()) keys.push_back(property.name);
-  keys.emplace_back("for");
+  for (const char* key : {"for", "levels", "recurrence", "start", "masks", "period", "follows"}) keys.emplace_back(key);
   return keys;
 }
 
@@ -112,13 +113,90 @@ SchemeRange read_range(const toml::node& node, ParametricScheme family) {
   return {std::move(family), *values};
 }
 
-std::variant<Scheme, SchemeRange> read_subject(const toml::table& table, const std::string& specification) {
-  if (const toml::node* range = table.get("for")) return read_range(*range, make_parametric_scheme(specification));
-  return make_refinable_scheme(specification);
+/// A text. `what`: that it takes, for the message.
+const std::string& text_of(const toml::node& node, const char* key, const std::string& what) {
+  const auto* text = node.as_string();
+  if (!text) throw FileError(place_of(node), fmt::format("'{}' takes {}", key, what));
+  return text->get();
+}
+
+/// `v0=1/2` or `-1 <= v0 <= 1000`.
+std::optional<Interval> read_start(const std::string& text, const std::string& name) {
+  const std::string head = name + "0=";
+  std::string without_blanks = text;
+  std::erase(without_blanks, ' ');
+  if (without_blanks.starts_with(head)) {
+    const auto value = parse_number(std::string_view(without_blanks).substr(head.size()));
+    return value ? std::optional(Interval::exactly(*value)) : std::nullopt;
+  }
+  const auto range = parse_parameter_range(text, name + "0");
+  return range ? std::optional(Interval{range->low, range->high}) : std::nullopt;
+}
+
+SchemeLevels read_levels(const toml::table& table, const toml::node& levels, ParametricScheme family) {
+  const std::string &name = family.name, range = "\"LOW <= " + name + " <= HIGH\" with LOW < HIGH";
+  const auto values = parse_parameter_range(text_of(levels, "levels", range), name);
+  if (!values || !values->low_included || !values->high_included)
+    throw FileError(place_of(levels), "'levels' takes " + range);
+  if (family.form) throw FileError(place_of(levels), "'levels' is for masks of numbers");
+  SchemeLevels result{family, {values->low, values->high}, {}};
+  const toml::node *recurrence = table.get("recurrence"), *start = table.get("start");
+  if (!recurrence && !start) return result;
+  if (!recurrence || !start) throw FileError(place_of(levels), "expected both 'recurrence' and 'start', or none");
+  const std::string rule = fmt::format("\"{0}=EXPRESSION\" or \"{0}=sqrt(EXPRESSION)\"", name),
+                    first = fmt::format("\"{0}0=VALUE\" or \"LOW <= {0}0 <= HIGH\"", name);
+  const auto from = read_start(text_of(*start, "start", first), name);
+  if (!from) throw FileError(place_of(*start), "'start' takes " + first);
+  try {
+    result.following = SchemeLevels::Following{
+        Recurrence::parse(text_of(*recurrence, "recurrence", rule), name, family.letter), *from};
+  } catch (const ParseError&) {
+    throw FileError(place_of(*recurrence), "'recurrence' takes " + rule);
+  }
+  return result;
+}
+
+SchemeList read_list(const toml::table& table) {
+  MaskListFile file = mask_list_of(table);
+  const char* order = !file.list.period.empty()    ? " in a period"
+                      : !file.list.follows.empty() ? " along a graph"
+                                                   : " in any order";
+  return {fmt::format("{}{}", fmt::join(file.specifications, ", "), order), std::move(file.list)};
+}
+
+/// What the keys of the table name, of which others need these.
+using Subject = std::variant<Scheme, SchemeRange, SchemeLevels, SchemeList>;
+
+Subject read_subject(const toml::table& table) {
+  const auto needs = [&](const char* key, const char* other) {
+    if (const toml::node* node = table.get(key); node && !table.get(other))
+      throw FileError(place_of(*node), fmt::format("'{}' needs '{}'", key, other));
+  };
+  for (const auto& [key, other] : {std::pair{"period", "masks"}, std::pair{"follows", "masks"},
+                                   std::pair{"recurrence", "levels"}, std::pair{"start", "levels"}})
+    needs(key, other);
+  const toml::node *mask = table.get("mask"), *masks = table.get("masks"), *levels = table.get("levels"),
+                   *range = table.get("for");
+  if (masks && (mask || levels || range))
+    throw FileError(place_of(*masks), "'masks' stands without 'mask' and its values");
+  if (range && levels) throw FileError(place_of(*levels), "'levels' beside 'for'; expected one of them");
+  if (masks) return read_list(table);
+  if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
+  const std::string& specification = text_of(*mask, "mask", "a scheme specification in quotes");
+  try {
+    if (range) return read_range(*range, make_parametric_scheme(specification));
+    if (levels) return read_levels(table, *levels, make_parametric_scheme(specification));
+    return make_refinable_scheme(specification);
+  } catch (const FileError&) {
+    throw;
+  } catch (const Error& error) {
+    throw FileError(place_of(*mask), error.what());
+  }
 }
 
 struct SpecificationOf {
   std::string operator()(const SchemeRange& range) const { return range.family.specification; }
+  std::string operator()(const SchemeLevels& levels) const { return levels.family.specification; }
   template <class One>
   std::string operator()(const One& scheme) const {
     return scheme.specification;
@@ -130,22 +208,16 @@ ExpectedScheme read_scheme(const toml::table& table) {
     if (!is_known(key.str()))
       throw FileError(place_of(key.source()), "unknown property " + in_quotes(key.str()) + "; expected one of " +
                                                   joined_names() + did_you_mean(key.str(), known_keys()));
+  Subject scheme = read_subject(table);
+  std::string specification = std::visit(SpecificationOf{}, scheme);
   const toml::node* mask = table.get("mask");
-  if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
-  if (!mask->is_string()) throw FileError(place_of(*mask), "'mask' takes a scheme specification in quotes");
-  const std::string& specification = mask->as_string()->get();
-  std::optional<std::variant<Scheme, SchemeRange>> scheme;
-  try {
-    scheme = read_subject(table, specification);
-  } catch (const Error& error) {
-    throw FileError(place_of(*mask), error.what());
-  }
-  ExpectedScheme result{printable(specification), std::visit(SpecificationOf{}, *scheme), std::move(*scheme), {}};
+  const std::string written = mask ? printable(mask->as_string()->get()) : specification;
+  ExpectedScheme result{written, std::move(specification), std::move(scheme), {}};
   const auto* single = std::get_if<Scheme>(&result.scheme);
-  const bool range = !single;
+  const bool range = std::holds_alternative<SchemeRange>(result.scheme);
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
-    if (key.str() == "mask" || key.str() == "for") continue;
+    if (key.str() != "name" && !find_property(key.str())) continue;
     if (key.str() == "name") {
       if (!node.is_string()) throw FileError(place_of(node), "'name' takes a string");
       result.name = printable(node.as_string()->get());
@@ -153,18 +225,21 @@ ExpectedScheme read_scheme(const toml::table& table) {
     }
     const Property* property = find_property(key.str());
     if (single && !property->decides(*single))
-      throw FileError(place, "'" + property->name + "' is no property of " + kind_of(*single) + ", got " +
-                                 printable(specification));
+      throw FileError(place, "'" + property->name + "' is no property of " + kind_of(*single) + ", got " + written);
     if (range && !property->of_ranges)
       throw FileError(place, "'" + property->name + "' is a property of single schemes, got a range of a parameter");
+    if (!single && !range && !property->of_levels())
+      throw FileError(place, "'" + property->name + "' is no property of masks that change from level to level");
     result.expectations.push_back(read_expectation(*property, node, place));
     if (const Expectation& expected = result.expectations.back();
-        range && (expected.relation.starts_with('<') || expected.relation == ">" || expected.relation == "=" ||
-                  (expected.relation.empty() && !expected.yes)))
-      throw FileError(place, "'" + property->name + "' over a range of a parameter takes " +
+        !single && (expected.relation.starts_with('<') || expected.relation == ">" || expected.relation == "=" ||
+                    (expected.relation.empty() && !expected.yes)))
+      throw FileError(place, "'" + property->name +
+                                 (range ? "' over a range of a parameter takes " : "' over levels takes ") +
                                  (expected.relation.empty() ? "true" : "\">= X\""));
   }
-  if (result.expectations.empty()) throw FileError(place_of(*mask), "the scheme has no expected property");
+  if (result.expectations.empty())
+    throw FileError(place_of(mask ? *mask : *table.get("masks")), "the scheme has no expected property");
   std::sort(result.expectations.begin(), result.expectations.end(), [](const Expectation& a, const Expectation& b) {
     return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
   });

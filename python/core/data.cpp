@@ -33,11 +33,24 @@ void require_finite(const std::vector<double>& numbers, const char* what) {
       fail(ErrorKind::data, "{}: need finite numbers, got {} at index {}", what, numbers[i], i);
 }
 
+/// One scheme, or several in turn, one for each level.
+AnyScheme scheme_of(const std::vector<std::string>& specifications) {
+  require(!specifications.empty(), "refine: need a scheme, got none");
+  if (specifications.size() == 1) return data::make_data_scheme(specifications.front());
+  LevelDependentScheme result;
+  for (const std::string& one : specifications) {
+    result.specification += (result.specification.empty() ? "" : ", ") + one;
+    result.masks.again.push_back(make_linear_scheme(one).mask);
+  }
+  return result;
+}
+
 /// Points in the order of numpy's rows: the last index of the points runs along the first axis of the scheme.
-py::tuple refine(const std::string& specification, const DoubleArray& values, const std::vector<bool>& closed,
-                 int levels, const std::string& boundary_name, double constant, bool limit, int jobs,
-                 const py::object& progress) {
-  const AnyScheme scheme = data::make_data_scheme(specification);
+py::tuple refine(const std::vector<std::string>& specifications, const DoubleArray& values,
+                 const std::vector<bool>& closed, int levels, const std::string& boundary_name, double constant,
+                 bool limit, int jobs, const py::object& progress) {
+  const AnyScheme scheme = scheme_of(specifications);
+  const std::string& specification = specification_of(scheme);
   const data::Boundary boundary = boundary_of(boundary_name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary),
                                  fewest_closed = fewest_points(scheme, data::Boundary::periodic);

@@ -2,8 +2,10 @@
 
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/limit_values_of_levels.hpp>
 #include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
+#include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
@@ -110,6 +112,48 @@ py::dict limit_of(const ParametricScheme& scheme, const std::string& recurrence,
                   "exact"_a = found->exponent.exact.is_yes());
 }
 
+std::string specification_at(const Mask& mask) {
+  return fmt::format("mask:{},arity={}", mask.symbol().to_mask_text(), mask.arity());
+}
+
+std::vector<std::string> masks_at(const ParametricScheme& scheme, const std::string& recurrence, const Rational& start,
+                                  int levels) {
+  require(levels >= 0 && levels <= 1000, "levels: need 0 to 1000, got {}", levels);
+  const LevelMasks masks = masks_of_levels(scheme.mask,
+                                           Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter), start,
+                                           static_cast<std::size_t>(levels));
+  std::vector<std::string> result;
+  for (const LatticeMask& mask : masks.first) result.push_back(specification_at(mask.curve()));
+  return result;
+}
+
+py::tuple values_of(const ParametricScheme& scheme, const std::string& recurrence, const Rational& start, int level,
+                    const py::object& progress) {
+  const Recurrence read = Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter);
+  const EnclosedLimitValues found = interruptible(progress,
+                                                  [&] { return limit_values(scheme.mask, read, start, level); });
+  std::vector<Enclosure> values;
+  for (const Interval& value : found.values) values.push_back(value.enclosure());
+  return py::make_tuple(found.arity, found.first_index, values);
+}
+
+py::tuple values_in_turn(const std::vector<std::string>& first, const std::vector<std::string>& again, int level,
+                         const py::object& progress) {
+  require(!again.empty(), "limit: need a scheme, got none");
+  LevelMasks masks;
+  std::vector<Mask> period;
+  for (const std::string& one : first) masks.first.push_back(make_scheme(one).mask);
+  for (const std::string& one : again) {
+    masks.again.push_back(make_scheme(one).mask);
+    period.push_back(masks.again.back().curve());
+  }
+  const LimitValues found = interruptible(progress, [&] {
+    require_derivative("the schemes in turn", levels_as_one(period), {0});
+    return limit_values(masks, level);
+  });
+  return py::make_tuple(found.arity, found.first_index, found.values);
+}
+
 py::tuple local_of(const ParametricScheme& scheme, const Rational& low, const Rational& high, double seconds,
                    const py::object& progress) {
   const LocalLevels found = interruptible(progress, [&] {
@@ -146,8 +190,7 @@ void add_families(py::module_& module) {
       .def_property_readonly("sum_rules", [](const ParametricScheme& scheme) { return sum_rules(scheme.mask); })
       .def("at", [](const ParametricScheme& scheme, const Rational& value) {
         if (scheme.form) return vector_scheme(*scheme.form, "", scheme.mask.lattice_mask_at({value})).specification;
-        const Mask mask = scheme.mask.at(value);
-        return fmt::format("mask:{},arity={}", mask.symbol().to_mask_text(), mask.arity());
+        return specification_at(scheme.mask.at(value));
       });
   module.def("make_parametric_scheme",
              [](const std::string& specification) { return make_parametric_scheme(specification); });
@@ -170,6 +213,9 @@ void add_families(py::module_& module) {
   module.def("property_of_levels", &levels);
   module.def("limit_of_levels", &limit_of);
   module.def("local_levels", &local_of);
+  module.def("masks_of_levels", &masks_at);
+  module.def("limit_values_of_levels", &values_of);
+  module.def("limit_values_in_turn", &values_in_turn);
   py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
       .def_property_readonly("facts", &curve_dict)
       .def("certificates", [](const CurveEvidence& evidence) {

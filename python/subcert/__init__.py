@@ -65,6 +65,7 @@ from ._schemes import (
     VarianceRange,
     VectorScheme,
     families,
+    limit_in_turn,
     mask,
     refinable,
     scheme,

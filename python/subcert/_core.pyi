@@ -135,8 +135,15 @@ def limit_of_levels(
 def exponent_curve(
     scheme: ParametricScheme, low: Fraction, high: Fraction, pieces: int, budget: float, jobs: int, progress: _Progress
 ) -> CurveEvidence: ...
+def masks_of_levels(scheme: ParametricScheme, recurrence: str, start: Fraction, levels: int) -> list[str]: ...
+def limit_values_of_levels(
+    scheme: ParametricScheme, recurrence: str, start: Fraction, level: int, progress: _Progress
+) -> tuple[int, int, list[_Ends]]: ...
+def limit_values_in_turn(
+    first: Sequence[str], again: Sequence[str], level: int, progress: _Progress
+) -> tuple[int, int, list[Fraction]]: ...
 def refine(
-    specification: str,
+    specifications: Sequence[str],
     values: _Array,
     closed: Sequence[bool],
     levels: int,

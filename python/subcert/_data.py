@@ -31,7 +31,7 @@ def refine(
     jobs: Optional[int] = None,
     progress: Progress = None,
 ) -> Any:
-    """Applies a scheme to data, `levels` times.
+    """Applies a scheme to data, `levels` times; of a list of schemes each level takes the next one, again and again.
 
     `data`: shape (n,) or (n, coordinates) for curves, (n, m) or (n, m, coordinates) for schemes of two variables, and
     so on. `closed`: the first point follows the last, for all axes or one by one. `boundary`: what rules at the ends
@@ -54,7 +54,8 @@ def refine(
         raise DomainError(f"closed: need a bool, or one for each axis, got {len(ends)}")
     ends += [False] * (3 - len(ends))
     how = (levels, boundary, float(constant), limit, _jobs(jobs), progress)
-    refined, axes = _core.refine(str(scheme), array, ends, *how)
+    schemes = [str(one) for one in scheme] if isinstance(scheme, (list, tuple)) else [str(scheme)]
+    refined, axes = _core.refine(schemes, array, ends, *how)
     return (refined, axes) if parameters else refined
 
 

@@ -282,6 +282,35 @@ class Family(Named):
             exact=facts["exact"],
         )
 
+    def levels_schemes(self, recurrence: str, start: Exact, levels: int) -> list[Scheme]:
+        """The schemes of so many levels, where each takes the parameter from the one before; numbers that are not
+        rational are replaced by some within 2^-100. For `refine`.
+
+        >>> import subcert
+        >>> f = subcert.family("conic-four-point:v")
+        >>> schemes = f.levels_schemes("v=sqrt((1+v)/2)", "1/2", 4)
+        >>> triangle = [[1, 0], [-0.5, 0.75**0.5], [-0.5, -(0.75**0.5)]]
+        >>> circle = subcert.refine(schemes, triangle, 4, closed=True)
+        >>> bool(abs((circle**2).sum(axis=1) - 1).max() < 1e-14)
+        True
+        """
+        found = _core.masks_of_levels(self._handle, recurrence, fraction(start), levels)
+        return [scheme(one) for one in found]
+
+    def levels_values(
+        self, recurrence: str, start: Exact, level: int = 8, *, progress: Progress = None
+    ) -> tuple[list[Fraction], list[Enclosure]]:
+        """x and y: what encloses the limit of these levels from the unit datum, at the points i / arity^level. Raises
+        UndecidedError where differences were not proved to shrink.
+
+        >>> import subcert
+        >>> x, y = subcert.family("exponential-bspline:v").levels_values("v=sqrt((1+v)/2)", "1/2", 0)
+        >>> y[x.index(0)].text(12)
+        '0.608997781044'
+        """
+        arity, first, ends = _core.limit_values_of_levels(self._handle, recurrence, fraction(start), level, progress)
+        return [Fraction(first + i, arity**level) for i in range(len(ends))], [Enclosure._of(e) for e in ends]
+
     def local_levels(self, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None) -> Enclosure:
         """The exponent where each new point of each level takes a value of its own between low and high: the lower end
         holds for all choices, the upper one for one value everywhere.

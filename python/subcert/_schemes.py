@@ -609,6 +609,26 @@ def scheme(specification: Union[str, Named]) -> Any:
     return (Scheme if core.dimension == 1 else MultivariateScheme)(core)
 
 
+def limit_in_turn(
+    schemes: Iterable[Union[str, Named]],
+    level: int = 8,
+    *,
+    first: Iterable[Union[str, Named]] = (),
+    progress: Progress = None,
+) -> tuple[list[Fraction], list[Fraction]]:
+    """x and y: the exact limit, from the unit datum, of masks that change from level to level, at the points i /
+    arity^level: those of `first`, one for each level, and then these schemes in turn.
+
+    >>> import subcert
+    >>> x, y = subcert.limit_in_turn(["dd:n=2", "bspline:degree=3"], 0)
+    >>> y[x.index(0)]
+    Fraction(82, 93)
+    """
+    texts = [str(one) for one in schemes]
+    arity, start, values = _core.limit_values_in_turn([str(one) for one in first], texts, level, progress)
+    return [Fraction(start + i, arity**level) for i in range(len(values))], values
+
+
 def mask(
     coefficients: Iterable[Any],
     denominator: Exact = 1,

@@ -95,3 +95,26 @@ TEST_CASE("published joint spectral radii") {
     CHECK(proof.files.contains(proof.name + ".matrices"));
   }
 }
+
+TEST_CASE("masks that change from level to level") {
+  const Report report = recorded_report("levels");
+  const formats::ComparisonTable& table = only_table(report);
+  CHECK(table.count(ValueVerdict::match) == static_cast<int>(table.comparisons.size()));
+  const auto& tables = report.sections.front().tables;
+  REQUIRE(tables.size() == 4);
+  for (const formats::PlainTable& one : tables)
+    for (const auto& row : one.rows) CHECK(row.size() == one.head.size());
+  // All but C^3, whose interval needs two pieces, with a certificate each.
+  const formats::PlainTable& intervals = tables[0];
+  CHECK(std::ranges::count_if(intervals.rows, [](const auto& row) { return row[3] == "yes"; }) == 5);
+  REQUIRE(intervals.proofs.size() == intervals.rows.size());
+  for (std::size_t i = 0; i < intervals.rows.size(); ++i)
+    CHECK(intervals.proofs[i].name.empty() == (intervals.rows[i][3] != "yes"));
+  CHECK(tables[1].rows[0][4] == "2.0000000000");
+  CHECK(tables[1].rows[1][4].starts_with("2.83007499"));
+  CHECK(tables[1].rows[2][4] == "3.0000000000");
+  CHECK(tables[2].rows[1][3] == "2.5000000000");
+  CHECK(tables[2].rows[2][3].starts_with("0.99733985"));
+  CHECK(tables[3].rows[0][4].starts_with("1.00580"));
+  CHECK(tables[3].rows[2][4].starts_with("0.99216"));
+}

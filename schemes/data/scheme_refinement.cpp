@@ -65,6 +65,7 @@ GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, c
   if (continues_data(options.boundary))
     return SlabRefinement(data, *refinement_steps(data.axes, data.dimension, scheme, options)).whole();
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
+  if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme)) return refine(data, levels->masks, options);
   return refine(data, std::get<Scheme>(scheme).mask, options);
 }
 
@@ -72,6 +73,8 @@ std::optional<SliceSteps> refinement_steps(const std::vector<Axis>& axes, std::s
                                            const AnyScheme& scheme, const RefineOptions& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     return refinement_steps(axes, dimension, l1->rules, options);
+  if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))
+    return refinement_steps(axes, dimension, levels->masks, options);
   if (vectors_of(scheme)) return std::nullopt;
   return refinement_steps(axes, dimension, std::get<Scheme>(scheme).mask, options);
 }
@@ -118,6 +121,8 @@ std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundar
     const std::size_t window = AxisRefiner(axis_rule(vectors->mask, *vectors->form), boundary).window();
     return {boundary == Boundary::periodic ? 1 : window};
   }
+  if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))
+    return fewest_points(levels->masks.at(0), boundary);
   return fewest_points(std::get<Scheme>(scheme).mask, boundary);
 }
 

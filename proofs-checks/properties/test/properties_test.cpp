@@ -1,28 +1,11 @@
-#include "../properties.hpp"
+#include "first_answer.hpp"
 
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
 using namespace subcert::properties;
-
-namespace {
-
-Decision first_answer(const std::string& text) {
-  const auto schemes = read_expectations(text);
-  return has_property(schemes.at(0), schemes.at(0).expectations.at(0), 20);
-}
-
-std::string error_of(const std::string& text) {
-  try {
-    read_expectations(text);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-}  // namespace
+using namespace subcert::properties::testing;
 
 TEST_CASE("true properties are proved and false ones refuted") {
   const std::string chaikin = "mask = 'mask:[1,3,3,1]/4'\n";
@@ -143,7 +126,8 @@ TEST_CASE("bad files are refused with line and column") {
   CHECK(error_of("mask = 'bspline:degree=1'\n smothness = '>= 1'")
             .rfind("line 2, column 2: unknown property 'smothness'; expected one of mask, name, convergent", 0) == 0);
   CHECK(error_of("msk = 'dd:n=2'\nstable = true")
-            .ends_with("symmetry, stable, interpolatory, variance, for; did you mean 'mask'?"));
+            .ends_with("symmetry, stable, interpolatory, variance, for, levels, recurrence, start, masks, period, "
+                       "follows; did you mean 'mask'?"));
   CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = false") ==
         "line 3, column 10: not TOML: Error while parsing key-value pair: cannot redefine existing boolean 'stable'");
   CHECK(error_of("mask = 'nothing:n=1'\nstable = true")

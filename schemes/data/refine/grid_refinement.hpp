@@ -7,10 +7,17 @@ namespace subcert::data {
 
 /// The steps of refine() by factors, and of limit_of_data(), one after another. Domain and errors: as these; a size
 /// error where one of `steps_of_limit` would make more than `most` numbers.
-std::vector<StepAlong> steps_of_refinement(std::vector<Axis> axes, const std::vector<Mask>& masks,
+std::vector<StepAlong> steps_of_refinement(std::vector<Axis> axes, const LevelMasks& masks,
                                            const RefineOptions& options);
 std::vector<StepAlong> steps_of_limit(std::vector<Axis> axes, std::size_t dimension, const std::vector<Mask>& masks,
                                       const RefineOptions& options, double most);
+
+/// Throws a domain error unless there are as many axes as variables and levels >= 0, a size error where the result
+/// would have more than `most` numbers.
+void require_refinable(const std::vector<Axis>& axes, std::size_t dimension, const LevelMasks& masks, int levels,
+                       double most);
+/// Throws a domain error where a mask has none, or another dilation.
+void require_factors(const LevelMasks& masks);
 
 /// The data after these steps.
 template <class Number>

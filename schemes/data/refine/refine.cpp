@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 namespace subcert::data {
@@ -22,16 +23,20 @@ std::string estimate_text(double decimal_logarithm) {
 
 }  // namespace
 
-std::vector<StepAlong> steps_of_refinement(std::vector<Axis> axes, const std::vector<Mask>& masks,
+std::vector<StepAlong> steps_of_refinement(std::vector<Axis> axes, const LevelMasks& masks,
                                            const RefineOptions& options) {
-  std::vector<AxisRefiner> refiners;
-  for (const Mask& mask : masks) refiners.emplace_back(mask, options.boundary);
+  std::map<std::size_t, std::vector<AxisRefiner>> refiners;  // by the number of the mask, one for each axis
   std::vector<StepAlong> steps;
-  for (int level = 0; level < options.levels; ++level)
-    for (std::size_t k = 0; k < masks.size(); ++k) {
-      steps.push_back({k, refiners[k].step(axes[k])});
+  for (int level = 0; level < options.levels; ++level) {
+    const std::size_t number = masks.number_at(static_cast<std::size_t>(level));
+    std::vector<AxisRefiner>& along = refiners[number];
+    if (along.empty())
+      for (const Mask& mask : masks.mask(number).factors()) along.emplace_back(mask, options.boundary);
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      steps.push_back({k, along[k].step(axes[k])});
       axes[k] = steps.back().rows.output;
     }
+  }
   return steps;
 }
 
@@ -42,15 +47,36 @@ void require_refinable(std::size_t numbers, long growth, long levels, double mos
          estimate_text(logarithm), numbers, estimate_text(std::log10(most)));
 }
 
+void require_refinable(const std::vector<Axis>& axes, std::size_t dimension, const LevelMasks& masks, int levels,
+                       double most) {
+  const LatticeMask& mask = masks.at(0);
+  require(static_cast<std::size_t>(mask.dimension()) == axes.size(),
+          "refine: need as many axes as variables, got {} for {}", axes.size(), mask.dimension());
+  require(levels >= 0, "refine: need levels >= 0, got {}", levels);
+  require_refinable(numbers_of_slice(axes, dimension) * axes.back().count, mask.dilation().classes(), levels, most);
+}
+
+void require_factors(const LevelMasks& masks) {
+  for (const auto* list : {&masks.first, &masks.again})
+    for (const LatticeMask& mask : *list)
+      require(mask.has_factors() && mask.dilation() == masks.at(0).dilation(),
+              "refine: need masks with factors and of one arity for levels that differ");
+}
+
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options) {
+  if (mask.has_factors()) return refine(data, LevelMasks{{}, {mask}}, options);
   require(data.is_canonical(), "refine: need as many values as points times coordinates");
-  require(static_cast<std::size_t>(mask.dimension()) == data.axes.size(),
-          "refine: need as many axes as variables, got {} for {}", data.axes.size(), mask.dimension());
-  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  require_refinable(data.values.size(), mask.dilation().classes(), options.levels);
-  if (!mask.has_factors()) return refined_on_grid(data, mask, options);
-  return refined_along_axes(data, steps_of_refinement(data.axes, mask.factors(), options), options.threads);
+  require_refinable(data.axes, data.dimension, {{}, {mask}}, options.levels, most_refined_numbers);
+  return refined_on_grid(data, mask, options);
+}
+
+template <class Number>
+GridData<Number> refine(const GridData<Number>& data, const LevelMasks& masks, const RefineOptions& options) {
+  require(data.is_canonical(), "refine: need as many values as points times coordinates");
+  require_refinable(data.axes, data.dimension, masks, options.levels, most_refined_numbers);
+  require_factors(masks);
+  return refined_along_axes(data, steps_of_refinement(data.axes, masks, options), options.threads);
 }
 
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary) {
@@ -65,6 +91,8 @@ std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundar
 
 template GridData<double> refine<double>(const GridData<double>&, const LatticeMask&, const RefineOptions&);
 template GridData<Rational> refine<Rational>(const GridData<Rational>&, const LatticeMask&, const RefineOptions&);
+template GridData<double> refine<double>(const GridData<double>&, const LevelMasks&, const RefineOptions&);
+template GridData<Rational> refine<Rational>(const GridData<Rational>&, const LevelMasks&, const RefineOptions&);
 
 std::vector<double> interpolate(const GridData<double>& curve, const std::vector<Rational>& parameters) {
   require(curve.is_canonical() && curve.axes.size() == 1 && curve.dimension == 1 && curve.points() >= 2,

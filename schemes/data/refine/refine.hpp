@@ -4,7 +4,7 @@
 #include "boundary.hpp"
 #include "grid_data.hpp"
 
-#include <subcert/analysis/symbol/masks/mask.hpp>
+#include <subcert/analysis/symbol/masks/level_masks.hpp>
 
 #include <vector>
 
@@ -30,6 +30,10 @@ constexpr double most_refined_numbers = 1e8;
 /// would pass most_refined_numbers. Cost: linear in the output times the size of the stencils.
 template <class Number>
 GridData<Number> refine(const GridData<Number>& data, const LatticeMask& mask, const RefineOptions& options);
+/// The same with a mask for each level. Domain: all masks with factors, and of one arity along each axis; where there
+/// are none after the first ones, as many as levels.
+template <class Number>
+GridData<Number> refine(const GridData<Number>& data, const LevelMasks& masks, const RefineOptions& options);
 
 /// The number of points that each axis must have at least; 1 along closed axes and with periodic, nearest, constant.
 std::vector<std::size_t> fewest_points(const LatticeMask& mask, Boundary boundary);

@@ -175,15 +175,21 @@ std::size_t SliceBuffer::place(std::size_t number) const {
 
 SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                             const RefineOptions& options) {
-  require_axes(axes, mask);
+  return refinement_steps(axes, dimension, LevelMasks{{}, {mask}}, options);
+}
+
+SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LevelMasks& masks,
+                            const RefineOptions& options) {
+  require_axes(axes, masks.at(0));
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
-  return steps_at_boundary(axes, dimension, fewest_points(mask, Boundary::shrink), options,
+  const bool is_one = masks.first.empty() && masks.again.size() == 1;
+  return steps_at_boundary(axes, dimension, fewest_points(masks.at(0), Boundary::shrink), options,
                            [&](const std::vector<Axis>& on, const RefineOptions& how) {
-                             require_refinable(numbers_of_slice(on, dimension) * on.back().count,
-                                               mask.dilation().classes(), how.levels, most_streamed_numbers);
-                             if (!mask.has_factors()) return grid_steps(on, dimension, mask, how);
-                             return axis_steps(on, dimension, steps_of_refinement(on, mask.factors(), how),
-                                               how.threads);
+                             require_refinable(on, dimension, masks, how.levels, most_streamed_numbers);
+                             if (is_one && !masks.at(0).has_factors())
+                               return grid_steps(on, dimension, masks.at(0), how);
+                             require_factors(masks);
+                             return axis_steps(on, dimension, steps_of_refinement(on, masks, how), how.threads);
                            });
 }
 

@@ -58,6 +58,8 @@ class SliceBuffer {
 /// on without an end. Domain and errors: as these, with most_streamed_numbers.
 SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                             const RefineOptions& options);
+SliceSteps refinement_steps(const std::vector<Axis>& axes, std::size_t dimension, const LevelMasks& masks,
+                            const RefineOptions& options);
 SliceSteps limit_steps(const std::vector<Axis>& axes, std::size_t dimension, const LatticeMask& mask,
                        const RefineOptions& options);
 

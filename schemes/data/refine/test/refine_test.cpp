@@ -1,3 +1,4 @@
+#include <subcert/analysis/family/limit_values_of_levels.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
@@ -5,10 +6,12 @@
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
+#include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace subcert;
@@ -437,4 +440,54 @@ TEST_CASE("slabs have the bits of the whole") {
   CHECK_FAILS(refinement_steps(line.axes, 1, make_data_scheme("l1:points=4"), {60, Boundary::regression, 1}), size);
   CHECK_FAILS(limit_steps(line.axes, 1, make_scheme("primal:n=1").mask, {60, Boundary::regression, 1}), size);
   CHECK_FAILS(refinement_steps(line.axes, 1, make_data_scheme("loop"), {1, Boundary::regression, 1}), domain);
+}
+
+TEST_CASE("refinement with a mask for each level") {
+  Random random;
+  const LatticeMask a = make_scheme("dd:n=2").mask, b = make_scheme("bspline:degree=4").mask,
+                    c = make_scheme("dual:n=2").mask;
+  for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::periodic, Boundary::shrink})
+    for (const LevelMasks& masks :
+         {LevelMasks{{}, {a}}, LevelMasks{{}, {a, b}}, LevelMasks{{c}, {b, a}}, LevelMasks{{b, c, a}, {}}}) {
+      CAPTURE(to_text(boundary), masks.first.size());
+      std::vector<Rational> values;
+      for (int i = 0; i < 24; ++i) values.push_back(random.rational());
+      const GridData<Rational> data = curve_data<Rational>(values, 2);
+      GridData<Rational> one_by_one = data;
+      for (std::size_t level = 0; level < 3; ++level)
+        one_by_one = refine(one_by_one, masks.at(level), {1, boundary, 1});
+      const GridData<Rational> found = refine(data, masks, {3, boundary, 1});
+      CHECK(found.values == one_by_one.values);
+      CHECK(found.axes[0].first == one_by_one.axes[0].first);
+    }
+  // The data and what lies beyond them are followed by slices, too.
+  const AnyScheme scheme = LevelDependentScheme{"a, b", {{c}, {a, b}}};
+  const GridData<double> line = curve_data<double>({1, 4, 2, 8, 5, 7, 3, 9});
+  for (const Boundary boundary : {Boundary::regression, Boundary::nearest}) {
+    const RefineOptions how{3, boundary, 1};
+    CHECK(SlabRefinement(line, *refinement_steps(line.axes, 1, scheme, how)).whole().values ==
+          refine(line, scheme, how).values);
+  }
+  CHECK(fewest_points(scheme, Boundary::regression) == fewest_points(c, Boundary::regression));
+  CHECK_FAILS(refine(line, LevelMasks{{a}, {}}, {2, Boundary::regression, 1}), domain);
+  CHECK_FAILS(refine(line, LevelMasks{{a}, {make_scheme("bspline:degree=3,a=3").mask}}, {2, Boundary::regression, 1}),
+              domain);
+  CHECK_FAILS(refine(line, LevelMasks{{}, {a}}, {60, Boundary::regression, 1}), size);
+}
+
+TEST_CASE("refinement with a mask for each level keeps the points of an ellipse") {
+  const LevelMasks masks = masks_of_levels(make_parametric_scheme("conic-four-point:v").mask,
+                                           Recurrence::parse("v=sqrt((1+v)/2)", "v", 'v'), Rational(1, 2), 6);
+  std::vector<double> corners;
+  for (int j = 0; j < 3; ++j) {
+    corners.push_back(3 * std::cos(2 * std::numbers::pi * j / 3));
+    corners.push_back(2 * std::sin(2 * std::numbers::pi * j / 3));
+  }
+  const GridData<double> found = refine(curve_data(corners, 2, true), masks, {6, Boundary::periodic, 1});
+  REQUIRE(found.points() == 192);
+  for (std::size_t j = 0; j < 192; ++j) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(j) / 192;
+    CHECK(found.values[2 * j] == Approx(3 * std::cos(angle)).margin(1e-14));
+    CHECK(found.values[2 * j + 1] == Approx(2 * std::sin(angle)).margin(1e-14));
+  }
 }

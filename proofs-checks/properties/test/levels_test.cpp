@@ -1,0 +1,81 @@
+#include "first_answer.hpp"
+
+#include <subcert/cmake/catch.hpp>
+
+using namespace subcert;
+using namespace subcert::properties;
+using namespace subcert::properties::testing;
+
+namespace {
+
+const std::string slider = "mask = 'four-point:w'\n", conic_scheme = "mask = 'conic-four-point:v'\n",
+                  halving = "recurrence = 'v=sqrt((1+v)/2)'\n",
+                  masks_of_two = "masks = ['dd:n=2', 'bspline:degree=3']\n";
+
+}  // namespace
+
+TEST_CASE("properties of every sequence of values") {
+  for (const char* text :
+       {"levels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'", "levels = '0 <= w <= 1/8'\nconvergent = true",
+        "levels = '1/32 <= w <= 1/8'\nholder = '>= 6/5'", "levels = '0 <= w <= 1/8'\nsmoothness = '>= 0'"}) {
+    CAPTURE(text);
+    CHECK(first_answer(slider + text).is_yes());
+  }
+  const Decision refuted = first_answer(slider + "levels = '0 <= w <= 0.1'\nsmoothness = '>= 1'");
+  CHECK(refuted.is_no());
+  CHECK(refuted.reason == "not for w = 0 at all levels");
+  const Decision open = first_answer("mask = 'six-point:w'\nlevels = '0.013 <= w <= 0.016'\nsmoothness = '>= 3'");
+  CHECK(open.truth == Truth::unknown);
+  CHECK_FALSE(open.reason.empty());
+}
+
+TEST_CASE("properties of values that follow each other") {
+  const auto answer = [&](const std::string& rest) {
+    return first_answer(conic_scheme + "levels = '9/20 <= v <= 1000'\n" + rest);
+  };
+  CHECK(answer(halving + "start = '1/4 <= v0 <= 1000'\nsmoothness = '>= 1'").is_yes());
+  CHECK(answer(halving + "start = 'v0 = 1/2'\nholder = '>= 2'").is_yes());
+  // Not of all sequences in the range, and no lower one is known to fail for all of these.
+  CHECK(answer(halving + "start = 'v0 = 1/2'\nsmoothness = '>= 2'").truth == Truth::unknown);
+  CHECK(answer(halving + "start = '-1/2 <= v0 <= 1'\nsmoothness = '>= 1'").reason.find("no mask") != std::string::npos);
+  CHECK(answer("recurrence = 'v=v/2'\nstart = 'v0=1'\nsmoothness = '>= 1'").reason.find("lead into the range") !=
+        std::string::npos);
+}
+
+TEST_CASE("properties of lists of masks") {
+  CHECK(first_answer(masks_of_two + "period = [0, 1]\nholder = '>= 2.4999'").is_yes());
+  CHECK(first_answer(masks_of_two + "period = [0, 1]\nsmoothness = '>= 2'").is_yes());
+  CHECK(first_answer(masks_of_two + "holder = '>= 5/2'").is_no());
+  CHECK(first_answer(masks_of_two + "convergent = true").is_yes());
+  CHECK(
+      first_answer(
+          "masks = ['four-point:w=1/4', 'four-point:w=1/16']\nfollows = [[0, 1], [1, 0], [1, 1]]\nholder = '>= 0.997'")
+          .is_yes());
+  const auto schemes = read_expectations(masks_of_two + "period = [0, 1]\nholder = '>= 2'");
+  CHECK(schemes.at(0).name == "dd:n=2, bspline:degree=3 in a period");
+  CHECK(schemes.at(0).expectations.size() == 1);
+}
+
+TEST_CASE("properties of levels: what is refused") {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {slider + "levels = '0 < w <= 1'\nconvergent = true", "'levels' takes \"LOW <= w <= HIGH\""},
+           {slider + "levels = 3\nconvergent = true", "'levels' takes"},
+           {slider + "levels = '0 <= w <= 1'\nfor = '0 <= w <= 1'\nconvergent = true", "beside 'for'"},
+           {slider + "levels = '0 <= w <= 1'\nstable = true", "is no property of masks that change"},
+           {slider + "levels = '0 <= w <= 1'\nsum_rules = 2", "is no property of masks that change"},
+           {slider + "levels = '0 <= w <= 1'\nconvergent = false", "over levels takes true"},
+           {slider + "levels = '0 <= w <= 1'\nholder = '< 2'", "over levels takes \">= X\""},
+           {slider + "levels = '0 <= w <= 1'\nstart = 'w0=1'\nconvergent = true", "expected both"},
+           {slider + "levels = '0 <= w <= 1'\nstart = 'w=1'\nrecurrence='w=w'\nconvergent = true", "'start' takes"},
+           {slider + "levels = '0 <= w <= 1'\nstart = 'w0=1'\nrecurrence='w'\nconvergent = true", "'recurrence' takes"},
+           {slider + "start = 'w0=1'\nconvergent = true", "'start' needs 'levels'"},
+           {slider + "period = [0]\nconvergent = true", "'period' needs 'masks'"},
+           {masks_of_two + slider + "convergent = true", "'masks' stands without"},
+           {masks_of_two + "period = [2]\nconvergent = true", "expected the number of a mask"},
+           {masks_of_two, "the scheme has no expected property"},
+           {masks_of_two + "interpolatory = true", "is no property of masks that change"},
+           {"mask = 'merrien:lambda=-1/8,mu'\nlevels = '0 <= mu <= 1'\nconvergent = true", "masks of numbers"}}) {
+    CAPTURE(text);
+    CHECK(error_of(text).find(message) != std::string::npos);
+  }
+}

@@ -3,6 +3,7 @@
 #include "specification_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -19,6 +20,23 @@ LatticeMask transposed(const LatticeMask& mask) {
   return matrix_mask(terms, mask.components(), mask.dilation());
 }
 
+/// The key integral, one number for each component.
+std::optional<std::vector<Rational>> read_integral(Fields& fields, std::size_t components) {
+  const auto piece = fields.optional("integral");
+  if (!piece) return std::nullopt;
+  std::vector<Rational> result;
+  for (const Piece& number : read_list(*piece, ',')) result.push_back(read_rational(number));
+  if (result.size() != components || std::ranges::all_of(result, [](const Rational& x) { return x == 0; }))
+    fail(*piece, fmt::format("{} numbers in brackets, not all 0, the integrals of the functions", components));
+  return result;
+}
+
+std::string integral_text(const std::vector<Rational>& integral) {
+  std::vector<std::string> numbers;
+  for (const Rational& number : integral) numbers.push_back(to_text(number));
+  return fmt::format(",integral=[{}]", fmt::join(numbers, ","));
+}
+
 /// Lists that are nested as deep as the text begins, the innermost two being matrices.
 Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, const std::string& usage) {
   const std::size_t depth = std::min(body.text.find_first_not_of("[ "), body.text.size());
@@ -33,15 +51,19 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
       mask, [&mask = mask, variables] { return text::parse_mask_text(mask.text, variables, text::Entries::matrices); });
   const std::size_t components = read_components(parts, mask);
   const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(variables));
+  const auto integral = read_integral(fields, components);
   fields.finish();
   const LatticeMask given = checked(mask, [&parts = parts, &dilation, components] {
     return matrix_mask(terms_of(parts, text::Entries::matrices), components, dilation);
   });
-  return vector_scheme(form,
-                       std::string(form == VectorForm::refinable ? "function vector given by its matrices"
-                                   : form == VectorForm::vector  ? "vector scheme given by its matrices"
-                                                                 : "Hermite scheme given by its matrices"),
-                       form == VectorForm::refinable ? given : transposed(given));
+  Scheme scheme = vector_scheme(form,
+                                std::string(form == VectorForm::refinable ? "function vector given by its matrices"
+                                            : form == VectorForm::vector  ? "vector scheme given by its matrices"
+                                                                          : "Hermite scheme given by its matrices"),
+                                form == VectorForm::refinable ? given : transposed(given));
+  if (integral) scheme.specification += integral_text(*integral);
+  scheme.integral = integral;
+  return scheme;
 }
 
 Family of_matrices(VectorForm form, const std::string& meaning) {
@@ -56,7 +78,7 @@ const std::vector<Family>& vector_table() {
     std::vector<Family> list{
         of_matrices(VectorForm::refinable,
                     "the functions phi(x) = sum over k of A_k phi(2x - k), A_k matrices, rows in brackets; optional "
-                    "arity=2 or dilation=[1,1;1,-1]"),
+                    "arity=2 or dilation=[1,1;1,-1], and integral=[1,0], that of phi, where there are several"),
         of_matrices(VectorForm::vector,
                     "the scheme f'_i = sum over j of P_{i-2j} f_j on vectors, so that A_k is P_k transposed"),
         of_matrices(VectorForm::hermite,

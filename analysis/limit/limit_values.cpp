@@ -2,6 +2,7 @@
 #include "limit_values.hpp"
 
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/matrices/lifted_solution.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
@@ -136,15 +137,6 @@ LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rationa
   return result;
 }
 
-/// Times a number, so that they sum to 1, or else that the first is 1.
-LatticeSequence normalised(LatticeSequence values) {
-  Rational sum = 0;
-  for (const auto& [point, value] : values) sum += value;
-  const Rational scale = sum == 0 ? values.begin()->second : sum;
-  for (auto& [point, value] : values) value /= scale;
-  return values;
-}
-
 /// phi(k) = sum over j of a_{Mk - j} phi(j). Domain: 0 is a digit. The level is that of the values which are wanted in
 /// the end.
 LatticeSequence values_at_lattice_points(const LatticeMask& mask, int level) {
@@ -212,10 +204,12 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Lat
   return on_points(window, *result);
 }
 
-LatticeSequence values_of_whole(const LatticeMask& given, int level, const LatticePoint& orders) {
+/// Of the solution with these values at lattice points, or of the only one.
+LatticeSequence values_of_whole(const LatticeMask& given, const LatticeSequence* known, int level,
+                                const LatticePoint& orders) {
   const LatticeMask mask = given.with_dilation(Dilation(given.dilation().rows()));
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
-  LatticeSequence values = values_at_lattice_points(mask, level);
+  LatticeSequence values = known ? *known : values_at_lattice_points(mask, level);
   require(total == 0 || mask.dilation().is_isotropic(),
           "limit_values: need an isotropic dilation for derivatives, got {}", mask.dilation().to_text());
   if (total > 0) values = derivatives_at_lattice_points(mask, values, level, orders, total);
@@ -240,7 +234,25 @@ LatticeSequence product_of_values(const std::vector<Mask>& factors, int level, c
   return product;
 }
 
+/// With an order for each variable, 0 unless given.
+LatticePoint checked_orders(const LatticeMask& mask, int level, const LatticePoint& orders) {
+  require(level >= 0, "limit_values: need level >= 0, got {}", level);
+  const auto variables = static_cast<std::size_t>(mask.dimension());
+  require(orders.empty() || orders.size() == variables, "limit_values: need an order for each of {} variables, got {}",
+          variables, orders.size());
+  for (const long order : orders) require(order >= 0, "limit_values: need orders >= 0, got {}", order);
+  return orders.empty() ? LatticePoint(variables, 0) : orders;
+}
+
 }  // namespace
+
+LatticeSequence normalised(LatticeSequence values) {
+  Rational sum = 0;
+  for (const auto& [point, value] : values) sum += value;
+  const Rational scale = sum == 0 ? values.begin()->second : sum;
+  for (auto& [point, value] : values) value /= scale;
+  return values;
+}
 
 Rational LimitValues::at(long index) const {
   const long i = index - first_index;
@@ -295,13 +307,14 @@ std::vector<Rational> point_at(const Dilation& dilation, const LatticePoint& ind
 }
 
 LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders) {
-  require(level >= 0, "limit_values: need level >= 0, got {}", level);
-  const auto variables = static_cast<std::size_t>(mask.dimension());
-  require(orders.empty() || orders.size() == variables, "limit_values: need an order for each of {} variables, got {}",
-          variables, orders.size());
-  for (const long order : orders) require(order >= 0, "limit_values: need orders >= 0, got {}", order);
-  const LatticePoint all = orders.empty() ? LatticePoint(variables, 0) : orders;
-  return mask.has_factors() ? product_of_values(mask.factors(), level, all) : values_of_whole(mask, level, all);
+  const LatticePoint all = checked_orders(mask, level, orders);
+  return mask.has_factors() ? product_of_values(mask.factors(), level, all)
+                            : values_of_whole(mask, nullptr, level, all);
+}
+
+LatticeSequence limit_values(const LatticeMask& mask, const LatticeSequence& values, int level,
+                             const LatticePoint& orders) {
+  return values_of_whole(mask, &values, level, checked_orders(mask, level, orders));
 }
 
 std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask) {
@@ -327,6 +340,44 @@ std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask
       if (solution[k] != 0) values.emplace(points[k], solution[k]);
   }
   return result;
+}
+
+std::vector<Rational> integral_of_solution(const LatticeMask& mask, const LatticeSequence& values) {
+  const std::size_t size = mask.components();
+  RationalMatrix rest = mean_matrix(mask);  // B - 1
+  for (std::size_t c = 0; c < size; ++c) rest(c, c) -= 1;
+  std::vector<Rational> sum(size, 0);
+  for (const auto& [point, value] : values) sum[static_cast<std::size_t>(point.back())] += value;
+  const auto result = component_in_kernel(power(rest, static_cast<long>(size)), sum);
+  return result.value_or(std::vector<Rational>(size, 0));  // nothing: the kernel is 0
+}
+
+std::vector<LatticeSequence> with_integral(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                           const std::vector<Rational>& integral) {
+  RationalMatrix equations(integral.size(), solutions.size() + 1);  // a combination less a multiple of the integral
+  for (std::size_t k = 0; k < solutions.size(); ++k) {
+    const std::vector<Rational> one = integral_of_solution(mask, solutions[k]);
+    for (std::size_t c = 0; c < one.size(); ++c) equations(c, k) = one[c];
+  }
+  for (std::size_t c = 0; c < integral.size(); ++c) equations(c, solutions.size()) = -integral[c];
+  std::vector<LatticeSequence> result;
+  // The kernel has a vector for each free column, with 1 there: one with 1 in the last, if the integral is one.
+  for (const std::vector<Rational>& combination : kernel(equations)) {
+    LatticeSequence values;
+    for (std::size_t k = 0; k < solutions.size(); ++k)
+      if (combination[k] != 0)
+        for (const auto& [point, value] : solutions[k]) values[point] += combination[k] * value;
+    std::erase_if(values, [](const auto& entry) { return entry.second == 0; });
+    const Rational& multiple = combination.back();
+    if (multiple == 0) {
+      result.push_back(std::move(values));
+      continue;
+    }
+    for (auto& [point, value] : values) value /= multiple;
+    result.insert(result.begin(), std::move(values));
+  }
+  const bool has_it = !result.empty() && integral_of_solution(mask, result.front()) == integral;
+  return has_it ? result : std::vector<LatticeSequence>{};
 }
 
 LatticeSequence refined_delta(const LatticeMask& mask, int level) {

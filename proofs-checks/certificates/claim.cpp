@@ -21,7 +21,7 @@ constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view levels = "levels", all_levels = "all levels ", belongs_to = " of ";
-constexpr std::string_view component = "component", hc = "HC of ";
+constexpr std::string_view component = "component", integral = "integral", hc = "HC of ", of_scheme = "scheme of ";
 
 /// The parts between `<=`.
 std::vector<std::string> parts_of(const std::string& claim) {
@@ -37,8 +37,9 @@ std::vector<std::string> parts_of(const std::string& claim) {
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'component K of SCHEME', '[HC of] FAMILY for w=LOW..HIGH', 'FAMILY for all levels "
-       "w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for w=LOW..HIGH', "
+       "'FAMILY for all levels w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= "
+       "NUMBER], "
        "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
@@ -61,6 +62,20 @@ std::optional<int> whole_number(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+MaskSubject vector_scheme_subject(const std::string& specification, bool hermite) {
+  const Scheme scheme = make_refinable_scheme(specification);
+  if (scheme.mask.components() == 1 || scheme.quadratic || scheme.mask.dimension() > 1 ||
+      (hermite && scheme.form != VectorForm::hermite))
+    fail(ErrorKind::usage, "--claim: need a {} of one variable with rational matrices, got {}",
+         hermite ? "Hermite scheme" : "vector scheme", specification);
+  return {without_letters(scheme.mask).to_text('w'),
+          std::to_string(scheme.mask.arity()),
+          {},
+          false,
+          {},
+          hermite ? "hermite" : "vectors"};
 }
 
 ClaimSubject stated_subject(const std::string& subject) {
@@ -89,6 +104,9 @@ ClaimSubject stated_subject(const std::string& subject) {
   if (is_l1_specification(subject)) return l1_subject(subject);
   std::string scheme_text = subject;
   std::optional<int> number;
+  for (const bool hermite : {false, true})
+    if (const std::string_view word = hermite ? hc : of_scheme; subject.starts_with(word))
+      return vector_scheme_subject(trimmed(subject.substr(word.size())), hermite);
   if (const std::size_t at = subject.find(belongs_to); subject.starts_with(component) && at != std::string::npos) {
     number = whole_number(trimmed(subject.substr(component.size(), at - component.size()))).value_or(0);
     scheme_text = trimmed(subject.substr(at + belongs_to.size()));
@@ -103,7 +121,7 @@ ClaimSubject stated_subject(const std::string& subject) {
          subject);
   if (scheme.mask.dimension() > 1 || is_refinable)
     return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text(), is_refinable,
-                          number ? std::to_string(*number - 1) : ""};
+                          number ? std::to_string(*number - 1) : "", integral_text(scheme.integral)};
   if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
   return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};
@@ -133,7 +151,8 @@ struct SubjectLine {
                        more.empty() ? "" : " ", more);
   }
   std::string operator()(const SurfaceSubject& of) const {
-    return fmt::format("{} {} {}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+    return fmt::format("{} {} {}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+                       of.integral.empty() ? "" : fmt::format(" {}={}", integral, of.integral),
                        of.component.empty() ? "" : fmt::format(" {}={}", component, of.component));
   }
   std::string operator()(const FamilySubject& of) const {
@@ -153,9 +172,13 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
   if (kind == "exponent" || kind == levels) return MaskSubject{first, second, more, kind == levels};
   if (kind == "vectors" || kind == "hermite") return MaskSubject{first, second, more, false, {}, kind};
-  if (kind == "refinable" && more.starts_with(component))
-    return SurfaceSubject{first, second, true, more.substr(std::min(more.size(), component.size() + 1))};
-  if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
+  if (kind == "surface" || kind == "refinable") {
+    SurfaceSubject subject{first, second, kind == "refinable"};
+    for (; !more.empty(); more.clear(), words >> more)
+      for (const auto& [name, field] : {std::pair(integral, &subject.integral), {component, &subject.component}})
+        if (more.starts_with(name)) *field = more.substr(std::min(more.size(), name.size() + 1));
+    return subject;
+  }
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
   fail(ErrorKind::data,
@@ -168,7 +191,8 @@ bool may_lack_lower(const CertificateClaim& claim) {
   if (std::holds_alternative<L1Subject>(claim.subject)) return true;
   const auto* mask = std::get_if<MaskSubject>(&claim.subject);
   if (!claim.upper) return mask != nullptr;
-  return claim.says_rough() || (mask && !mask->range.empty()) || std::holds_alternative<FamilySubject>(claim.subject);
+  return claim.says_rough() || (mask && (!mask->range.empty() || !mask->of_matrices.empty())) ||
+         std::holds_alternative<FamilySubject>(claim.subject);
 }
 
 struct SubjectArguments {
@@ -184,6 +208,7 @@ struct SubjectArguments {
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
     std::vector<std::string> arguments{of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation",
                                        of.dilation};
+    if (!of.integral.empty()) arguments.insert(arguments.end(), {"--integral", of.integral});
     if (!of.component.empty()) arguments.insert(arguments.end(), {"--component", of.component});
     return arguments;
   }
@@ -198,6 +223,13 @@ struct SubjectArguments {
 };
 
 }  // namespace
+
+std::string integral_text(const std::optional<std::vector<Rational>>& numbers) {
+  std::string text;
+  for (const Rational& number : numbers.value_or(std::vector<Rational>{}))
+    text += (text.empty() ? "" : ",") + to_text(number);
+  return text;
+}
 
 std::string head_text(const CertificateClaim& claim) {
   const std::string head = fmt::format("subcert-certificate 3\n{}\nbounds {} {}\n",

@@ -1,6 +1,8 @@
 #pragma once
 /// What certificates claim, and how the independent checkers are asked about it.
 
+#include <subcert/analysis/symbol/numbers/rational.hpp>
+
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,7 +16,7 @@ struct MaskSubject {
   std::string range = {};   ///< w=LOW..HIGH, or empty
   bool is_levels = false;   ///< with a range: of all sequences of its values, one for each level
   std::string within = {};  ///< EPS,M[,symmetric] of a mask with rounded coefficients, or empty; not with a range
-  /// Of masks of matrices, with a range: `vectors`, of the limits of f'_i = sum over j of A_(i-aj)^T f_j, or `hermite`,
+  /// Of masks of matrices: `vectors`, of the limits of f'_i = sum over j of A_(i-aj)^T f_j, or `hermite`,
   /// of HC^k of a Hermite scheme, of which k is the lower end, or the upper one where it is refuted; or empty.
   std::string of_matrices = {};
 };
@@ -22,6 +24,7 @@ struct SurfaceSubject {
   std::string mask, dilation;
   bool is_refinable = false;   ///< a vector of functions, given by its refinement equation
   std::string component = {};  ///< the number, from 0, of the one that is meant, or empty
+  std::string integral = {};   ///< X0,X1,..., that of the only functions that have it, or empty
 };
 struct FamilySubject {
   bool is_subradius = false;
@@ -54,6 +57,9 @@ struct CertificateClaim : ClaimedEnds {
   std::optional<int> logarithm = {};
 };
 
+/// As SurfaceSubject::integral.
+std::string integral_text(const std::optional<std::vector<Rational>>& numbers);
+
 /// The first lines of a certificate, up to what the number is, or the contraction.
 std::string head_text(const CertificateClaim& claim);
 
@@ -63,12 +69,13 @@ CertificateClaim read_claim(const std::string& text, const std::string& file);
 
 /// A claim in words: `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, blanks around the signs. EXACT is a
 /// number as in SPEC.md, section 1. SUBJECT is a scheme, or a vector of functions, or `component K of` it with K = 1,
-/// 2, ..., whose exponent is meant; a family
-/// with a parameter, as `four-point:w for w=1/100..19/100`, where `HC of` before it says that an end is the k of HC^k,
-/// or `for all levels w=...`, where each level has a value; or `radius FILE` or `subradius FILE`, of the matrices in
-/// that file. LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the integer
-/// shifts are stable. Of `l1:points=6,d=1` the rule of least absolute deviations is meant; `LOWER <= SUBJECT [<=
-/// UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT
+/// 2, ..., whose exponent is meant; `scheme of` a vector scheme, whose limits are meant
+/// (LOWER is below their exponents, UPPER 0 says that it does not converge), or `HC of` a Hermite scheme (the ends are
+/// k, of HC^k and of what is refuted); a family with a parameter, as `four-point:w for w=1/100..19/100`, perhaps `HC
+/// of`, or `for all levels w=...`, where each level has a value; or `radius FILE` or `subradius FILE`, of the matrices
+/// in that file. LOWER and UPPER are exact numbers, UPPER also `C2`, for limits that are not C^2; without both the
+/// integer shifts are stable. Of `l1:points=6,d=1` the rule of least absolute deviations is meant; `LOWER <= SUBJECT
+/// [<= UPPER]` is about its limits, `contraction STEPS,ORDER of SUBJECT
 /// <= UPPER` about differences. Errors: throws a usage error for another text, and for a scheme with rounded
 /// coefficients, of which a claim needs the distance.
 CertificateClaim stated_claim(const std::string& words);

@@ -176,6 +176,50 @@ std::size_t count_of_matrices(const LatticeMask& mask) {
   return exponents.size();
 }
 
+/// Of x + y sqrt(root).
+std::string quadratic_text(const Rational& x, const Rational& y, long root) {
+  if (y == 0) return to_text(x);
+  const std::string square_root = fmt::format("sqrt({})", root),
+                    part = abs(y) == 1 ? (y < 0 ? "-" : "") + square_root : to_text(y) + "*" + square_root;
+  return x == 0 ? part : to_text(x) + (y < 0 ? "" : "+") + part;
+}
+
+/// Of an integral, component by component.
+std::vector<std::string> numbers_of(const std::vector<Rational>& integral, long root) {
+  std::vector<std::string> result;
+  const std::size_t size = root > 0 ? integral.size() / 2 : integral.size();
+  for (std::size_t c = 0; c < size; ++c)
+    result.push_back(quadratic_text(integral[c], root > 0 ? integral[size + c] : Rational(0), root));
+  return result;
+}
+
+std::string integral_text(const std::vector<Rational>& integral, long root) {
+  return fmt::format("[{}]", fmt::join(numbers_of(integral, root), ","));
+}
+
+/// How to choose one of several solutions; nothing where their integrals are all 0.
+std::string chosen_by_integral(const FunctionVector& vector) {
+  if (vector.integrals.empty()) return "";
+  std::vector<std::string> basis;
+  for (const auto& integral : vector.integrals) basis.push_back(integral_text(integral, vector.root));
+  return fmt::format("; their integrals are combinations of {}, and one is chosen as by integral={}",
+                     fmt::join(basis, " and "), basis.front());
+}
+
+std::string solutions_text(const FunctionVector& vector) {
+  const std::string integral = vector.integral ? integral_text(*vector.integral, vector.root) : "";
+  if (vector.solutions == 0)
+    return integral.empty() || vector.integrals.empty()
+               ? "none that is continuous"
+               : "none that is continuous has the integral " + integral + chosen_by_integral(vector);
+  if (vector.solutions == 1)
+    return integral.empty() ? "at most one that is continuous, up to a factor"
+                            : "at most one that is continuous has the integral " + integral;
+  const std::string them = "; what follows is about all of them";
+  return fmt::format("at most {} that are continuous and independent", vector.solutions) +
+         (integral.empty() ? them + chosen_by_integral(vector) : ", with the integral " + integral + " or 0" + them);
+}
+
 Facts dilation_facts(const LatticeMask& mask) {
   const Dilation& dilation = mask.dilation();
   return {member("variables", mask.dimension()),
@@ -185,6 +229,11 @@ Facts dilation_facts(const LatticeMask& mask) {
 
 }  // namespace
 
+std::string needed_solution(const FunctionVector& vector) {
+  return fmt::format("one continuous solution up to a factor, got up to {}{}", vector.solutions,
+                     chosen_by_integral(vector));
+}
+
 Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
   std::string text = to_mask_text(mask);
   constexpr std::size_t most_text = 400;
@@ -193,18 +242,15 @@ Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
   std::vector<std::string> sides;
   for (const Interval& side : limit_support(mask))
     sides.push_back(fmt::format("[{}, {}]", to_text(side.lower), to_text(side.upper)));
+  Json integrals = Json::array();
+  for (const auto& integral : vector.integrals) integrals.push_back(numbers_of(integral, vector.root));
   return {{"equation", "equation",
            "phi(x) = sum of A_k phi(" + std::string(mask.dimension() == 1 ? fmt::format("{}x", mask.arity()) : "Mx") +
                " - k), A = " + text,
            "", to_mask_text(mask)},
           {"", "support", fmt::format("in {}", fmt::join(sides, " x "))},
-          {"solutions", "solutions",
-           vector.solutions == 0 ? "none that is continuous"
-           : vector.solutions == 1
-               ? "at most one that is continuous, up to a factor"
-               : fmt::format("at most {} that are continuous and independent; what follows is about all of them",
-                             vector.solutions),
-           "", vector.solutions}};
+          {"solutions", "solutions", solutions_text(vector), "", vector.solutions},
+          member("integrals", std::move(integrals))};
 }
 
 Fact continuous_fact(const Decision& continuous) {
@@ -240,10 +286,10 @@ Fact components_fact(const FunctionVector& vector, int digits) {
   return {"components", "components", text, "", list};
 }
 
-Fact values_fact(const LatticeMask& mask) {
+Fact values_fact(const LatticeSequence& values) {
   std::string text;
   Json list = Json::array();
-  for (const auto& [index, value] : limit_values(mask, 0)) {
+  for (const auto& [index, value] : values) {
     const LatticePoint point(index.begin(), std::prev(index.end()));
     text += fmt::format("{}phi_{}({}) = {}", text.empty() ? "" : ", ", index.back() + 1, fmt::join(point, ","),
                         to_text(value));

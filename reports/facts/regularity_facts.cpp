@@ -4,6 +4,7 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/quadratic_number.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 
 #include <fmt/format.h>
@@ -176,20 +177,13 @@ std::size_t count_of_matrices(const LatticeMask& mask) {
   return exponents.size();
 }
 
-/// Of x + y sqrt(root).
-std::string quadratic_text(const Rational& x, const Rational& y, long root) {
-  if (y == 0) return to_text(x);
-  const std::string square_root = fmt::format("sqrt({})", root),
-                    part = abs(y) == 1 ? (y < 0 ? "-" : "") + square_root : to_text(y) + "*" + square_root;
-  return x == 0 ? part : to_text(x) + (y < 0 ? "" : "+") + part;
-}
-
 /// Of an integral, component by component.
 std::vector<std::string> numbers_of(const std::vector<Rational>& integral, long root) {
   std::vector<std::string> result;
   const std::size_t size = root > 0 ? integral.size() / 2 : integral.size();
   for (std::size_t c = 0; c < size; ++c)
-    result.push_back(quadratic_text(integral[c], root > 0 ? integral[size + c] : Rational(0), root));
+    result.push_back(
+        (root > 0 ? QuadraticNumber{integral[c], integral[size + c], root} : QuadraticNumber{integral[c]}).to_text());
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/quadratic_number.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/data/refine/vector_refinement.hpp>
 
 #include <fmt/format.h>
 
@@ -214,6 +215,31 @@ std::string solutions_text(const FunctionVector& vector) {
          (integral.empty() ? them + chosen_by_integral(vector) : ", with the integral " + integral + " or 0" + them);
 }
 
+/// What a Hermite scheme keeps, and whether it would keep more in another convention.
+Fact spectral_fact(const LatticeMask& mask) {
+  const int degree = data::hermite_reproduction(mask).degree, wanted = static_cast<int>(mask.components()) - 1;
+  const auto up_to = [](int d) {
+    return d == 0 ? std::string("of constants") : fmt::format("of polynomials up to degree {}", d);
+  };
+  std::string text = degree < 0 ? "not even those of constants" : "those " + up_to(degree);
+  if (degree < wanted) {
+    text += ": the spectral condition of its data fails";
+    // Of A_k the columns are the rows of P_k.
+    std::vector<LatticeMask::Term> exchanged = mask.terms(), divided = exchanged;
+    for (LatticeMask::Term& term : exchanged) std::swap(term.row, term.column);
+    for (LatticeMask::Term& term : divided)
+      term.coefficient *= power(Rational(mask.arity()), -static_cast<long>(term.column));
+    for (const auto& [terms, change] : {std::pair(exchanged, std::string("their transposes")),
+                                        {divided, fmt::format("row k divided by {}^k, k = 0, 1, ...", mask.arity())}}) {
+      const int other = data::hermite_reproduction(matrix_mask(terms, mask.components(), mask.dilation())).degree;
+      if (other >= wanted)
+        text += fmt::format("; the matrices may be meant in another convention: {} keep those {}", change,
+                            up_to(other));
+    }
+  }
+  return {"spectral_degree", "keeps data", text, "", degree};
+}
+
 Facts dilation_facts(const LatticeMask& mask) {
   const Dilation& dilation = mask.dilation();
   return {member("variables", mask.dimension()),
@@ -331,7 +357,11 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   append(list, curve ? Facts{rounding_fact(scheme.rounding)} : dilation_facts(scheme.mask));
   list.push_back(vector ? member("sum_rules", nullptr) : plain("sum_rules", "sum rules", regularity.sum_rules()));
   list.push_back(converges_fact(regularity.converges()));
-  if (vector) list.push_back(hermite_fact(vector->hermite));
+  if (vector) {
+    list.push_back(hermite_fact(vector->hermite));
+    list.push_back(scheme.form == VectorForm::hermite ? spectral_fact(scheme.mask)
+                                                      : member("spectral_degree", nullptr));
+  }
   if (curve)
     append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});
   else

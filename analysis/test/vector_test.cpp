@@ -1,5 +1,6 @@
 // Masks of matrices: function vectors.
 
+#include <subcert/analysis/limit/component_support.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
@@ -212,6 +213,28 @@ TEST_CASE("Integrals are limits of Riemann sums") {
     const std::vector<Rational> exact = integral_of_solution(mask, start);
     for (std::size_t c = 0; c < 2; ++c) CHECK(abs(sums[c] - exact[c]) < q(1, 1000));
   }
+}
+
+TEST_CASE("Supports of functions are exact") {
+  const auto supports = [](const LatticeMask& mask, const std::optional<std::vector<Rational>>& integral = {}) {
+    return component_supports(mask, *vector_regularity(mask, budget, {.integral = integral}).vector->values);
+  };
+  using Supports = std::vector<std::optional<Interval>>;
+  CHECK(supports(merrien(q(-1, 8), q(1, 2))) == Supports{Interval{-1, 1}, Interval{-1, 1}});
+  // a hat and a bubble on one side of it
+  const LatticeMask bubble = of_matrices({{{q(1, 2), 0}, {0, 0}}, {{1, 0}, {0, q(1, 4)}}, {{q(1, 2), 0}, {1, q(1, 4)}}},
+                                         -1);
+  CHECK(supports(bubble) == Supports{Interval{-1, 1}, Interval{0, 1}});
+  // one of two functions; a third is 0
+  CHECK(supports(hat_beside_spline(), std::vector<Rational>{0, 1}) == Supports{std::nullopt, Interval{-1, 2}});
+  // ends that are no integers: phi_2 = the hat of 3x - 1, by three parts
+  const LatticeMask thirds = of_matrices({{{q(1, 3), 0}, {0, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{1, 0}, {1, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{q(1, 3), 0}, {0, 0}}},
+                                         -2, 3);
+  CHECK(supports(thirds) == Supports{Interval{-1, 1}, Interval{q(-1, 3), q(1, 3)}});
 }
 
 TEST_CASE("Components that attain the radius of the whole are as exact as the whole") {

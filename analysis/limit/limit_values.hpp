@@ -52,9 +52,10 @@ LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePo
 LatticeSequence limit_values(const LatticeMask& mask, const LatticeSequence& values, int level,
                              const LatticePoint& orders = {});
 
-/// A basis of the sequences v on the lattice points strictly inside the box of the support with v = T_0 v: a continuous
-/// solution of the refinement equation is determined by its values there, as it is 0 at all others, so that there are
-/// at most so many solutions, up to linear combinations. Domain: 0 is a digit. Errors: throws Error of kind size where
+/// A basis of the sequences v with v = T_0 v on the lattice points strictly inside the box of the support, for each
+/// component of the smallest box that the mask allows it where the dilation is a number: a continuous solution of the
+/// refinement equation is determined by its values there, as it is 0 at all others, so that there are at most so many
+/// solutions, up to linear combinations. Domain: 0 is a digit. Errors: throws Error of kind size where
 /// more than 2000 numbers are to be found. Cost: one elimination.
 std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask);
 

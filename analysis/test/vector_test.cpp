@@ -237,6 +237,28 @@ TEST_CASE("Supports of functions are exact") {
   CHECK(supports(thirds) == Supports{Interval{-1, 1}, Interval{q(-1, 3), q(1, 3)}});
 }
 
+TEST_CASE("Values at the ends of their own support do not count") {
+  // a hat on [-1, 1] beside the characteristic function of [0, 1], with and without a link between them
+  for (const Rational& link : {q(0), q(1, 3)}) {
+    const LatticeMask mask = of_matrices({{{q(1, 2), 0}, {0, 0}}, {{1, link}, {0, 1}}, {{q(1, 2), 0}, {0, 1}}}, -1);
+    const MultivariateRegularity found = vector_regularity(mask, budget);
+    CHECK(found.vector->solutions == 1);
+    CHECK(is_exactly(found.exponent, 1));
+    CHECK(found.vector->components[1].is_zero);
+  }
+  // a component without any link to itself is 0, and one that is a part of another has its support
+  const LatticeMask dead = of_matrices({{{q(1, 2), 1}, {0, 0}}, {{1, 0}, {0, 0}}, {{q(1, 2), 0}, {0, 0}}}, -1);
+  CHECK(vector_regularity(dead, budget).vector->solutions == 1);
+  // arity 3, and a support of different ends for each: boxes are found by the links
+  const LatticeMask thirds = of_matrices({{{q(1, 3), 0}, {0, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{1, 0}, {1, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{q(1, 3), 0}, {0, 0}}},
+                                         -2, 3);
+  CHECK(vector_regularity(thirds, budget).vector->solutions == 1);
+}
+
 TEST_CASE("Components that attain the radius of the whole are as exact as the whole") {
   // Quadratic splines with a knot at the midpoint: of the second function alone a smaller space tells.
   const MultivariateRegularity found = vector_regularity(merrien(q(-1, 8), q(-1)), budget);

@@ -185,14 +185,14 @@ TEST_CASE("regularity: masks of matrices that are meant otherwise, or have no on
   CHECK(all.at("holder").at("lower") == "1");
   CHECK(one.at("solutions") == 1);
   CHECK(one.at("holder").at("lower") == "2");
-  const Run other = run("regularity 'hermite:[[[4,6],[-1,-1]],[[8,0],[0,4]],[[4,-6],[1,-1]]]/8@-1,integral=[0,1]'");
+  const Run other = run("regularity 'hermite:[[[4,-1],[6,-1]],[[8,0],[0,4]],[[4,1],[-6,-1]]]/8@-1,integral=[0,1]'");
   CHECK(other.code == 1);
   CHECK(joined(other.out).find("none that is continuous has the integral [0,1]; their integrals are combinations of "
                                "[1,0]") != std::string::npos);
   // Hermite masks in other conventions
-  const Run transposed = run("regularity 'hermite:[[[4,-1],[6,-1]],[[8,0],[0,4]],[[4,1],[-6,-1]]]/8@-1'");
+  const Run transposed = run("regularity 'hermite:[[[4,6],[-1,-1]],[[8,0],[0,4]],[[4,-6],[1,-1]]]/8@-1'");
   CHECK(joined(transposed.out).find("their transposes keep those of polynomials up to degree 3") != std::string::npos);
-  const Run undivided = run("regularity 'hermite:[[[4,6],[-2,-2]],[[8,0],[0,8]],[[4,-6],[2,-2]]]/8@-1'");
+  const Run undivided = run("regularity 'hermite:[[[4,-1],[12,-2]],[[8,0],[0,8]],[[4,1],[-12,-2]]]/8@-1'");
   CHECK(joined(undivided.out).find("row k divided by 2^k, k = 0, 1, ... keep those of polynomials up to degree 3") !=
         std::string::npos);
   // ten thousand numbers

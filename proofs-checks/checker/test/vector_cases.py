@@ -105,6 +105,7 @@ ACCEPTED = [
     accepted("vector-integral-hermite", HERMITE, "2 2", HERMITE_SPACE.replace("space", "functional -2 0; space") + "basis -3 1 1; basis 1 0 0; basis 0 4 0; "
              "inverse 0 1 0; inverse 0 0 1/4; inverse 1 3 -1/4; product 0 1/4 0 0; " + NORMS_3, integral="3,0"),
     accepted("vector-integral-courant", COURANT, "1 1", COURANT_SPACE.replace("space", "functional 1 0; space"), "[2,0;0,2]", integral="7,2"),
+    accepted("vector-integral-minus-two", HAT_BUBBLE, "1 1", MINUS_SPACE.replace("space", "functional 1 0; space"), "[-2]", integral="3,2"),
     # x' is 1; a lower end alone
     accepted("vector-digits", HAT_BUBBLE, "1/2", DIGITS_SPACE + "block 0 norm 12; end"),
     accepted("vector-minus-two", HAT_BUBBLE, "1 1", MINUS_SPACE, "[-2]"),

@@ -39,7 +39,7 @@ void WriteFailure::raise() const {
 
 std::string WrittenCertificate::text(bool attained) const {
   if (file.empty()) return "";
-  if (!claim) return facts::wrapped("certificate  " + file + " not written: " + reason, 13) + "\n";
+  if (!claim) return facts::wrapped("certificate  not written: " + reason, 13) + "\n";
   const std::string of_scheme = of_scheme_text(*claim);
   const std::string line = fmt::format(
       "certificate  {}, verified: {}", file,

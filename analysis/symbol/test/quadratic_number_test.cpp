@@ -9,23 +9,23 @@ using subcert::testing::rounds;
 
 namespace {
 
-std::string read(const char* text, long root = 0) { return QuadraticNumber::parse(text, root).to_text(); }
+std::string text_of(const char* text, long root = 0) { return QuadraticNumber::parse(text, root).to_text(); }
 
 }  // namespace
 
 TEST_CASE("numbers with a square root are read, and printed back") {
-  CHECK(read("sqrt(7)/2") == "1/2*sqrt(7)");
-  CHECK(read("1/sqrt(7)") == "1/7*sqrt(7)");
-  CHECK(read("(1+sqrt(7))/(3-sqrt(28))") == "-17/19-5/19*sqrt(7)");
-  CHECK(read("-sqrt(7)") == "-sqrt(7)");
-  CHECK(read("sqrt(7)^3") == "7*sqrt(7)");
-  CHECK(read("sqrt(12)") == "2*sqrt(3)");
-  CHECK(read("sqrt(700000000)") == "10000*sqrt(7)");
-  CHECK(read("2*sqrt(9)-1/2") == "11/2");
-  CHECK(read("sqrt(7)-sqrt(7)").find("sqrt") == std::string::npos);
+  CHECK(text_of("sqrt(7)/2") == "1/2*sqrt(7)");
+  CHECK(text_of("1/sqrt(7)") == "1/7*sqrt(7)");
+  CHECK(text_of("(1+sqrt(7))/(3-sqrt(28))") == "-17/19-5/19*sqrt(7)");
+  CHECK(text_of("-sqrt(7)") == "-sqrt(7)");
+  CHECK(text_of("sqrt(7)^3") == "7*sqrt(7)");
+  CHECK(text_of("sqrt(12)") == "2*sqrt(3)");
+  CHECK(text_of("sqrt(700000000)") == "10000*sqrt(7)");
+  CHECK(text_of("2*sqrt(9)-1/2") == "11/2");
+  CHECK(text_of("sqrt(7)-sqrt(7)").find("sqrt") == std::string::npos);
   CHECK(QuadraticNumber::parse("sqrt(1)", 7) == QuadraticNumber{1});
-  CHECK(read("0.25") == "1/4");
-  CHECK(read("sqrt(63)", 7) == "3*sqrt(7)");
+  CHECK(text_of("0.25") == "1/4");
+  CHECK(text_of("sqrt(63)", 7) == "3*sqrt(7)");
 }
 
 TEST_CASE("what is no number with one square root") {
@@ -39,7 +39,7 @@ TEST_CASE("what is no number with one square root") {
 
 TEST_CASE("quotients of numbers with a square root are those of real numbers") {
   Random random;
-  for (int round = 0; round < rounds(50); ++round) {
+  for (const int round : rounds(50)) {
     const auto number = [&] {
       return QuadraticNumber{Rational(random.integer(-9, 9), 4), Rational(random.integer(-9, 9), 5), 7};
     };

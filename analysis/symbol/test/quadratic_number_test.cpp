@@ -39,7 +39,8 @@ TEST_CASE("what is no number with one square root") {
 
 TEST_CASE("quotients of numbers with a square root are those of real numbers") {
   Random random;
-  for (const int round : rounds(50)) {
+  for (const auto round : rounds(50)) {
+    CAPTURE(static_cast<int>(round));
     const auto number = [&] {
       return QuadraticNumber{Rational(random.integer(-9, 9), 4), Rational(random.integer(-9, 9), 5), 7};
     };

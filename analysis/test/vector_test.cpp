@@ -1,7 +1,7 @@
 // Masks of matrices: function vectors.
 
-#include <subcert/analysis/limit/component_support.hpp>
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/regularity/component_support.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/scheme_convergence.hpp>

@@ -2,7 +2,7 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/limit/component_support.hpp>
+#include <subcert/analysis/regularity/component_support.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>

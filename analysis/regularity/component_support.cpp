@@ -1,6 +1,7 @@
 #include "component_support.hpp"
 
-#include <subcert/analysis/regularity/value_space.hpp>
+#include "value_space.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>

@@ -93,13 +93,13 @@ class Digits {
 
 }  // namespace
 
-std::vector<std::optional<Interval>> component_supports(const LatticeMask& given, const LatticeSequence& values) {
-  require(given.dimension() == 1 && given.components() > 1 && given.dilation().factor().value_or(0) > 1,
+std::vector<std::optional<Interval>> component_supports(const LatticeMask& mask, const LatticeSequence& values) {
+  require(mask.dimension() == 1 && mask.components() > 1 && mask.dilation().factor().value_or(0) > 1,
           "component_supports: need a mask of matrices of one variable with an arity, got the dilation {}",
-          given.dilation().to_text());
-  const LatticeMask mask = given.with_dilation(Dilation::multiple(1, given.arity()));
+          mask.dilation().to_text());
+  const LatticeMask positive = mask.with_dilation(Dilation::multiple(1, mask.arity()));
   // T_0 v = v: long words on v are all words on it.
-  const auto space = space_of_long_words(mask, {values}, 0);
+  const auto space = space_of_long_words(positive, {values}, 0);
   require(space.has_value(), "component_supports: the values span no space that is found");
   std::vector<std::optional<Interval>> result(mask.components());
   std::map<long, Functional> cells;

@@ -185,7 +185,7 @@ LaurentPolynomial in_one_letter(const Powers<Rational>& powers) {
   return {powers.entries, 0};
 }
 
-ParametricMask::ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator,
+ParametricMask::ParametricMask(const Powers<LaurentPolynomial>& powers, int arity, Powers<Rational> denominator,
                                std::size_t components)
     : powers_(without_zeros(powers)), denominator_(std::move(denominator)), arity_(arity), components_(components) {
   require(arity >= 2, "mask: need arity >= 2, got {}", arity);

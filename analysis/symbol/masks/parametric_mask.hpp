@@ -28,7 +28,8 @@ class ParametricMask {
   ParametricMask(const std::vector<LetterFunction>& coefficients, long first, int arity, std::size_t components = 1);
   ParametricMask(const std::vector<RationalFunction>& coefficients, long first, int arity);
   /// Of as many letters as there are sizes. Domain and errors: as above.
-  ParametricMask(Powers<LaurentPolynomial> powers, int arity, Powers<Rational> denominator, std::size_t components = 1);
+  ParametricMask(const Powers<LaurentPolynomial>& powers, int arity, Powers<Rational> denominator,
+                 std::size_t components = 1);
 
   /// r; 1 where the coefficients are numbers.
   std::size_t components() const { return components_; }

@@ -135,7 +135,7 @@ ParametricMask mask_of(const std::vector<QuotientOf<Polynomial>>& coefficients, 
   for (const Monomial& term : below) raise(sizes_below, term.exponents);
   auto denominator = powers_for<Rational>(sizes_below);
   for (const Monomial& term : below) denominator.entries[place_of(term.exponents, sizes_below)] = term.coefficient;
-  return {std::move(powers), arity, std::move(denominator), components};
+  return {powers, arity, std::move(denominator), components};
 }
 
 /// The range of exponents of all powers.

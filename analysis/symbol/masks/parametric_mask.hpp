@@ -65,7 +65,7 @@ class ParametricMask {
   ParametricMask mapped(Map map) const {
     Powers<LaurentPolynomial> result{powers_.sizes, {}};
     for (const LaurentPolynomial& power : powers()) result.entries.push_back(map(power));
-    return {std::move(result), arity_, denominator_, components_};
+    return {result, arity_, denominator_, components_};
   }
 
   /// a(z, w) q(w).

@@ -99,8 +99,7 @@ formats::Comparison compare(const statements::PublishedCell& cell, const ReportO
   formats::Comparison comparison = compare_text(cell, "C^1, exponent " + exponent, answer);
   comparison.source = source_text(cell);
   comparison.note = fmt::format(
-      "for all v_0 from {} to {} that have a mask at each level; v_k is from {} to {} from "
-      "level {} on",
+      "for all v_0 from {} to {} that have a mask at each level; v_k is from {} to {} from level {} on",
       to_text(one.start.lower), to_text(one.start.upper), to_text(one.low), to_text(one.high),
       found.first_level.value_or(-1));
   comparison.command = fmt::format(
@@ -192,10 +191,8 @@ Report report_levels(const ReportOptions& options) {
   formats::Section section{"levels", "Masks that change from level to level", {}};
   section.paragraphs.push_back(
       "What sources that were read say of such schemes, and what is proved: for every sequence of values of an "
-      "interval, "
-      "with certificates; for values that follow each other, by the mask in the limit; for masks of a list in any "
-      "order, "
-      "in turn or along a graph; and where each new point takes a value of its own.");
+      "interval, with certificates; for values that follow each other, by the mask in the limit; for masks of a list "
+      "in any order, in turn or along a graph; and where each new point takes a value of its own.");
   if (options.wants("published"))
     add_published(section, "levels", statements::paper("levels").table("published"),
                   [&](const statements::PublishedCell& cell) { return compare(cell, options); });

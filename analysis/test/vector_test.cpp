@@ -144,6 +144,16 @@ LatticeMask in_basis(const LatticeMask& mask, const Matrix& s, const Matrix& inv
   return matrix_mask(terms, s.size(), mask.dilation());
 }
 
+/// The hat of arity 3, and phi_2 = the hat of 3x.
+LatticeMask hat_by_thirds() {
+  return of_matrices({{{q(1, 3), 0}, {0, 0}},
+                      {{q(2, 3), 0}, {0, 0}},
+                      {{1, 0}, {1, 0}},
+                      {{q(2, 3), 0}, {0, 0}},
+                      {{q(1, 3), 0}, {0, 0}}},
+                     -2, 3);
+}
+
 /// B-splines of degree 1 on [-1, 1] and of degree 2 on [-1, 2].
 LatticeMask hat_beside_spline() {
   const auto numbers = [](const char* text) {
@@ -228,13 +238,7 @@ TEST_CASE("Supports of functions are exact") {
   // one of two functions; a third is 0
   CHECK(supports(hat_beside_spline(), std::vector<Rational>{0, 1}) == Supports{std::nullopt, Interval{-1, 2}});
   // ends that are no integers: phi_2 = the hat of 3x - 1, by three parts
-  const LatticeMask thirds = of_matrices({{{q(1, 3), 0}, {0, 0}},
-                                          {{q(2, 3), 0}, {0, 0}},
-                                          {{1, 0}, {1, 0}},
-                                          {{q(2, 3), 0}, {0, 0}},
-                                          {{q(1, 3), 0}, {0, 0}}},
-                                         -2, 3);
-  CHECK(supports(thirds) == Supports{Interval{-1, 1}, Interval{q(-1, 3), q(1, 3)}});
+  CHECK(supports(hat_by_thirds()) == Supports{Interval{-1, 1}, Interval{q(-1, 3), q(1, 3)}});
 }
 
 TEST_CASE("Values at the ends of their own support do not count") {
@@ -250,13 +254,7 @@ TEST_CASE("Values at the ends of their own support do not count") {
   const LatticeMask dead = of_matrices({{{q(1, 2), 1}, {0, 0}}, {{1, 0}, {0, 0}}, {{q(1, 2), 0}, {0, 0}}}, -1);
   CHECK(vector_regularity(dead, budget).vector->solutions == 1);
   // arity 3, and a support of different ends for each: boxes are found by the links
-  const LatticeMask thirds = of_matrices({{{q(1, 3), 0}, {0, 0}},
-                                          {{q(2, 3), 0}, {0, 0}},
-                                          {{1, 0}, {1, 0}},
-                                          {{q(2, 3), 0}, {0, 0}},
-                                          {{q(1, 3), 0}, {0, 0}}},
-                                         -2, 3);
-  CHECK(vector_regularity(thirds, budget).vector->solutions == 1);
+  CHECK(vector_regularity(hat_by_thirds(), budget).vector->solutions == 1);
 }
 
 TEST_CASE("Components that attain the radius of the whole are as exact as the whole") {

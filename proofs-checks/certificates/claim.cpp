@@ -18,13 +18,6 @@ constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the 
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view levels = "levels", component = "component", integral = "integral";
 
-/// A power of a logarithm.
-std::optional<int> whole_number(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 /// The line of a certificate that says what it is about.
 struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
@@ -106,6 +99,12 @@ struct SubjectArguments {
 };
 
 }  // namespace
+
+std::optional<int> whole_number(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
 
 std::string integral_text(const std::optional<std::vector<Rational>>& numbers) {
   std::string text;

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -56,6 +57,9 @@ struct CertificateClaim : ClaimedEnds {
   /// Beside an exact exponent, or such letters: the power of |log h| in the modulus of continuity, see section 4.12.
   std::optional<int> logarithm = {};
 };
+
+/// A power of a logarithm, or the number of a component; nothing for another text.
+std::optional<int> whole_number(std::string_view text);
 
 /// As SurfaceSubject::integral.
 std::string integral_text(const std::optional<std::vector<Rational>>& numbers);

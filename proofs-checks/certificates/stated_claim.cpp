@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <vector>
 
@@ -52,13 +51,6 @@ std::optional<Chain> chain_of(const std::string& text) {
     std::reverse(chain.strict.begin(), chain.strict.end());
   }
   return up && down ? std::nullopt : std::optional(chain);
-}
-
-/// A power of a logarithm, or the number of a component.
-std::optional<int> whole_number(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
 /// Of one variable.

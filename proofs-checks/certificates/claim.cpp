@@ -1,5 +1,6 @@
 #include "claim.hpp"
 
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>

@@ -3061,9 +3061,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       `${options.arity} for all ${options.for}`;
   }
   function text_of_levels({recurrence, start, from, levels: range}) {
-    const letter = range[0];
+    const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
     return recurrence === undefined ? ` for all sequences of levels with ${range}`
-      : ` for the levels from ${from} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}`;
+      : ` from ${level} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}`;
   }
   function text_of({options, of_family, lower, upper, rough, interval, levels, list}) {
     const relation = interval ? ' < ' : ' <= ';

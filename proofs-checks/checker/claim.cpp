@@ -251,8 +251,9 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     if (recurrence) {
       claim.recurrence = parse_recurrence(*recurrence, *start, *from, claim.range->letter);
       claim.head += " recurrence=" + *recurrence + " start=" + *start + " from=" + *from;
-      claim.text += " for the levels from " + *from + " on of " + range->substr(0, 1) + " -> " + *recurrence +
-                    " with " + range->substr(0, 1) + "=" + *start + " at level 0, all in " + *range;
+      claim.text += (claim.recurrence->from ? " from level " + *from : " from some level") + " on of " +
+                    range->substr(0, 1) + " -> " + *recurrence + " with " + range->substr(0, 1) + "=" + *start +
+                    " at level 0, all in " + *range;
     } else {
       claim.text += (levels ? " for all sequences of levels with " : " for all ") + *range;
     }

@@ -1913,7 +1913,7 @@ var check_certificate = (() => {
   }
   function check_curve(reader, claim) {
     const {lower, upper, rough, interval, within, exact, recurrence, list} = claim;
-    if (recurrence) check_recurrence(reader, recurrence, interval);
+    if (recurrence) check_following(reader, recurrence, interval);
     if (list) check_constants(list);
     const again = !interval && !within && reader.peek() === 'reduced';
     demand(!again || lower || (exact && (rough || claim.options.exact !== undefined)),
@@ -2053,7 +2053,7 @@ var check_certificate = (() => {
     prove(reader, list_family(list, order), {below: at_most(power_below(BigInt(list.arity), minus(order, lower)), false)});
   }
   // w -> STEP or the root of it: the numerator and the denominator, and the first values
-  function read_recurrence(step, start, from, letter) {
+  function read_following(step, start, from, letter) {
     const root = step.startsWith('sqrt'), {a, q} = read_curve(step.slice(root ? 4 : 0), 2, letter);
     demand(a.length === 1, 'a recurrence is [P]/D, [P]/(Q) or sqrt[P]/(Q)');
     const ends = start.split('..'), form = 'the first values are LOW..HIGH or LOW..inf';
@@ -2063,7 +2063,7 @@ var check_certificate = (() => {
     demand(unbounded === (from === 'some'), "a start has a level if it is bounded, else 'some'");
     return {root, numerator: a[0], denominator: q, low, high, from: unbounded ? null : small(from, 0, 1000)};
   }
-  function check_recurrence(reader, {root, numerator, denominator, low, high, from}, range) {
+  function check_following(reader, {root, numerator, denominator, low, high, from}, range) {
     const end = p => p.findLastIndex(x => x), squared = x => root ? times(x, x) : x;
     const show = (form, what) => {  // where it may be 0 at the ends
       const last = end(form);
@@ -3018,7 +3018,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
         (claim.within ? ` within=${options.within}` : '');
       if (options.recurrence !== undefined) {
-        claim.recurrence = read_recurrence(options.recurrence, options.start, options.from, letter);
+        claim.recurrence = read_following(options.recurrence, options.start, options.from, letter);
         claim.head += ` recurrence=${options.recurrence} start=${options.start} from=${options.from}`;
       }
     }

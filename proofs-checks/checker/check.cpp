@@ -93,7 +93,7 @@ class Checker {
       exact_ = claim_.exact;
       exact_order_ = claim_.exact_order;
     } else {
-      std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask.has_value());
+      std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask || claim_.list);
     }
     read_root(*exact_, reader_, arithmetic_);
   }

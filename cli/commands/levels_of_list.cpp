@@ -64,15 +64,13 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   return json;
 }
 
-/// Of all sequences; and of that with the least exponent, where it bounds that.
+/// Of all sequences first.
 std::vector<NamedCertificate> certificates_of(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<NamedCertificate> result;
-  if (!found.exponent.lower) return result;
-  if (list.period.empty())
-    if (auto all = list_certificate(list, found)) result.push_back({"01-all", std::move(*all)});
-  if (found.exponent.upper)
-    result.push_back(
-        {fmt::format("0{}-sequence", result.size() + 1), sequence_certificate(list, found.sequence, budget)});
+  for (Certificate& one : list_certificates(list, found, budget)) {
+    const bool all = result.empty() && list.period.empty();
+    result.push_back({fmt::format("0{}-{}", result.size() + 1, all ? "all" : "sequence"), std::move(one)});
+  }
   return result;
 }
 

@@ -79,13 +79,10 @@ std::optional<Certificate> levels_certificate(const ParametricMask& mask, char l
                                               const Box& box, const PropertyOfLevels& levels,
                                               const FollowedLevels* followed = nullptr);
 
-/// That all sequences of the masks have at least the lower end of the exponent; nothing where that is not positive.
-/// Domain: no period; `found` is that of the list.
-std::optional<Certificate> list_certificate(const MaskList& list, const ExponentOfList& found);
-
-/// The exponent of the masks of `sequence` again and again. Domain: a^L at most 64. Errors: throws Error where nothing
-/// positive is proved. Cost: the exponent of one mask.
-Certificate sequence_certificate(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget);
+/// That all sequences of the masks have at least the lower end of the exponent, unless they are in a period; and of the
+/// sequence that bounds it from above, if one does, what its exponent is. None where nothing positive is proved.
+/// Domain: `found` is that of the list. Cost: the exponent of one mask of arity a^L.
+std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget);
 
 /// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence. Of
 /// masks of matrices the lower one alone.

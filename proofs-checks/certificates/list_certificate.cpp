@@ -28,11 +28,7 @@ ListSubject subject_of(const MaskList& list) {
   return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
 }
 
-}  // namespace
-
-std::optional<Certificate> list_certificate(const MaskList& list, const ExponentOfList& found) {
-  const Rational lower = found.sum_rules - *log_ratio(upper_end(found.radius, {}), list.masks.front().arity()).upper;
-  if (lower <= 0) return std::nullopt;
+Certificate of_all(const MaskList& list, const ExponentOfList& found, const Rational& lower) {
   const ClaimedEnds ends{outward(lower, Rounding::down), {}};
   Certificate certificate{{ends, subject_of(list)}, {}, ends};
   certificate.sections.push_back({fmt::format("sum-rules {}\n{}", found.sum_rules, blocks_text(found.radius))});
@@ -40,7 +36,7 @@ std::optional<Certificate> list_certificate(const MaskList& list, const Exponent
   return certificate;
 }
 
-Certificate sequence_certificate(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
+Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
   std::vector<Mask> levels;
   for (const std::size_t number : sequence) levels.push_back(list.masks.at(number));
   const Mask one = levels_as_one(levels);
@@ -48,6 +44,17 @@ Certificate sequence_certificate(const MaskList& list, const std::vector<std::si
       one, holder_regularity(one, levels_of_bounds, budget, HolderProof::certificate));
   certificate.claim.subject = subject_of({list.masks, sequence});
   return certificate;
+}
+
+}  // namespace
+
+std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
+  std::vector<Certificate> result;
+  const Rational lower = found.sum_rules - *log_ratio(upper_end(found.radius, {}), list.masks.front().arity()).upper;
+  if (lower <= 0) return result;
+  if (list.period.empty()) result.push_back(of_all(list, found, lower));
+  if (found.exponent.upper || !list.period.empty()) result.push_back(of_sequence(list, found.sequence, budget));
+  return result;
 }
 
 }  // namespace subcert

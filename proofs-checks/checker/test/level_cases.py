@@ -5,6 +5,8 @@ PROOF = "sum-rules 1; to 49/100; block 0 norm 1; "
 HALF, ROOT, OPEN_ROOT = "[1/10+1/2*w]", "sqrt[1/20+1/10*w]", "sqrt[1/20+1/20*w]"
 FOUR_SPLINE = "[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,1]/8"
 HAT_CHAIKIN = "[1,2,1]/2@-1;[1,3,3,1]/4"
+SIX_SPLINE = "[3,0,-25,0,150,256,150,0,-25,0,3]/256;[1,4,6,4,1]/8"
+AT_END = "[49/400-1/4*w]/(49/100-w)"
 NO_CONSTANTS = "[1,0,1];[1,2,2,2,1]/4"  # the two in turn, as one mask of arity 4, have a sum rule
 THREE = "[1,2,3,2,1]/3;[1,3,6,7,6,3,1]/9"  # B-splines of arity 3
 
@@ -51,6 +53,7 @@ ACCEPTED = [
     listed("list-first-alone", FOUR_SPLINE, "follows=0-0", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
     listed("list-arity-3", THREE, "any", "--lower 1", "sum-rules 2; block 0 norm 1", 3),
     listed("list-arity-3-follows", THREE, "follows=1-0,0-1", "--lower 1", "sum-rules 2; block 0 norm 2", 3),
+    listed("list-4096-pairs", "[1,3,3,1]/4", "follows=" + ",".join(4096 * ["0-0"]), "--lower 2", "sum-rules 2; block 0 norm 1"),
     listed("period", FOUR_SPLINE, "period=0,1", "--lower 2 --upper 5/2",
            "sum-rules 4; stability; product 0 8 0 2; block 0 norm 2"),
     listed("period-exact", FOUR_SPLINE, "period=0,1", "--exact 4-log|[-8,1]@8,0,1/1000|^1/1 --logarithm 0",
@@ -61,6 +64,7 @@ ACCEPTED = [
     listed("period-six", "[1,2,1]/2@-1", "period=0,0,0,0,0,0", "--lower 1", "sum-rules 1; block 0 norm 1"),
 ]
 
+MANY, PAIRS = ";".join(64 * ["[-1,0,9,16,9,0,-1]/16"]), ",".join(33 * ["63-0"])
 OTHER = "what keeps the recurrence from being"
 EDITED = [
     ("follow-early", "follow-affine", follow(HALF, "0..1", 1), "come into the range at a later level", [("from=2", "from=1")]),
@@ -82,6 +86,15 @@ EDITED = [
     ("follow-pole-later", "follow-quotient-open", follow("[1+w]/(4-w)", "0..inf", "some"), "the denominator of the recurrence",
      [("(4+3*w)", "(4-w)"), ("3/8", "9/20")]),
     ("follow-open-above", "follow-root-open", follow(ROOT, "1..inf", "some"), "an unbounded start begins above the range", [("0..inf", "1..inf")]),
+    ("follow-open-negative", "follow-same", follow("[w]", "-1..inf", "some", values="w=-1/2..-1/4"), "with a positive upper end",
+     [(RANGE, "w=-1/2..-1/4"), ("1/100..49/100", "-1..inf"), ("from=0", "from=some")]),
+    ("follow-open-0", "follow-same", follow("[w]", "-1..inf", "some", values="w=-1/2..0"), "with a positive upper end",
+     [(RANGE, "w=-1/2..0"), ("1/100..49/100", "-1..inf"), ("from=0", "from=some")]),
+    ("follow-root-0", "follow-constant", follow("sqrt[0]", "-7..7", 1, values="w=0..1"), "does not prove the claim",
+     [(RANGE, "w=0..1"), ("[1/4]", "sqrt[0]"), ("level 1/4 1/4", "level 0 0"), ("to 49/100", "to 1")]),
+    ("follow-pole-at-end", "follow-quotient", follow(AT_END, "1/5..1/5", 0), "the denominator of the recurrence", [("[1]/(3+w)", AT_END)]),
+    ("follow-to-end", "follow-same", follow("[w]", "1/5..49/100", 1), f"{OTHER} below",
+     [("1/100..49/100 from=0", "1/5..49/100 from=1"), ("bounds 0 -; ", "bounds 0 -; level 49/100 49/100; ")]),
     ("follow-open-slow", "follow-slow-open", follow("[1/100+19/20*w]", "49/100..inf", "some"), f"{OTHER} above nine tenths of", [("7/8", "19/20")]),
     ("follow-open-below", "follow-affine-open", follow("[1/4-1/10*w]", "0..inf", "some"), f"{OTHER} below", [(HALF, "[1/4-1/10*w]")]),
     ("follow-open-root-below", "follow-root-open", follow("sqrt[1/16-1/50*w]", "0..inf", "some"), f"{OTHER} below", [(ROOT, "sqrt[1/16-1/50*w]")]),
@@ -107,6 +120,15 @@ EDITED = [
     ("list-no-constants", "list-any", lists(NO_CONSTANTS, "any", "--lower 1"), "does not keep constant data", [(HAT_CHAIKIN, NO_CONSTANTS)]),
     ("period-no-constants", "period-twice", lists(NO_CONSTANTS, "period=0,1", "--lower 1/2"), "does not keep constant data",
      [("[1,3,3,1]/4", NO_CONSTANTS), ("period=0,0", "period=0,1"), ("sum-rules 2", "sum-rules 1")]),
+    ("list-large", "list-any", lists(MANY, "follows=63-0", "--lower 1"), "transition matrices larger than 256",
+     [(f"{HAT_CHAIKIN} 2 any", f"{MANY} 2 follows=63-0"), ("sum-rules 2", "sum-rules 1")]),
+    ("list-many-pairs", "list-any", lists(MANY, f"follows={PAIRS}", "--lower 1"), "more work",
+     [(f"{HAT_CHAIKIN} 2 any", f"{MANY} 2 follows={PAIRS}")]),
+    ("list-narrow", "list-wide", lists(SIX_SPLINE, "any", "--lower 29/10"), "does not prove the claim",
+     [(FOUR_SPLINE, SIX_SPLINE), ("norm 4", "norm 6")]),
+    ("list-one-class", "list-any", lists("[1,3]", "any", "--lower 1"), "does not keep constant data", [(HAT_CHAIKIN, "[1,3]")]),
+    ("list-1000", "list-any", lists(f"[{'1,' * 999}1]", "any", "--lower 1"), "expected 'lists ", []),
+    ("period-1000", "period-twice", lists(f"[{'1,' * 499}1];[1,1]", "period=0,1", "--lower 1"), "expected 'lists ", []),
     ("period-other", "period", lists(FOUR_SPLINE, "period=1,0", "--lower 2 --upper 5/2"), "expected 'lists ", []),
     ("period-high", "period", lists(FOUR_SPLINE, "period=0,1", "--lower 13/5"), "does not prove the claim", []),
     ("period-low", "period", lists(FOUR_SPLINE, "period=0,1", "--lower 2 --upper 12/5"), "does not prove the claim", []),

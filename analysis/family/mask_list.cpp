@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 namespace subcert {
 namespace {
@@ -27,6 +28,47 @@ void require_list(const MaskList& list) {
   require(std::ranges::all_of(list.period, is_mask) &&
               std::ranges::all_of(list.follows, [&](const auto& p) { return is_mask(p.first) && is_mask(p.second); }),
           "levels: need numbers of masks below {}", list.masks.size());
+}
+
+/// Of each mask the first one that is equal and that the same sequences may follow: the coarsest partition in which
+/// equal masks of one part have successors in the same parts.
+std::vector<std::size_t> representatives(const MaskList& list) {
+  std::vector<std::size_t> part(list.masks.size(), 0);
+  for (std::size_t parts = 0; true;) {
+    std::vector<std::set<std::size_t>> next(part.size());
+    for (const auto& [before, after] : list.follows) next[before].insert(part[after]);
+    std::vector<std::size_t> finer(part.size());
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      std::size_t j = 0;
+      while (part[j] != part[i] || next[j] != next[i] || list.masks[j].symbol() != list.masks[i].symbol()) ++j;
+      finer[i] = j;
+      found += j == i;
+    }
+    part = std::move(finer);
+    if (found == parts) return part;
+    parts = found;
+  }
+}
+
+/// The same sequences of masks, along a graph without twins; in any order where each mask may follow each. `kept`: the
+/// numbers that its masks have in the list.
+MaskList without_twins(const MaskList& list, std::vector<std::size_t>& kept) {
+  const std::vector<std::size_t> first = representatives(list);
+  MaskList result{{}, {}, {}, list.most_rules};
+  std::vector<std::size_t> number(first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == i) {
+      number[i] = kept.size();
+      kept.push_back(i);
+      result.masks.push_back(list.masks[i]);
+    }
+    number[i] = number[first[i]];
+  }
+  std::set<std::pair<std::size_t, std::size_t>> follows;
+  for (const auto& [before, after] : list.follows) follows.insert({number[before], number[after]});
+  if (follows.size() < kept.size() * kept.size()) result.follows.assign(follows.begin(), follows.end());
+  return result;
 }
 
 /// L levels as one; nothing where that has too many classes.
@@ -83,7 +125,9 @@ std::vector<std::size_t> masks_of(std::vector<int> word, const std::vector<int>&
 
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   require_list(list);
-  std::vector<Mask> masks = list.masks;
+  std::vector<std::size_t> kept;
+  const MaskList single = list.period.empty() ? without_twins(list, kept) : list;
+  std::vector<Mask> masks = single.masks;
   if (!list.period.empty()) {
     const std::optional<Mask> one = in_one(list.masks, list.period);
     require(one.has_value(), "levels: need a period with arity^length up to {}, got a length of {}", most_classes,
@@ -94,8 +138,8 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   const int common = common_sum_rules(masks, list.most_rules);
   ExponentOfList result{common, {}, {}, {}, {}, matrices_of(masks, common), {}};
   std::vector<int> letters;
-  if (!list.follows.empty()) {
-    LiftedFamily lift = lifted(result.family, backwards(list, arity));
+  if (!single.follows.empty()) {
+    LiftedFamily lift = lifted(result.family, backwards(single, arity));
     result.family = std::move(lift.family);
     letters = std::move(lift.letters);
   }
@@ -107,7 +151,10 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   };
   const Rational lower = *exponent_from(*result.radius.radius.upper).lower;
   if (lower > 0) result.exponent.lower = lower;
-  result.sequence = list.period.empty() ? masks_of(result.radius.product.word, letters, arity) : list.period;
+  result.sequence = list.period;
+  if (list.period.empty())
+    for (const std::size_t mask : masks_of(result.radius.product.word, letters, arity))
+      result.sequence.push_back(kept[mask]);
   const auto leading = in_one(list.masks, result.sequence);
   result.stable = leading ? has_stable_shifts(*leading)
                           : Decision{Truth::unknown, "the sequence is too long for a look at its shifts"};

@@ -33,8 +33,8 @@ struct ExponentOfList {
 /// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum
 /// rules, on one window, along the successions: all limits have exponents of at least m - log_a r, and those of the
 /// sequence of the leading product have no larger one where their shifts are stable. Masks in a period are one mask of
-/// arity a^L. Domain: canonical; a^L at most 64. Errors: throws Error. Cost: a joint spectral radius. Ref:
-/// docs/levels.md.
+/// arity a^L; equal masks that the same sequences may follow are one mask. Domain: canonical; a^L at most 64. Errors:
+/// throws Error. Cost: a joint spectral radius. Ref: docs/levels.md.
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget);
 
 }  // namespace subcert

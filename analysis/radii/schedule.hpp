@@ -5,6 +5,8 @@
 
 namespace subcert::schedule {
 
+inline constexpr double grace_of_norms = 0.2;  ///< seconds, for norms of products: norm_of_products.cpp
+
 /// A family: joint_spectral_radius.cpp.
 namespace family {
 inline constexpr double triangular_form = 0.2;

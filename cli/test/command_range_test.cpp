@@ -162,7 +162,7 @@ TEST_CASE("range, curve and map: parameters with names of several letters") {
   CHECK(run("verify " + bundle).code == 0);
   CHECK(run("verify " + bundle + "/01-proved.cert --claim 'four-point:omega for omega=1/16..1/8 <= C1'").code == 1);
   std::filesystem::remove_all(bundle);
-  CHECK(contains(run("curve four-point:mu --over mu=1/16..1/8").out, " <= mu <= 1/8: exponent"));
+  CHECK(contains(run("curve four-point:mu --over mu=1/16..1/8 --pieces 4").out, " <= mu <= 1/8: exponent"));
   const Run map = run(
       "map '[tau,0,-mu-3tau,0,1/2+mu+2tau,1,1/2+mu+2tau,0,-mu-3tau,0,tau]' --over μ=0..1/8 "
       "--over tau=-1/64..1/64 --property convergent --resolution 2");

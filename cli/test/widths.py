@@ -17,7 +17,8 @@ WIDTH = 100
 # what is read by programs: a script for a shell, and claims, one a line, to be asked again
 NOT_FOR_PEOPLE = {"completion", "verify"}
 # examples that compute for minutes
-SHORTER = {"--n 1..40 --d 1,3,5": "--n 1..3 --d 1", "--plot map.svg": "--resolution 2", "fig5 --seed 7": "fig5 --runs 5"}
+SHORTER = {"--n 1..40 --d 1,3,5": "--n 1..3 --d 1", "--plot map.svg": "--resolution 2", "fig5 --seed 7": "fig5 --runs 5",
+           "--plot curve.svg": "--pieces 8", "primal:n=1..20,d={1,3}": "primal:n=1..3,d={1,3}"}
 MORE = [
     "range 'mask:[mu,1/3,2/3,1-2mu,2/3,1/3,mu],arity=3' --over mu=-1..1 --property C1",
     "range corner-cutting:w --over w=0..1 --property convergent",
@@ -25,7 +26,7 @@ MORE = [
     "statements check mustafa-bari-2016", "statements check dyn-2015/conjecture-7-slope", "statements list",
     "theorem list", "theorem limit-constants --d 1", "analyze loop", "analyze ghm", "analyze l1:points=6,d=1",
     "levels four-point:w --over w=1/32..1/8 --property C1 --boxes 2",
-    "regularity primal:n=20", "regularity butterfly:w=1/16", "compare chaikin dd:n=2 dd:n=3 dual:n=3",
+    "regularity primal:n=14", "regularity butterfly:w=1/16", "compare chaikin dd:n=2 dd:n=3 dual:n=3",
     "reproduce dyn-2015 --only table3", "conjecture 8 --n 1..2 --d 1",
 ]
 FILES = {

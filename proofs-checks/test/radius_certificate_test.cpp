@@ -478,6 +478,23 @@ TEST_CASE("near a bound the work ends with what is proved") {
   const JointSpectralRadius bounded = joint_spectral_radius(large, {Deadline::in(0.5)});
   CHECK(*bounded.radius.lower <= *bounded.radius.upper);
   CHECK(joint_spectral_radius(large, {Deadline::in(0)}).radius.upper.has_value());
+  // Norms of products are the same in any time.
+  for (const std::size_t size : {1, 3, 12, 48}) {
+    std::vector<RationalMatrix> family(2, RationalMatrix(size, size));
+    for (RationalMatrix& m : family)
+      for (std::size_t i = 0; i < size * size; ++i)
+        m(i / size, i % size) = Rational(random.integer(-9, 9), random.integer(1, 9));
+    const NormProof at_once = norm_of_products(family, {Deadline::in(0)}), in_time = norm_of_products(family, {});
+    CHECK(at_once.level == in_time.level);
+    CHECK(at_once.norm == in_time.norm);
+    Rational longest = 0;
+    for (int number = 0; number < 1 << in_time.level; ++number) {
+      std::vector<int> word;
+      for (int k = 0; k < in_time.level; ++k) word.push_back(number >> k & 1);
+      longest = std::max(longest, one_norm(MatrixFamily(family).product(word)));
+    }
+    CHECK(in_time.norm == longest);
+  }
   // Memory: products of one length only, and no polytope.
   CHECK(norm_of_products(large, {Deadline(), std::size_t{1} << 16}).level == 1);
   const MatrixFamily four_point{matrix_of(2, {"-1", "0", "-1", "4"}), matrix_of(2, {"4", "-1", "0", "-1"})};

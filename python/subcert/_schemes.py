@@ -62,7 +62,7 @@ class Symbol:
         """The same for sympy; `z`: the symbol to use, named z where none is given."""
         import sympy
 
-        z = sympy.Symbol("z") if z is None else z  # type: ignore[no-untyped-call]
+        z = sympy.Symbol("z") if z is None else z
         return sum(
             (
                 sympy.Rational(c.numerator, c.denominator) * z ** (self.lowest + k)

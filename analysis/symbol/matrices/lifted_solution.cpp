@@ -13,22 +13,11 @@ constexpr mp_limb_t first_prime_above = mp_limb_t{1} << 62;
 constexpr int first_attempt = 8;        // steps
 constexpr double attempt_factor = 1.4;  // of the steps between attempts
 
-class Integers {
- public:
-  Integers(slong rows, slong columns) { fmpz_mat_init(value_, rows, columns); }
-  Integers(const Integers&) = delete;
-  Integers& operator=(const Integers&) = delete;
-  ~Integers() { fmpz_mat_clear(value_); }
-  fmpz_mat_struct* get() { return value_; }
-  fmpz* entry(slong i, slong j = 0) { return fmpz_mat_entry(value_, i, j); }
-
- private:
-  fmpz_mat_t value_;
-};
-
 class Residues {
  public:
-  Residues(slong rows, slong columns, mp_limb_t prime) { nmod_mat_init(value_, rows, columns, prime); }
+  Residues(std::size_t rows, std::size_t columns, mp_limb_t prime) {
+    nmod_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns), prime);
+  }
   Residues(const Residues&) = delete;
   Residues& operator=(const Residues&) = delete;
   ~Residues() { nmod_mat_clear(value_); }
@@ -42,14 +31,12 @@ class Residues {
 class Lifting {
  public:
   Lifting(const RationalMatrix& a, const std::vector<Rational>& b)
-      : size_(static_cast<slong>(a.rows())), a_(size_, size_), b_(size_, 1), x_(size_, 1) {
-    for (slong i = 0; i < size_; ++i) {
-      const auto row = static_cast<std::size_t>(i);
-      Integer common = denominator(b[row]);
-      for (std::size_t j = 0; j < a.columns(); ++j) common = lcm(common, denominator(a(row, j)));
-      flint::set(b_.entry(i), numerator(b[row] * Rational(common)));
-      for (slong j = 0; j < size_; ++j)
-        flint::set(a_.entry(i, j), numerator(a(row, static_cast<std::size_t>(j)) * Rational(common)));
+      : size_(a.rows()), a_(size_, size_), b_(size_, 1), x_(size_, 1) {
+    for (std::size_t i = 0; i < size_; ++i) {
+      Integer common = denominator(b[i]);
+      for (std::size_t j = 0; j < size_; ++j) common = lcm(common, denominator(a(i, j)));
+      flint::set(b_.entry(i), numerator(b[i] * Rational(common)));
+      for (std::size_t j = 0; j < size_; ++j) flint::set(a_.entry(i, j), numerator(a(i, j) * Rational(common)));
     }
   }
 
@@ -68,7 +55,7 @@ class Lifting {
  private:
   /// x modulo ever higher powers of the prime.
   std::optional<std::vector<Rational>> lift(Residues& inverse, mp_limb_t prime, const Deadline& deadline) {
-    Integers rest(size_, 1), digits(size_, 1), image(size_, 1);
+    flint::WholeMatrix rest(size_, 1), digits(size_, 1), image(size_, 1);
     Residues rest_modulo(size_, 1, prime), digits_modulo(size_, 1, prime);
     fmpz_mat_set(rest.get(), b_.get());
     fmpz_one(modulus_.get());
@@ -81,7 +68,7 @@ class Lifting {
       fmpz_mul_ui(modulus_.get(), modulus_.get(), prime);
       fmpz_mat_mul(image.get(), a_.get(), digits.get());
       fmpz_mat_sub(rest.get(), rest.get(), image.get());
-      for (slong i = 0; i < size_; ++i) fmpz_divexact_ui(rest.entry(i), rest.entry(i), prime);
+      for (std::size_t i = 0; i < size_; ++i) fmpz_divexact_ui(rest.entry(i), rest.entry(i), prime);
       if (step < attempt) continue;
       attempt *= attempt_factor;
       if (auto solution = read_off(deadline)) return solution;
@@ -91,17 +78,17 @@ class Lifting {
 
   /// The fractions of which x are the residues, over one denominator, where they are a solution.
   std::optional<std::vector<Rational>> read_off(const Deadline& deadline) {
-    Integers numerators(size_, 1), image(size_, 1), right(size_, 1);
+    flint::WholeMatrix numerators(size_, 1), image(size_, 1), right(size_, 1);
     flint::Whole common, factor, residue;
     fmpz_one(common.get());
-    for (slong i = 0; i < size_; ++i) {
+    for (std::size_t i = 0; i < size_; ++i) {
       if (deadline.expired()) return std::nullopt;
       fmpz_mul(residue.get(), x_.entry(i), common.get());
       fmpz_mod(residue.get(), residue.get(), modulus_.get());
       if (!_fmpq_reconstruct_fmpz(numerators.entry(i), factor.get(), residue.get(), modulus_.get()))
         return std::nullopt;
       fmpz_mul(common.get(), common.get(), factor.get());
-      for (slong k = 0; k < i && !fmpz_is_one(factor.get()); ++k)
+      for (std::size_t k = 0; k < i && !fmpz_is_one(factor.get()); ++k)
         fmpz_mul(numerators.entry(k), numerators.entry(k), factor.get());
     }
     fmpz_mat_mul(image.get(), a_.get(), numerators.get());
@@ -109,12 +96,12 @@ class Lifting {
     if (!fmpz_mat_equal(image.get(), right.get())) return std::nullopt;
     std::vector<Rational> result;
     const Integer below = flint::to_integer(common.get());
-    for (slong i = 0; i < size_; ++i) result.emplace_back(flint::to_integer(numerators.entry(i)), below);
+    for (std::size_t i = 0; i < size_; ++i) result.emplace_back(flint::to_integer(numerators.entry(i)), below);
     return result;
   }
 
-  slong size_;
-  Integers a_, b_, x_;
+  std::size_t size_;
+  flint::WholeMatrix a_, b_, x_;
   flint::Whole modulus_;
 };
 

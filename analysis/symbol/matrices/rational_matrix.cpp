@@ -57,27 +57,10 @@ std::string shape(const RationalMatrix& m) { return fmt::format("{} x {}", m.row
 /// Bits of the coefficients times squared size up to which a characteristic polynomial needs no interruption.
 constexpr double quick_work = 1e7;
 
-class IntegerMatrix {
- public:
-  IntegerMatrix(std::size_t rows, std::size_t columns) {
-    fmpz_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
-  }
-  IntegerMatrix(const IntegerMatrix&) = delete;
-  IntegerMatrix& operator=(const IntegerMatrix&) = delete;
-  ~IntegerMatrix() { fmpz_mat_clear(value_); }
-  fmpz_mat_struct* get() { return value_; }
-  fmpz* entry(std::size_t i, std::size_t j) {
-    return fmpz_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
-  }
-
- private:
-  fmpz_mat_t value_;
-};
-
 /// The characteristic polynomial of an integer matrix modulo one prime.
 class ModularCharacteristic {
  public:
-  ModularCharacteristic(IntegerMatrix& matrix, ulong prime) {
+  ModularCharacteristic(flint::WholeMatrix& matrix, ulong prime) {
     nmod_mat_t reduced;
     nmod_mat_init(reduced, matrix.get()->r, matrix.get()->c, prime);
     fmpz_mat_get_nmod_mat(reduced, matrix.get());
@@ -96,7 +79,7 @@ class ModularCharacteristic {
 
 /// Bits that hold every coefficient of the characteristic polynomial, and its sign: each is a sum of minors, at most
 /// binomial(n, k) <= 2^n of them, each at most a product of norms of rows.
-slong bits_of_characteristic(IntegerMatrix& matrix) {
+slong bits_of_characteristic(flint::WholeMatrix& matrix) {
   const slong n = matrix.get()->r;
   slong bits = n + 2;
   for (slong i = 0; i < n; ++i) {
@@ -279,7 +262,7 @@ std::optional<LaurentPolynomial> characteristic_polynomial(const RationalMatrix&
   require(n == matrix.columns(), "characteristic_polynomial: need a square matrix, got {}", shape(matrix));
   const Integer common = common_denominator(matrix);
   const std::vector<Integer> entries = integer_multiple(matrix, common);
-  IntegerMatrix integers(n, n);
+  flint::WholeMatrix integers(n, n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) flint::set(integers.entry(i, j), entries[i * n + j]);
   slong bits = bits_of_characteristic(integers);
@@ -345,12 +328,12 @@ RationalMatrix solve(const RationalMatrix& a, const RationalMatrix& b) {
 
 namespace {
 
-void fill(IntegerMatrix& matrix, const std::vector<std::vector<Integer>>& rows) {
+void fill(flint::WholeMatrix& matrix, const std::vector<std::vector<Integer>>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows[i].size(); ++j) flint::set(matrix.entry(i, j), rows[i][j]);
 }
 
-std::vector<std::vector<Integer>> first_rows(IntegerMatrix& matrix, std::size_t count) {
+std::vector<std::vector<Integer>> first_rows(flint::WholeMatrix& matrix, std::size_t count) {
   std::vector<std::vector<Integer>> result(count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = 0; j < static_cast<std::size_t>(matrix.get()->c); ++j)
@@ -361,7 +344,7 @@ std::vector<std::vector<Integer>> first_rows(IntegerMatrix& matrix, std::size_t 
 }  // namespace
 
 std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<Integer>>& rows) {
-  IntegerMatrix lattice(rows.size(), rows.front().size());
+  flint::WholeMatrix lattice(rows.size(), rows.front().size());
   fill(lattice, rows);
   fmpz_lll_t context;
   fmpz_lll_context_init_default(context);
@@ -370,7 +353,7 @@ std::vector<std::vector<Integer>> reduced_lattice(const std::vector<std::vector<
 }
 
 std::vector<std::vector<Integer>> lattice_basis(const std::vector<std::vector<Integer>>& rows) {
-  IntegerMatrix lattice(rows.size(), rows.front().size());
+  flint::WholeMatrix lattice(rows.size(), rows.front().size());
   fill(lattice, rows);
   const auto rank = static_cast<std::size_t>(fmpz_mat_rank(lattice.get()));
   fmpz_mat_hnf(lattice.get(), lattice.get());

@@ -73,6 +73,29 @@ class Quotient {
   fmpq_t value_;
 };
 
+/// Of integers, row by row.
+class WholeMatrix {
+ public:
+  WholeMatrix(std::size_t rows, std::size_t columns) {
+    fmpz_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
+  }
+  WholeMatrix(const WholeMatrix&) = delete;
+  WholeMatrix(WholeMatrix&& other) noexcept : WholeMatrix(0, 0) { fmpz_mat_swap(value_, other.value_); }
+  WholeMatrix& operator=(WholeMatrix other) noexcept {
+    fmpz_mat_swap(value_, other.value_);
+    return *this;
+  }
+  ~WholeMatrix() { fmpz_mat_clear(value_); }
+  fmpz_mat_struct* get() { return value_; }
+  const fmpz_mat_struct* get() const { return value_; }
+  fmpz* entry(std::size_t i, std::size_t j = 0) {
+    return fmpz_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
+  }
+
+ private:
+  fmpz_mat_t value_;
+};
+
 /// The exact value of a finite binary float.
 Rational to_rational(const arf_t value);
 

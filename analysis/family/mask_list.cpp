@@ -126,7 +126,7 @@ std::vector<std::size_t> masks_of(std::vector<int> word, const std::vector<int>&
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   require_list(list);
   std::vector<std::size_t> kept;
-  const MaskList single = list.period.empty() ? without_twins(list, kept) : list;
+  MaskList single = list.period.empty() ? without_twins(list, kept) : list;
   std::vector<Mask> masks = single.masks;
   if (!list.period.empty()) {
     const std::optional<Mask> one = in_one(list.masks, list.period);
@@ -136,13 +136,14 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   }
   const auto arity = static_cast<std::size_t>(masks.front().arity());
   const int common = common_sum_rules(masks, list.most_rules);
-  ExponentOfList result{common, {}, {}, {}, {}, matrices_of(masks, common), {}};
+  ExponentOfList result{common, {}, {}, {}, {}, matrices_of(masks, common), {}, {}};
   std::vector<int> letters;
   if (!single.follows.empty()) {
     LiftedFamily lift = lifted(result.family, backwards(single, arity));
     result.family = std::move(lift.family);
     letters = std::move(lift.letters);
   }
+  result.list = std::move(single);
   result.radius = joint_spectral_radius(result.family, budget);
   const Rational rules(result.sum_rules);
   const auto exponent_from = [&](const Rational& radius) {

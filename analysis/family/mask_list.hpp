@@ -28,6 +28,7 @@ struct ExponentOfList {
   std::vector<std::size_t> sequence;  ///< the masks of the leading product, again and again
   MatrixFamily family;                ///< whose radius it is from
   JointSpectralRadius radius;
+  MaskList list;  ///< whose matrices these are: the same sequences, with equal masks as one
 };
 
 /// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum

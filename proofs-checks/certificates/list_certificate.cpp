@@ -28,9 +28,9 @@ ListSubject subject_of(const MaskList& list) {
   return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
 }
 
-Certificate of_all(const MaskList& list, const ExponentOfList& found, const Rational& lower) {
+Certificate of_all(const ExponentOfList& found, const Rational& lower) {
   const ClaimedEnds ends{outward(lower, Rounding::down), {}};
-  Certificate certificate{{ends, subject_of(list)}, {}, ends};
+  Certificate certificate{{ends, subject_of(found.list)}, {}, ends};
   certificate.sections.push_back({fmt::format("sum-rules {}\n{}", found.sum_rules, blocks_text(found.radius))});
   add_sections(certificate, found.radius.proof, found.family.count());
   return certificate;
@@ -52,7 +52,7 @@ std::vector<Certificate> list_certificates(const MaskList& list, const ExponentO
   std::vector<Certificate> result;
   const Rational lower = found.sum_rules - *log_ratio(upper_end(found.radius, {}), list.masks.front().arity()).upper;
   if (lower <= 0) return result;
-  if (list.period.empty()) result.push_back(of_all(list, found, lower));
+  if (list.period.empty()) result.push_back(of_all(found, lower));
   if (found.exponent.upper || !list.period.empty()) result.push_back(of_sequence(list, found.sequence, budget));
   return result;
 }

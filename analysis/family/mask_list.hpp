@@ -19,6 +19,9 @@ struct MaskList {
   std::optional<int> most_rules = {};                             ///< of which use is made
 };
 
+/// Whether some sequence goes on for ever.
+bool has_sequence(const MaskList& list);
+
 /// The least exponent of all sequences.
 struct ExponentOfList {
   int sum_rules = 0;                  ///< that all masks have, and of which use is made

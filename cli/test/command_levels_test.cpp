@@ -147,6 +147,9 @@ TEST_CASE("levels: lists of masks") {
   refused("masks = [\"dd:n=2\"]\nperiod = [0]\nfollows = [[0, 0]]\n",
           "3, column 11: 'follows' beside 'period'; expected one of them");
   refused("masks = [\"dd:n=2\"]\norder = 1\n", "2, column 1: unknown key 'order'; expected masks, period or follows");
+  refused(masks + "follows = [[1, 0]]\n",
+          "2, column 11: no sequence of masks goes on for ever; expected pairs that come round again");
+  CHECK(run("levels lists:" + folder.write("end.toml", masks + "follows = [[1, 0], [0, 0]]")).code == 0);
   CHECK(run("levels lists:" + folder.write("loop.toml", "masks = [\"loop\"]")).code == 65);
   refused("masks = [\"daubechies:n=5\"]\n",
           "1, column 10: expected a scheme of one variable with exact coefficients, got daubechies:n=5");

@@ -27,6 +27,15 @@ Json certificate_json(const WrittenCertificate& written) {
           {"logarithm", optional_json(claim.logarithm)}};
 }
 
+/// What is proved of a vector scheme itself; empty of other claims.
+std::string of_scheme_text(const CertificateClaim& claim) {
+  const auto* mask = std::get_if<MaskSubject>(&claim.subject);
+  if (!mask || mask->of_matrices.empty() || !mask->range.empty()) return "";
+  const bool hermite = mask->of_matrices == "hermite";
+  if (claim.lower) return hermite ? "that the scheme is HC^" + *claim.lower : "that the scheme converges";
+  return hermite ? "that the scheme is not HC^" + *claim.upper : "that the scheme does not converge";
+}
+
 }  // namespace
 
 void WriteFailure::raise() const {
@@ -36,9 +45,11 @@ void WriteFailure::raise() const {
 std::string WrittenCertificate::text(bool attained) const {
   if (file.empty()) return "";
   if (!claim) return facts::wrapped("certificate  not written: " + reason, 13) + "\n";
+  const std::string of_scheme = of_scheme_text(*claim);
   const std::string line = fmt::format(
       "certificate  {}, verified: {}", file,
-      claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
+      !of_scheme.empty() ? of_scheme
+      : claim->logarithm ? "the bounds, that the product attains the radius, and the modulus of continuity"
       : claim->exact || claim->attains ? "the bounds, and that the product attains the radius"
       : attained && claim->lower != claim->upper
           ? "the bounds, but not that the product attains the radius" + (reason.empty() ? "" : ": " + reason)
@@ -46,10 +57,10 @@ std::string WrittenCertificate::text(bool attained) const {
   return facts::wrapped(line, 13) + "\n";
 }
 
-void WrittenCertificate::add_to(Json& json) const {
+void WrittenCertificate::add_to(Json& json, const std::string& name) const {
   if (file.empty()) return;
-  json["certificate"] = claim ? certificate_json(*this) : Json();
-  if (!claim || (!reason.empty() && claim->lower != claim->upper)) json["certificate_reason"] = reason;
+  json[name] = claim ? certificate_json(*this) : Json();
+  if (!claim || (!reason.empty() && claim->lower != claim->upper)) json[name + "_reason"] = reason;
 }
 
 WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
@@ -70,6 +81,14 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
     const bool unwritable = error.kind() == ErrorKind::missing_file;
     return {file, std::nullopt, reason_text(error), {unwritable ? std::optional(error) : std::nullopt}};
   }
+}
+
+WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget) {
+  return write_certificate(file, [&] {
+    require(scheme.form && !scheme.quadratic, "certificate: need a scheme of rational matrices, got {}",
+            scheme.specification);
+    return vector_scheme_certificate(scheme.mask, scheme.form == VectorForm::hermite, budget);
+  });
 }
 
 void require_place(const std::string& file) {

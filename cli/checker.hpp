@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/checker_client.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <functional>
 #include <optional>
@@ -32,9 +33,9 @@ struct WrittenCertificate {
 
   /// The line of a page; empty where none was asked for. `attained`: the page says that a product attains the radius.
   std::string text(bool attained) const;
-  /// Adds `certificate`: what it proves, its file, its id and that it was verified; null where none was written, and
-  /// then, or where it says less, `certificate_reason`.
-  void add_to(Json& json) const;
+  /// Adds `certificate`, or what has this name: what it proves, its file, its id and that it was verified; null where
+  /// none was written, and then, or where it says less, `certificate_reason`.
+  void add_to(Json& json, const std::string& name = "certificate") const;
 };
 
 /// Makes a certificate and writes what verified() accepts of it, and the matrices as FILE.matrices. Whatever stands in
@@ -42,6 +43,9 @@ struct WrittenCertificate {
 /// made where `file` is empty.
 WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
                                      const std::string& matrices = {});
+
+/// The same for vector_scheme_certificate() of the scheme.
+WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget);
 
 /// Before the work: whether a certificate can be written there. Errors: throws missing_file where the folder is none.
 void require_place(const std::string& file);

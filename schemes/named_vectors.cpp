@@ -110,22 +110,6 @@ Family named(const std::string& name, const std::string& meaning, LatticeMask (*
           }};
 }
 
-/// Functions whose matrices have the square root of a number in them.
-Scheme quadratic_scheme(const std::string& name, const std::string& title, const QuadraticMask& mask) {
-  constexpr long bits = 256;
-  Rational largest = 0;
-  for (const LatticeMask::Term& term : mask.doubled.terms())
-    if (term.row >= mask.components() && term.column < mask.components())
-      largest = std::max(largest, abs(term.coefficient));
-  return {name,
-          title,
-          mask.at(rounded_root(mask.root, bits)),
-          {},
-          MaskRounding{largest * power(Rational(2), -bits), 0},
-          VectorForm::refinable,
-          mask};
-}
-
 /// A family `name:NUMBER`.
 Family numbered(const std::string& name, const std::string& meaning, long first, long last,
                 const std::function<Scheme(int number)>& make) {
@@ -151,19 +135,20 @@ const std::vector<Family>& specification_text::named_vectors() {
                  return quadratic_scheme(fmt::format("cl:{}", n),
                                          fmt::format("orthogonal multiwavelet of Chui and Lian on [0, {}]{}", n,
                                                      n == 3 ? ", the second function times sqrt(6)" : ""),
-                                         chui_lian_mask(n));
+                                         VectorForm::refinable, chui_lian_mask(n));
                }),
       numbered(
           "bat", "balanced orthogonal multiwavelets of Lebrun and Vetterli, of orders 1, 2, 3: bat:1 to bat:3", 1, 3,
           [](int n) {
             return quadratic_scheme(fmt::format("bat:{}", n),
                                     fmt::format("balanced orthogonal multiwavelet of Lebrun and Vetterli, order {}", n),
-                                    balanced_mask(n));
+                                    VectorForm::refinable, balanced_mask(n));
           }),
       {{"sa4", "sa4", "symmetric and antisymmetric orthogonal multiwavelet of Shen, Tan and Tham on [0, 3]"},
        [](const Piece&, const Piece& body, const std::string& usage) {
          if (!body.text.empty()) fail(body, "nothing after " + usage);
-         return quadratic_scheme(usage, "orthogonal multiwavelet of Shen, Tan and Tham", shen_tan_tham_mask());
+         return quadratic_scheme(usage, "orthogonal multiwavelet of Shen, Tan and Tham", VectorForm::refinable,
+                                 shen_tan_tham_mask());
        }},
       {{"tensor", "tensor:(ghm)x(bspline:degree=1)", "tensor product of vectors of functions, or of these and schemes"},
        make_vector_tensor}};

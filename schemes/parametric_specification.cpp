@@ -456,6 +456,7 @@ bool has_parameter(std::string_view text) {
   const std::string specification = typed_out(specification_as_written(text));
   const Piece family = family_of(specification), body = body_of(specification);
   if (body.text.find(",where=") != std::string_view::npos) return false;
+  if (form_of(family.text) && body.text.find("sqrt(") != std::string_view::npos) return false;
   if (has_letters(family.text)) return !names_inside(family, body).empty();
   return is_name(body.text) && classical_family(family.text) != nullptr;
 }

@@ -42,6 +42,8 @@ struct Scheme {
   std::optional<VectorForm> form = std::nullopt;        ///< of a mask of matrices, always
   /// What is meant where `mask` is one of matrices and rounded.
   std::optional<QuadraticMask> quadratic = std::nullopt;
+  /// Of a mask of matrices: the integral of the functions that are meant, where the equation has several solutions.
+  std::optional<std::vector<Rational>> integral = std::nullopt;
 };
 
 /// A data-dependent scheme of one to three variables. It has no mask and only acts on data.

@@ -256,6 +256,10 @@ std::size_t read_components(const text::MaskTextOf<Number>& parts, const Piece& 
 std::optional<VectorForm> form_of(std::string_view family);
 std::string name_of(VectorForm form);
 
+/// Functions whose matrices have the square root of a number in them.
+Scheme quadratic_scheme(const std::string& specification, const std::string& title, VectorForm form,
+                        const QuadraticMask& mask);
+
 struct MaskAndFields {
   text::MaskText mask;
   Fields fields;

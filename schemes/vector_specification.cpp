@@ -3,6 +3,7 @@
 #include "specification_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -19,6 +20,59 @@ LatticeMask transposed(const LatticeMask& mask) {
   return matrix_mask(terms, mask.components(), mask.dilation());
 }
 
+/// The key integral, one number for each component.
+std::optional<std::vector<Rational>> read_integral(Fields& fields, std::size_t components) {
+  const auto piece = fields.optional("integral");
+  if (!piece) return std::nullopt;
+  std::vector<Rational> result;
+  for (const Piece& number : read_list(*piece, ',')) result.push_back(read_rational(number));
+  if (result.size() != components || std::ranges::all_of(result, [](const Rational& x) { return x == 0; }))
+    fail(*piece, fmt::format("{} numbers in brackets, not all 0, the integrals of the functions", components));
+  return result;
+}
+
+std::string integral_text(const std::vector<Rational>& integral) {
+  std::vector<std::string> numbers;
+  for (const Rational& number : integral) numbers.push_back(to_text(number));
+  return fmt::format(",integral=[{}]", fmt::join(numbers, ","));
+}
+
+std::string title_of(VectorForm form) {
+  return form == VectorForm::refinable ? "function vector given by its matrices"
+         : form == VectorForm::vector  ? "vector scheme given by its matrices"
+                                       : "Hermite scheme given by its matrices";
+}
+
+/// The entries but for their roots, or what these are multiplied by.
+text::MaskText part_of(const text::MaskTextOf<QuadraticNumber>& parts, Rational QuadraticNumber::*part) {
+  text::MaskText result{{}, parts.sizes, parts.first};
+  for (const QuadraticNumber& number : parts.coefficients) result.coefficients.push_back(number.*part);
+  return result;
+}
+
+/// With entries in which one square root stands.
+Scheme with_root(VectorForm form, const Piece& mask, const text::MaskTextOf<QuadraticNumber>& parts, long root,
+                 std::size_t components, const Dilation& dilation) {
+  if (form == VectorForm::hermite) fail(mask, "rational numbers, as the matrices are of a Hermite scheme");
+  std::vector<QuadraticTerm> terms;
+  for (const bool is_root : {false, true})
+    for (LatticeMask::Term term :
+         terms_of(part_of(parts, is_root ? &QuadraticNumber::multiple : &QuadraticNumber::rational),
+                  text::Entries::matrices)) {
+      if (form == VectorForm::vector) std::swap(term.row, term.column);
+      terms.push_back({term.exponents, term.row, term.column, is_root ? Rational(0) : term.coefficient,
+                       is_root ? term.coefficient : Rational(0)});
+    }
+  text::MaskTextOf<QuadraticNumber> printed = parts;
+  if (!printed.first) {
+    printed.first.emplace();
+    for (std::size_t v = 2; v < parts.sizes.size(); ++v)
+      printed.first->push_back(-static_cast<long>(parts.sizes[v] / 2));
+  }
+  return quadratic_scheme(name_of(form) + ":" + text::print_mask_text(printed) + fields_text(dilation), title_of(form),
+                          form, quadratic_mask(terms, components, root, dilation));
+}
+
 /// Lists that are nested as deep as the text begins, the innermost two being matrices.
 Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, const std::string& usage) {
   const std::size_t depth = std::min(body.text.find_first_not_of("[ "), body.text.size());
@@ -29,19 +83,24 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
     fail(body, lists + (form == VectorForm::hermite ? ", of one variable" : ", of one to three variables"));
   const int variables = static_cast<int>(nesting) - 2;
   auto [mask, fields] = split_mask(family, body, usage, variables, max_entries);
-  const text::MaskText parts = placed(
-      mask, [&mask = mask, variables] { return text::parse_mask_text(mask.text, variables, text::Entries::matrices); });
+  const auto parts = placed(
+      mask, [&mask = mask, variables] { return text::parse_quadratic_mask_text(mask.text, variables); });
   const std::size_t components = read_components(parts, mask);
   const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(variables));
+  const auto integral = read_integral(fields, components);
   fields.finish();
-  const LatticeMask given = checked(mask, [&parts = parts, &dilation, components] {
-    return matrix_mask(terms_of(parts, text::Entries::matrices), components, dilation);
+  const auto root = std::ranges::max_element(parts.coefficients, {}, &QuadraticNumber::root);
+  Scheme scheme = checked(mask, [&, &mask = mask] {
+    if (root->root > 0) return with_root(form, mask, parts, root->root, components, dilation);
+    const LatticeMask given = matrix_mask(terms_of(part_of(parts, &QuadraticNumber::rational), text::Entries::matrices),
+                                          components, dilation);
+    return vector_scheme(form, title_of(form), form == VectorForm::refinable ? given : transposed(given));
   });
-  return vector_scheme(form,
-                       std::string(form == VectorForm::refinable ? "function vector given by its matrices"
-                                   : form == VectorForm::vector  ? "vector scheme given by its matrices"
-                                                                 : "Hermite scheme given by its matrices"),
-                       form == VectorForm::refinable ? given : transposed(given));
+  if (!integral) return scheme;
+  scheme.specification += integral_text(*integral);
+  scheme.integral = integral;
+  if (scheme.quadratic) scheme.integral->resize(2 * components, 0);  // multiples of the root
+  return scheme;
 }
 
 Family of_matrices(VectorForm form, const std::string& meaning) {
@@ -56,7 +115,7 @@ const std::vector<Family>& vector_table() {
     std::vector<Family> list{
         of_matrices(VectorForm::refinable,
                     "the functions phi(x) = sum over k of A_k phi(2x - k), A_k matrices, rows in brackets; optional "
-                    "arity=2 or dilation=[1,1;1,-1]"),
+                    "arity=2 or dilation=[1,1;1,-1], and integral=[1,0], that of phi, where there are several"),
         of_matrices(VectorForm::vector,
                     "the scheme f'_i = sum over j of P_{i-2j} f_j on vectors, so that A_k is P_k transposed"),
         of_matrices(VectorForm::hermite,
@@ -79,6 +138,22 @@ std::optional<VectorForm> specification_text::form_of(std::string_view family) {
   for (const VectorForm form : {VectorForm::refinable, VectorForm::vector, VectorForm::hermite})
     if (name_of(form) == family) return form;
   return std::nullopt;
+}
+
+Scheme specification_text::quadratic_scheme(const std::string& specification, const std::string& title, VectorForm form,
+                                            const QuadraticMask& mask) {
+  constexpr long bits = 256;
+  Rational largest = 0;
+  for (const LatticeMask::Term& term : mask.doubled.terms())
+    if (term.row >= mask.components() && term.column < mask.components())
+      largest = std::max(largest, abs(term.coefficient));
+  return {specification,
+          title,
+          mask.at(rounded_root(mask.root, bits)),
+          {},
+          MaskRounding{largest * power(Rational(2), -bits), 0},
+          form,
+          mask};
 }
 
 std::string specification_text::name_of(VectorForm form) {

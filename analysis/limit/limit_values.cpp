@@ -1,7 +1,10 @@
 
 #include "limit_values.hpp"
 
+#include "lattice_solutions.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/symbol/matrices/lifted_solution.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/polynomials/root_modulus.hpp>
@@ -18,8 +21,8 @@ namespace {
 
 constexpr long max_integers = 1500;
 constexpr long max_values = 10'000'000;
-constexpr std::size_t most_points = 2000;  // of a lattice, inside the support
-constexpr int most_values = 1'000'000;     // in a LatticeSequence
+using limits::most_points;
+constexpr int most_values = 1'000'000;  // in a LatticeSequence
 
 /// The points of Z / scale in the closed support of phi, times scale.
 IndexRange grid_in_support(const Mask& mask, long scale) {
@@ -66,30 +69,6 @@ LatticeSequence refined(const LatticeMask& mask, LatticeSequence values, int lev
   return values;
 }
 
-LatticePoint with_component(LatticePoint point, const LatticeMask& mask, std::size_t component) {
-  if (mask.components() > 1) point.push_back(static_cast<long>(component));
-  return point;
-}
-
-/// Strictly inside the box that holds the support, component by component.
-std::vector<LatticePoint> inner_points(const LatticeMask& mask) {
-  LatticePoint low, high;
-  double count = static_cast<double>(mask.components());
-  for (const Interval& side : limit_support(mask)) {
-    low.push_back(floor_index(side.lower) + 1);
-    high.push_back(ceil_index(side.upper) - 1);
-    count *= static_cast<double>(std::max(0L, high.back() - low.back() + 1));
-  }
-  if (count == 0) return {};
-  if (count > static_cast<double>(most_points))
-    fail(ErrorKind::size, "limit_values: need at most {} values at lattice points in the support, got {}", most_points,
-         count);
-  std::vector<LatticePoint> result;
-  for (const LatticePoint& point : points_of_box(low, high))
-    for (std::size_t c = 0; c < mask.components(); ++c) result.push_back(with_component(point, mask, c));
-  return result;
-}
-
 /// C with D^orders[r] (f(M .)) = sum over c of C_{rc} (D^orders[c] f)(M .); `orders` are all of one sum.
 RationalMatrix chain_rule(const Dilation& dilation, const std::vector<LatticePoint>& orders) {
   const std::size_t variables = dilation.variables();
@@ -119,14 +98,9 @@ LaurentPolynomial annihilator_of_inverse(const RationalMatrix& matrix) {
   return p.shifted(-p.lowest());
 }
 
-/// The digit that is 0.
-std::size_t digit_zero(const Dilation& dilation) {
-  return dilation.divide(LatticePoint(dilation.variables(), 0)).digit;
-}
-
 /// v -> (sum over j of a_{Mk - j} v_j)_k on the window.
 RationalMatrix operator_of_zero(const LatticeMask& mask, const LatticeWindow& window) {
-  return transition_family(mask, window)[digit_zero(mask.dilation())];
+  return transition_family(mask, window)[limits::digit_zero(mask.dilation())];
 }
 
 LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rational>& values) {
@@ -134,15 +108,6 @@ LatticeSequence on_points(const LatticeWindow& window, const std::vector<Rationa
   for (std::size_t k = 0; k < window.size(); ++k)
     if (values[k] != 0) result.emplace(window.points()[k], values[k]);
   return result;
-}
-
-/// Times a number, so that they sum to 1, or else that the first is 1.
-LatticeSequence normalised(LatticeSequence values) {
-  Rational sum = 0;
-  for (const auto& [point, value] : values) sum += value;
-  const Rational scale = sum == 0 ? values.begin()->second : sum;
-  for (auto& [point, value] : values) value /= scale;
-  return values;
 }
 
 /// phi(k) = sum over j of a_{Mk - j} phi(j). Domain: 0 is a digit. The level is that of the values which are wanted in
@@ -155,30 +120,10 @@ LatticeSequence values_at_lattice_points(const LatticeMask& mask, int level) {
             solutions.size());
     return normalised(std::move(solutions.front()));
   }
-  const LatticeWindow window(mask, points, most_points, digit_zero(mask.dilation()));
+  const LatticeWindow window(mask, points, most_points, limits::digit_zero(mask.dilation()));
   const auto values = fixed_vector(operator_of_zero(mask, window));
   require(values.has_value(), "limit_values: need a scheme that converges, got several fixed vectors or none");
   return on_points(window, *values);
-}
-
-/// The matrix whose columns are these vectors, of which there is at least one.
-RationalMatrix from_columns(const std::vector<std::vector<Rational>>& columns) {
-  RationalMatrix result(columns.front().size(), columns.size());
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    for (std::size_t r = 0; r < result.rows(); ++r) result(r, c) = columns[c][r];
-  return result;
-}
-
-/// The component of x in the kernel of a matrix along its image; nothing where these do not span the space.
-std::optional<std::vector<Rational>> component_in_kernel(const RationalMatrix& matrix, const std::vector<Rational>& x) {
-  const auto right = kernel(matrix), left = kernel(transposed(matrix));
-  if (right.empty()) return std::nullopt;
-  const RationalMatrix basis = from_columns(right), dual = transposed(from_columns(left)), pairing = dual * basis;
-  if (!kernel(pairing).empty()) return std::nullopt;
-  const RationalMatrix combination = solve(pairing, from_columns({dual * x}));
-  std::vector<Rational> weights;
-  for (std::size_t r = 0; r < combination.rows(); ++r) weights.push_back(combination(r, 0));
-  return basis * weights;
 }
 
 /// The values at lattice points that become those of the derivative at M^-level i by refinement.
@@ -204,7 +149,7 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Lat
     condition = value_at(p, matrix);
   else
     for (std::size_t i = 0; i < condition.rows(); ++i) condition(i, i) += p.coefficient(0);
-  const auto result = component_in_kernel(condition, entries);
+  const auto result = limits::component_in_kernel(condition, entries);
   require(result.has_value(),
           "limit_values: need limits with continuous derivatives of order {}, whose values the refinement equation "
           "determines",
@@ -212,10 +157,12 @@ LatticeSequence derivatives_at_lattice_points(const LatticeMask& mask, const Lat
   return on_points(window, *result);
 }
 
-LatticeSequence values_of_whole(const LatticeMask& given, int level, const LatticePoint& orders) {
+/// Of the solution with these values at lattice points, or of the only one.
+LatticeSequence values_of_whole(const LatticeMask& given, const LatticeSequence* known, int level,
+                                const LatticePoint& orders) {
   const LatticeMask mask = given.with_dilation(Dilation(given.dilation().rows()));
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
-  LatticeSequence values = values_at_lattice_points(mask, level);
+  LatticeSequence values = known ? *known : values_at_lattice_points(mask, level);
   require(total == 0 || mask.dilation().is_isotropic(),
           "limit_values: need an isotropic dilation for derivatives, got {}", mask.dilation().to_text());
   if (total > 0) values = derivatives_at_lattice_points(mask, values, level, orders, total);
@@ -238,6 +185,16 @@ LatticeSequence product_of_values(const std::vector<Mask>& factors, int level, c
     product = std::move(next);
   }
   return product;
+}
+
+/// With an order for each variable, 0 unless given.
+LatticePoint checked_orders(const LatticeMask& mask, int level, const LatticePoint& orders) {
+  require(level >= 0, "limit_values: need level >= 0, got {}", level);
+  const auto variables = static_cast<std::size_t>(mask.dimension());
+  require(orders.empty() || orders.size() == variables, "limit_values: need an order for each of {} variables, got {}",
+          variables, orders.size());
+  for (const long order : orders) require(order >= 0, "limit_values: need orders >= 0, got {}", order);
+  return orders.empty() ? LatticePoint(variables, 0) : orders;
 }
 
 }  // namespace
@@ -295,38 +252,14 @@ std::vector<Rational> point_at(const Dilation& dilation, const LatticePoint& ind
 }
 
 LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders) {
-  require(level >= 0, "limit_values: need level >= 0, got {}", level);
-  const auto variables = static_cast<std::size_t>(mask.dimension());
-  require(orders.empty() || orders.size() == variables, "limit_values: need an order for each of {} variables, got {}",
-          variables, orders.size());
-  for (const long order : orders) require(order >= 0, "limit_values: need orders >= 0, got {}", order);
-  const LatticePoint all = orders.empty() ? LatticePoint(variables, 0) : orders;
-  return mask.has_factors() ? product_of_values(mask.factors(), level, all) : values_of_whole(mask, level, all);
+  const LatticePoint all = checked_orders(mask, level, orders);
+  return mask.has_factors() ? product_of_values(mask.factors(), level, all)
+                            : values_of_whole(mask, nullptr, level, all);
 }
 
-std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask) {
-  const std::vector<LatticePoint> points = inner_points(mask);
-  if (points.empty()) return {};
-  const std::size_t zero = digit_zero(mask.dilation());
-  std::map<LatticePoint, std::size_t> rows;  // those inside, and others to which T_0 leads from there
-  std::vector<LatticeSequence> images;
-  for (const LatticePoint& point : points) rows.emplace(point, rows.size());
-  for (const LatticePoint& point : points) {
-    images.push_back(transitions(mask, {{point, 1}})[zero]);
-    for (const auto& [image, value] : images.back()) rows.emplace(image, rows.size());
-  }
-  RationalMatrix equations(rows.size(), points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    for (const auto& [image, value] : images[k]) equations(rows.at(image), k) = value;
-    equations(rows.at(points[k]), k) -= 1;
-  }
-  std::vector<LatticeSequence> result;
-  for (const std::vector<Rational>& solution : kernel(equations)) {
-    LatticeSequence& values = result.emplace_back();
-    for (std::size_t k = 0; k < points.size(); ++k)
-      if (solution[k] != 0) values.emplace(points[k], solution[k]);
-  }
-  return result;
+LatticeSequence limit_values(const LatticeMask& mask, const LatticeSequence& values, int level,
+                             const LatticePoint& orders) {
+  return values_of_whole(mask, &values, level, checked_orders(mask, level, orders));
 }
 
 LatticeSequence refined_delta(const LatticeMask& mask, int level) {

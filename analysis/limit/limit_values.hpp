@@ -47,11 +47,30 @@ std::vector<Rational> point_at(const Dilation& dilation, const LatticePoint& ind
 /// the support, for derivatives two more; then coefficients * values. Proof: docs/surfaces.md.
 LatticeSequence limit_values(const LatticeMask& mask, int level, const LatticePoint& orders = {});
 
-/// A basis of the sequences v on the lattice points strictly inside the box of the support with v = T_0 v: a continuous
-/// solution of the refinement equation is determined by its values there, as it is 0 at all others, so that there are
-/// at most so many solutions, up to linear combinations. Domain: 0 is a digit. Errors: throws Error of kind size where
+/// The same of the solution of the refinement equation that has these values at lattice points. Domain: a mask without
+/// factors; values of a continuous solution.
+LatticeSequence limit_values(const LatticeMask& mask, const LatticeSequence& values, int level,
+                             const LatticePoint& orders = {});
+
+/// A basis of the sequences v with v = T_0 v on the lattice points strictly inside the box of the support, for each
+/// component of the smallest box that the mask allows it where the dilation is a number: a continuous solution of the
+/// refinement equation is determined by its values there, as it is 0 at all others, so that there are at most so many
+/// solutions, up to linear combinations. Domain: 0 is a digit. Errors: throws Error of kind size where
 /// more than 2000 numbers are to be found. Cost: one elimination.
 std::vector<LatticeSequence> solutions_at_lattice_points(const LatticeMask& mask);
+
+/// The integral of the continuous solution that has these values at lattice points, in every component. With B the
+/// mean_matrix() it is the part of the sum of the values in the kernel of the powers of B - 1: the sums of the values
+/// at M^-n i, times |det M|^-n, are B^n times that sum, and Riemann sums (docs/vectors.md). Domain: a mask of matrices.
+std::vector<Rational> integral_of_solution(const LatticeMask& mask, const LatticeSequence& values);
+
+/// A basis of the span of the solutions whose integrals are multiples of this one: the first has this integral, the
+/// others 0. None where no solution has it. Domain: `solutions` is a basis of all; the integral is not 0.
+std::vector<LatticeSequence> with_integral(const LatticeMask& mask, const std::vector<LatticeSequence>& solutions,
+                                           const std::vector<Rational>& integral);
+
+/// Times a number, so that the values sum to 1, or, where they sum to 0, that the first is 1.
+LatticeSequence normalised(LatticeSequence values);
 
 /// The coefficients of the power of the scheme: `level` steps applied to the unit sequence, the datum with index i at
 /// M^-level i. Errors: throws Error of kind size for more than 10^6. Cost: coefficients * values.

@@ -332,7 +332,7 @@ Enclosure exponent_of_radius(const Enclosure& radius, long classes, std::size_t 
 }
 
 MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Budget& budget, int bits) {
-  if (mask.components() > 1) return vector_regularity(mask, budget, bits);
+  if (mask.components() > 1) return vector_regularity(mask, budget, {bits});
   const std::vector<Rational> sums = coset_sums(mask);
   if (!std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; })) {
     MultivariateRegularity result;
@@ -353,9 +353,9 @@ MultivariateRegularity vector_scheme_regularity(const LatticeMask& mask, const B
   const Decision converges = options.quadratic ? vector_scheme_converges(*options.quadratic, share)
                              : options.hermite ? hermite_scheme_converges(mask, share)
                                                : vector_scheme_converges(mask, share);
-  MultivariateRegularity result = options.quadratic
-                                      ? vector_regularity(*options.quadratic, budget, options.bits, options.component)
-                                      : vector_regularity(mask, budget, options.bits, options.component);
+  const VectorQuestion question{options.bits, options.component, options.integral};
+  MultivariateRegularity result = options.quadratic ? vector_regularity(*options.quadratic, budget, question)
+                                                    : vector_regularity(mask, budget, question);
   result.converges = converges;
   if (options.hermite && !options.component)
     result.vector->hermite = hermite_order(result, converges, mask.components());

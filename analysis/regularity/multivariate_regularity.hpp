@@ -46,9 +46,16 @@ struct HermiteOrder {
 
 /// What is known of a vector of functions beside its exponent, that of the worst function in it.
 struct FunctionVector {
-  /// At most so many solutions are continuous and of compact support, up to linear combinations. Where it is more than
-  /// one, all that is said is about all of them.
+  /// At most so many solutions are continuous and of compact support, up to linear combinations, of those that have a
+  /// multiple of the integral that was asked for. Where it is more than one, all that is said is about all of them.
   std::size_t solutions = 0;
+  /// A basis of the integrals of all solutions, those asked for or not; over a field with a square root the multiples
+  /// of 1 and then those of the root. Reduced: each is 1 at a place where the others are 0.
+  std::vector<std::vector<Rational>> integrals = {};
+  std::optional<std::vector<Rational>> integral = std::nullopt;  ///< that was asked for
+  /// The values at lattice points where there is one solution and the matrices are rational: those of the integral that
+  /// was asked for, or else normalised().
+  std::optional<LatticeSequence> values = std::nullopt;
   long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none
   std::vector<ComponentRegularity> components;
@@ -80,16 +87,24 @@ struct MultivariateRegularity {
   bool is_closed() const;
 };
 
+/// Which of the functions of a refinement equation are meant.
+struct VectorQuestion {
+  int bits = default_bits;
+  /// From 0: the exponent is that of this function alone, and no other is looked at.
+  std::optional<std::size_t> component = std::nullopt;
+  /// Not 0: that of the solution in every component; over a field with a square root as FunctionVector::integrals.
+  std::optional<std::vector<Rational>> integral = std::nullopt;
+};
+
 /// Of a mask of matrices: the exponent of the continuous solution of the refinement equation, for which neither sum
 /// rules nor stability are needed (docs/vectors.md). Domain: an isotropic dilation. Errors, error and cost: as below.
-/// With `component`, from 0, the exponent is that of this function alone, and no other is looked at.
-MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits = default_bits,
-                                         std::optional<std::size_t> component = std::nullopt);
+MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget,
+                                         const VectorQuestion& question = {});
 
 /// The same of matrices over a quadratic field. What is said of a radius, that it is of rounded matrices, is proved of
 /// those that are meant. Without a Sobolev exponent. Proof: docs/vectors.md.
-MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget, int bits = default_bits,
-                                         std::optional<std::size_t> component = std::nullopt);
+MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget,
+                                         const VectorQuestion& question = {});
 
 /// By factors, whatever their arities, the smallest of their exponents, without space, radius and inner products. Else,
 /// where the dilation is not isotropic, the smallest of the exponents along its isotropic subspaces, whose space and

@@ -14,7 +14,8 @@ struct RegularityOptions {
   std::optional<MaskRounding> rounding = {};
   std::optional<QuadraticMask> quadratic = {};  ///< what is meant by a mask of matrices that is rounded
   std::optional<std::size_t> component = {};  ///< of a mask of matrices: the function, from 0, whose exponent is asked
-  bool hermite = false;                       ///< a mask of matrices is that of a Hermite scheme
+  std::optional<std::vector<Rational>> integral = {};  ///< of a mask of matrices: that of the solution that is meant
+  bool hermite = false;                                ///< a mask of matrices is that of a Hermite scheme
 };
 
 /// What is proved, and by which kind of evidence: one of the two is there.

@@ -284,8 +284,48 @@ Decision are_continuous(const Enclosure& exponent, std::size_t solutions) {
   return {Truth::unknown, "not decided within the budget"};
 }
 
-MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& budget, int bits,
-                                           std::optional<std::size_t> component) {
+/// A basis of the span of the rows: each is 1 at a column where the others are 0. The columns of x_c and y_c of
+/// x + sqrt(root) y are two that follow each other, and of the rows with 1 there that of x_c is kept.
+std::vector<std::vector<Rational>> basis_over_field(const std::vector<std::vector<Rational>>& rows, long root) {
+  const std::size_t size = rows.front().size(), half = root > 0 ? size / 2 : size;
+  const auto column = [&](std::size_t c) { return root > 0 ? c % half * 2 + c / half : c; };
+  RationalMatrix matrix(rows.size(), size), conditions(size, size);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < size; ++c) matrix(r, column(c)) = rows[r][c];
+  const auto annihilators = kernel(matrix);
+  for (std::size_t r = 0; r < annihilators.size(); ++r)
+    for (std::size_t c = 0; c < size; ++c) conditions(r, c) = annihilators[r][c];
+  const auto basis = kernel(conditions);
+  const std::vector<std::size_t> places = free_columns(basis);
+  std::vector<std::vector<Rational>> result;
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    if (root > 0 && places[k] % 2 == 1) continue;
+    std::vector<Rational>& row = result.emplace_back();
+    for (std::size_t c = 0; c < size; ++c) row.push_back(basis[k][column(c)]);
+  }
+  return result;
+}
+
+/// Those of the solutions that are meant.
+std::vector<LatticeSequence> asked_for(const Parts& parts, std::vector<LatticeSequence> solutions,
+                                       const std::optional<std::vector<Rational>>& integral) {
+  if (!integral) return solutions;
+  require(integral->size() == parts.mask.components() &&
+              std::ranges::any_of(*integral, [](const Rational& x) { return x != 0; }),
+          "regularity: need an integral of {} numbers that are not all 0", parts.components());
+  std::vector<LatticeSequence> result = with_integral(parts.mask, solutions, *integral);
+  if (parts.root == 0 || result.empty()) return result;
+  // times the square root: x + sqrt(root) y becomes root y + sqrt(root) x
+  std::vector<Rational> multiple(integral->begin() + static_cast<long>(parts.components()), integral->end());
+  for (Rational& number : multiple) number *= parts.root;
+  multiple.insert(multiple.end(), integral->begin(), integral->begin() + static_cast<long>(parts.components()));
+  result.push_back(with_integral(parts.mask, solutions, multiple).front());
+  return result;
+}
+
+MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& budget, const VectorQuestion& question) {
+  const int bits = question.bits;
+  const std::optional<std::size_t>& component = question.component;
   const LatticeMask& mask = parts.mask;
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(),
@@ -297,13 +337,23 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
   MultivariateRegularity result;
   FunctionVector& vector = result.vector.emplace();
   vector.root = parts.root;
+  vector.integral = question.integral;
   result.stable = {Truth::unknown, "not needed for the exponent, which is from values of phi"};
   result.converges = {Truth::unknown, "this is about the solutions of the refinement equation"};
-  const std::vector<LatticeSequence> solutions = solutions_at_lattice_points(mask);
+  const std::vector<LatticeSequence> all = solutions_at_lattice_points(mask),
+                                     solutions = asked_for(parts, all, question.integral);
+  if (!all.empty()) {
+    std::vector<std::vector<Rational>> integrals;
+    for (const LatticeSequence& one : all) integrals.push_back(integral_of_solution(mask, one));
+    vector.integrals = basis_over_field(integrals, parts.root);
+  }
   vector.solutions = parts.root > 0 ? solutions.size() / 2 : solutions.size();
+  if (vector.solutions == 1 && parts.root == 0)
+    vector.values = question.integral ? solutions.front() : normalised(solutions.front());
   if (solutions.empty()) {
     result.exact = {Truth::no, "there is no continuous solution"};
-    vector.continuous = {Truth::no, "the refinement equation has no solution but 0 at lattice points"};
+    vector.continuous = {Truth::no, all.empty() ? "the refinement equation has no solution but 0 at lattice points"
+                                                : "no solution at lattice points is of one with this integral"};
     return result;
   }
   result.exact = vector.continuous = {Truth::unknown, "the differences of the values span no space that is found"};
@@ -349,14 +399,14 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
 
 }  // namespace
 
-MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget, int bits,
-                                         std::optional<std::size_t> component) {
-  return regularity_of_parts({mask}, budget, bits, component);
+MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& budget,
+                                         const VectorQuestion& question) {
+  return regularity_of_parts({mask}, budget, question);
 }
 
-MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget, int bits,
-                                         std::optional<std::size_t> component) {
-  return regularity_of_parts({mask.doubled, mask.root}, budget, bits, component);
+MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget,
+                                         const VectorQuestion& question) {
+  return regularity_of_parts({mask.doubled, mask.root}, budget, question);
 }
 
 }  // namespace subcert

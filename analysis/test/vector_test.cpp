@@ -1,6 +1,7 @@
 // Masks of matrices: function vectors.
 
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/regularity/component_support.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/scheme_convergence.hpp>
@@ -102,10 +103,10 @@ TEST_CASE("Each component has its own exponent") {
   CHECK(*rough.lower > q(4150374, 10'000'000));
   CHECK(*rough.upper < q(4150375, 10'000'000));
   CHECK(found.exponent.lower == rough.lower);
-  const MultivariateRegularity first = vector_regularity(mask, budget, default_bits, 0);
+  const MultivariateRegularity first = vector_regularity(mask, budget, {.component = 0});
   CHECK(is_exactly(first.exponent, 1));
   CHECK(first.vector->components.size() == 1);
-  CHECK_THROWS(vector_regularity(mask, budget, default_bits, 2));
+  CHECK_THROWS(vector_regularity(mask, budget, {.component = 2}));
 }
 
 TEST_CASE("What has no continuous solution") {
@@ -141,6 +142,121 @@ LatticeMask in_basis(const LatticeMask& mask, const Matrix& s, const Matrix& inv
       for (std::size_t j = 0; j < s.size(); ++j)
         terms.push_back({term.exponents, i, j, s[i][term.row] * term.coefficient * inverse[term.column][j]});
   return matrix_mask(terms, s.size(), mask.dilation());
+}
+
+/// B-splines of degree 1 on [-1, 1] and of degree 2 on [-1, 2].
+LatticeMask hat_beside_spline() {
+  const auto numbers = [](const char* text) {
+    const LaurentPolynomial symbol = LaurentPolynomial::parse_mask(text);
+    return LatticeMask({MultivariatePolynomial::in_variable(1, 0, symbol)}, Dilation::multiple(1, 2));
+  };
+  return beside(numbers("[1,2,1]/2@-1"), numbers("[1,3,3,1]/4@-1"));
+}
+
+TEST_CASE("Of several solutions the integral chooses one") {
+  const LatticeMask both = hat_beside_spline();
+  using Numbers = std::vector<Rational>;
+  const auto with = [&](Numbers integral) {
+    return vector_regularity(both, budget, {.integral = std::move(integral)});
+  };
+  const MultivariateRegularity all = vector_regularity(both, budget);
+  CHECK(all.vector->solutions == 2);
+  CHECK(all.vector->integrals == std::vector<Numbers>{{1, 0}, {0, 1}});
+  CHECK_FALSE(all.vector->values);
+  const MultivariateRegularity spline = with({0, 3});
+  CHECK(spline.vector->solutions == 1);
+  CHECK(is_exactly(spline.exponent, 2));
+  CHECK(spline.vector->components[0].is_zero);
+  CHECK(spline.vector->values == LatticeSequence{{{0, 1}, q(3, 2)}, {{1, 1}, q(3, 2)}});
+  const MultivariateRegularity mixed = with({-1, 2});
+  CHECK(is_exactly(mixed.exponent, 1));
+  CHECK(is_exactly(mixed.vector->components[1].exponent, 2));
+  CHECK(mixed.vector->values == LatticeSequence{{{0, 0}, -1}, {{0, 1}, 1}, {{1, 1}, 1}});
+  CHECK_THROWS(with({0, 0}));
+  CHECK_THROWS(with({1}));
+  // none; a combination that no solution has
+  const MultivariateRegularity none = vector_regularity(merrien(q(-1, 8), q(-1, 2)), budget,
+                                                        {.integral = Numbers{1, 1}});
+  CHECK(none.vector->solutions == 0);
+  CHECK(none.vector->continuous.is_no());
+  // In a basis of the two in which all entries of B are other ones, the integral goes with it.
+  const LatticeMask mixed_basis = in_basis(both, {{1, 2}, {1, 3}}, {{3, -2}, {-1, 1}});
+  const Numbers integral{2, 3};  // of the spline
+  CHECK(is_exactly(vector_regularity(mixed_basis, budget, {.integral = integral}).exponent, 2));
+}
+
+TEST_CASE("What the integral does not choose is said to be open") {
+  // Hats of lattice points three apart have two fixed sequences of integral 1.
+  const LaurentPolynomial apart = LaurentPolynomial::parse_mask("[1,0,0,2,0,0,1]/2@-3");
+  const LatticeMask mask = beside(
+      LatticeMask({MultivariatePolynomial::in_variable(1, 0, apart)}, Dilation::multiple(1, 2)),
+      merrien(q(-1, 8), q(-1, 2)));
+  const MultivariateRegularity found = vector_regularity(mask, budget, {.integral = std::vector<Rational>{1, 0, 0}});
+  CHECK(found.vector->solutions == 2);
+  CHECK(vector_regularity(mask, budget, {.integral = std::vector<Rational>{0, 1, 0}}).vector->solutions == 2);
+}
+
+TEST_CASE("Integrals are limits of Riemann sums") {
+  // The parabola 4 x (1 - x) on [0, 1], which is 0 at the integers, beside a hat; Merrien's scheme; three with letters.
+  const LatticeMask bubble = of_matrices({{{q(1, 2), 0}, {0, 0}}, {{1, 0}, {0, q(1, 4)}}, {{q(1, 2), 0}, {1, q(1, 4)}}},
+                                         -1);
+  const auto integral = [](const LatticeMask& mask) {
+    return integral_of_solution(mask, solutions_at_lattice_points(mask).front());
+  };
+  CHECK(integral(bubble) == std::vector<Rational>{1, q(2, 3)});
+  for (const LatticeMask& mask : {bubble, merrien(q(-1, 8), q(1, 2)), merrien(q(-1, 7), q(1, 3))}) {
+    const LatticeSequence start = solutions_at_lattice_points(mask).front();
+    constexpr int level = 12;
+    std::vector<Rational> sums(2, 0);
+    for (const auto& [point, value] : limit_values(mask, start, level))
+      sums[static_cast<std::size_t>(point.back())] += value * power(q(2), -level);
+    const std::vector<Rational> exact = integral_of_solution(mask, start);
+    for (std::size_t c = 0; c < 2; ++c) CHECK(abs(sums[c] - exact[c]) < q(1, 1000));
+  }
+}
+
+TEST_CASE("Supports of functions are exact") {
+  const auto supports = [](const LatticeMask& mask, const std::optional<std::vector<Rational>>& integral = {}) {
+    return component_supports(mask, *vector_regularity(mask, budget, {.integral = integral}).vector->values);
+  };
+  using Supports = std::vector<std::optional<Interval>>;
+  CHECK(supports(merrien(q(-1, 8), q(1, 2))) == Supports{Interval{-1, 1}, Interval{-1, 1}});
+  // a hat and a bubble on one side of it
+  const LatticeMask bubble = of_matrices({{{q(1, 2), 0}, {0, 0}}, {{1, 0}, {0, q(1, 4)}}, {{q(1, 2), 0}, {1, q(1, 4)}}},
+                                         -1);
+  CHECK(supports(bubble) == Supports{Interval{-1, 1}, Interval{0, 1}});
+  // one of two functions; a third is 0
+  CHECK(supports(hat_beside_spline(), std::vector<Rational>{0, 1}) == Supports{std::nullopt, Interval{-1, 2}});
+  // ends that are no integers: phi_2 = the hat of 3x - 1, by three parts
+  const LatticeMask thirds = of_matrices({{{q(1, 3), 0}, {0, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{1, 0}, {1, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{q(1, 3), 0}, {0, 0}}},
+                                         -2, 3);
+  CHECK(supports(thirds) == Supports{Interval{-1, 1}, Interval{q(-1, 3), q(1, 3)}});
+}
+
+TEST_CASE("Values at the ends of their own support do not count") {
+  // a hat on [-1, 1] beside the characteristic function of [0, 1], with and without a link between them
+  for (const Rational& link : {q(0), q(1, 3)}) {
+    const LatticeMask mask = of_matrices({{{q(1, 2), 0}, {0, 0}}, {{1, link}, {0, 1}}, {{q(1, 2), 0}, {0, 1}}}, -1);
+    const MultivariateRegularity found = vector_regularity(mask, budget);
+    CHECK(found.vector->solutions == 1);
+    CHECK(is_exactly(found.exponent, 1));
+    CHECK(found.vector->components[1].is_zero);
+  }
+  // a component without any link to itself is 0, and one that is a part of another has its support
+  const LatticeMask dead = of_matrices({{{q(1, 2), 1}, {0, 0}}, {{1, 0}, {0, 0}}, {{q(1, 2), 0}, {0, 0}}}, -1);
+  CHECK(vector_regularity(dead, budget).vector->solutions == 1);
+  // arity 3, and a support of different ends for each: boxes are found by the links
+  const LatticeMask thirds = of_matrices({{{q(1, 3), 0}, {0, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{1, 0}, {1, 0}},
+                                          {{q(2, 3), 0}, {0, 0}},
+                                          {{q(1, 3), 0}, {0, 0}}},
+                                         -2, 3);
+  CHECK(vector_regularity(thirds, budget).vector->solutions == 1);
 }
 
 TEST_CASE("Components that attain the radius of the whole are as exact as the whole") {

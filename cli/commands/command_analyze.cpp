@@ -62,8 +62,7 @@ ExitCode analyze_vector(const Scheme& scheme, const AnalyzeOptions& options) {
   const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget)}, of_scheme(scheme));
   const FunctionVector& vector = *found.surface->vector;
   facts::Facts list = regularity_facts(scheme, found, {}, {watch.seconds(), 0, found.is_closed()});
-  if (vector.continuous.is_yes() && vector.solutions == 1 && !scheme.quadratic)
-    list.push_back(facts::values_fact(scheme.mask));
+  if (vector.continuous.is_yes() && vector.values) list.push_back(facts::values_fact(*vector.values));
   print(options, list, 13, options.form.latex ? "% " + scheme.specification + "\n" : "");
   if (!options.plot.empty()) draw_vector(options.plot, scheme, vector);
   return exit_code(vector.continuous.truth);

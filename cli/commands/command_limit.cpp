@@ -6,6 +6,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/commands/level_values.hpp>
 #include <subcert/cli/pages/limit_page.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 
 #include <charconv>
 #include <numeric>
@@ -46,23 +47,25 @@ LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
   return orders;
 }
 
-/// Refuses vectors of functions that are not proved to have continuous derivatives of this order.
-void require_vector(const Scheme& scheme, const LatticePoint& orders, const LimitCommandOptions& options) {
+/// The values at lattice points. Refuses vectors of functions that are not proved to have continuous derivatives of
+/// this order.
+LatticeSequence vector_at_lattice_points(const Scheme& scheme, const LatticePoint& orders,
+                                         const LimitCommandOptions& options) {
   if (options.range || scheme.quadratic)
     fail(ErrorKind::usage, "{}: need {}, got {}", options.range ? "--range" : "limit",
          options.range ? "a mask of numbers" : "rational matrices", scheme.specification);
-  const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget)});
+  const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget)},
+                                                         {.integral = scheme.integral});
   const FunctionVector& vector = *found.vector;
   if (vector.continuous.is_no())
     throw NoLimit(
         fmt::format("{}: there is no continuous solution; {}", scheme.specification, vector.continuous.reason),
         {vector.continuous});
-  if (vector.solutions > 1)
-    fail(ErrorKind::usage, "limit: need one continuous solution up to a factor, got up to {} for {}", vector.solutions,
-         scheme.specification);
+  if (vector.solutions > 1) fail(ErrorKind::usage, "{}: need {}", scheme.specification, facts::needed_solution(vector));
   const long total = std::accumulate(orders.begin(), orders.end(), 0L);
   if (!vector.continuous.is_yes() || (total > 0 && !(*found.exponent.lower > total)))
     fail(ErrorKind::undecided, "{}: continuous derivatives of order {} are not proved", scheme.specification, total);
+  return *vector.values;
 }
 
 /// Of masks that change from level to level.
@@ -93,8 +96,7 @@ ExitCode run(LimitCommandOptions options) {
     fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
   if (options.level < 0) options.level = dimension > 1 ? usual_level_of_surfaces : usual_level;
   if (scheme.form) {
-    require_vector(scheme, orders, options);
-    return print_vector_values(scheme, orders, options);
+    return print_vector_values(scheme, vector_at_lattice_points(scheme, orders, options), orders, options);
   }
   const Deadline deadline = Deadline::in(options.budget);
   require_derivative(scheme.specification, scheme.mask, orders, {proof_levels, deadline});

@@ -16,7 +16,7 @@ constexpr double sobolev_share = 0.3;  // of the time, at most
 
 struct RegularityCommandOptions : SearchOptions {
   std::string scheme;
-  std::string certificate;
+  std::string certificate, scheme_certificate;
   std::string method = "radius";
   int levels = 16;
   int component = 0;
@@ -97,13 +97,16 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
         mask, curve || !mask.has_factors() ? found : regularity_of(mask.without_factors(), budget, how),
         scheme.rounding);
   });
+  const WrittenCertificate of_scheme = write_scheme_certificate(options.scheme_certificate, scheme, budget);
   options.end_progress();
   Json json = page_json(list);
   certificate.add_to(json);
+  of_scheme.add_to(json, "scheme_certificate");
   print(options, json, list,
         latex_of(scheme.specification, proved_exponent(found), found.converges(), exponent_formula(scheme, found)),
-        certificate.text(found.exact().is_yes()));
+        certificate.text(found.exact().is_yes()) + of_scheme.text(false));
   certificate.failure.raise();
+  of_scheme.failure.raise();
   const Decision& limits = found.surface && found.surface->vector ? found.surface->vector->continuous
                                                                   : found.converges();
   if (limits.is_no()) return failed;
@@ -117,6 +120,7 @@ void add_regularity(Command& app) {
   Command command = add_command(app, "regularity", "The Hoelder exponent, enclosed with proof",
                                 "subcert regularity primal:n=5 --certificate s5.cert", options, [=] {
                                   require_place(options->certificate);
+                                  require_place(options->scheme_certificate);
                                   return run(*options, options->limits());
                                 });
   command.option("--levels", options->levels, "Levels of the difference scheme").within(1, 64).with_default();
@@ -132,6 +136,8 @@ void add_regularity(Command& app) {
   command.option("--component", options->component, "Of a vector of functions the exponent of this one alone")
       .within(1, 64);
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
+  command.option("--scheme-certificate", options->scheme_certificate,
+                 "Write one there that a vector scheme converges, or a Hermite scheme with its derivatives, or not");
   add_scheme(command, options->scheme, true, true);
   add_paper_form(command, options->form, "The exponent as a formula of LaTeX", "All facts as a table in Markdown");
 }

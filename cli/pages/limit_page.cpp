@@ -135,10 +135,11 @@ ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues
   return done;
 }
 
-ExitCode print_vector_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options) {
+ExitCode print_vector_values(const Scheme& scheme, const LatticeSequence& at_lattice_points, const LatticePoint& orders,
+                             const LimitPageOptions& options) {
   const std::size_t size = scheme.mask.components();
   std::map<LatticePoint, std::vector<Rational>> values;  // component by component
-  for (const auto& [index, value] : limit_values(scheme.mask, options.level, orders)) {
+  for (const auto& [index, value] : limit_values(scheme.mask, at_lattice_points, options.level, orders)) {
     const LatticePoint point(index.begin(), std::prev(index.end()));
     values.try_emplace(point, size, 0).first->second[static_cast<std::size_t>(index.back())] = value;
   }

@@ -22,8 +22,9 @@ ExitCode print_limit_values(const std::string& scheme, const LimitValues& values
 ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues& values,
                             const LimitPageOptions& options);
 
-/// The same of a vector of functions that is continuous and unique up to a factor.
-ExitCode print_vector_values(const Scheme& scheme, const LatticePoint& orders, const LimitPageOptions& options);
+/// The same of the vector of functions with these values at lattice points.
+ExitCode print_vector_values(const Scheme& scheme, const LatticeSequence& at_lattice_points, const LatticePoint& orders,
+                             const LimitPageOptions& options);
 
 /// Domain: schemes that converge; of one variable by contraction, else the answer is a refusal. Errors: throws a usage
 /// error for a width that is no positive number.

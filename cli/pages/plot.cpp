@@ -80,12 +80,16 @@ void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& c
 }
 
 void draw_vector(const std::string& plot, const Scheme& scheme, const FunctionVector& vector) {
-  if (!vector.continuous.is_yes() || vector.solutions != 1 || scheme.quadratic || scheme.mask.dimension() > 1)
+  if (!vector.continuous.is_yes() || !vector.values || scheme.mask.dimension() > 1)
     fail(ErrorKind::undecided,
          "--plot {}: pictures are of vectors of functions of one variable that are proved continuous, with rational "
          "matrices, one up to a factor; {} is none",
          plot, scheme.specification);
-  formats::draw_file({"limit", scheme.specification, "", 1, {formats::vector_panel(scheme.mask, scheme.specification)}},
+  formats::draw_file({"limit",
+                      scheme.specification,
+                      "",
+                      1,
+                      {formats::vector_panel(scheme.mask, *vector.values, scheme.specification)}},
                      plot);
 }
 

@@ -45,6 +45,15 @@ TEST_CASE("limit: vectors of functions") {
   CHECK(slopes.at("values") == nlohmann::json::parse(R"([["3/2","-1/4"],["0","1"],["-3/2","-1/4"]])"));
   CHECK(run("limit merrien:lambda=-1/8,mu=-1/2 --derivative 2").code == 2);
   CHECK(run("limit 'refinable:[[[1,0],[0,1]],[[1,0],[0,1]]]@0'").code == 1);
+  // one of two
+  const std::string both = "[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1";
+  check_fails(run("limit 'refinable:" + both + "' --level 0"), 64,
+              "refinable:" + both +
+                  ": need one continuous solution up to a factor, got up to 2; their integrals are combinations of "
+                  "[1,0] and [0,1], and one is chosen as by integral=[1,0]");
+  CHECK(run_json("limit 'vector:" + both + ",integral=[1,-4]' --level 0").at("values") ==
+        nlohmann::json::parse(R"([["1","-2"],["0","-2"]])"));
+  CHECK(run("limit 'refinable:" + both + ",integral=[0,0]'").code == 64);
   CHECK(run("limit cl:2").code == 64);
   CHECK(run("limit ghm --range").code == 64);
 }

@@ -168,6 +168,73 @@ TEST_CASE("regularity: whether the scheme of a vector converges itself") {
   CHECK(run_json("analyze cl:2").at("converges") == "yes");
 }
 
+TEST_CASE("regularity: masks of matrices that are meant otherwise, or have no one answer") {
+  check_fails(
+      run("regularity 'refinable:[[[1,0],[1]],[[2,1],[0,1]]]/2@0'"), 64,
+      "scheme specification, position 19: '[1]'; expected rows of one length: a list of 2, as before, not of 1");
+  check_fails(run("regularity 'refinable:[[[1,0],[1,2]],[[2,1],[0,1]]],arity=1'"), 64,
+              "scheme specification, position 47: '1'; expected arity as an integer from 2 to 64");
+  // steps have values at the ends alone: no solution
+  const Run none = run("regularity 'refinable:[[[1,0],[0,1]],[[1,0],[0,1]]]@0'");
+  CHECK(none.code == 1);
+  CHECK(joined(none.out).find("none that is continuous") != std::string::npos);
+  const Run ends = run("regularity 'refinable:[[[1,0],[0,0]],[[2,0],[0,2]],[[1,0],[0,2]]]/2@-1'");
+  CHECK(ends.code == 0);  // the hat beside a step, which is 0 as a continuous function
+  CHECK(joined(ends.out).find("phi_2 is 0") != std::string::npos);
+  // two solutions, and one of them
+  const std::string both = "refinable:[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1";
+  const auto all = run_json("regularity '" + both + "'"), one = run_json("regularity '" + both + ",integral=[0,1]'");
+  CHECK(all.at("solutions") == 2);
+  CHECK(all.at("integrals") == nlohmann::json::parse(R"([["1","0"],["0","1"]])"));
+  CHECK(all.at("holder").at("lower") == "1");
+  CHECK(one.at("solutions") == 1);
+  CHECK(one.at("holder").at("lower") == "2");
+  const Run other = run("regularity 'hermite:[[[4,-1],[6,-1]],[[8,0],[0,4]],[[4,1],[-6,-1]]]/8@-1,integral=[0,1]'");
+  CHECK(other.code == 1);
+  CHECK(joined(other.out).find("none that is continuous has the integral [0,1]; their integrals are combinations of "
+                               "[1,0]") != std::string::npos);
+  // Hermite masks in other conventions
+  const Run transposed = run("regularity 'hermite:[[[4,6],[-1,-1]],[[8,0],[0,4]],[[4,-6],[1,-1]]]/8@-1'");
+  CHECK(joined(transposed.out).find("their transposes keep those of polynomials up to degree 3") != std::string::npos);
+  const Run undivided = run("regularity 'hermite:[[[4,-1],[12,-2]],[[8,0],[0,8]],[[4,1],[-12,-2]]]/8@-1'");
+  CHECK(joined(undivided.out).find("row k divided by 2^k, k = 0, 1, ... keep those of polynomials up to degree 3") !=
+        std::string::npos);
+  // ten thousand numbers
+  std::string many = "refinable:[";
+  for (int k = 0; k < 100; ++k) {
+    many += k > 0 ? ",[" : "[";
+    for (int i = 0; i < 100; ++i)
+      many += (i % 10 > 0 ? "," : i > 0 ? "],[" : "[") + std::to_string(k == 0 && i % 11 == 0 ? 1 : 0);
+    many += "]]";
+  }
+  CHECK(run("regularity '" + many + "]@0'").code == 1);  // phi(x) = phi(2x)
+}
+
+TEST_CASE("regularity: whether a vector scheme converges has a certificate of its own") {
+  const Folder folder;
+  const std::string file = folder / "scheme.cert";
+  const auto asked = [&](const std::string& claim) { return run("verify " + file + " --claim '" + claim + "'").code; };
+  const auto written = [&](const std::string& scheme) {
+    return joined(run("regularity '" + scheme + "' --scheme-certificate " + file).out);
+  };
+  CHECK(contains(written("hermite-dd:points=4,order=2"), "verified: that the scheme is HC^2"));
+  CHECK(asked("2 <= HC of hermite-dd:points=4,order=2") == 0);
+  CHECK(asked("HC of hermite-dd:points=4,order=2 <= 2") == 1);
+  CHECK(contains(written("merrien:lambda=-1/8,mu=1"), "verified: that the scheme is not HC^1"));
+  CHECK(asked("HC of merrien:lambda=-1/8,mu=1 <= 1") == 0);
+  CHECK(contains(written("bspline:degree=3,multiplicity=2"), "verified: that the scheme converges"));
+  CHECK(asked("0 <= scheme of bspline:degree=3,multiplicity=2") == 0);
+  CHECK(contains(written("vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1"),
+                 "verified: that the scheme does not converge"));
+  CHECK(asked("scheme of vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1 <= 0") == 0);
+  CHECK(run("verify --print-claim " + file).out.starts_with("--vectors '"));
+  CHECK(contains(written("dd:n=2"), "not written: need a scheme of rational matrices, got dd:n=2"));
+  CHECK(contains(written("cl:2"), "not written: need a scheme of rational matrices, got cl:2"));
+  CHECK(asked("1 <= HC of ghm") == 64);
+  const auto json = run_json("regularity merrien:lambda=-1/8,mu=1/2 --scheme-certificate " + file);
+  CHECK(json.at("scheme_certificate").at("lower") == "1");
+}
+
 TEST_CASE("regularity: vectors of functions by name") {
   const Folder folder;
   const std::string file = folder / "vector.cert";

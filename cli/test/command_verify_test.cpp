@@ -221,6 +221,22 @@ TEST_CASE("the exponent of a vector of functions has a certificate") {
             .find("the only one up to a factor, got up to 2") != std::string::npos);
 }
 
+TEST_CASE("one of several vectors of functions has a certificate") {
+  const Folder folder;
+  const std::string file = folder / "file.cert",
+                    both = "refinable:[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1",
+                    spline = both + ",integral=[0,2/3]";
+  const auto asked = [&](const std::string& claim) { return run("verify " + file + " --claim '" + claim + "'").code; };
+  CHECK(run("regularity '" + spline + "' --certificate " + file).code == 0);
+  CHECK(contains(run("verify " + file).out, "VERIFIED 2 <= Hoelder exponent <= 2 of the refinable functions of "));
+  CHECK(asked("2 <= " + spline + " <= 2") == 0);
+  CHECK(asked("2 <= " + both) == 1);
+  CHECK(asked("2 <= " + both + ",integral=[1,2/3]") == 1);
+  CHECK(run("regularity '" + both + ",integral=[1,1]' --component 2 --certificate " + file).code == 0);
+  CHECK(asked("2 <= component 2 of " + both + ",integral=[1,1] <= 2") == 0);
+  CHECK(asked("2 <= component 2 of " + both) == 1);
+}
+
 TEST_CASE("a certificate is asked for the claim that is stated") {
   const Folder folder;
   const std::string file = folder / "file.cert";

@@ -25,6 +25,10 @@ std::string terms_text(const LatticeSequence& sequence, const Rational& factor, 
 std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
                          std::size_t variables);
 
+/// Of a mask of matrices of one variable, the lines up to the vectors of the space of what annihilates the polynomials
+/// that it keeps. Domain: with `hermite` these are values and derivatives.
+std::string space_of_vectors_text(const ParametricMask& mask, bool hermite);
+
 /// The head, and the coefficients from that of z^0 on.
 std::string polynomial_text(const std::string& head, const LaurentPolynomial& p);
 

@@ -17,7 +17,7 @@ constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view recurrence = "recurrence=", start = "start=", from = "from=", period = "period=";
-constexpr std::string_view levels = "levels", lists = "lists", component = "component";
+constexpr std::string_view levels = "levels", lists = "lists", component = "component", integral = "integral";
 
 /// A power of a logarithm.
 std::optional<int> whole_number(std::string_view text) {
@@ -38,7 +38,8 @@ struct SubjectLine {
                : fmt::format("{} {}{} {}{} {}{}", line, recurrence, of.recurrence, start, of.start, from, of.from);
   }
   std::string operator()(const SurfaceSubject& of) const {
-    return fmt::format("{} {} {}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+    return fmt::format("{} {} {}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+                       of.integral.empty() ? "" : fmt::format(" {}={}", integral, of.integral),
                        of.component.empty() ? "" : fmt::format(" {}={}", component, of.component));
   }
   std::string operator()(const FamilySubject& of) const {
@@ -69,9 +70,13 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   }
   if (kind == lists) return ListSubject{first, second, more};
   if (kind == "vectors" || kind == "hermite") return MaskSubject{first, second, more, false, {}, kind};
-  if (kind == "refinable" && more.starts_with(component))
-    return SurfaceSubject{first, second, true, more.substr(std::min(more.size(), component.size() + 1))};
-  if (kind == "surface" || kind == "refinable") return SurfaceSubject{first, second, kind == "refinable"};
+  if (kind == "surface" || kind == "refinable") {
+    SurfaceSubject subject{first, second, kind == "refinable"};
+    for (; !more.empty(); more.clear(), words >> more)
+      for (const auto& [name, field] : {std::pair(integral, &subject.integral), {component, &subject.component}})
+        if (more.starts_with(name)) *field = more.substr(std::min(more.size(), name.size() + 1));
+    return subject;
+  }
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
   fail(ErrorKind::data,
@@ -86,7 +91,8 @@ bool may_lack_lower(const CertificateClaim& claim) {
   const auto* mask = std::get_if<MaskSubject>(&claim.subject);
   const auto* list = std::get_if<ListSubject>(&claim.subject);
   if (!claim.upper) return mask || (list && list->order.starts_with(period));
-  return claim.says_rough() || (mask && !mask->range.empty()) || std::holds_alternative<FamilySubject>(claim.subject);
+  return claim.says_rough() || (mask && (!mask->range.empty() || !mask->of_matrices.empty())) ||
+         std::holds_alternative<FamilySubject>(claim.subject);
 }
 
 struct SubjectArguments {
@@ -104,6 +110,7 @@ struct SubjectArguments {
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
     std::vector<std::string> arguments{of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation",
                                        of.dilation};
+    if (!of.integral.empty()) arguments.insert(arguments.end(), {"--integral", of.integral});
     if (!of.component.empty()) arguments.insert(arguments.end(), {"--component", of.component});
     return arguments;
   }
@@ -121,6 +128,13 @@ struct SubjectArguments {
 };
 
 }  // namespace
+
+std::string integral_text(const std::optional<std::vector<Rational>>& numbers) {
+  std::string text;
+  for (const Rational& number : numbers.value_or(std::vector<Rational>{}))
+    text += (text.empty() ? "" : ",") + to_text(number);
+  return text;
+}
 
 std::string head_text(const CertificateClaim& claim) {
   const std::string head = fmt::format("subcert-certificate 3\n{}\nbounds {} {}\n",

@@ -1,6 +1,8 @@
 #pragma once
 /// What certificates claim, and how the independent checkers are asked about it.
 
+#include <subcert/analysis/symbol/numbers/rational.hpp>
+
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,7 +16,7 @@ struct MaskSubject {
   std::string range = {};   ///< w=LOW..HIGH, or empty
   bool is_levels = false;   ///< with a range: of all sequences of its values, one for each level
   std::string within = {};  ///< EPS,M[,symmetric] of a mask with rounded coefficients, or empty; not with a range
-  /// Of masks of matrices, with a range: `vectors`, of the limits of f'_i = sum over j of A_(i-aj)^T f_j, or `hermite`,
+  /// Of masks of matrices: `vectors`, of the limits of f'_i = sum over j of A_(i-aj)^T f_j, or `hermite`,
   /// of HC^k of a Hermite scheme, of which k is the lower end, or the upper one where it is refuted; or empty.
   std::string of_matrices = {};
   std::string recurrence = {};        ///< of levels that follow from each other, STEP; or empty
@@ -29,6 +31,7 @@ struct SurfaceSubject {
   std::string mask, dilation;
   bool is_refinable = false;   ///< a vector of functions, given by its refinement equation
   std::string component = {};  ///< the number, from 0, of the one that is meant, or empty
+  std::string integral = {};   ///< X0,X1,..., that of the only functions that have it, or empty
 };
 struct FamilySubject {
   bool is_subradius = false;
@@ -60,6 +63,9 @@ struct CertificateClaim : ClaimedEnds {
   /// Beside an exact exponent, or such letters: the power of |log h| in the modulus of continuity, see section 4.12.
   std::optional<int> logarithm = {};
 };
+
+/// As SurfaceSubject::integral.
+std::string integral_text(const std::optional<std::vector<Rational>>& numbers);
 
 /// The first lines of a certificate, up to what the number is, or the contraction.
 std::string head_text(const CertificateClaim& claim);

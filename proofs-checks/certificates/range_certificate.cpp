@@ -1,7 +1,5 @@
 #include "certificate_text.hpp"
 
-#include <subcert/analysis/family/parametric_family.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,24 +8,6 @@ namespace subcert {
 namespace {
 
 using namespace certificate_text;
-
-/// Of a mask of matrices, the lines up to the vectors of the space.
-std::string space_of_vectors_text(const ParametricMask& mask, bool hermite) {
-  const AnnihilatingSpace space = annihilating_space(mask);
-  std::string text = fmt::format("sum-rules {}\n", space.polynomials.data.size());
-  for (const Values& y : space.polynomials.data) {
-    if (hermite) break;
-    text += "data";
-    for (const Rational& number : y) text += " " + to_text(number);
-    text += "\n";
-  }
-  text += "digits";
-  for (int d = 0; d < mask.arity(); ++d) text += fmt::format(" {}", d);
-  text += "\n";
-  for (const LatticeSequence& reading : space.readings)
-    text += "reading" + terms_text(reading, common_denominator({reading}), 1);
-  return text + vectors_text(space.basis, space.pivots, 1);
-}
 
 /// What the proofs of intervals that follow each other say of all values from low to high; without proofs, that the
 /// shifts are stable. `of_matrices`: the kind of a claim about a mask of matrices, as in MaskSubject.

@@ -12,6 +12,7 @@ namespace subcert {
 inline RegularityOptions of_scheme(const Scheme& scheme, RegularityOptions options = {}) {
   options.rounding = scheme.rounding;
   options.quadratic = scheme.quadratic;
+  options.integral = scheme.integral;
   options.hermite = scheme.form == VectorForm::hermite;
   return options;
 }

@@ -15,14 +15,16 @@
 namespace subcert {
 namespace {
 
-constexpr std::string_view contracts = "contraction ", belongs_to = " of ", component = "component", hc = "HC of ";
+constexpr std::string_view contracts = "contraction ", belongs_to = " of ", component = "component", hc = "HC of ",
+                           of_scheme = "scheme of ";
 constexpr std::string_view range_begins = " for ", all = "all ", levels = "levels ";
 
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'component K of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', 'FAMILY for all levels "
-       "w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+       "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
+       "'FAMILY for all levels w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= "
+       "NUMBER], "
        "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
@@ -117,11 +119,29 @@ MaskSubject family_subject(const ParametricScheme& family, const ForClause& clau
                            : ""};
 }
 
+/// A vector scheme itself, of whose refinable functions claims are made otherwise.
+MaskSubject vector_scheme_subject(const std::string& specification, bool hermite) {
+  const Scheme scheme = make_refinable_scheme(specification);
+  if (scheme.mask.components() == 1 || scheme.quadratic || scheme.mask.dimension() > 1 ||
+      (hermite && scheme.form != VectorForm::hermite))
+    fail(ErrorKind::usage, "--claim: need a {} of one variable with rational matrices, got {}",
+         hermite ? "Hermite scheme" : "vector scheme", specification);
+  return {without_letters(scheme.mask).to_text('w'),
+          std::to_string(scheme.mask.arity()),
+          {},
+          false,
+          {},
+          hermite ? "hermite" : "vectors"};
+}
+
 ClaimSubject stated_subject(const std::string& subject) {
   constexpr std::string_view radius = "radius ", subradius = "subradius ";
   if (subject.starts_with(radius)) return FamilySubject{false, {}, {}, trimmed(subject.substr(radius.size()))};
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (is_l1_specification(subject)) return l1_subject(subject);
+  for (const bool hermite : {false, true})
+    if (const std::string_view word = hermite ? hc : of_scheme; subject.starts_with(word))
+      return vector_scheme_subject(trimmed(subject.substr(word.size())), hermite);
   std::string scheme_text = subject;
   std::optional<int> number;
   if (const std::size_t at = subject.find(belongs_to); subject.starts_with(component) && at != std::string::npos) {
@@ -138,7 +158,7 @@ ClaimSubject stated_subject(const std::string& subject) {
          subject);
   if (scheme.mask.dimension() > 1 || is_refinable)
     return SurfaceSubject{to_mask_text(scheme.mask), scheme.mask.dilation().to_text(), is_refinable,
-                          number ? std::to_string(*number - 1) : ""};
+                          number ? std::to_string(*number - 1) : "", integral_text(scheme.integral)};
   if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
   return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};
@@ -232,7 +252,7 @@ bool contracts_as(const ClaimSubject& stated, const ClaimSubject& proved) {
 
 bool StatedClaim::is_plain() const {
   const bool upper_alone = claim.upper && !claim.lower && !claim.exact && !claim.says_rough() && !values &&
-                           !std::holds_alternative<FamilySubject>(claim.subject);
+                           mask_of(claim).of_matrices.empty() && !std::holds_alternative<FamilySubject>(claim.subject);
   return !lower_strict && !upper_strict && !upper_alone && !(values && values->low == values->high);
 }
 
@@ -272,6 +292,7 @@ StatedClaim stated_claim(const std::string& words) {
     stated.values = clause->values;
     stated.lower_strict = stated.upper_strict = false;  // as certificates have it
   }
+  if (!mask_of(claim).of_matrices.empty()) stated.lower_strict = stated.upper_strict = false;
   if (upper) claim.upper = end_of(*upper, true);
   if (claim.says_rough()) stated.upper_strict = false;
   return stated;
@@ -307,7 +328,8 @@ Truth follows(const StatedClaim& stated, const CertificateClaim& proved) {
   if (theirs.has_value() != ours.has_value() || their_mask.of_matrices != our_mask.of_matrices) return Truth::unknown;
   const auto least = number_of(claim.lower), most = number_of(claim.upper), proved_least = number_of(proved.lower),
              proved_most = number_of(proved.upper);
-  const bool orders = our_mask.of_matrices == "hermite", strict = ours && !orders;  // of both claims
+  const bool orders = our_mask.of_matrices == "hermite",
+             strict = (ours || !our_mask.of_matrices.empty()) && !orders;  // of both claims
   if (is_within(theirs, ours) && (!their_mask.is_levels || our_mask.is_levels) &&
       (least || most || claim.exact || std::holds_alternative<L1Subject>(claim.subject) ||
        (!proved_least && !proved_most && !proved.exact)) &&

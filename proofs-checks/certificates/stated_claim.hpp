@@ -11,7 +11,7 @@
 
 namespace subcert {
 
-/// A claim in words. Certificates about ranges prove their ends with `<`, others with `<=`.
+/// A claim in words. Certificates about ranges and about vector schemes prove their ends with `<`, others with `<=`.
 struct StatedClaim {
   CertificateClaim claim;
   bool lower_strict = false, upper_strict = false;  ///< `<` where certificates have `<=`
@@ -24,7 +24,10 @@ struct StatedClaim {
 
 /// Reads `[LOWER <=] SUBJECT [= EXACT [with |log h|^P]] [<= UPPER]`, with `<` in the place of `<=`, or all of it from
 /// the right with `>=` and `>`. EXACT is a number as in SPEC.md, section 1. SUBJECT is
-/// - a scheme, or a vector of functions, or `component K of` it with K = 1, 2, ..., whose exponent is meant;
+/// - a scheme, or a vector of functions, or `component K of` it with K = 1, 2, ..., whose exponent is meant; `scheme
+/// of`
+///   a vector scheme, whose limits are meant (LOWER is below their exponents, UPPER 0 says that it does not converge),
+///   or `HC of` a Hermite scheme (the ends are k, of HC^k and of what is refuted);
 /// - a family with a parameter, as `four-point:w for w=1/100..19/100`, or `for 1/100 <= w <= 19/100`, `for all w=...`,
 ///   `for w=1/16`, before or behind the upper end; `HC of` before it says that an end is the k of HC^k, `for all levels
 ///   w=...` that each level has a value of its own;

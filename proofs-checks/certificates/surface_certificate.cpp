@@ -13,8 +13,20 @@ namespace {
 
 using namespace certificate_text;
 
-/// The lines from the order of the differences to the vectors of the space.
-std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
+/// What tells the integral of a solution from the sums of its values: a basis of the functionals l with l (B - 1)^r =
+/// 0, B the mean matrix.
+std::string functionals_text(const LatticeMask& mask) {
+  RationalMatrix rest = mean_matrix(mask);
+  for (std::size_t c = 0; c < rest.rows(); ++c) rest(c, c) -= 1;
+  const auto basis = kernel(transposed(power(rest, static_cast<long>(rest.rows()))));
+  RationalMatrix rows(basis.size(), rest.rows());
+  for (std::size_t r = 0; r < basis.size(); ++r)
+    for (std::size_t c = 0; c < rest.rows(); ++c) rows(r, c) = basis[r][c];
+  return rows_text("functional", common_denominator(rows) * rows);
+}
+
+/// The lines from the order of the differences to the vectors of the space; `functionals` are among them.
+std::string space_text(const DifferenceSpace& space, const Dilation& dilation, const std::string& functionals) {
   std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
   if (space.dilation.rows() != dilation.rows()) text += fmt::format("turned {}\n", space.dilation.to_text());
   text += "digits";
@@ -22,6 +34,7 @@ std::string space_text(const DifferenceSpace& space, const Dilation& dilation) {
   text += "\n";
   if (space.is_of_values())
     text += "values" + terms_text(space.values, common_denominator({space.values}), dilation.variables());
+  text += functionals;
   return text + vectors_text(space.basis, space.pivots, space.dilation.variables());
 }
 
@@ -86,13 +99,14 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const ExactRadius exact = tells_upper_end ? exact_radius(radius, first_block) : ExactRadius{};
   Certificate certificate{{{},
                            SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr,
-                                          is_one ? std::to_string(vector->components.front().component) : ""}},
+                                          is_one ? std::to_string(vector->components.front().component) : "",
+                                          vector ? integral_text(vector->integral) : ""}},
                           {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*upper, Rounding::up);
   certificate.bounds = {outward(*lower, Rounding::down), certificate.claim.upper};
   claim_exact(certificate, exact, "0-log");
-  std::string text = space_text(space, dilation);
+  std::string text = space_text(space, dilation, vector && vector->integral ? functionals_text(mask) : "");
   if (tells_upper_end && !space.is_of_values()) text += gram_text(*regularity.gram);
   if (component) text += fmt::format("unobservable {}\n", component->unobservable);
   text += blocks_text(radius);

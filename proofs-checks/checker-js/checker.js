@@ -289,7 +289,7 @@ var check_certificate = (() => {
     const degree = Math.max(...[q, ...polynomials].map(p => p.findLastIndex(sign)), 0);
     const divisor = common(q.slice(0, degree + 1)), scale = fraction(divisor.den, D);
     const {den, numbers} = common(polynomials.flatMap(p => p.slice(0, degree + 1)).map(c => reduced(times(c, scale))));
-    demand(letter || (numbers[0] && numbers[numbers.length - 1]), outside);
+    demand(letter || inner || (numbers[0] && numbers[numbers.length - 1]), outside);
     const all = [...divisor.numbers.map(x => x * den), ...numbers], g = all.reduce(gcd, 0n) || 1n;
     const row = i => all.slice(i * (degree + 1), (i + 1) * (degree + 1)).map(x => x / g);
     const matrices = inner ? {components: parts.sizes[0], first: parts.first ? parts.first[0] : 0n} : {};
@@ -2440,14 +2440,15 @@ var check_certificate = (() => {
   const lead_into = (vectors, start, transition) =>  // (iii): the number of letters that words need
     long_words(start, vectors.map(row => ({key: first_key(row), row})), transition).steps;
   // 5.6: the space of the differences of phi; 5.9 where phi has components
-  function read_values(reader, transition, order, den, spanned, components) {
+  function read_values(reader, transition, order, den, spanned, components, integral) {
     const dimension = transition.M.length;
     if (!components) check_sum_rules(transition, 1, den);
     const values = read_sequence(reader.read('values', 1, 2 ** 24), dimension, components);
     demand(components || sum(values_of(values)), 'the numbers of the values line have the sum 0');
     demand(is_multiple(transition.apply(transition.digits[0], values), values, den),
            'the values line is not fixed by the operator of the first digit');
-    if (components) check_unique(transition, den, components);
+    const functionals = integral ? read_functionals(reader, transition, den, components, values, integral) : [];
+    if (components) check_unique(transition, den, components, functionals);
     const vectors = read_space(reader, dimension, components), family = space_family(vectors, transition, den);
     const start = differences(values, order, dimension), steps = lead_into(vectors, start, transition);
     const rank = () => long_words(start, [], transition, steps, 2n ** 32n - 5n).basis.length;
@@ -2493,14 +2494,50 @@ var check_certificate = (() => {
     }
     return inner;
   }
-  function check_unique(transition, den, components) {  // all continuous solutions are multiples of one
+  // 5.9: what tells the integral of a solution from the sums of its values; that of these values is a multiple of `integral`
+  function read_functionals(reader, {mask, det}, den, size, values, integral) {
+    const goal = common(integral).numbers.map(x => [x]);
+    const rest = scaled(identity(size), -den * abs(BigInt(det)));  // q |det M| (B - 1), q the denominator of the mask
+    for (const [p, value] of mask.values()) rest[p[p.length - 2]][p[p.length - 1]] += value;
+    demand(multiply(rest, goal).every(([x]) => !x), 'the integral is none of a solution');
+    const sums = range_of(size).map(() => [0n]);
+    for (const [p, value] of values.values()) sums[p[p.length - 1]][0] += value;
+    const span = new Span([], 2n ** 32n - 5n), add_row = row => {
+      const one = new Map();
+      row.forEach((x, c) => x && add(one, [c], x));
+      span.extend(one);
+    };
+    rest.forEach(add_row);
+    const functionals = [];
+    let of_sums = 0n, of_goal = 0n;  // under the first functional that is not 0 at the integral
+    do {
+      const row = reader.read('functional', size).map(integer);
+      add_row(row);
+      let image = [row];
+      for (let n = 0; n < size; ++n) image = multiply(image, rest);
+      demand(image[0].every(x => !x), 'a functional does not tell integrals');
+      const [[total]] = multiply([row], sums), [[value]] = multiply([row], goal);
+      if (!of_goal) [of_sums, of_goal] = [total, value];
+      demand(of_goal ? total * of_goal === value * of_sums : !total, 'the values are not those of this integral');
+      functionals.push(row);
+    } while (reader.peek() === 'functional');
+    demand(of_sums, 'the values are of the integral 0');
+    demand(span.rows.length >= size, 'the functionals do not tell all of an integral');
+    return functionals;
+  }
+  // All continuous solutions are multiples of one, or with functionals only one has their values
+  function check_unique(transition, den, components, functionals) {
     const inner = inner_places(transition, components), span = new Span([], 2n ** 32n - 5n);
     const images = [...inner].map(([key, entry]) => {
       const image = transition.apply(transition.digits[0], new Map([[key, entry]]));
       add(image, entry[0], -den);
+      functionals.forEach((row, i) => {  // at places that no sequence has
+        const c = entry[0][entry[0].length - 1];
+        if (row[c]) add(image, [...entry[0].slice(0, -1).fill(0), components + i], row[c]);
+      });
       return span.extend(image);
     });
-    demand(images.filter(x => !x).length <= 1, 'the refinement equation may have several continuous solutions');
+    demand(images.filter(x => !x).length <= (functionals.length ? 0 : 1), 'the refinement equation may have several continuous solutions');
   }
   function read_component(reader, {size, vectors}, component) {  // what reads it on the space, by points
     const readings = new Map();
@@ -2514,7 +2551,7 @@ var check_certificate = (() => {
     });
     return {readings: [...readings.values()], unobservable: small(reader.read('unobservable', 1)[0], 0, size - 1)};
   }
-  // 6.7: vector schemes with a parameter. sum_k x_k . e_l(-k) is 0 for all l
+  // 6.7: vector schemes. sum_k x_k . e_l(-k) is 0 for all l
   function annihilates(x, data) {
     const moments = data.map(y => y.map(() => fraction(0n)));  // of (-k)^t / t!
     for (const [[k, c], value] of x.values()) {
@@ -2593,9 +2630,11 @@ var check_certificate = (() => {
         reached(radius, length);
       };
     }
-    check_intervals(reader, {arity, degree, q, den: by_power[0].den, matrices}, goal, {levels: false, interval});
+    const symbol = {arity, degree, q, den: by_power[0].den, matrices};
+    if (interval) check_intervals(reader, symbol, goal, {levels: false, interval});
+    else prove(reader, control_family(symbol, null), goal);
   }
-  function check_surface(reader, {lower, upper, surface, dilation, component, exact}) {
+  function check_surface(reader, {lower, upper, surface, dilation, integral, component, exact}) {
     const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
     const order = order_in_space(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0]);
     check_ends(lower, upper, 1);
@@ -2612,7 +2651,7 @@ var check_certificate = (() => {
     const digits = reader.read('digits', D).map(token => read_point(token, dimension));
     const transition = new Transition(mask, M, digits), both = upper || exact;
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
-    const family = by_values ? read_values(reader, transition, order, den, both, components)
+    const family = by_values ? read_values(reader, transition, order, den, both, components, integral)
       : read_differences(reader, transition, order, den);
     const part = component === undefined ? null : read_component(reader, family, component);
     if (part && both) check_observable(part, family);
@@ -2918,11 +2957,12 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
-                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x - k),
-                     one up to a factor; of phi_C alone, C = 0, 1, ...)
-       subcert-check --vectors '[[[w,b],[c,d]],...]@first' --arity A --for 'w=LOW..HIGH' --lower P/Q FILE
-                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it diverges)
-       subcert-check --hermite MASK --arity A --for RANGE --lower K FILE    (it is HC^K; --upper K: it is not)
+                     [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous
+                     phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C
+                     alone, C = 0, 1, ...)
+       subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE
+                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it diverges)
+       subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
        subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE    (fits of degree D
@@ -2939,7 +2979,7 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'component', 'dilation', 'vectors',
+    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'vectors',
                    'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
@@ -2953,7 +2993,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
-    const curve = has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'component', 'dilation', 'matrices', 'subradius') &&
+    const curve = has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'dilation', 'matrices', 'subradius') &&
       ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
       ((none('levels') && !follow) || (has('lower') && none('upper'))) && has('masks') === has('order') &&
       ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
@@ -2962,11 +3002,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
       !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      (has('refinable') || none('component')) &&
+      (has('refinable') || none('integral', 'component')) &&
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'component', 'dilation', 'attains', 'logarithm');
-    const of_vectors = has('vectors') !== has('hermite') && has('arity', 'for') && has('lower') !== has('upper') &&
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'attains', 'logarithm');
+    const of_vectors = has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
@@ -2992,16 +3032,22 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       [claim.surface, claim.dilation] = [read_surface(text, kind_of === 'refinable'), read_dilation(options.dilation)];
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
+      if (options.integral !== undefined) {
+        claim.integral = options.integral.split(',').map(rational);
+        demand(claim.integral.length === claim.surface.components && claim.integral.some(x => sign(x)),
+               'an integral is a list of a number for each component, not all 0');
+        claim.head += ` integral=${options.integral}`;
+      }
       if (options.component !== undefined) {
         claim.component = small(options.component, 0, claim.surface.components - 1);
         claim.head += ` component=${options.component}`;
       }
     } else if (kind === check_vectors) {
       claim.hermite = options.hermite !== undefined;
-      const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range(options.for, claim);
+      const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = options.for === undefined ? null : read_range(options.for, claim);
       if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
       claim.curve = read_curve(options[kind_of], small(options.arity, 2, 16), letter, 2);
-      claim.head = `${kind_of} ${options[kind_of]} ${options.arity} ${options.for}`;
+      claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${letter ? ` ${options.for}` : ''}`;
     } else if (options.masks !== undefined) {
       claim.list = read_list(options.masks, small(options.arity, 2, 16), options.order);
       if (kind === check_curve) claim.curve = masks_in_one(claim.list);
@@ -3058,7 +3104,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
       : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
     return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
-      `${options.arity} for all ${options.for}`;
+      `${options.arity}${options.for === undefined ? '' : ` for all ${options.for}`}`;
   }
   function text_of_levels({recurrence, start, from, levels: range}) {
     const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
@@ -3080,7 +3126,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
     const one = options.component === undefined ? '' : `component ${options.component} of `;
     const mask = options.refinable === undefined ? options.surface : `${one}the refinable functions of ${options.refinable}`;
-    const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}`
+    const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}${options.integral === undefined ? '' : ` and integral ${options.integral}`}`
       : `${options.mask || options.masks} with arity ${options.arity}`;
     const of_list = list && (list.period.length ? ' for levels' : ' for all sequences of levels') +
       (options.order === 'any' ? '' : ` with ${options.order}`);
@@ -3108,7 +3154,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const is_subradius = claim.kind === check_subradius;
     demand(!is_subradius || claim.family.matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
     read_bounds(reader);
-    const one = !claim.interval && !claim.within;
+    const one = !claim.interval && !claim.within && claim.kind !== check_vectors;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
     claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);

@@ -24,7 +24,7 @@ constexpr const char* not_attained = "no block attains the exact radius";
 class Checker {
  public:
   Checker(const Claim& claim, Reader& reader)
-      : claim_(claim), reader_(reader), lower_(claim.lower), upper_(claim.upper), strict_(claim.range.has_value()) {}
+      : claim_(claim), reader_(reader), lower_(claim.lower), upper_(claim.upper), strict_(claim.is_strict()) {}
 
   /// Returns if the certificate proves the claim.
   void run() {
@@ -58,12 +58,12 @@ class Checker {
     if (claim_.list) check_constants(*claim_.list);
     if (claim_.list && claim_.list->period.empty())
       read_bounds(read_list(*claim_.list), false);
-    else if (claim_.arity != 0 && !claim_.range && reader_.at("reduced"))
+    else if (claim_.arity != 0 && !claim_.is_strict() && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
     else {
-      read_bounds(family, claim_.arity != 0);
+      read_bounds(family, claim_.arity != 0 && !claim_.is_vector_scheme());
       show_attained(claim_.mask);
       if (of_scheme_) show_convergence(of_scheme_(), 1, false);
     }
@@ -87,7 +87,7 @@ class Checker {
 
   /// Section 4.10: the number that the joint spectral radius is said to be.
   void read_exact() {
-    require(!claim_.range && !claim_.rounding, "exact numbers are those of one mask or family");
+    require(!claim_.is_strict() && !claim_.rounding, "exact numbers are those of one mask or family");
     if (claim_.exact) {
       reader_.take("exact " + claim_.exact_text, 0, 0);
       exact_ = claim_.exact;
@@ -202,7 +202,7 @@ class Checker {
     return list_family(list, sum_rules);
   }
 
-  /// Section 6.7: of a vector scheme with a parameter.
+  /// Section 6.7: of a vector scheme.
   Family read_vectors(const Mask& mask) {
     const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = mask.components;
     show_exponent(claim_.arity, power(claim_.arity, order), order);
@@ -225,7 +225,7 @@ class Checker {
 
   /// The transition matrices of the mask, and what is to be shown of them.
   Family read_scheme(const Mask& mask) {
-    if (mask.components > 0 && claim_.range) return read_vectors(mask);
+    if (claim_.is_vector_scheme()) return read_vectors(mask);
     const bool of_values = claim_.dilation && (mask.components > 0 || reader_.at("differences"));
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);
@@ -237,7 +237,7 @@ class Checker {
       root_ = claim_.dilation->variables;
       show_exact_exponent(1, 0);
       SurfaceFamily surface = read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_,
-                                           reader_, arithmetic_);
+                                           claim_.integral, reader_, arithmetic_);
       of_scheme_ = std::move(surface.of_scheme);
       if (claim_.component) {
         component_ = surface.of_component(*claim_.component);
@@ -278,7 +278,7 @@ class Checker {
 
   /// At most base^-exponent, for a lower end of an exponent.
   mpq_class power_of_exponent(unsigned base, const mpq_class& lower) const {
-    require(lower > 0 || (claim_.range && lower == 0), "the lower end of an exponent must be positive");
+    require(lower > 0 || (claim_.is_strict() && lower == 0), "the lower end of an exponent must be positive");
     require(lower <= most_exponent, "the lower end of an exponent is too large");
     const mpz_class whole = lower.get_num() / lower.get_den() + 1;
     return power_lower(base, whole - lower) / power(base, whole.get_ui());

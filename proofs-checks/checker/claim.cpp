@@ -24,14 +24,13 @@ const char* const usage =
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
-    "                     [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous phi = sum_k A_k phi(M x "
-    "- "
-    "k),\n"
-    "                     one up to a factor; of phi_C alone, C = 0, 1, ...)\n"
-    "       subcert-check --vectors '[[[w,b],[c,d]],...]@first' --arity A --for 'w=LOW..HIGH' --lower P/Q FILE\n"
-    "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j for all these w; <, not <=; --upper 0: it "
+    "                     [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous\n"
+    "                     phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C\n"
+    "                     alone, C = 0, 1, ...)\n"
+    "       subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE\n"
+    "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it "
     "diverges)\n"
-    "       subcert-check --hermite MASK --arity A --for RANGE --lower K FILE    (it is HC^K; --upper K: it is not)\n"
+    "       subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
     "       subcert-check --l1 N,D[,A] [--contraction STEPS,ORDER,P/Q] [--lower P/Q [--upper P/Q]] FILE\n"
@@ -58,10 +57,10 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask",    "--arity",   "--for",      "--levels",    "--recurrence", "--start",       "--from",
-        "--masks",   "--order",   "--within",   "--surface",   "--refinable",  "--component",   "--dilation",
-        "--vectors", "--hermite", "--matrices", "--subradius", "--l1",         "--contraction", "--lower",
-        "--upper",   "--exact",   "--attains",  "--logarithm", "FILE"})
+       {"--mask",     "--arity",   "--for",     "--levels",   "--recurrence", "--start",    "--from",
+        "--masks",    "--order",   "--within",  "--surface",  "--refinable",  "--integral", "--component",
+        "--dilation", "--vectors", "--hermite", "--matrices", "--subradius",  "--l1",       "--contraction",
+        "--lower",    "--upper",   "--exact",   "--attains",  "--logarithm",  "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -80,7 +79,7 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
   const Vector& coefficients = claim.mask->coefficients;
   if (kind == "arity") {
     require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
-                (claim.range || (coefficients.front() != 0 && coefficients.back() != 0)),
+                (claim.range || of_matrices || (coefficients.front() != 0 && coefficients.back() != 0)),
             "a mask has 1 to 1000 coefficients, the first and the last not zero");
     claim.arity = static_cast<unsigned>(parse_size(scale, 2, 16));
   } else {
@@ -162,7 +161,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
              &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
-             &refinable = given["--refinable"], &component = given["--component"],
+             &refinable = given["--refinable"], &integral = given["--integral"], &component = given["--component"],
              &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &radius = given["--matrices"],
              &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
              &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"], &order = given["--order"],
@@ -176,17 +175,18 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;
   const int subjects = one.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
                        subradius.has_value() + vectors.has_value() + hermite.has_value();
-  require(
-      file && subjects == 1 && curve.has_value() == arity.has_value() && surface.has_value() == dilation.has_value() &&
-          (mask || of_matrices || !range) && (mask || !rounding) && !(mask && masks) &&
-          masks.has_value() == order.has_value() && recurrence.has_value() == start.has_value() &&
-          start.has_value() == from.has_value() && (levels || !from) && !(range && rounding) &&
-          (!of_matrices || (values && lower.has_value() != upper.has_value())) && !(values && levels) &&
-          !((levels || follow_each_other) && (upper || !lower)) &&
-          !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
-          (exact || attains || lower || (upper ? matrices || range || rough : one.has_value())) &&
-          (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) && (!component || refinable),
-      usage);
+  require(file && subjects == 1 && curve.has_value() == arity.has_value() &&
+              surface.has_value() == dilation.has_value() && (mask || of_matrices || !range) && (mask || !rounding) &&
+              !(mask && masks) && masks.has_value() == order.has_value() &&
+              recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
+              (levels || !from) && !(range && rounding) &&
+              (!of_matrices || (!levels && !exact && lower.has_value() != upper.has_value())) && !(values && levels) &&
+              !((levels || follow_each_other) && (upper || !lower)) &&
+              !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
+              (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : one.has_value())) &&
+              (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
+              ((!component && !integral) || refinable),
+          usage);
   Claim claim;
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
@@ -209,6 +209,15 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (masks) read_masks_claim(*masks, *arity, *order, claim);
   if (mask || of_matrices) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (integral) {
+    claim.integral.emplace();
+    for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
+    require(claim.integral->size() == claim.mask->components &&
+                std::ranges::any_of(*claim.integral, [](const mpq_class& x) { return x != 0; }),
+            "an integral is a list of a number for each component, not all 0");
+    claim.head += " integral=" + *integral;
+    claim.subject += " and integral " + *integral;
+  }
   if (component) {
     claim.component = parse_size(*component, 0, claim.mask->components - 1);
     claim.head += " component=" + *component;
@@ -235,8 +244,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const bool is_number = exact || attains;
   const std::string number = lower || is_number ? claim.text + " and " : "";
   if (!lower && !upper && !is_number) claim.text = "stable integer shifts of the refinable distribution";
-  const std::string relation = range ? " < " : " <= ";
-  const bool diverges = range && !lower && claim.upper && *claim.upper == 0;
+  const std::string relation = claim.is_strict() ? " < " : " <= ";
+  const bool diverges = claim.is_strict() && !lower && claim.upper && *claim.upper == 0;
   if (diverges)
     claim.text = "no convergence";
   else if (range && upper && !lower && !rough)

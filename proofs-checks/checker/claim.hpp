@@ -18,10 +18,10 @@ namespace subcert_check {
 extern const char* const usage;
 
 /// What is to be proved: about the exponent of a mask with an arity or a dilation, otherwise about the radius of a
-/// family or its subradius. For a range of a parameter the inequalities are strict; `levels` is about all sequences of
-/// its values, one for each level. Or that limits are not C^k for k =
-/// `rough`. Without any of them: the shifts are stable. Or about fits of least absolute deviations: that differences
-/// contract, or that limits have an exponent.
+/// family or its subradius. For a range of a parameter and vector schemes the inequalities are strict; `levels` is
+/// about all sequences of its values, one for each level. Or that limits are not C^k for k = `rough`. Without any of
+/// them: the shifts are stable. Or about fits of least absolute deviations: that differences contract, or that limits
+/// have an exponent.
 struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
@@ -32,6 +32,7 @@ struct Claim {
   std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
+  std::optional<Rationals> integral;     // of matrices: of the only functions that have it
   std::optional<std::size_t> component;  // of matrices: of one function alone
   Family family;
   bool subradius = false;
@@ -44,6 +45,10 @@ struct Claim {
   std::optional<L1Rule> l1;
   std::optional<Contraction> contraction;
   std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
+
+  /// Of matrices with an arity: about a scheme on vectors itself, section 6.7.
+  bool is_vector_scheme() const { return arity != 0 && mask && mask->components > 0; }
+  bool is_strict() const { return range || is_vector_scheme(); }
 };
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/difference/difference.hpp>
+#include <subcert/analysis/regularity/component_support.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/regularity/stability.hpp>
@@ -133,10 +134,13 @@ Decision symmetry_of(const Scheme& scheme, const Expectation& expectation, doubl
   return decided(found == expectation.word, "it is " + found);
 }
 
+std::string interval_text(const Interval& of) {
+  return "[" + subcert::to_text(of.lower) + ", " + subcert::to_text(of.upper) + "]";
+}
+
 Decision support_of(const Scheme& scheme, const Expectation& expectation, double) {
   const Interval found = limit_support(scheme.mask.curve());
-  return decided(found == *expectation.ends,
-                 "it is [" + subcert::to_text(found.lower) + ", " + subcert::to_text(found.upper) + "]");
+  return decided(found == *expectation.ends, "it is " + interval_text(found));
 }
 
 Decision holder_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
@@ -171,6 +175,28 @@ Decision holder_of_vector(const Scheme& scheme, const Expectation& expectation, 
   const FunctionVector& vector = vector_of(regularity);
   if (vector.continuous.is_no()) return decided(false, "no continuous solution: " + vector.continuous.reason);
   return compare(regularity.exponent(), expectation, "the exponent");
+}
+
+/// Of the smallest interval that holds the supports of all functions.
+Decision support_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
+  const Regularity regularity = regularity_of(scheme, seconds);
+  const FunctionVector& vector = vector_of(regularity);
+  if (!vector.continuous.is_yes()) return {vector.continuous.truth, "no continuous solution is proved"};
+  if (!vector.values) return {Truth::unknown, "it is computed of one solution alone, and of rational matrices"};
+  try {
+    std::optional<Interval> whole;
+    std::string each;
+    const auto supports = component_supports(scheme.mask, *vector.values);
+    for (std::size_t c = 0; c < supports.size(); ++c) {
+      each += fmt::format(", phi_{} {}", c + 1, supports[c] ? interval_text(*supports[c]) : "is 0");
+      if (!supports[c]) continue;
+      whole = whole ? Interval{std::min(whole->lower, supports[c]->lower), std::max(whole->upper, supports[c]->upper)}
+                    : *supports[c];
+    }
+    return decided(*whole == *expectation.ends, "it is " + interval_text(*whole) + ":" + each.substr(1));
+  } catch (const Error& error) {
+    return {Truth::unknown, error.what()};
+  }
 }
 
 Decision sobolev_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
@@ -242,8 +268,14 @@ const std::vector<Property>& known_properties() {
        {},
        reproduces_hermite,
        true},
-      {"support", "[first, last]", "the ends of the support of the basic limit function", Expects::ends, support_of,
-       nullptr},
+      {"support",
+       "[first, last]",
+       "the ends of the support of the basic limit function",
+       Expects::ends,
+       support_of,
+       nullptr,
+       {},
+       support_of_vector},
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
       {"stable", answer, "stability of the integer shifts", Expects::answer, stable,
        [](S s, E e, double time) { return matches(regularity_of(s, time).stable(), e.yes); }, Kind::stable},

@@ -46,12 +46,12 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>
                                                                                                    double budget) {
   require(level >= 0, "limit: need level >= 0, got {}", level);
   require(!scheme.quadratic, "limit: need rational matrices, got {}", scheme.specification);
-  const FunctionVector vector = *vector_regularity(scheme.mask, {Deadline::in(budget)}).vector;
+  const FunctionVector vector = *vector_regularity(scheme.mask, {Deadline::in(budget)}, {.integral = scheme.integral})
+                                     .vector;
   require_convergence(scheme.specification, vector.continuous);
-  require(vector.solutions == 1, "limit: need one continuous solution up to a factor, got up to {} for {}",
-          vector.solutions, scheme.specification);
+  require(vector.solutions == 1, "{}: need {}", scheme.specification, facts::needed_solution(vector));
   std::map<LatticePoint, std::vector<Rational>> values;
-  for (const auto& [index, value] : limit_values(scheme.mask, level)) {
+  for (const auto& [index, value] : limit_values(scheme.mask, *vector.values, level)) {
     const LatticePoint point(index.begin(), std::prev(index.end()));
     values.try_emplace(point, scheme.mask.components(), 0)
         .first->second[static_cast<std::size_t>(index.back())] = value;

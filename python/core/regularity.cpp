@@ -172,6 +172,14 @@ void add_regularity(py::module_& module) {
           })
       .def("certificate", &holder_certificate);
   module.def("holder", &holder);
+  module.def("vector_scheme_certificate", [](const Scheme& scheme, double seconds, const py::object& progress) {
+    require(scheme.form && !scheme.quadratic, "certificate: need a scheme of rational matrices, got {}",
+            scheme.specification);
+    const Certificate found = interruptible(progress, [&] {
+      return vector_scheme_certificate(scheme.mask, scheme.form == VectorForm::hermite, {Deadline::in(seconds)});
+    });
+    return to_list(found);
+  });
   module.def("frequency_bound", [](const Scheme& scheme, const py::object& progress) -> std::optional<Rational> {
     require(!scheme.rounding && is_affine(scheme.mask.curve()), "{}: need a mask of exact numbers with coset sums 1",
             scheme.specification);

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, Union
 
 from . import _display, _plots
 from ._calls import core as _core
+from ._certificates import Certificate, strongest
 from ._errors import DomainError
 from ._exact import Decision, Enclosure, Exact, bits_of, fraction, optional_enclosure
 from ._regularity import Computation, HolderExponent, Progress, exponent_of
@@ -530,6 +531,18 @@ class VectorScheme(_OnLattice):
         """
         return self.holder(budget, progress=progress).converges
 
+    def convergence_certificate(self, budget: float = 60, progress: Progress = None) -> Certificate:
+        """A proof that the scheme converges, or of a Hermite scheme that it is HC^k, k the lower end, or that it does
+        not. Raises DomainError where the scheme keeps no constants, or as a Hermite scheme not the values and
+        derivatives of polynomials, of more than one variable, and where nothing is decided.
+
+        >>> import subcert
+        >>> proof = subcert.scheme("hermite-dd:points=4,order=2").convergence_certificate()
+        >>> proof.lower, proof.verify().accepted
+        ('2', True)
+        """
+        return strongest(_core.vector_scheme_certificate(self._handle, budget, progress))
+
     def limit(
         self, level: int = 2, *, exact: bool = False, budget: float = 60, progress: Progress = None
     ) -> tuple[Any, Any]:
@@ -660,16 +673,21 @@ def refinable(
     first: Union[int, Sequence[int], None] = None,
     arity: int = 2,
     dilation: Optional[Sequence[Sequence[int]]] = None,
+    integral: Optional[Sequence[Exact]] = None,
 ) -> VectorScheme:
     """The vector of functions with phi(x) = sum over k of A_k phi(2x - k), of matrices A_k over a common denominator
-    from the index `first` on; the rest as in mask().
+    from the index `first` on; the rest as in mask(). Where several functions solve this, `integral` chooses one.
 
     >>> import subcert
     >>> hats = subcert.refinable([[[1, 0], [2, 1]], [[2, 0], [0, 1]], [[1, 0], [0, 0]]], 2, first=0)
     >>> hats.components, hats.specification
     (2, 'refinable:[[[1,0],[2,1]],[[2,0],[0,1]],[[1,0],[0,0]]]/2@0')
+    >>> both = [[[2, 0], [0, 1]], [[4, 0], [0, 3]], [[2, 0], [0, 3]], [[0, 0], [0, 1]]]
+    >>> print(subcert.refinable(both, 4, first=-1, integral=[0, 1]).holder())
+    2
     """
-    return scheme(f"refinable:{_listed(matrices, denominator)[0]}{_fields(first, arity, dilation)}")
+    chosen = "" if integral is None else f",integral={_listed(integral, 1)[0]}"
+    return scheme(f"refinable:{_listed(matrices, denominator)[0]}{_fields(first, arity, dilation)}{chosen}")
 
 
 def _listed(coefficients: Iterable[Any], denominator: Exact) -> tuple[str, int]:

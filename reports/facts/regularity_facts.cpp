@@ -4,7 +4,9 @@
 
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/quadratic_number.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/schemes/data/refine/vector_refinement.hpp>
 
 #include <fmt/format.h>
 
@@ -176,6 +178,68 @@ std::size_t count_of_matrices(const LatticeMask& mask) {
   return exponents.size();
 }
 
+/// Of an integral, component by component.
+std::vector<std::string> numbers_of(const std::vector<Rational>& integral, long root) {
+  std::vector<std::string> result;
+  const std::size_t size = root > 0 ? integral.size() / 2 : integral.size();
+  for (std::size_t c = 0; c < size; ++c)
+    result.push_back(
+        (root > 0 ? QuadraticNumber{integral[c], integral[size + c], root} : QuadraticNumber{integral[c]}).to_text());
+  return result;
+}
+
+std::string integral_text(const std::vector<Rational>& integral, long root) {
+  return fmt::format("[{}]", fmt::join(numbers_of(integral, root), ","));
+}
+
+/// How to choose one of several solutions; nothing where their integrals are all 0.
+std::string chosen_by_integral(const FunctionVector& vector) {
+  if (vector.integrals.empty()) return "";
+  std::vector<std::string> basis;
+  for (const auto& integral : vector.integrals) basis.push_back(integral_text(integral, vector.root));
+  return fmt::format("; their integrals are combinations of {}, and one is chosen as by integral={}",
+                     fmt::join(basis, " and "), basis.front());
+}
+
+std::string solutions_text(const FunctionVector& vector) {
+  const std::string integral = vector.integral ? integral_text(*vector.integral, vector.root) : "";
+  if (vector.solutions == 0)
+    return integral.empty() || vector.integrals.empty()
+               ? "none that is continuous"
+               : "none that is continuous has the integral " + integral + chosen_by_integral(vector);
+  if (vector.solutions == 1)
+    return integral.empty() ? "at most one that is continuous, up to a factor"
+                            : "at most one that is continuous has the integral " + integral;
+  const std::string them = "; what follows is about all of them";
+  return fmt::format("at most {} that are continuous and independent", vector.solutions) +
+         (integral.empty() ? them + chosen_by_integral(vector) : ", with the integral " + integral + " or 0" + them);
+}
+
+/// What a Hermite scheme keeps, and whether it would keep more in another convention.
+Fact spectral_fact(const LatticeMask& mask) {
+  const int degree = data::hermite_reproduction(mask).degree, wanted = static_cast<int>(mask.components()) - 1;
+  const auto up_to = [](int d) {
+    return d == 0 ? std::string("of constants") : fmt::format("of polynomials up to degree {}", d);
+  };
+  std::string text = degree < 0 ? "not even those of constants" : "those " + up_to(degree);
+  if (degree < wanted) {
+    text += ": the spectral condition of its data fails";
+    // Of A_k the columns are the rows of P_k.
+    std::vector<LatticeMask::Term> exchanged = mask.terms(), divided = exchanged;
+    for (LatticeMask::Term& term : exchanged) std::swap(term.row, term.column);
+    for (LatticeMask::Term& term : divided)
+      term.coefficient *= power(Rational(mask.arity()), -static_cast<long>(term.column));
+    for (const auto& [terms, change] : {std::pair(exchanged, std::string("their transposes")),
+                                        {divided, fmt::format("row k divided by {}^k, k = 0, 1, ...", mask.arity())}}) {
+      const int other = data::hermite_reproduction(matrix_mask(terms, mask.components(), mask.dilation())).degree;
+      if (other >= wanted)
+        text += fmt::format("; the matrices may be meant in another convention: {} keep those {}", change,
+                            up_to(other));
+    }
+  }
+  return {"spectral_degree", "keeps data", text, "", degree};
+}
+
 Facts dilation_facts(const LatticeMask& mask) {
   const Dilation& dilation = mask.dilation();
   return {member("variables", mask.dimension()),
@@ -185,6 +249,11 @@ Facts dilation_facts(const LatticeMask& mask) {
 
 }  // namespace
 
+std::string needed_solution(const FunctionVector& vector) {
+  return fmt::format("one continuous solution up to a factor, got up to {}{}", vector.solutions,
+                     chosen_by_integral(vector));
+}
+
 Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
   std::string text = to_mask_text(mask);
   constexpr std::size_t most_text = 400;
@@ -193,18 +262,15 @@ Facts equation_facts(const LatticeMask& mask, const FunctionVector& vector) {
   std::vector<std::string> sides;
   for (const Interval& side : limit_support(mask))
     sides.push_back(fmt::format("[{}, {}]", to_text(side.lower), to_text(side.upper)));
+  Json integrals = Json::array();
+  for (const auto& integral : vector.integrals) integrals.push_back(numbers_of(integral, vector.root));
   return {{"equation", "equation",
            "phi(x) = sum of A_k phi(" + std::string(mask.dimension() == 1 ? fmt::format("{}x", mask.arity()) : "Mx") +
                " - k), A = " + text,
            "", to_mask_text(mask)},
           {"", "support", fmt::format("in {}", fmt::join(sides, " x "))},
-          {"solutions", "solutions",
-           vector.solutions == 0 ? "none that is continuous"
-           : vector.solutions == 1
-               ? "at most one that is continuous, up to a factor"
-               : fmt::format("at most {} that are continuous and independent; what follows is about all of them",
-                             vector.solutions),
-           "", vector.solutions}};
+          {"solutions", "solutions", solutions_text(vector), "", vector.solutions},
+          member("integrals", std::move(integrals))};
 }
 
 Fact continuous_fact(const Decision& continuous) {
@@ -240,10 +306,10 @@ Fact components_fact(const FunctionVector& vector, int digits) {
   return {"components", "components", text, "", list};
 }
 
-Fact values_fact(const LatticeMask& mask) {
+Fact values_fact(const LatticeSequence& values) {
   std::string text;
   Json list = Json::array();
-  for (const auto& [index, value] : limit_values(mask, 0)) {
+  for (const auto& [index, value] : values) {
     const LatticePoint point(index.begin(), std::prev(index.end()));
     text += fmt::format("{}phi_{}({}) = {}", text.empty() ? "" : ", ", index.back() + 1, fmt::join(point, ","),
                         to_text(value));
@@ -291,7 +357,11 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   append(list, curve ? Facts{rounding_fact(scheme.rounding)} : dilation_facts(scheme.mask));
   list.push_back(vector ? member("sum_rules", nullptr) : plain("sum_rules", "sum rules", regularity.sum_rules()));
   list.push_back(converges_fact(regularity.converges()));
-  if (vector) list.push_back(hermite_fact(vector->hermite));
+  if (vector) {
+    list.push_back(hermite_fact(vector->hermite));
+    list.push_back(scheme.form == VectorForm::hermite ? spectral_fact(scheme.mask)
+                                                      : member("spectral_degree", nullptr));
+  }
   if (curve)
     append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});
   else

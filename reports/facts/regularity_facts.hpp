@@ -30,8 +30,11 @@ Fact components_fact(const FunctionVector& vector, int digits = 0);
 Fact hermite_fact(const std::optional<HermiteOrder>& hermite);
 Fact continuous_fact(const Decision& continuous);
 
-/// Of a vector of functions, the values that are not 0 at lattice points. Domain: as limit_values.
-Fact values_fact(const LatticeMask& mask);
+/// What is needed where one function is: `one continuous solution up to a factor, got up to 2; ...`.
+std::string needed_solution(const FunctionVector& vector);
+
+/// Of a vector of functions, its values at lattice points that are not 0.
+Fact values_fact(const LatticeSequence& values);
 
 /// The line of the exponent alone. `digits`: at least.
 Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits);

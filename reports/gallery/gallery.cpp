@@ -10,6 +10,7 @@
 #include <subcert/analysis/variance/variance_range.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
+#include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/formats/html.hpp>
 #include <subcert/reports/formats/limit_figure.hpp>
 #include <subcert/schemes/data/refine/refine.hpp>
@@ -221,14 +222,16 @@ void fill_vector(Plate& plate, const PlateOptions& options) {
   if (!plate.vector || !plate.vector->continuous.is_yes())
     plate.notes.emplace_back("Continuous functions are not proved to exist: nothing is drawn.");
   else if (plate.vector->solutions != 1)
-    plate.notes.emplace_back("There may be several solutions of the refinement equation: none is drawn.");
+    plate.notes.push_back("None is drawn of several functions; a picture needs " +
+                          facts::needed_solution(*plate.vector) + ".");
   else if (scheme.quadratic || scheme.mask.dimension() > 1)
     plate.notes.push_back(fmt::format("Functions {} are not drawn.",
                                       scheme.quadratic ? "of matrices with square roots" : "of several variables"));
   else
     try_part(plate, {}, "picture of the functions", [&] {
       plate.pictures.push_back(
-          {"limit", "<i>φ</i>, up to a factor", formats::vector_panel(scheme.mask, "The functions of the vector")});
+          {"limit", scheme.integral ? "<i>φ</i>" : "<i>φ</i>, up to a factor",
+           formats::vector_panel(scheme.mask, *plate.vector->values, "The functions of the vector")});
     });
 }
 

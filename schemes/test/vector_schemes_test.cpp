@@ -236,6 +236,49 @@ TEST_CASE("masks over a quadratic field are rounded and doubled alike") {
   }
 }
 
+TEST_CASE("square roots may be typed in masks of matrices") {
+  const std::string typed = "[[[2,2],[-sqrt(7),-sqrt(7)]],[[4,0],[0,2]],[[2,-2],[sqrt(7),-sqrt(7)]]]/4@0";
+  const Scheme scheme = make_refinable_scheme("refinable:" + typed), named = make_refinable_scheme("cl:2");
+  REQUIRE(scheme.quadratic);
+  CHECK(scheme.quadratic->root == 7);
+  CHECK(scheme.quadratic->doubled == named.quadratic->doubled);
+  CHECK(scheme.mask == named.mask);
+  CHECK(scheme.rounding->distance == named.rounding->distance);
+  CHECK(scheme.specification == "refinable:" + typed);
+  CHECK(make_refinable_scheme(scheme.specification).specification == scheme.specification);
+  // the other spellings of the root, and the transposed matrices
+  const Scheme again = make_refinable_scheme(
+      "refinable:[[[1/2,1/2],[-7/(4*sqrt(7)),-sqrt(28)/8]],[[1,0],[0,1/2]],[[1/2,-1/2],[sqrt(7)/4,-sqrt(7)/4]]]");
+  CHECK(again.specification == "refinable:" + typed.substr(0, typed.size() - 2) + "@-1");
+  const Scheme transposed = make_refinable_scheme(
+      "vector:[[[2,-sqrt(7)],[2,-sqrt(7)]],[[4,0],[0,2]],[[2,sqrt(7)],[-2,-sqrt(7)]]]/4@0");
+  CHECK(transposed.form == VectorForm::vector);
+  CHECK(transposed.quadratic->doubled == named.quadratic->doubled);
+  // roots of squares are rational
+  CHECK_FALSE(make_refinable_scheme("refinable:[[[sqrt(4),0],[0,1]],[[1,0],[0,sqrt(1)]]]/2").quadratic);
+  // as Geronimo, Hardin and Massopust print it
+  const Scheme ghm = make_refinable_scheme(
+      "refinable:[[[12,16*sqrt(2)],[-sqrt(2),-6]],[[12,0],[9*sqrt(2),20]],[[0,0],[9*sqrt(2),-6]],"
+      "[[0,0],[-sqrt(2),0]]]/20@0");
+  const Enclosure exponent = vector_regularity(*ghm.quadratic, {Deadline::in(20)}).exponent;
+  CHECK(*exponent.lower <= 1);
+  CHECK(*exponent.upper >= 1);
+  CHECK(*exponent.upper - *exponent.lower < Rational(1, 1'000'000'000));
+  // two functions beside each other: one by its integral
+  const std::string both =
+      "refinable:[[[2,2,0],[-sqrt(7),-sqrt(7),0],[0,0,2]],[[4,0,0],[0,2,0],[0,0,4]],"
+      "[[2,-2,0],[sqrt(7),-sqrt(7),0],[0,0,2]]]/4@0";
+  const Scheme several = make_refinable_scheme(both), one = make_refinable_scheme(both + ",integral=[0,0,1]");
+  CHECK(vector_regularity(*several.quadratic, {Deadline::in(20)}).vector->solutions == 2);
+  const MultivariateRegularity hat = vector_regularity(*one.quadratic, {Deadline::in(20)}, {.integral = one.integral});
+  CHECK(hat.vector->solutions == 1);
+  CHECK(*hat.exponent.lower > Rational(999, 1000));
+  CHECK(refusal_of("refinable:[[[sqrt(2),0],[0,1]],[[1,0],[0,sqrt(3)]]]")
+            .find("'sqrt(3)' one square root in all entries, here multiples of sqrt(2)") != std::string::npos);
+  CHECK(refusal_of("hermite:[[[sqrt(2),0],[0,1]],[[1,0],[0,1]]]").find("rational numbers") != std::string::npos);
+  CHECK(refusal_of("refinable:[[[sqrt(2,0],[0,1]],[[1,0],[0,1]]]") != "accepted");
+}
+
 TEST_CASE("tensor products of vectors have all products of components") {
   const LatticeMask a = mask_of("ghm"), b = mask_of("bspline:degree=3,multiplicity=2,a=3"),
                     product = mask_of("tensor:(ghm)x(bspline:degree=3,multiplicity=2,a=3)");

@@ -13,6 +13,13 @@ LatticeMask matrix_mask(const std::vector<LatticeMask::Term>& terms, std::size_t
   return {std::move(result), dilation};
 }
 
+RationalMatrix mean_matrix(const LatticeMask& mask) {
+  RationalMatrix result(mask.components(), mask.components());
+  for (const LatticeMask::Term& term : mask.terms())
+    result(term.row, term.column) += term.coefficient / mask.dilation().classes();
+  return result;
+}
+
 bool keeps_data(const std::vector<LatticeMask::Term>& terms, std::size_t size, const Dilation& dilation,
                 bool derivatives, const Rational& one) {
   const LatticePoint zero(dilation.variables(), 0);

@@ -3,11 +3,16 @@
 
 #include "mask.hpp"
 
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+
 namespace subcert {
 
 /// The mask with these entries, which add up where they come twice. Domain: rows and columns below `size`. Errors:
 /// throws Error where all are 0.
 LatticeMask matrix_mask(const std::vector<LatticeMask::Term>& terms, std::size_t size, const Dilation& dilation);
+
+/// (sum over k of A_k) / |det M|, which maps the integral of a solution of the refinement equation to itself.
+RationalMatrix mean_matrix(const LatticeMask& mask);
 
 /// Whether a scheme with these terms, each entry once, keeps its data: of the A_k with k in M Z^s only A_0 is not 0,
 /// and is `one` times the identity, or with `derivatives`, which are per unit of the spacing, times diag(1, 1/a, 1/a^2,

@@ -291,6 +291,17 @@ ParametricMask transposed(const ParametricMask& mask) {
   });
 }
 
+ParametricMask without_letters(const LatticeMask& mask) {
+  const auto rows = static_cast<long>(mask.components());
+  LaurentPolynomial entries;
+  for (const LatticeMask::Term& term : mask.terms())
+    entries += LaurentPolynomial::monomial(
+        term.coefficient,
+        (term.exponents[0] * rows + static_cast<long>(term.row)) * rows + static_cast<long>(term.column));
+  return {Powers<LaurentPolynomial>{{1}, {std::move(entries)}}, mask.arity(), Powers<Rational>{{1}, {1}},
+          mask.components()};
+}
+
 int sum_rules(const ParametricMask& mask) {
   if (mask.components() > 1) return static_cast<int>(kept_polynomials(mask).data.size());
   int rules = std::numeric_limits<int>::max();

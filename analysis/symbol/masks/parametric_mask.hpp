@@ -90,6 +90,9 @@ class ParametricMask {
 /// The mask with all matrices transposed.
 ParametricMask transposed(const ParametricMask& mask);
 
+/// The same mask for all values of one letter. Domain: one variable, an arity.
+ParametricMask without_letters(const LatticeMask& mask);
+
 /// The number of sum rules that hold for all w; of matrices that of the data of kept_polynomials.
 int sum_rules(const ParametricMask& mask);
 

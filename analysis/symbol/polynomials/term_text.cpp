@@ -27,13 +27,33 @@ std::string print_magnitude(const Rational& value, Style style) {
 }
 
 Rational read_number(std::string_view text) {
-  const auto value = parse_constant(text);
-  if (!value) throw ParseError("mask", text, 1, "an exact number p, p/q with q > 0, a decimal, or a sum of such");
-  return *value;
+  const QuadraticNumber number = QuadraticNumber::parse(text);
+  if (number.root > 0) throw ParseError("mask", text, 1, "an exact number without a square root");
+  return number.rational;
 }
 
 bool is_zero(const Rational& value) { return value == 0; }
 bool is_zero(const LetterFunction& value) { return value.is_zero(); }
+bool is_zero(const QuadraticNumber& value) { return value.is_zero(); }
+
+/// Entries in lists of these sizes, divided by the common denominator.
+template <class Number>
+std::string print_lists(const MaskTextOf<Number>& mask, const std::vector<std::string>& entries,
+                        const Integer& common) {
+  std::string text;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i > 0) text += ',';
+    std::size_t run = 1;  // entries of the lists that begin or end here
+    for (std::size_t v = 0; v < mask.sizes.size() && i % (run *= mask.sizes[v]) == 0; ++v) text += '[';
+    text += entries[i];
+    run = 1;
+    for (std::size_t v = 0; v < mask.sizes.size() && (i + 1) % (run *= mask.sizes[v]) == 0; ++v) text += ']';
+  }
+  if (common != 1) text += "/" + common.str();
+  if (mask.first)
+    for (std::size_t v = 0; v < mask.first->size(); ++v) text += (v ? "," : "@") + std::to_string((*mask.first)[v]);
+  return text;
+}
 
 template <class Number>
 class MaskReader {
@@ -180,22 +200,33 @@ MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_vi
       .mask();
 }
 
+MaskTextOf<QuadraticNumber> parse_quadratic_mask_text(std::string_view text, int variables) {
+  long root = 0;  // of the entries so far
+  return MaskReader<QuadraticNumber>(text, variables, Entries::matrices, true,
+                                     [&root](std::string_view entry) {
+                                       const QuadraticNumber number = QuadraticNumber::parse(entry, root);
+                                       root = std::max(root, number.root);
+                                       return number;
+                                     })
+      .mask();
+}
+
 std::string print_mask_text(const MaskText& mask) {
   Integer common = 1;
   for (const Rational& c : mask.coefficients) common = lcm(common, denominator(c));
-  std::string text;
-  for (std::size_t i = 0; i < mask.coefficients.size(); ++i) {
-    if (i > 0) text += ',';
-    std::size_t run = 1;  // entries of the lists that begin or end here
-    for (std::size_t v = 0; v < mask.sizes.size() && i % (run *= mask.sizes[v]) == 0; ++v) text += '[';
-    text += to_text(Rational(mask.coefficients[i] * common));
-    run = 1;
-    for (std::size_t v = 0; v < mask.sizes.size() && (i + 1) % (run *= mask.sizes[v]) == 0; ++v) text += ']';
-  }
-  if (common != 1) text += "/" + common.str();
-  if (mask.first)
-    for (std::size_t v = 0; v < mask.first->size(); ++v) text += (v ? "," : "@") + std::to_string((*mask.first)[v]);
-  return text;
+  std::vector<std::string> entries;
+  for (const Rational& c : mask.coefficients) entries.push_back(to_text(Rational(c * common)));
+  return print_lists(mask, entries, common);
+}
+
+std::string print_mask_text(const MaskTextOf<QuadraticNumber>& mask) {
+  Integer common = 1;
+  for (const QuadraticNumber& c : mask.coefficients)
+    common = lcm(common, lcm(denominator(c.rational), denominator(c.multiple)));
+  std::vector<std::string> entries;
+  for (const QuadraticNumber& c : mask.coefficients)
+    entries.push_back(QuadraticNumber{c.rational * common, c.multiple * common, c.root}.to_text());
+  return print_lists(mask, entries, common);
 }
 
 }  // namespace subcert::text

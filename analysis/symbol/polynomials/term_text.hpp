@@ -1,6 +1,7 @@
 #pragma once
 /// Printing of sums of monomials, shared by the polynomials in one and in several variables, and masks as text.
 
+#include "quadratic_number.hpp"
 #include "rational_function.hpp"
 
 #include <optional>
@@ -37,7 +38,11 @@ MaskText parse_mask_text(std::string_view text, int variables, Entries entries =
 MaskTextOf<LetterFunction> parse_mask_text(std::string_view text, std::string_view letters,
                                            Entries entries = Entries::numbers);
 
+/// Matrices whose entries may have multiples of one square root, the same in all. Errors: throws ParseError.
+MaskTextOf<QuadraticNumber> parse_quadratic_mask_text(std::string_view text, int variables);
+
 /// What parse_mask_text reads, over the common denominator.
 std::string print_mask_text(const MaskText& mask);
+std::string print_mask_text(const MaskTextOf<QuadraticNumber>& mask);
 
 }  // namespace subcert::text

@@ -39,10 +39,13 @@ class Surface {
   }
 
   /// Sections 5.6 and 5.9: the space of the differences of phi. With `spanned` they are shown to span it.
-  Family of_values(std::size_t order, bool spanned) {
+  Family of_values(std::size_t order, bool spanned, const std::optional<Rationals>& integral) {
     if (!of_vectors_) check_sum_rules(1);
-    const std::set<Sequence> starts = operators_.differences(read_values(), order);
-    if (of_vectors_) check_unique(operators_);
+    const Sequence values = read_values();
+    const std::set<Sequence> starts = operators_.differences(values, order);
+    if (of_vectors_)
+      check_unique(operators_,
+                   integral ? read_functionals(operators_, values, *integral, reader_) : std::vector<Vector>());
     read_space();
     Family result = restricted();
     const std::size_t rounds = rounds_into_space(starts);
@@ -348,7 +351,7 @@ Dilation read_turned(const Mask& mask, const Dilation& dilation, Reader& reader,
 }
 
 SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
-                           Reader& reader, Arithmetic& arithmetic) {
+                           const std::optional<Rationals>& integral, Reader& reader, Arithmetic& arithmetic) {
   require(order <= max_order, "a higher order than the checker allows in several variables");
   const auto is_zero = [](const mpz_class& coefficient) { return coefficient == 0; };
   require(!std::ranges::all_of(mask.coefficients, is_zero), "all coefficients of the mask are 0");
@@ -357,10 +360,12 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   const auto surface = std::make_shared<Surface>(mask, used, reader, arithmetic);
   surface->read_digits();
   if (mask.components > 0)
-    return {surface->of_values(order, upper), {}, [surface](std::size_t c) { return surface->read_component(c); }};
+    return {surface->of_values(order, upper, integral), {}, [surface](std::size_t c) {
+              return surface->read_component(c);
+            }};
   if (of_values)
     return {
-        surface->of_values(order, upper),
+        surface->of_values(order, upper, integral),
         [surface, &reader] { return surface->of_scheme(parse_size(reader.take("sum-rules", 1, 1)[0], 1, max_order)); },
         {}};
   SurfaceFamily result{surface->of_scheme(order), {}, {}};

@@ -5,6 +5,7 @@
 #include "dilation.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace subcert_check {
 
@@ -30,8 +31,9 @@ Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& re
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
 /// order; they are those of the scheme, or with `of_values` those of phi, as they always are for a mask of matrices.
 /// With `upper` the radius is shown to tell the exponent from above as well, provided that it tells it from below: the
-/// shifts are stable, or the differences of phi span the space. The result uses the reader and the arithmetic.
+/// shifts are stable, or the differences of phi span the space. `integral`: that of the phi that is meant, of a mask of
+/// matrices. The result uses the reader and the arithmetic.
 SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
-                           Reader& reader, Arithmetic& arithmetic);
+                           const std::optional<Rationals>& integral, Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

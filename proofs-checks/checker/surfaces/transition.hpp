@@ -88,8 +88,13 @@ class Elimination {
   bool modular_;
 };
 
+/// Section 5.9: reads what tells the integral of a solution from the sums of its values. Rejects unless the solution
+/// with these values has a multiple of this integral, other than 0.
+std::vector<Vector> read_functionals(const Transition& operators, const Sequence& values, const Rationals& integral,
+                                     Reader& reader);
+
 /// Section 5.9: rejects unless the continuous solutions of compact support of the refinement equation are the multiples
-/// of one.
-void check_unique(const Transition& operators);
+/// of one; or with functionals, unless there is only one that has their values.
+void check_unique(const Transition& operators, const std::vector<Vector>& functionals);
 
 }  // namespace subcert_check

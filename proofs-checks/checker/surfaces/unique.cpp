@@ -1,6 +1,7 @@
 #include "transition.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace subcert_check {
@@ -108,17 +109,71 @@ class Places {
 
 }  // namespace
 
-/// The fixed vectors of the operator of the first digit with values at these places have no more than one dimension.
-void check_unique(const Transition& operators) {
+std::vector<Vector> read_functionals(const Transition& operators, const Sequence& values, const Rationals& integral,
+                                     Reader& reader) {
+  const std::size_t size = operators.components();
+  Arithmetic& arithmetic = operators.arithmetic();
+  // q |det M| (B - 1), row by row, q the denominator of the mask
+  Vector rest(size * size);
+  for (const auto& [place, value] : operators.mask()) rest[place.component] += value;
+  for (std::size_t c = 0; c < size; ++c) rest[c * size + c] -= operators.denominator() * operators.classes();
+  const auto product = [&](const Vector& x, const mpz_class* y, std::size_t step) {
+    mpz_class sum = 0;
+    for (std::size_t c = 0; c < size; ++c) arithmetic.add_product(sum, x[c], y[c * step]);
+    return sum;
+  };
+  const Vector goal = clear_denominators(1, integral).entries;
+  for (std::size_t r = 0; r < size; ++r)
+    require(product(goal, &rest[r * size], 1) == 0, "the integral is none of a solution");
+  Vector sums(size);
+  for (const auto& [place, value] : values) sums[place.component] += value;
+  std::vector<Row> span;
+  const Elimination modulo(operators, true);
+  const auto add = [&](const Vector& row) {
+    Sequence one;
+    for (std::size_t c = 0; c < size; ++c)
+      if (row[c] != 0) operators.entry(one, {{}, c}) = row[c];
+    modulo.add(span, std::move(one));
+  };
+  for (std::size_t r = 0; r < size; ++r) add({&rest[r * size], &rest[r * size] + size});
+  std::vector<Vector> result;
+  mpz_class of_sums = 0, of_goal = 0;  // under the first functional that is not 0 at the integral
+  do {
+    Vector& functional = result.emplace_back();
+    for (const std::string_view field : reader.take("functional", size, size))
+      functional.push_back(parse_integer(field));
+    add(functional);
+    Vector image = functional;
+    for (std::size_t n = 0; n < size; ++n) {
+      Vector next;
+      for (std::size_t c = 0; c < size; ++c) next.push_back(product(image, &rest[c], size));
+      image = std::move(next);
+    }
+    require(std::ranges::all_of(image, [](const mpz_class& x) { return x == 0; }),
+            "a functional does not tell integrals");
+    const mpz_class sum = product(functional, sums.data(), 1), value = product(functional, goal.data(), 1);
+    if (of_goal == 0) std::tie(of_sums, of_goal) = std::pair(sum, value);
+    require(of_goal == 0 ? sum == 0 : sum * of_goal == value * of_sums, "the values are not those of this integral");
+  } while (reader.at("functional"));
+  require(of_sums != 0, "the values are of the integral 0");
+  require(span.size() >= size, "the functionals do not tell all of an integral");
+  return result;
+}
+
+void check_unique(const Transition& operators, const std::vector<Vector>& functionals) {
   const Sequence inner = Places(operators).inner();
   const Elimination modulo(operators, true);
   std::vector<Row> rows;
   for (const auto& [place, value] : inner) {
     Sequence image = std::move(operators.of({{place, 1}})[0]);
     operators.entry(image, place) -= operators.denominator();
+    for (std::size_t i = 0; i < functionals.size(); ++i)  // at places that no sequence has
+      if (const mpz_class& reading = functionals[i][place.component]; reading != 0)
+        operators.entry(image, {{}, operators.components() + i}) = reading;
     modulo.add(rows, std::move(image));
   }
-  require(rows.size() + 1 >= inner.size(), "the refinement equation may have several continuous solutions");
+  require(rows.size() + (functionals.empty() ? 1 : 0) >= inner.size(),
+          "the refinement equation may have several continuous solutions");
 }
 
 }  // namespace subcert_check

@@ -160,6 +160,10 @@ USAGE = [
         ("vectors", "--lower 0 --hermite [[[w,0],[0,1]]]"), ("vectors", "--lower 0 --mask [1]"), ("vectors", "--lower 0 --exact 0-log|[-1,1]@1,0,1|^1/1"),
         ("hermite", "--lower 1/2"), ("hermite", "--upper 3/2"), ("hermite", "--lower -1"), ("hermite", "--lower 501"), ("hermite", "--lower 1 --within 1/9,1"))),
     (64, "--vectors [[[w,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, "--vectors [[[w,0],[0,1]]] --arity 2 --levels w=0..1 --lower 0 golden.cert"),
+    *((64, f"--vectors [[[1,0],[0,1]]] --arity 2 {more} golden.cert") for more in (
+        "", "--lower 0 --upper 0", "--upper 1", "--lower 0 --exact 0-log|[-1,1]@1,0,1|^1/1", "--lower 0 --levels w=0..1", "--lower 0 --logarithm 0",
+        "--lower 0 --within 1/9,1", "--upper C1", "--lower 0 --integral 1,0", "--exact 0-log|[-1,1]@1,0,1|^1/1")),
+    (66, "--vectors [[[0,0],[0,1]]] --arity 2 --lower 0 none.cert"), (66, "--hermite [[[1,0],[0,0]]] --arity 2 --upper 1 none.cert"),
     (64, "--vectors [[[w,0],[0,1]]] --for w=0..1 --lower 0 golden.cert"), (64, "--vectors [[[w,0]]] --arity 2 --for w=0..1 --lower 0 golden.cert"),
     (64, "--vectors [[[[1]]]] --arity 2 --for w=0..1 --lower 0 golden.cert"), (66, "--vectors [[[w,0],[0,1]]] --arity 2 --for w=0..1 --lower 0 none.cert"),
     *((64, f"{subject} --component {component} golden.cert") for subject, component in (
@@ -167,6 +171,12 @@ USAGE = [
         ("--refinable [[[1]]] --dilation [2] --lower 1", "x"), ("--surface [1] --dilation [2] --lower 1", "0"),
         ("--mask [1] --arity 2 --lower 1", "0"), (GOLDEN, "0"), ("--subradius golden.mat --lower 1", "0"),
         ("--l1 6,1 --lower 1/2", "0"))),
+    *((64, f"{subject} --integral {integral} golden.cert") for subject, integral in (
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "0"), ("--refinable [[[1]]] --dilation [2] --lower 1", "1,0"),
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "x"), ("--surface [1] --dilation [2] --lower 1", "1"),
+        ("--mask [1] --arity 2 --lower 1", "1"), (GOLDEN, "1"), ("--subradius golden.mat --lower 1", "1"), ("--l1 6,1 --lower 1/2", "1"),
+        ("--vectors [[[w,0],[0,1]]] --arity 2 --for w=0..1 --lower 0", "1,0"))),
+    (66, "--refinable [[[1]]] --dilation [2] --integral -1/2 --lower 1 none.cert"),
     (66, "--refinable [[[1]]] --dilation [2] --component 0 --lower 1 none.cert"),
     (66, "--refinable [[[1]]] --dilation [2] --lower 1 none.cert"), (66, "--refinable [[[[[1]]]]] --dilation [2,0,0;0,2,0;0,0,2] --lower 1 none.cert"),
     (64, "--surface [1,2,1]/2 --dilation [2] --lower 1 --FILE golden.cert"), (0, "--help"), (0, f"{GOLDEN} golden.cert"),
@@ -192,7 +202,7 @@ def printed(arguments):
     levels = values.pop("--levels", None)
     order, step, start, level = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from"))
     range_ = levels or values.get("--for")
-    exact, logarithm, component = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component"))
+    exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
     if attains := values.pop("--attains", None):
         exact = f"{within.split(',')[1]}-log rho({attains})^1/{attains.count(',') + 1}"
     what = "joint spectral radius" if "--matrices" in values else "Hoelder exponent"
@@ -201,6 +211,7 @@ def printed(arguments):
     subject = " with ".join(f"{name.strip('-')} {value}" if name in ("--arity", "--dilation") else value
                             for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
     subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
+    subject = f"{subject} and integral {integral}" if integral else subject
     subject = f"component {component} of {subject}" if component else subject
     relation = "<" if range_ else "<="
     rough = upper and upper.startswith("C")
@@ -222,7 +233,7 @@ def printed(arguments):
     if "--vectors" in values or "--hermite" in values:
         end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"
         scheme = f"Hermite scheme of {values['--hermite']}" if "--hermite" in values else f"vector scheme of {values['--vectors']}"
-        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']} for all {range_}"
+        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']}" + (f" for all {range_}" if range_ else "")
     if "--l1" in values:
         steps, order, bound = values.get("--contraction", "0,0,0").split(",")
         parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []

@@ -32,12 +32,23 @@ COURANT_SPACE = (
     "inverse 0 1 1 -1 0 0 0 -1 0; inverse 1 0 0 1 0 0 0 1 0; product 0 1/2 0 2; "
     + "".join(f"block {i} norm 1; " for i in range(9)) + "end")
 
+# a hat beside the quadratic B-spline: two solutions
+HAT_BESIDE = "[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1"
+TWO = "differences 3; digits 0 1; values 0.1:1 1.1:1; "
+HAT_VECTOR, SPLINE_VECTOR = "vector -1.0:1 0.0:-2 1.0:1; ", "vector -1.1:1 0.1:-3 1.1:3 2.1:-1; "
+SPLINE_SPACE = "space 1; " + SPLINE_VECTOR + "product 0 1/4 0 0; block 0 norm 1; end"
+BOTH = "differences 3; digits 0 1; values 0.0:4 0.1:1 1.1:1; functional 1 0; functional 0 1; space 2; " + HAT_VECTOR + SPLINE_VECTOR
+NORMS_2 = "block 0 norm 1; block 1 norm 1; end"
+JORDAN = "[[[1,1],[0,1]],[[2,0],[0,2]],[[1,0],[0,1]]]/2@-1"
+JORDAN_LINES = "differences 2; digits 0 1; values 0.0:1; functional 1 0; functional 0 1; "
+
 MATRICES = []
 
 
-def accepted(name, mask, ends, lines, dilation="[2]", component=None):
+def accepted(name, mask, ends, lines, dilation="[2]", component=None, integral=None):
     lower, _, upper = ends.partition(" ")
-    one, head = ("", "") if component is None else (f" --component {component}", f" component={component}")
+    one = ("" if integral is None else f" --integral {integral}") + ("" if component is None else f" --component {component}")
+    head = one.replace("--", "").replace("integral ", "integral=").replace("component ", "component=")
     options = f"--refinable {mask} --dilation {dilation}{one} --lower {lower}" + (f" --upper {upper}" if upper else "")
     return name, options, f"refinable {mask} {dilation}{head}; bounds {lower} {upper or '-'}; {lines}"
 
@@ -80,6 +91,21 @@ ACCEPTED = [
      f"refinable {ROUGH_BUBBLE} [2] component=0; bounds - -; exact 0-log|[-1,2]@1/2,0,1/4|^1/1; root 1/2 0 0 1/2 1/2; {BUBBLE_SPACE}"
      f"unobservable 2; blocks 2 1; {UNIT_3}; block 0 norm 1; block 1 polytope 1 0 1; vertex 1; unit 0 0:2; image 0 0 0:1; image 0 1; "
      "cycle 0 - 0; seed 1; end"),
+    # one of several: the hat, the quadratic B-spline, both, with other factors, and one function of both
+    accepted("vector-integral-hat", HAT_BESIDE, "1 1", TWO.replace("values 0.1:1 1.1:1", "values 0.0:1").replace("differences 3", "differences 2")
+             + "functional 1 0; functional 0 1; " + HAT_SPACE[HAT_SPACE.index("space"):], integral="1,0"),
+    accepted("vector-integral-spline", HAT_BESIDE, "2 2", TWO + "functional 0 -3; functional 1 0; " + SPLINE_SPACE, integral="0,1"),
+    accepted("vector-integral-factor", HAT_BESIDE, "2 2", TWO + "functional 2 0; functional 1 5; " + SPLINE_SPACE, integral="0,-5/3"),
+    accepted("vector-integral-both", HAT_BESIDE, "1 1", BOTH + "blocks 1 1; basis 1 0; basis 0 1; inverse 1 0; inverse 0 1; product 0 1/2 0 0; "
+             + NORMS_2, integral="1,1/2"),
+    accepted("vector-integral-component", HAT_BESIDE, "2 2", BOTH + "unobservable 1; blocks 1 1; basis 1 0; basis 0 1; inverse 1 0; inverse 0 1; "
+             "product 1 1/4 0 0; " + NORMS_2, integral="1,1/2", component=1),
+    # B has the eigenvalue 1 with one eigenvector and the multiplicity 2; other eigenvalues; values with another sum than the integral
+    accepted("vector-integral-jordan", JORDAN, "1 1", JORDAN_LINES + "space 1; " + HAT_VECTOR + "product 0 1/2 0 0; block 0 norm 1; end", integral="1,0"),
+    accepted("vector-integral-hermite", HERMITE, "2 2", HERMITE_SPACE.replace("space", "functional -2 0; space") + "basis -3 1 1; basis 1 0 0; basis 0 4 0; "
+             "inverse 0 1 0; inverse 0 0 1/4; inverse 1 3 -1/4; product 0 1/4 0 0; " + NORMS_3, integral="3,0"),
+    accepted("vector-integral-courant", COURANT, "1 1", COURANT_SPACE.replace("space", "functional 1 0; space"), "[2,0;0,2]", integral="7,2"),
+    accepted("vector-integral-minus-two", HAT_BUBBLE, "1 1", MINUS_SPACE.replace("space", "functional 1 0; space"), "[-2]", integral="3,2"),
     # x' is 1; a lower end alone
     accepted("vector-digits", HAT_BUBBLE, "1/2", DIGITS_SPACE + "block 0 norm 12; end"),
     accepted("vector-minus-two", HAT_BUBBLE, "1 1", MINUS_SPACE, "[-2]"),
@@ -100,6 +126,10 @@ def of_component(number, mask=ROUGH_BUBBLE, ends="--lower 1 --upper 1"):
 
 def claim(mask, dilation="[2]", ends="--lower 1"):
     return f"--refinable {mask} --dilation {dilation} {ends}"
+
+
+def of_integral(integral, mask=HAT_BESIDE, ends="--lower 1"):
+    return claim(mask, ends=ends) + f" --integral {integral}"
 
 
 NOT_UNIQUE = "the refinement equation may have several continuous solutions"
@@ -166,6 +196,28 @@ EDITED = [
     ("vector-exact-1", "vector-exact", f"--refinable {HAT_HAAR} --dilation [2] --exact 0-log|[-1,1]@1,0,1/4|^1/1",
      "no exponent between 0 and the number of sum rules",
      [(ROUGH_BUBBLE, HAT_HAAR), ("[-3,4]@3/4", "[-1,1]@1"), ("root 3/4 0 0 3/4 3/4", "root 1 0 0 1 1")]),
+    # one of several
+    ("vector-integral-none", "vector-integral-spline", None, "expected 'functional'", [("functional 0 -3; functional 1 0; ", "")]),
+    ("vector-integral-not-asked", "vector-integral-hermite", claim(HERMITE), "expected 'space'", [(" integral=3,0", "")]),
+    ("vector-integral-in-head", "vector-integral-spline", claim(HAT_BESIDE), "wrong number of fields", []),
+    ("vector-integral-other", "vector-integral-spline", of_integral("1,0"), "expected 'refinable ", []),
+    ("vector-integral-fields", "vector-integral-spline", None, "wrong number of fields", [("functional 1 0", "functional 1")]),
+    ("vector-integral-rational", "vector-integral-spline", None, "not an integer", [("functional 1 0", "functional 1/2 0")]),
+    ("vector-integral-hat-spline", "vector-integral-spline", of_integral("1,0"), "the values are not those of this integral", [("integral=0,1", "integral=1,0")]),
+    ("vector-integral-sum", "vector-integral-both", of_integral("1,1"), "the values are not those of this integral", [("integral=1,1/2", "integral=1,1")]),
+    ("vector-integral-first-zero", "vector-integral-spline", of_integral("1,1"), "the values are not those of this integral",
+     [("integral=0,1", "integral=1,1"), ("functional 0 -3; functional 1 0", "functional 1 -1; functional 1 0")]),
+    ("vector-integral-zero", "vector-integral-hat", of_integral("0,1"), "the values are of the integral 0",
+     [("integral=1,0", "integral=0,1"), ("functional 1 0; functional 0 1", "functional 0 1")]),
+    ("vector-integral-no-sum", "vector-integral-spline", None, "the values are of the integral 0", [("functional 0 -3; ", "")]),
+    ("vector-integral-fixed", "vector-integral-hermite", of_integral("3,1", HERMITE), "the integral is none of a solution", [("integral=3,0", "integral=3,1")]),
+    ("vector-integral-functional", "vector-integral-hermite", None, "a functional does not tell integrals", [("functional -2 0", "functional -2 1")]),
+    ("vector-integral-few", "vector-integral-spline", None, "the functionals do not tell all of an integral", [("; functional 1 0", "")]),
+    ("vector-integral-jordan-few", "vector-integral-jordan", None, NOT_UNIQUE, [("; functional 0 1", "")]),
+    ("vector-integral-two", "vector-hat", of_integral("1", "[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3"), NOT_UNIQUE,
+     [("[[[1]],[[2]],[[1]]]/2@-1 [2]", "[[[1]],[[0]],[[0]],[[2]],[[0]],[[0]],[[1]]]/2@-3 [2] integral=1"), ("; space", "; functional 1; space")]),
+    ("vector-integral-rough", "vector-integral-both", of_integral("1,1/2", ends="--lower 2"), "the bound does not prove the claim", []),
+    ("vector-integral-component-other", "vector-integral-component", of_integral("1,1/2") + " --component 0", "expected 'refinable ", []),
     # one component
     ("vector-component-other", "vector-component", of_component(1), "expected 'refinable ", []),
     ("vector-component-of-all", "vector-component", claim(ROUGH_BUBBLE), "wrong number of fields", []),

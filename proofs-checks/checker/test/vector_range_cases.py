@@ -1,4 +1,6 @@
-"""Vector and Hermite schemes with a parameter (6.7). Spaces of Merrien's scheme and the graph were found by search."""
+"""Vector and Hermite schemes (6.7). Spaces of Merrien's scheme and the graph were found by search."""
+import re
+from fractions import Fraction as Q
 
 CORNERS = "[[[w,0],[0,1/2]],[[1-w,0],[0,1/2]],[[1-w,0],[0,0]],[[w,0],[0,0]]]@0"  # beside numbers that are halved
 QUOTIENT = "[[[w,0],[0,1/2+1/2*w]],[[1,0],[0,1/2+1/2*w]],[[1,0],[0,0]],[[w,0],[0,0]]]/(1+w)@0"
@@ -19,16 +21,23 @@ GRAPH = ("block 0 graph 1 2251799813673989/562949953421312 60; coordinates 23423
          "576460752204894960; "
          "step 2 0 989835504661 -2007237 -18526648 989835504481 0 1 -54935 -4 -38 2007236; "
          "step 3 0 576460752306910976 576460752304298555 -18526648 989835504481 -31992990887 1 -54935 1168974667022 -38 2007236; tree 0000; ")
+ONE_BLOCKS = "blocks 1 2; basis 1 0 0; basis 0 1 0; basis 0 0 1; inverse 1 0 0; inverse 0 1 0; inverse 0 0 1; "
 
 
 def of(kind, mask, values, end):
-    return f"--{kind} {mask} --arity 2 --for {values} {end}"
+    return f"--{kind} {mask} --arity 2 {f'--for {values} ' if values else ''}{end}"
+
+
+def at(value, mask, letter="w"):
+    """The mask with a number, as `1/4`, in the place of its letter."""
+    return re.sub(rf"[^\[\],]*{letter}[^\[\],]*", lambda entry: str(eval(  # of a corpus
+        re.sub(r"\d+/\d+", lambda number: f"Q('{number[0]}')", entry[0]).replace(letter, f"Q('{value}')"), {"Q": Q})), mask)
 
 
 def accepted(name, kind, mask, values, end, lines):
     option, number = end.split()
     bounds = f"{number} -" if option == "--lower" else f"- {number}"
-    return name, of(kind, mask, values, end), f"{kind} {mask} 2 {values}; bounds {bounds}; {lines}end"
+    return name, of(kind, mask, values, end), f"{kind} {mask} 2{values and ' '}{values}; bounds {bounds}; {lines}end"
 
 
 MATRICES = []
@@ -52,6 +61,13 @@ ACCEPTED = [
     accepted("hermite-refuted-zeros", "hermite", MERRIEN.replace("]]]@-1", "]],[[0,0],[0,0]]]@-1"), "m=2..3", "--upper 1",
              HERMITE + "to 3; product 0 0 642119/131072 0; "),
     accepted("hermite-refuted-2", "hermite", MERRIEN, "m=2..3", "--upper 2", HERMITE + "to 3; product 0 0 642119/131072 0; "),
+    # one mask
+    accepted("vectors-one", "vectors", at("1/4", CORNERS), "", "--lower 0", LINES + "block 0 norm 1; "),
+    accepted("vectors-one-holder", "vectors", at("1/4", CORNERS), "", "--lower 99/100", LINES + "block 0 norm 1; "),
+    accepted("vectors-one-blocks", "vectors", at("1/4", CORNERS), "", "--lower 0", LINES + ONE_BLOCKS + "block 0 norm 1; block 1 norm 1; "),
+    accepted("vectors-one-diverges", "vectors", at("1", CORNERS), "", "--upper 0", LINES + "product 0 -2 0 0; "),  # by 1 itself
+    accepted("hermite-one", "hermite", at("-1/2", MERRIEN, "m"), "", "--lower 1", HERMITE + "block 0 norm 4; "),
+    accepted("hermite-one-refuted", "hermite", at("1", MERRIEN, "m"), "", "--upper 1", HERMITE + "product 0 4 0 1; "),
 ]
 
 CHANGED = []
@@ -69,7 +85,28 @@ NO_INTERPOLATION = MERRIEN.replace("[[1,0],[0,1/2]]", "[[1,0],[0,m]]")
 AT_TWO = MERRIEN.replace("[[1/2,-1/2+1/2*m],[1/8,1/4*m]]]", "[[1/2,-1/2+1/2*m],[1/8,1/4*m]],[[0,0],[0,1-1*m]]]")
 UNKEPT = CORNERS.replace("[[1-w,0],[0,0]]", "[[2-w,0],[0,0]]")
 LEADS_OUT = CORNERS.replace("[0,1/2]],[[1-w,0],[0,0]]", "[0,1/2]],[[1-w,0],[1,0]]")
+
 EDITED = [
+    *((f"vectors-one-{name}", "vectors-one", of("vectors", at("1/4", CORNERS), "", end), reason, edits) for name, end, reason, edits in (
+        ("above-order", "--lower 1", "the end is not below the number of sum rules", []), ("negative", "--lower -1/2", "must be positive", []),
+        ("converges", "--upper 0", "expected 'product'", []), ("to", "--lower 0", "expected 'block 0'", [("block 0", "to 1; block 0")]),
+        ("exact", "--lower 0", "exact numbers are those of one mask or family", [("sum-rules", "exact 1-log|[-1,1]@1,0,1/2|^1/1; root 1 0 0 1 1; sum-rules")]),
+        ("reduced", "--lower 0", "expected 'sum-rules'", [("sum-rules", "reduced [1] [1]; sum-rules")]),
+        ("cycle", "--lower 0", "line 13", [("block 0 norm 1", "block 0 norm 1; logarithm 0")]),
+        ("columns", "--lower 0", "line 12", [("block 0 norm 1", "block 0 single 1 64")]))),
+    ("vectors-one-range", "vectors-one", of("vectors", at("1/4", CORNERS), "w=0..1", "--lower 0"), "expected 'vectors ", []),
+    ("vectors-one-edge", "vectors-one", of("vectors", at("1/2", CORNERS), "", "--lower 0"), "the bound does not prove the claim",
+     [(at("1/4", CORNERS), at("1/2", CORNERS))]),
+    ("vectors-one-other-column", "vectors-one", of("vectors", at("-1/2", CORNERS), "", "--lower 0"), "the bound does not prove the claim",
+     [(at("1/4", CORNERS), at("-1/2", CORNERS))]),
+    ("vectors-one-little", "vectors-one-diverges", of("vectors", at("3/4", CORNERS), "", "--upper 0"), "does not prove the claim",
+     [(at("1", CORNERS), at("3/4", CORNERS)), ("product 0 -2 0 0", "product 0 3/2 0 0")]),
+    ("hermite-one-2", "hermite-one", of("hermite", at("-1/2", MERRIEN, "m"), "", "--lower 2"), "the bound does not prove the claim", []),
+    ("hermite-one-edge", "hermite-one", of("hermite", at("-3", MERRIEN, "m"), "", "--lower 1"), "the bound does not prove the claim",
+     [(at("-1/2", MERRIEN, "m"), at("-3", MERRIEN, "m"))]),
+    ("hermite-one-refuted-0", "hermite-one-refuted", of("hermite", at("1", MERRIEN, "m"), "", "--upper 0"), "fewer derivatives than its data are", []),
+    ("hermite-one-no-interpolation", "hermite-one-refuted", of("hermite", at("1", MERRIEN, "m").replace("[0,1/2]", "[0,1/4]"), "", "--upper 1"),
+     "does not interpolate", [("[0,1/2]", "[0,1/4]")]),
     corners("vectors-lower", "the bound does not prove the claim", claim=of("vectors", CORNERS, "w=1/100..49/100", "--lower 1/20")),
     corners("vectors-edge", "the bound does not prove the claim", ("w=1/100..49/100", "w=0..49/100"),
             claim=of("vectors", CORNERS, "w=0..49/100", "--lower 0")),

@@ -75,7 +75,7 @@ std::string range_text(const OfRange& one, const ParametricScheme& scheme) {
 
 FollowedLevels followed(const OfRecurrence& one, const ReportOptions& options) {
   const ParametricScheme scheme = make_parametric_scheme(one.family);
-  return follow(scheme.mask, Recurrence::parse(halving, scheme.name, scheme.letter), one.start, {one.low, one.high},
+  return follow(scheme.mask, Recurrence::parse(halving, scheme.name, scheme.letter), {one.start}, {one.low, one.high},
                 budget_of(options));
 }
 
@@ -101,7 +101,7 @@ formats::Comparison compare(const statements::PublishedCell& cell, const ReportO
   comparison.note = fmt::format(
       "for all v_0 from {} to {} that have a mask at each level; v_k is from {} to {} from level {} on",
       to_text(one.start.lower), to_text(one.start.upper), to_text(one.low), to_text(one.high),
-      found.first_level.value_or(-1));
+      found.first_level().value_or(-1));
   comparison.command = fmt::format(
       "subcert levels {} --over v={}..{} --property C1 --recurrence '{}' --start v0={}..{}", cell.scheme,
       to_text(one.low), to_text(one.high), halving, to_text(one.start.lower), to_text(one.start.upper));
@@ -138,7 +138,7 @@ formats::PlainTable recurrence_table(const ReportOptions& options) {
     const FollowedLevels found = followed(one, options);
     std::vector<std::string> row{one.family,
                                  fmt::format("{} <= v_0 <= {}", to_text(one.start.lower), to_text(one.start.upper)),
-                                 found.first_level ? std::to_string(*found.first_level) : "",
+                                 found.way ? std::to_string(found.way->size()) : "",
                                  "",
                                  "",
                                  to_text(Truth::unknown)};

@@ -94,17 +94,23 @@ std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const R
 }
 
 Truth FollowedLevels::have(const RangeProperty& property, Truth all_sequences) const {
-  if (!first_level) return Truth::unknown;
+  if (!way) return Truth::unknown;
   const bool in_limit = limit && holds(limit->exponent.exponent, property) == Truth::yes;
   return all_sequences == Truth::yes || in_limit ? Truth::yes : Truth::unknown;
 }
 
-FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start,
+std::optional<int> FollowedLevels::first_level() const {
+  return way && !start.unbounded ? std::optional(static_cast<int>(way->size())) : std::nullopt;
+}
+
+FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const FirstValues& start,
                       const Interval& kept, const Budget& budget) {
   FollowedLevels result{start, recurrence};
-  result.first_level = recurrence.first_level_in(kept, start, most_levels);
-  if (!result.first_level) return result;
-  result.masks_exist = masks_exist(mask, recurrence, start, *result.first_level);
+  result.way = recurrence.way_into(kept, start, most_levels);
+  if (!result.way) return result;
+  const Interval first{start.values.lower, start.unbounded ? kept.upper : start.values.upper};
+  result.masks_exist = masks_exist(mask, recurrence, first, static_cast<int>(result.way->size())) &&
+                       (!start.unbounded || has_no_real_root_from(mask.denominator(), kept.upper));
   result.limit = limit_of_levels(mask, recurrence, kept, budget);
   return result;
 }

@@ -44,18 +44,22 @@ std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const R
 
 /// Values of which each follows from the one before, and the level from which on they are in an interval.
 struct FollowedLevels {
-  Interval start;
+  FirstValues start;
   Recurrence recurrence;
-  std::optional<int> first_level = {};
-  bool masks_exist = true;                  ///< before that level, for all of `start`
-  std::optional<LimitOfLevels> limit = {};  ///< where there is such a level
+  /// Of the values at levels 1, 2, ... until they are there, as Recurrence::way_into; nothing where that is not proved.
+  std::optional<std::vector<Interval>> way = {};
+  bool masks_exist = true;                  ///< before they are there, for all of `start`
+  std::optional<LimitOfLevels> limit = {};  ///< where they come there
+
+  /// From which on they are there; nothing where no one level is that for all of `start`.
+  std::optional<int> first_level() const;
 
   /// Whether the masks of these levels have a property that all sequences in the interval have, or not; yes or unknown.
   Truth have(const RangeProperty& property, Truth all_sequences) const;
 };
 
 /// For all w_0 in `start`, until they are in `kept` for good. Domain: as limit_of_levels. Cost: the same.
-FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const Interval& start,
+FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const FirstValues& start,
                       const Interval& kept, const Budget& budget);
 
 /// Whether the masks at so many levels exist for all w_0 in `start`; no where some do not, or may not. Domain: as

@@ -28,6 +28,7 @@ void require_list(const MaskList& list) {
   require(std::ranges::all_of(list.period, is_mask) &&
               std::ranges::all_of(list.follows, [&](const auto& p) { return is_mask(p.first) && is_mask(p.second); }),
           "levels: need numbers of masks below {}", list.masks.size());
+  require(has_sequence(list), "levels: need a sequence of masks that goes on for ever, got none");
 }
 
 /// Of each mask the first one that is equal and that the same sequences may follow: the coarsest partition in which
@@ -123,10 +124,24 @@ std::vector<std::size_t> masks_of(std::vector<int> word, const std::vector<int>&
 
 }  // namespace
 
+bool has_sequence(const MaskList& list) {
+  // Pairs to masks that nothing follows are left out, until there are none.
+  auto pairs = list.follows;
+  const auto is_dead = [&](const auto& pair) {
+    return std::ranges::none_of(pairs, [&](const auto& next) { return next.first == pair.second; });
+  };
+  while (true) {
+    std::vector<std::pair<std::size_t, std::size_t>> kept;
+    std::ranges::remove_copy_if(pairs, std::back_inserter(kept), is_dead);
+    if (kept.size() == pairs.size()) return list.follows.empty() || !kept.empty();
+    pairs = std::move(kept);
+  }
+}
+
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   require_list(list);
   std::vector<std::size_t> kept;
-  const MaskList single = list.period.empty() ? without_twins(list, kept) : list;
+  MaskList single = list.period.empty() ? without_twins(list, kept) : list;
   std::vector<Mask> masks = single.masks;
   if (!list.period.empty()) {
     const std::optional<Mask> one = in_one(list.masks, list.period);
@@ -136,13 +151,14 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   }
   const auto arity = static_cast<std::size_t>(masks.front().arity());
   const int common = common_sum_rules(masks, list.most_rules);
-  ExponentOfList result{common, {}, {}, {}, {}, matrices_of(masks, common), {}};
+  ExponentOfList result{common, {}, {}, {}, {}, matrices_of(masks, common), {}, {}};
   std::vector<int> letters;
   if (!single.follows.empty()) {
     LiftedFamily lift = lifted(result.family, backwards(single, arity));
     result.family = std::move(lift.family);
     letters = std::move(lift.letters);
   }
+  result.list = std::move(single);
   result.radius = joint_spectral_radius(result.family, budget);
   const Rational rules(result.sum_rules);
   const auto exponent_from = [&](const Rational& radius) {

@@ -19,6 +19,9 @@ struct MaskList {
   std::optional<int> most_rules = {};                             ///< of which use is made
 };
 
+/// Whether some sequence goes on for ever.
+bool has_sequence(const MaskList& list);
+
 /// The least exponent of all sequences.
 struct ExponentOfList {
   int sum_rules = 0;                  ///< that all masks have, and of which use is made
@@ -28,6 +31,7 @@ struct ExponentOfList {
   std::vector<std::size_t> sequence;  ///< the masks of the leading product, again and again
   MatrixFamily family;                ///< whose radius it is from
   JointSpectralRadius radius;
+  MaskList list;  ///< whose matrices these are: the same sequences, with equal masks as one
 };
 
 /// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum

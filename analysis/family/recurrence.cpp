@@ -51,6 +51,20 @@ Rational shortened(const Rational& x, Rounding rounding) {
   return denominator(x) <= unit ? x : to_multiple(x, Rational(1, unit), rounding);
 }
 
+/// The same ends, or if they are long multiples of 2^-20 beyond them.
+Interval with_few_digits(const Interval& w) {
+  const Integer unit = Integer(1) << 20;
+  const auto end = [&](const Rational& x, Rounding rounding) {
+    return denominator(x) <= unit ? x : to_multiple(x, Rational(1, unit), rounding);
+  };
+  return {end(w.lower, Rounding::down), end(w.upper, Rounding::up)};
+}
+
+/// Positive for all x >= low > 0.
+bool is_positive_from(const LaurentPolynomial& p, const Rational& low) {
+  return p(low) > 0 && has_no_real_root_from(p, low);
+}
+
 RationalFunction derivative(const RationalFunction& r) {
   const LaurentPolynomial &p = r.numerator(), &q = r.denominator();
   return {p.derivative() * q - p * q.derivative(), q * q};
@@ -132,17 +146,45 @@ std::optional<Interval> Recurrence::all_from(const Interval& w) const {
   return std::nullopt;
 }
 
-std::optional<int> Recurrence::first_level_in(const Interval& kept, const Interval& start, int most) const {
+std::optional<std::vector<Interval>> Recurrence::way_into(const Interval& kept, const FirstValues& start,
+                                                          int most) const {
   const auto next = image(kept);
   if (!next || !contains(kept, *next)) return std::nullopt;
-  Interval values = start;
+  Interval values = start.values;
+  if (start.unbounded) {
+    if (values.lower > kept.upper || !descends_to(kept)) return std::nullopt;
+    values.upper = kept.upper;
+  }
+  std::vector<Interval> way;
   for (int level = 0; level <= most; ++level) {
-    if (contains(kept, values)) return level;
+    if (contains(kept, values)) return way;
     const auto image_of_values = image(values);
     if (!image_of_values) return std::nullopt;
-    values = *image_of_values;
+    values = with_few_digits(*image_of_values);
+    way.push_back(values);
   }
   return std::nullopt;
+}
+
+bool Recurrence::descends_to(const Interval& w) const {
+  if (w.upper <= 0) return false;
+  const Rational least = !is_root_     ? w.lower
+                         : w.lower > 0 ? Rational(w.lower * w.lower)
+                                       : Rational(0),
+                 share(9, 10), sign = function_.denominator()(w.upper).sign();
+  const LaurentPolynomial p = LaurentPolynomial(sign) * function_.numerator(),
+                          q = LaurentPolynomial(sign) * function_.denominator(),
+                          most = LaurentPolynomial::monomial(share, 1);
+  return is_positive_from(q, w.upper) && is_positive_from(p - LaurentPolynomial(least) * q, w.upper) &&
+         is_positive_from((is_root_ ? most * most : most) * q - p, w.upper);
+}
+
+std::string Recurrence::to_text(char letter) const {
+  const LaurentPolynomial& q = function_.denominator();
+  std::string text = fmt::format("{}[{}]", is_root_ ? "sqrt" : "",
+                                 RationalFunction(function_.numerator()).to_text(letter));
+  if (!(q == LaurentPolynomial(1))) text += fmt::format("/({})", RationalFunction(q).to_text(letter));
+  return text;
 }
 
 bool Recurrence::contracts(const Interval& w) const {

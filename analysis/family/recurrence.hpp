@@ -11,6 +11,12 @@
 
 namespace subcert {
 
+/// w_0: all values of an interval, or all from its lower end on.
+struct FirstValues {
+  Interval values;
+  bool unbounded = false;  ///< then the upper end is the lower one
+};
+
 /// w_{k+1} = r(w_k), or the square root of that.
 class Recurrence {
  public:
@@ -20,6 +26,9 @@ class Recurrence {
 
   /// What stands behind the sign, as it is written, without blanks.
   const std::string& text() const { return text_; }
+
+  /// The same in the form of certificates: `sqrt[1/2+1/2*w]`, `[1]/(1+w)`.
+  std::string to_text(char letter) const;
 
   /// An interval that contains the values for all w in this one; nothing where some w has none, or may have none.
   /// Error: the ends are exact or rounded outward; with many zeros of r' the interval may be larger than needed. Cost:
@@ -34,9 +43,12 @@ class Recurrence {
   /// An interval that contains w_k, given in one, and all values after it; nothing where none was found.
   std::optional<Interval> all_from(const Interval& w) const;
 
-  /// The least level found from which on all values stay in `kept`, for all w_0 in `start`; nothing where that is not
-  /// proved within `most` levels: where `kept` is not mapped into itself, for one. Domain: most >= 0.
-  std::optional<int> first_level_in(const Interval& kept, const Interval& start, int most) const;
+  /// Intervals of the values at levels 1, 2, ... up to the first that lies in `kept`, which is then true of all later
+  /// levels; none where `start` lies there. Where it is unbounded, those that begin with w_0 up to the upper end of
+  /// `kept`: values above it are led down to it, in some number of levels. Nothing where that is not proved within
+  /// `most` levels: where `kept` is not mapped into itself, for one. Domain: most >= 0. Error: ends have few digits,
+  /// and are rounded outward.
+  std::optional<std::vector<Interval>> way_into(const Interval& kept, const FirstValues& start, int most) const;
 
   /// The rational number to which w_k tends for all w_0 in `kept`; nothing where that is not proved: where `kept` is
   /// not mapped into itself, or no part of it into which all values come has |r'| < 1 throughout.
@@ -46,6 +58,8 @@ class Recurrence {
   bool halves_angles() const;
 
  private:
+  /// Whether each w above the interval leads to at most 9 w / 10, and not below it.
+  bool descends_to(const Interval& w) const;
   bool contracts(const Interval& w) const;
   /// A rational one.
   std::optional<Rational> fixed_point_in(const Interval& w) const;

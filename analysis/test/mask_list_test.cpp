@@ -90,6 +90,8 @@ TEST_CASE("lists of masks: what is refused") {
                                {{none}},
                                {{mask("dd:n=2")}, {1}, {}},
                                {{mask("dd:n=2")}, {}, {{0, 1}}},
+                               {{mask("dd:n=2"), mask("dd:n=2")}, {}, {{0, 1}}},
+                               {{mask("dd:n=2"), mask("dd:n=2"), mask("dd:n=2")}, {}, {{1, 2}, {0, 1}}},
                                {{mask("dd:n=2")}, std::vector<std::size_t>(7, 0), {}}})
     CHECK_THROWS_AS(exponent(list), Error);
   // Masks that diverge have no lower end.

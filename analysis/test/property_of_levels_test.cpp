@@ -144,18 +144,51 @@ TEST_CASE("recurrences: images") {
     CHECK_THROWS_AS(Recurrence::parse(bad, "w", 'w'), ParseError);
 }
 
-TEST_CASE("recurrences: the level from which on values stay") {
-  const Recurrence root = Recurrence::parse("w=sqrt((1+w)/2)", "w", 'w');
+TEST_CASE("recurrences: the way of values into an interval where they stay") {
+  const Recurrence root = Recurrence::parse("w=sqrt((1+w)/2)", "w", 'w'), same = Recurrence::parse("w=w", "w", 'w');
   const Interval kept{Rational(9, 20), 1000};
-  CHECK(root.first_level_in(kept, interval(-1, 1000000), 100) == 2);
-  CHECK(root.first_level_in(kept, interval(1, 1), 0) == 0);
-  CHECK(root.first_level_in(kept, interval(0, 0), 100) == 1);
-  CHECK_FALSE(root.first_level_in(kept, interval(0, 0), 0));
-  CHECK_FALSE(root.first_level_in(kept, interval(-2, 1), 100));
+  const auto levels = [&](const Recurrence& recurrence, const FirstValues& start, int most) {
+    const auto way = recurrence.way_into(kept, start, most);
+    return way ? static_cast<int>(way->size()) : -1;
+  };
+  CHECK(levels(root, {interval(-1, 1000000)}, 100) == 2);
+  CHECK(levels(root, {interval(1, 1)}, 0) == 0);
+  CHECK(levels(root, {interval(0, 0)}, 100) == 1);
+  CHECK(levels(root, {interval(0, 0)}, 0) == -1);
+  CHECK(levels(root, {interval(-2, 1)}, 100) == -1);
   // It leads out of the interval, or never into it.
-  CHECK_FALSE(Recurrence::parse("w=2*w^2-1", "w", 'w').first_level_in(kept, interval(1, 2), 100));
-  CHECK_FALSE(Recurrence::parse("w=w", "w", 'w').first_level_in(kept, interval(0, 1), 100));
-  CHECK(Recurrence::parse("w=w", "w", 'w').first_level_in(kept, interval(1, 2), 100) == 0);
+  CHECK(levels(Recurrence::parse("w=2*w^2-1", "w", 'w'), {interval(1, 2)}, 100) == -1);
+  CHECK(levels(same, {interval(0, 1)}, 100) == -1);
+  CHECK(levels(same, {interval(1, 2)}, 100) == 0);
+  // Each interval holds what the one before leads to.
+  const auto way = root.way_into(kept, {interval(-1, 1000000)}, 100);
+  const double first = way->front().upper.convert_to<double>(), last = way->back().lower.convert_to<double>();
+  CHECK((first > 707.1 && first < 707.2 && last > 0.7071 && last < 0.70711));
+  CHECK(way->back().upper * way->back().upper >= (1 + way->front().upper) / 2);
+}
+
+TEST_CASE("recurrences: first values without an end") {
+  const Interval kept{Rational(9, 20), 1000};
+  const auto arrives = [&](const char* rule, int low) {
+    return Recurrence::parse(rule, "w", 'w').way_into(kept, {interval(low, low), true}, 100).has_value();
+  };
+  CHECK(arrives("w=sqrt((1+w)/2)", -1));
+  CHECK(arrives("w=(1+w)/2", 0));
+  CHECK(arrives("w=(1+w^2)/(2+w+w^2)", 0));
+  // Too slowly, not at all, below the interval, past a pole, from above the interval alone.
+  CHECK_FALSE(arrives("w=w*19/20+1", 1));
+  CHECK_FALSE(arrives("w=w", 1));
+  CHECK_FALSE(arrives("w=600-w/2", 1));
+  CHECK_FALSE(arrives("w=2000/(2001-w)", 1));
+  CHECK_FALSE(arrives("w=sqrt((1+w)/2)", 1001));
+  CHECK_FALSE(arrives("w=sqrt(w^2*82/100+1)", 1));
+}
+
+TEST_CASE("recurrences: in the form of certificates") {
+  const auto text = [](const char* rule) { return Recurrence::parse(rule, "w", 'w').to_text('w'); };
+  CHECK(text("w=sqrt((1+w)/2)") == "sqrt[1/2+1/2*w]");
+  CHECK(text("w=w") == "[w]");
+  CHECK(text("w=(1+w^2)/(2+w)") == "[1+w^2]/(2+w)");
 }
 
 TEST_CASE("recurrences: the number to which values tend") {

@@ -63,10 +63,11 @@ std::optional<FollowedLevels> follow(const LevelsCommandOptions& options, const 
   if (options.recurrence.empty()) return std::nullopt;
   if (!scheme.letter) fail(ErrorKind::usage, "--recurrence: expected one range, got {}", box.letters());
   const std::string& name = scheme.names[0];
-  const Interval start = read_start(options.start, name);
+  const FirstValues start = read_start(options.start, name);
+  const auto& [low, high] = start.values;
   const Recurrence recurrence = read_recurrence(options.recurrence, name, *scheme.letter);
-  if (start.lower == start.upper && scheme.mask.denominator()(start.lower) == 0)
-    fail(ErrorKind::domain, "--start: expected a value that has a mask, got {} = {}", name, number_text(start.lower));
+  if (!start.unbounded && low == high && scheme.mask.denominator()(low) == 0)
+    fail(ErrorKind::domain, "--start: expected a value that has a mask, got {} = {}", name, number_text(low));
   return subcert::follow(scheme.mask, recurrence, start, {box.low[0], box.high[0]}, budget);
 }
 
@@ -114,13 +115,15 @@ struct LevelsAnswer {
 std::string answer_text(const LevelsAnswer& found) {
   const auto& [property, scheme, box, followed, asked, levels, growing] = found;
   if (followed && found.truth() == Truth::yes) {
-    const auto& [low, high] = followed->start;
+    const auto& [values, unbounded] = followed->start;
+    const bool one = !unbounded && values.lower == values.upper;
+    const std::string first = scheme.names[0] + "0", low = number_text(values.lower);
     return fmt::format("{} for {} = {} from level to level, {}", property, scheme.names[0], followed->recurrence.text(),
-                       low == high ? fmt::format("{}0 = {}", scheme.names[0], number_text(low))
-                                   : fmt::format("for all {}0 from {} to {}", scheme.names[0], number_text(low),
-                                                 number_text(high))) +
+                       one         ? fmt::format("{} = {}", first, low)
+                       : unbounded ? fmt::format("for all {} from {} on", first, low)
+                                   : fmt::format("for all {} from {} to {}", first, low, number_text(values.upper))) +
            (followed->masks_exist ? ""
-            : low == high         ? ", if there is a mask at each level"
+            : one                 ? ", if there is a mask at each level"
                                   : " that have a mask at each level");
   }
   if (followed && levels.holds == Truth::no)
@@ -169,12 +172,13 @@ Json json_of(const LevelsAnswer& found) {
                      {"to", values_json(one.box.high)},
                      {"holder", enclosure_json(positive_part(one.exponent))}});
   Json recurrence;
+  const std::optional<int> first_level = followed ? followed->first_level() : std::nullopt;
   if (followed)
     recurrence = {{"step", followed->recurrence.text()},
-                  {"from", to_text(followed->start.lower)},
-                  {"to", to_text(followed->start.upper)},
+                  {"from", to_text(followed->start.values.lower)},
+                  {"to", followed->start.unbounded ? Json() : Json(to_text(followed->start.values.upper))},
                   {"masks_exist", followed->masks_exist},
-                  {"first_level", followed->first_level ? Json(*followed->first_level) : Json()},
+                  {"first_level", first_level ? Json(*first_level) : Json()},
                   {"limit", followed->limit ? limit_json(*followed->limit) : Json()}};
   return {{"family", scheme.specification},
           {"recurrence", recurrence},
@@ -195,9 +199,11 @@ std::string text_of(const LevelsAnswer& found) {
                                  scheme.specification, answer_text(found), property, levels.sum_rules,
                                  fmt::join(scheme.names, " and "));
   if (followed)
-    text += followed->first_level
-                ? fmt::format("levels       {} is from {} to {} from level {} on\n", scheme.names[0],
-                              number_text(box.low[0]), number_text(box.high[0]), *followed->first_level)
+    text += followed->way
+                ? fmt::format("levels       {} is from {} to {} from {} on\n", scheme.names[0], number_text(box.low[0]),
+                              number_text(box.high[0]),
+                              followed->start.unbounded ? std::string("some level")
+                                                        : fmt::format("level {}", *followed->first_level()))
                 : fmt::format("levels       {} = {} was not proved to lead into the range and to stay in it\n",
                               scheme.names[0], followed->recurrence.text());
   if (followed && followed->limit) text += limit_text(*followed->limit, scheme.names[0]);
@@ -339,7 +345,8 @@ ExitCode run(const LevelsCommandOptions& options) {
   WrittenCertificates written;
   if (!options.certificate.empty()) {
     std::vector<NamedCertificate> certificates;
-    if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, property, found.box, found.levels))
+    if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, property, found.box, found.levels,
+                                              found.followed ? &*found.followed : nullptr))
       certificates.push_back({"01-proved", std::move(*certificate)});
     written = write_certificates(options.certificate, certificates, {"-proved"}, "what is not proved", json);
   }
@@ -369,7 +376,8 @@ void add_levels(Command& app) {
   command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2");
   command.option("--recurrence", options->recurrence,
                  "How each level has its value from the one before: v=sqrt((1+v)/2)");
-  command.option("--start", options->start, "With it, the first value or all of them: v0=1/2 or v0=-1..1000");
+  command.option("--start", options->start,
+                 "With it, the first value or all of them: v0=1/2, v0=-1..1000 or v0=-1..inf");
   command.flag("--each-point", options->each_point,
                "A value for each new point of each level, in place of one for each level");
   command.option("--boxes", options->boxes, "Exponents over so many ranges, which grow from the middle to the whole")

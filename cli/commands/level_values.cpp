@@ -63,8 +63,8 @@ LevelDependentScheme scheme_of_values(const ParametricScheme& family, const std:
 }
 
 FollowedFamily followed(ParametricScheme family, const LevelOptions& options) {
-  const Interval start = read_start(options.start, family.name);
-  if (start.lower != start.upper)
+  const auto& [start, unbounded] = read_start(options.start, family.name);
+  if (unbounded || start.lower != start.upper)
     fail(ErrorKind::usage, "--start: expected one value, {}0=VALUE, got {}", family.name, in_quotes(options.start));
   Recurrence recurrence = read_recurrence(options.recurrence, family.name, family.letter);
   std::string text = fmt::format("{0} with {1} = {2}, {1}0 = {3}", family.specification, family.name, recurrence.text(),
@@ -82,18 +82,25 @@ properties::MaskListFile read_lists(const std::string& file) {
   }
 }
 
-Interval read_start(const std::string& written, const std::string& name) {
+FirstValues read_start(const std::string& written, const std::string& name) {
+  constexpr std::string_view unbounded = "..inf";
   const std::string text = plain_text(written);
   const std::string heads[] = {name + "0=", name + "="};
   for (const std::string& head : heads) {
     if (!text.starts_with(head)) continue;
     if (text.find("..") == std::string::npos)
-      if (const auto value = parse_number(text.substr(head.size()))) return {*value, *value};
+      if (const auto value = parse_number(text.substr(head.size()))) return {{*value, *value}};
     if (text.find("..") == std::string::npos) break;
+    if (text.ends_with(unbounded)) {
+      const auto low = parse_number(text.substr(head.size(), text.size() - head.size() - unbounded.size()));
+      if (!low) break;
+      return {{*low, *low}, true};
+    }
     const auto [low, high] = read_over(name + "=" + text.substr(head.size()), name);
-    return {low, high};
+    return {{low, high}};
   }
-  fail(ErrorKind::usage, "--start: expected {0}VALUE or {0}LOW..HIGH, got {1}", heads[0], in_quotes(written));
+  fail(ErrorKind::usage, "--start: expected {0}VALUE, {0}LOW..HIGH or {0}LOW..inf, got {1}", heads[0],
+       in_quotes(written));
 }
 
 Recurrence read_recurrence(const std::string& written, const std::string& name, char letter) {

@@ -15,8 +15,8 @@ inline constexpr const char* lists = "lists:";
 /// Errors: throws Error for the file, which it names.
 properties::MaskListFile read_lists(const std::string& file);
 
-/// `v0=1/2` or `v0=-1..1000`. Errors: throws a usage error.
-Interval read_start(const std::string& written, const std::string& name);
+/// `v0=1/2`, `v0=-1..1000` or `v0=-1..inf`. Errors: throws a usage error.
+FirstValues read_start(const std::string& written, const std::string& name);
 /// `v=sqrt((1+v)/2)`. Errors: throws a usage error.
 Recurrence read_recurrence(const std::string& written, const std::string& name, char letter);
 

@@ -64,6 +64,16 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   return json;
 }
 
+/// Of all sequences first.
+std::vector<NamedCertificate> certificates_of(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
+  std::vector<NamedCertificate> result;
+  for (Certificate& one : list_certificates(list, found, budget)) {
+    const bool all = result.empty() && list.period.empty();
+    result.push_back({fmt::format("0{}-{}", result.size() + 1, all ? "all" : "sequence"), std::move(one)});
+  }
+  return result;
+}
+
 }  // namespace
 
 Json exponent_json(const ExponentOfList& found) {
@@ -93,13 +103,13 @@ ExitCode run_levels_of_list(const SearchOptions& options, const std::string& fil
   const Truth answer = asked                                                 ? holds(found.exponent, *asked)
                        : found.exponent.is_bounded() && found.exact.is_yes() ? Truth::yes
                                                                              : Truth::unknown;
-  const WrittenCertificate certificate = write_certificate(
-      certificates.empty() ? "" : certificates + "/01-radius.cert",
-      [&] { return radius_certificate(found.family, found.radius); }, matrices_text(found.family));
   Json json = json_of(read_file, found, property, answer);
-  certificate.add_to(json);
-  options.answer(json, text_of(read_file, found, property, answer) + certificate.text(found.radius.exact.is_yes()));
-  certificate.failure.raise();
+  WrittenCertificates written;
+  if (!certificates.empty())
+    written = write_certificates(certificates, certificates_of(read_file.list, found, budget), {"-all", "-sequence"},
+                                 "what is not proved", json);
+  options.answer(json, text_of(read_file, found, property, answer) + written.text);
+  written.failure.raise();
   return exit_code(answer, !budget.deadline.expired());
 }
 

@@ -81,6 +81,28 @@ TEST_CASE("levels: a recurrence") {
             .code == 0);
 }
 
+TEST_CASE("levels: certificates of a recurrence") {
+  const Folder folder;
+  const std::string certificates = folder / "proofs", proof = "verify " + certificates + "/01-proved.cert",
+                    family = "levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=sqrt((1+v)/2)' " +
+                             "--certificate " + certificates + " --start v0=";
+  CHECK(run(family + "-1..1000000").code == 0);
+  CHECK(says(run(proof), "from level 2 on of v -> sqrt[1/2+1/2*v] with v=-1..1000000 at level 0, all in v=9/20..1000"));
+  const Run open = run(family + "-1..inf");
+  CHECK(open.code == 0);
+  CHECK(says(open, "for all v0 from -1 on that have a mask at\n             each level"));
+  CHECK(says(open, "v is from 9/20 to 1000 from some level on\n"));
+  CHECK(says(run(proof), "from some level on of v -> sqrt[1/2+1/2*v] with v=-1..inf at level 0"));
+  // It is about these sequences alone.
+  CHECK(run(proof + " --claim '1 <= conic-four-point:v for all levels v=9/20..1000'").code == 1);
+  const auto json = run_json(family + "-1..inf").at("recurrence");
+  CHECK((json.at("to").is_null() && json.at("first_level").is_null()));
+  // What is proved for all sequences is certified where the values are not proved to come.
+  CHECK(run(family + "2000..inf").code == 3);
+  CHECK(says(run(proof), "for all sequences of levels with v=9/20..1000"));
+  check_fails(run(family + "x..inf"), 64, "--start: expected v0=VALUE, v0=LOW..HIGH or v0=LOW..inf, got 'v0=x..inf'");
+}
+
 TEST_CASE("levels: exponents over ranges that grow, as text and picture") {
   const Folder folder;
   const std::string picture = folder / "levels.svg";
@@ -102,7 +124,16 @@ TEST_CASE("levels: lists of masks") {
   CHECK(page.code == 0);
   CHECK(says(page, "exponent     2  (the least of all sequences, exact)\n"));
   CHECK(says(page, "least for    0 at all levels\n"));
-  CHECK(run("verify " + certificates + "/01-radius.cert").code == 0);
+  CHECK(says(run("verify " + certificates + "/01-all.cert"), "VERIFIED 2 <= Hoelder exponent of"));
+  const Run one = run("verify " + certificates + "/02-sequence.cert");
+  CHECK((one.code == 0 && says(one, "Hoelder exponent = 4-log|") && says(one, "for levels with period=0")));
+  CHECK(run_json("levels lists:" + graph + " --certificate " + certificates).at("certificates") == 2);
+  const Run pairs = run("verify " + certificates + "/01-all.cert");
+  CHECK((pairs.code == 0 && says(pairs, "for all sequences of levels with follows=0-1,1-0")));
+  CHECK(run_json("levels lists:" + in_turn + " --certificate " + certificates).at("certificates") == 1);
+  CHECK_FALSE(std::filesystem::exists(certificates + "/01-all.cert"));
+  CHECK(
+      says(run("verify " + certificates + "/01-sequence.cert"), "5/2 <= Hoelder exponent = 4-log|[-8,1]@8,0,1/1000|"));
   CHECK(says(run("levels lists:" + in_turn), "exponent     2.5  (the least"));
   CHECK(run("levels lists:" + in_turn + " --property C2").code == 0);
   CHECK(run("levels lists:" + any + " --property C2").code == 3);
@@ -116,6 +147,9 @@ TEST_CASE("levels: lists of masks") {
   refused("masks = [\"dd:n=2\"]\nperiod = [0]\nfollows = [[0, 0]]\n",
           "3, column 11: 'follows' beside 'period'; expected one of them");
   refused("masks = [\"dd:n=2\"]\norder = 1\n", "2, column 1: unknown key 'order'; expected masks, period or follows");
+  refused(masks + "follows = [[1, 0]]\n",
+          "2, column 11: no sequence of masks goes on for ever; expected pairs that come round again");
+  CHECK(run("levels lists:" + folder.write("end.toml", masks + "follows = [[1, 0], [0, 0]]")).code == 0);
   CHECK(run("levels lists:" + folder.write("loop.toml", "masks = [\"loop\"]")).code == 65);
   refused("masks = [\"daubechies:n=5\"]\n",
           "1, column 10: expected a scheme of one variable with exact coefficients, got daubechies:n=5");
@@ -136,7 +170,7 @@ TEST_CASE("levels: wrong usage") {
   check_fails(run(smooth + "--recurrence 'v=w/2' --start w0=1"), 64, step + "'v=w/2'");
   check_fails(run(smooth + "--recurrence 'w=sin(w)' --start w0=1"), 64, step + "'w=sin(w)'");
   check_fails(run(smooth + "--recurrence 'w=w/2' --start v0=1"), 64,
-              "--start: expected w0=VALUE or w0=LOW..HIGH, got 'v0=1'");
+              "--start: expected w0=VALUE, w0=LOW..HIGH or w0=LOW..inf, got 'v0=1'");
   check_fails(run("levels four-point:w --over w=0..1"), 64,
               "--property is required with a family that has a parameter");
   check_fails(run("levels four-point:w --property C1"), 64, "--over is required with a family that has a parameter");

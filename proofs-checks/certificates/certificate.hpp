@@ -4,6 +4,7 @@
 #include "claim.hpp"
 
 #include <subcert/analysis/family/exponent_curve.hpp>
+#include <subcert/analysis/family/limit_of_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
@@ -78,9 +79,17 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
                                                  const PropertyRange& range, const Rational& margin);
 
 /// That the property holds for every sequence of values of the box, one for each level; nothing where that is not
-/// proved. Domain: one letter; `levels` is that of the mask, the property and the box.
+/// proved. With `followed`: that it holds for those levels, from which level on, and that their values come into the
+/// box; without it where that is not proved. Domain: one letter; `levels` is that of the mask, the property and the
+/// box, and so is `followed`.
 std::optional<Certificate> levels_certificate(const ParametricMask& mask, char letter, const RangeProperty& property,
-                                              const Box& box, const PropertyOfLevels& levels);
+                                              const Box& box, const PropertyOfLevels& levels,
+                                              const FollowedLevels* followed = nullptr);
+
+/// That all sequences of the masks have at least the lower end of the exponent, unless they are in a period; and of the
+/// sequence that bounds it from above, if one does, what its exponent is. None where nothing positive is proved.
+/// Domain: `found` is that of the list. Cost: the exponent of one mask of arity a^L.
+std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget);
 
 /// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence. Of
 /// masks of matrices the lower one alone.

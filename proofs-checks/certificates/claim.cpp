@@ -17,15 +17,19 @@ constexpr std::size_t longest_head = 2'000'000;  // characters in which the firs
 constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
-constexpr std::string_view levels = "levels", component = "component", integral = "integral";
+constexpr std::string_view recurrence = "recurrence=", start = "start=", from = "from=", period = "period=";
+constexpr std::string_view levels = "levels", lists = "lists", component = "component", integral = "integral";
 
 /// The line of a certificate that says what it is about.
 struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
     const std::string_view of_numbers = of.is_levels ? levels : "exponent";
-    return fmt::format("{} {} {}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices, of.mask, of.arity,
-                       more.empty() ? "" : " ", more);
+    const std::string line = fmt::format("{} {} {}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices, of.mask,
+                                         of.arity, more.empty() ? "" : " ", more);
+    return of.recurrence.empty()
+               ? line
+               : fmt::format("{} {}{} {}{} {}{}", line, recurrence, of.recurrence, start, of.start, from, of.from);
   }
   std::string operator()(const SurfaceSubject& of) const {
     return fmt::format("{} {} {}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
@@ -34,6 +38,9 @@ struct SubjectLine {
   }
   std::string operator()(const FamilySubject& of) const {
     return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
+  }
+  std::string operator()(const ListSubject& of) const {
+    return fmt::format("{} {} {} {}", lists, of.masks, of.arity, of.order);
   }
   std::string operator()(const L1Subject& of) const {
     return fmt::format("l1 {} {}{}{}", of.points, of.degree, of.arity.empty() ? "" : " ", of.arity);
@@ -47,7 +54,15 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (second.empty()) fail(ErrorKind::data, "{}: not a certificate", file);
   const bool rounded = more.starts_with(within);
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
-  if (kind == "exponent" || kind == levels) return MaskSubject{first, second, more, kind == levels};
+  if (kind == "exponent" || kind == levels) {
+    MaskSubject subject{first, second, more, kind == levels};
+    for (std::string word; words >> word;)
+      for (const auto& [name, field] :
+           {std::pair(recurrence, &subject.recurrence), {start, &subject.start}, {from, &subject.from}})
+        if (word.starts_with(name)) *field = word.substr(name.size());
+    return subject;
+  }
+  if (kind == lists) return ListSubject{first, second, more};
   if (kind == "vectors" || kind == "hermite") return MaskSubject{first, second, more, false, {}, kind};
   if (kind == "surface" || kind == "refinable") {
     SurfaceSubject subject{first, second, kind == "refinable"};
@@ -59,7 +74,8 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
   fail(ErrorKind::data,
-       "{}, line 2: expected exponent, levels, vectors, hermite, surface, refinable, radius, subradius or l1", file);
+       "{}, line 2: expected exponent, levels, lists, vectors, hermite, surface, refinable, radius, subradius or l1",
+       file);
 }
 
 /// Whether a claim without a lower end and a number is one: of stability, of a range or a family with an upper end, of
@@ -67,7 +83,8 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
 bool may_lack_lower(const CertificateClaim& claim) {
   if (std::holds_alternative<L1Subject>(claim.subject)) return true;
   const auto* mask = std::get_if<MaskSubject>(&claim.subject);
-  if (!claim.upper) return mask != nullptr;
+  const auto* list = std::get_if<ListSubject>(&claim.subject);
+  if (!claim.upper) return mask || (list && list->order.starts_with(period));
   return claim.says_rough() || (mask && (!mask->range.empty() || !mask->of_matrices.empty())) ||
          std::holds_alternative<FamilySubject>(claim.subject);
 }
@@ -80,6 +97,8 @@ struct SubjectArguments {
                                        of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
     if (!of.range.empty()) arguments.insert(arguments.end(), {of.is_levels ? "--levels" : "--for", of.range});
+    if (!of.recurrence.empty())
+      arguments.insert(arguments.end(), {"--recurrence", of.recurrence, "--start", of.start, "--from", of.from});
     return arguments;
   }
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
@@ -91,6 +110,9 @@ struct SubjectArguments {
   }
   std::vector<std::string> operator()(const FamilySubject& of) const {
     return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};
+  }
+  std::vector<std::string> operator()(const ListSubject& of) const {
+    return {"--masks", of.masks, "--arity", of.arity, "--order", of.order};
   }
   std::vector<std::string> operator()(const L1Subject& of) const {
     std::vector<std::string> arguments{"--l1", of.points + "," + of.degree + (of.arity.empty() ? "" : ",") + of.arity};

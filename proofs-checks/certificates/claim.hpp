@@ -20,6 +20,13 @@ struct MaskSubject {
   /// Of masks of matrices: `vectors`, of the limits of f'_i = sum over j of A_(i-aj)^T f_j, or `hermite`,
   /// of HC^k of a Hermite scheme, of which k is the lower end, or the upper one where it is refuted; or empty.
   std::string of_matrices = {};
+  std::string recurrence = {};        ///< of levels that follow from each other, STEP; or empty
+  std::string start = {}, from = {};  ///< the values at level 0, and the level from which on the claim is
+};
+/// A mask for each level.
+struct ListSubject {
+  std::string masks, arity;  ///< MASK;MASK;...
+  std::string order;         ///< `any`, `follows=0-1,1-0,...` or `period=0,1,...`
 };
 struct SurfaceSubject {
   std::string mask, dilation;
@@ -38,7 +45,7 @@ struct L1Subject {
   std::string arity = {};        ///< empty for 2
   std::string contraction = {};  ///< STEPS,ORDER,BOUND, or empty; not empty in a certificate
 };
-using ClaimSubject = std::variant<MaskSubject, SurfaceSubject, FamilySubject, L1Subject>;
+using ClaimSubject = std::variant<MaskSubject, SurfaceSubject, FamilySubject, L1Subject, ListSubject>;
 
 /// Decimals with 15 places, more for tiny numbers, rounded outward; an upper end `C2` says that limits are not C^2.
 struct ClaimedEnds {

@@ -37,6 +37,19 @@ Certificate interval_certificate(const ParametricMask& mask, char letter, const 
   return certificate;
 }
 
+/// That the levels of the claim are those which follow from each other, and how their values come into its range.
+void add_recurrence(Certificate& certificate, char letter, const FollowedLevels& followed) {
+  auto& subject = std::get<MaskSubject>(certificate.claim.subject);
+  const auto& [start, unbounded] = followed.start;
+  subject.recurrence = followed.recurrence.to_text(letter);
+  subject.start = fmt::format("{}..{}", to_text(start.lower), unbounded ? "inf" : to_text(start.upper));
+  subject.from = unbounded ? "some" : std::to_string(*followed.first_level());
+  std::string way;
+  for (const Interval& values : *followed.way)
+    way += fmt::format("level {} {}\n", to_text(values.lower), to_text(values.upper));
+  certificate.sections.insert(certificate.sections.begin(), {way});
+}
+
 /// What needs no proofs of intervals, for all values from `low` to `high` but those within `margin` of `away`, in
 /// order.
 void add_away(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,
@@ -131,11 +144,14 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
 }
 
 std::optional<Certificate> levels_certificate(const ParametricMask& mask, char letter, const RangeProperty& property,
-                                              const Box& box, const PropertyOfLevels& levels) {
+                                              const Box& box, const PropertyOfLevels& levels,
+                                              const FollowedLevels* followed) {
   if (levels.holds != Truth::yes) return std::nullopt;
   const Rational &low = box.low[0], &high = box.high[0];
-  return interval_certificate(mask, letter, low, high, {to_text(property.order), {}},
-                              {{low, high, levels.above, std::nullopt}}, "", true);
+  Certificate certificate = interval_certificate(mask, letter, low, high, {to_text(property.order), {}},
+                                                 {{low, high, levels.above, std::nullopt}}, "", true);
+  if (followed && followed->way) add_recurrence(certificate, letter, *followed);
+  return certificate;
 }
 
 std::vector<RangeCertificate> curve_certificates(const ParametricMask& mask, char letter, const ExponentCurve& curve) {

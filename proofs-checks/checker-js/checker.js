@@ -318,13 +318,15 @@ var check_certificate = (() => {
     return {arity, degree, q, b, size: Math.max(1, Math.ceil((b.length - 1) / (arity - 1)))};
   }
   // 6.1: the f_j of (u + v)^degree p(w) = sum f_j u^j v^(degree - j), w = (low v + high u)/(u + v), times a positive
-  // number that depends on the interval and the degree only; without an interval p is a number.
+  // number that depends on the interval and the degree only; without an interval p is a number. From `low` on, without
+  // an upper end: w = (low v + u)/v.
   function form_of(p, interval, degree) {
     if (!interval) return [p[0]];
-    const {den, numbers: [low, high]} = common([interval.low, interval.high]), all = Array(degree + 1).fill(0n);
+    const {den, numbers: [low, end]} = common([interval.low, interval.high || interval.low]);
+    const all = Array(degree + 1).fill(0n), [high, last] = interval.high ? [end, den] : [den, 0n];
     const by = (f, v, u) => [...f, 0n].map((x, j) => x * v + (j ? f[j - 1] * u : 0n));
     for (let k = 0, power_of_w = [1n]; k < p.length; ++k, power_of_w = by(power_of_w, low, high)) {
-      const form = range_of(p[k] ? degree - k : 0).reduce(f => by(f, den, den), power_of_w);
+      const form = range_of(p[k] ? degree - k : 0).reduce(f => by(f, den, last), power_of_w);
       form.forEach((x, j) => { all[j] += x * p[k]; });
     }
     return all;
@@ -1910,7 +1912,9 @@ var check_certificate = (() => {
            'the exact radius proves no exponent between 0 and the number of sum rules');
   }
   function check_curve(reader, claim) {
-    const {lower, upper, rough, interval, within, exact} = claim;
+    const {lower, upper, rough, interval, within, exact, recurrence, list} = claim;
+    if (recurrence) check_following(reader, recurrence, interval);
+    if (list) check_constants(list);
     const again = !interval && !within && reader.peek() === 'reduced';
     demand(!again || lower || (exact && (rough || claim.options.exact !== undefined)),
            'a reduced mask tells the exponent of one mask, with a lower end');
@@ -1988,11 +1992,130 @@ var check_certificate = (() => {
     const [p, b] = reader.read('reduced', 2).map(text => read_curve(text, curve.arity, null)), by = curve.arity;
     const [a_i, p_i, b_i] = [curve, p, b].map(({a}) => a.map(x => x[0]));
     demand(sum(p_i), 'the factor of the reduced mask is 0 at 1');
-    const left = product_of(a_i, p_i), spread = range_of((p_i.length - 1) * by + 1).map(i => i % by ? 0n : p_i[i / by]);
-    const right = product_of(spread, b_i);
+    const left = product_of(a_i, p_i), right = product_of(spread(p_i, by), b_i);
     demand(left.length === right.length && left.every((x, i) => x * b.q[0] === right[i] * curve.q[0]),
            'the reduced mask is not that of the mask and the factor');
     return b;
+  }
+  // ---- 6.5: masks that change from level to level --------------------------------------------------------------------
+  const expected_order = 'an order is any, period=0,1,... or follows=0-1,1-0,...';
+  function read_list(text, arity, order) {
+    const masks = text.split(';').map(mask => read_curve(mask, arity, null));
+    demand(masks.length <= 64, 'more masks than the checker allows');
+    const [, kind, numbers] = /^(period|follows)=(.*)$/s.exec(order) || [], number_of = token => small(token, 0, masks.length - 1);
+    demand(kind || order === 'any', expected_order);
+    const fields = kind ? numbers.split(',') : [];
+    if (kind !== 'follows') {
+      demand(arity ** fields.length <= 64, 'a longer period than the checker allows');
+      return {masks, arity, period: fields.map(number_of), follows: []};
+    }
+    demand(fields.length <= 4096, expected_order);
+    const follows = fields.map(token => {
+      const pair = token.split('-');
+      demand(pair.length === 2, expected_order);
+      return pair.map(number_of);
+    });
+    return {masks, arity, period: [], follows};
+  }
+  const spread = (p, step) => range_of((p.length - 1) * step + 1).map(i => i % step ? 0n : p[i / step]);
+  function masks_in_one({masks, arity, period}) {
+    const [first, ...others] = period.map(k => masks[k]);
+    return others.reduce((one, next) => ({
+      arity: one.arity * arity, degree: 0, q: [one.q[0] * next.q[0]],
+      a: product_of(next.a.map(x => x[0]), spread(one.a.map(x => x[0]), arity)).map(x => [x]),
+    }), first);
+  }
+  function check_constants({masks, arity}) {
+    for (const {a, q} of masks)
+      demand(range_of(arity).every(r => sum(a.filter((_, i) => i % arity === r).map(x => x[0])) === q[0]),
+             'a mask of the list does not keep constant data');
+  }
+  function list_family({masks, arity, follows}, order) {
+    const symbols = masks.map(mask => divided_symbol(mask, order)), width = Math.max(...symbols.map(({size}) => size));
+    const families = symbols.map(symbol => control_family({...symbol, size: width}, null));
+    const den = families.reduce((all, family) => lcm(all, family.den), 1n);
+    const wide = families.map(family => family.matrices.map(m => scaled(m, den / family.den)));
+    const one = {den, weights: [1n], symbol: null};
+    if (!follows.length) return {...one, size: width, matrices: wide.flat()};
+    const size = (Math.max(...follows.flat()) + 1) * width;
+    demand(size <= 256, 'transition matrices larger than 256');
+    demand(follows.length * arity * size * size <= 2 ** 22, too_much_work);
+    const inside = (node, i) => i >= node * width && i < (node + 1) * width;
+    const matrices = follows.flatMap(([before, after]) => wide[after].map(m => range_of(size).map(i => range_of(size).map(k =>
+      inside(before, i) && inside(after, k) ? m[i - before * width][k - after * width] : 0n))));
+    return {...one, size, matrices};
+  }
+  function check_list(reader, {list, lower, exact}) {
+    check_constants(list);
+    demand(!exact, 'an exact number is that of one mask or family');
+    const order = small(reader.read('sum-rules', 1)[0], 1, 500);
+    check_ends(lower, null, 1);
+    prove(reader, list_family(list, order), {below: at_most(power_below(BigInt(list.arity), minus(order, lower)), false)});
+  }
+  // w -> STEP or the root of it: the numerator and the denominator, and the first values
+  function read_following(step, start, from, letter) {
+    const root = step.startsWith('sqrt'), {a, q} = read_curve(step.slice(root ? 4 : 0), 2, letter);
+    demand(a.length === 1, 'a recurrence is [P]/D, [P]/(Q) or sqrt[P]/(Q)');
+    const ends = start.split('..'), form = 'the first values are LOW..HIGH or LOW..inf';
+    demand(ends.length === 2, form);
+    const low = rational(ends[0]), unbounded = ends[1] === 'inf', high = unbounded ? null : rational(ends[1]);
+    demand(unbounded || !less(high, low), form);
+    demand(unbounded === (from === 'some'), "a start has a level if it is bounded, else 'some'");
+    return {root, numerator: a[0], denominator: q, low, high, from: unbounded ? null : small(from, 0, 1000)};
+  }
+  function check_following(reader, {root, numerator, denominator, low, high, from}, range) {
+    const end = p => p.findLastIndex(x => x), squared = x => root ? times(x, x) : x;
+    const show = (form, what) => {  // where it may be 0 at the ends
+      const last = end(form);
+      if (last >= 0) show_positive(form.slice(form.findIndex(x => x), last + 1), what);
+    };
+    const polynomial_on = (p, interval) => {
+      spend(p.length ** 2, 1000);
+      return form_of(p, interval, p.length - 1);
+    };
+    const sign_of = interval => {
+      const q = polynomial_on(denominator, interval), inner = interval.high ? q : q.slice(0, Math.max(1, end(q) + 1));
+      const turn = inner[0] < 0n ? -1n : 1n;
+      show_positive(inner.map(x => x * turn), 'the denominator of the recurrence');
+      return turn;
+    };
+    // sign (bound * denominator - numerator), the bound a polynomial
+    const compare = (interval, turn, bound, side, which) => {
+      const {den, numbers} = common(bound), p = Array(numerator.length + bound.length - 1).fill(0n);
+      numerator.forEach((x, k) => {
+        p[k] -= side * turn * x * den;
+        numbers.forEach((c, j) => { p[k + j] += side * turn * denominator[k] * c; });
+      });
+      show(polynomial_on(p, interval), `what keeps the recurrence from being ${which} the next values`);
+    };
+    const at_least_low = (interval, turn, least) =>
+      compare(interval, turn, [root && sign(least) <= 0 ? fraction(0n) : squared(least)], -1n, 'below');
+    const leads = (interval, to) => {
+      const turn = sign_of(interval);
+      at_least_low(interval, turn, to.low);
+      demand(!root || sign(to.high) >= 0, 'a root may be above the values of the next level');
+      compare(interval, turn, [squared(to.high)], 1n, 'above');
+    };
+    leads(range, range);
+    let values = {low, high};
+    if (!high) {
+      demand(!less(range.high, low), 'an unbounded start begins above the range');
+      values = {low, high: range.high};
+      demand(sign(range.high) > 0, 'an unbounded start needs a range with a positive upper end');
+      const beyond = {low: range.high}, turn = sign_of(beyond), zero = fraction(0n);
+      at_least_low(beyond, turn, range.low);
+      compare(beyond, turn, root ? [zero, zero, fraction(81n, 100n)] : [zero, fraction(9n, 10n)], 1n, 'above nine tenths of');
+    }
+    let level = 0;
+    for (; reader.peek() === 'level'; ++level) {
+      demand(level < 1000, 'more levels than the checker allows');
+      const [a, b] = reader.read('level', 2).map(rational);
+      demand(!less(b, a), 'the values of a level are an interval');
+      leads(values, {low: a, high: b});
+      values = {low: a, high: b};
+    }
+    demand(from === null || level <= from, 'the values come into the range at a later level');
+    demand(!less(values.low, range.low) && !less(range.high, values.high), 'the values do not come into the range');
   }
   function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim; a(1) = b(1) = A
     const order = small(reader.read('sum-rules', 1)[0], 1, 500), limit = fraction(BigInt(curve.arity) ** BigInt(order));
@@ -2823,6 +2946,11 @@ var check_certificate = (() => {
                      [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)
        subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --levels 'w=LOW..HIGH' --lower P/Q FILE
                      (for all sequences of these w, one for each level; <, not <=)
+       subcert-check ... --levels RANGE --recurrence '[P]/(Q)' --start LOW..HIGH --from K --lower P/Q FILE
+                     (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)
+       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of these
+                     masks; follows=0-1,1-0,...: for those where each pair is one of these)
+       subcert-check --masks ... --arity A --order period=0,1,...    (in turn; the rest as with --mask)
        subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)
        subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks
                      within EPS of MASK that have M sum rules)
@@ -2851,8 +2979,8 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation',
-                   'vectors', 'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
+    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'vectors',
+                   'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
       const named = words[i].startsWith('--'), option = named ? words[i].slice(2) : 'FILE';
@@ -2864,17 +2992,20 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const has = (...all) => all.every(name => name in options), some = (...all) => all.some(name => name in options);
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
-    const curve = has('mask', 'arity') && none('surface', 'refinable', 'integral', 'component', 'dilation', 'matrices', 'subradius') &&
+    const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
+    const curve = has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'dilation', 'matrices', 'subradius') &&
       ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
-      (none('levels') || (has('lower') && none('upper'))) &&
+      ((none('levels') && !follow) || (has('lower') && none('upper'))) && has('masks') === has('order') &&
+      ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
+      (none('masks') || none('for', 'levels', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
       !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
       (has('refinable') || none('integral', 'component')) &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'attains', 'logarithm');
     const of_vectors = has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'lower', 'upper'].includes(name)));
@@ -2883,7 +3014,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const others = none('l1', 'contraction', 'vectors', 'hermite');
     demand(has('FILE') && (l1 || of_vectors || ((curve || surface || family) && others)), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? check_curve : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? (follow ? check_list : check_curve) : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
@@ -2917,6 +3048,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
       claim.curve = read_curve(options[kind_of], small(options.arity, 2, 16), letter, 2);
       claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${letter ? ` ${options.for}` : ''}`;
+    } else if (options.masks !== undefined) {
+      claim.list = read_list(options.masks, small(options.arity, 2, 16), options.order);
+      if (kind === check_curve) claim.curve = masks_in_one(claim.list);
+      demand(kind !== check_curve || claim.curve.a.length <= 1000, 'the masks of a period have more than 1000 coefficients together');
+      claim.head = `lists ${options.masks} ${options.arity} ${options.order}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
       claim.levels = options.levels !== undefined;
@@ -2927,6 +3063,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.curve = read_curve(options.mask, arity, letter);
       claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
         (claim.within ? ` within=${options.within}` : '');
+      if (options.recurrence !== undefined) {
+        claim.recurrence = read_following(options.recurrence, options.start, options.from, letter);
+        claim.head += ` recurrence=${options.recurrence} start=${options.start} from=${options.from}`;
+      }
     }
     return claim;
   }
@@ -2966,7 +3106,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
       `${options.arity}${options.for === undefined ? '' : ` for all ${options.for}`}`;
   }
-  function text_of({options, of_family, lower, upper, rough, interval, levels}) {
+  function text_of_levels({recurrence, start, from, levels: range}) {
+    const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
+    return recurrence === undefined ? ` for all sequences of levels with ${range}`
+      : ` from ${level} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}`;
+  }
+  function text_of({options, of_family, lower, upper, rough, interval, levels, list}) {
     const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
     const {attains} = options, product = attains === undefined ? []
@@ -2982,9 +3127,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const one = options.component === undefined ? '' : `component ${options.component} of `;
     const mask = options.refinable === undefined ? options.surface : `${one}the refinable functions of ${options.refinable}`;
     const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}${options.integral === undefined ? '' : ` and integral ${options.integral}`}`
-      : `${options.mask} with arity ${options.arity}`;
+      : `${options.mask || options.masks} with arity ${options.arity}`;
+    const of_list = list && (list.period.length ? ' for levels' : ' for all sequences of levels') +
+      (options.order === 'any' ? '' : ` with ${options.order}`);
     return `${ends} of ${subject}` +
-      (levels ? ` for all sequences of levels with ${options.levels}` : interval ? ` for all ${options.for}` : '') +
+      (list ? of_list : levels ? text_of_levels(options) : interval ? ` for all ${options.for}` : '') +
       (options.within ? ` for all masks within=${options.within}` : '');
   }
   function read_matrices(reader) {

@@ -5,6 +5,7 @@
 #include "claim.hpp"
 #include "frequency.hpp"
 #include "graph.hpp"
+#include "levels.hpp"
 #include "product.hpp"
 #include "single.hpp"
 #include "subradius.hpp"
@@ -53,7 +54,11 @@ class Checker {
  private:
   /// What follows these lines, but of a subradius.
   void read_proof() {
-    if (claim_.arity != 0 && !claim_.is_strict() && reader_.at("reduced"))
+    if (claim_.recurrence) read_recurrence(*claim_.recurrence, *claim_.range, reader_, arithmetic_);
+    if (claim_.list) check_constants(*claim_.list);
+    if (claim_.list && claim_.list->period.empty())
+      read_bounds(read_list(*claim_.list), false);
+    else if (claim_.arity != 0 && !claim_.is_strict() && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
@@ -88,7 +93,7 @@ class Checker {
       exact_ = claim_.exact;
       exact_order_ = claim_.exact_order;
     } else {
-      std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask.has_value());
+      std::tie(exact_, exact_order_) = parse_exact(reader_.take("exact", 1, 1)[0], claim_.mask || claim_.list);
     }
     read_root(*exact_, reader_, arithmetic_);
   }
@@ -119,15 +124,11 @@ class Checker {
               "a reduced mask and its factor have 1 to 1000 coefficients, the first and the last not zero");
     const Vector& p = factor.coefficients;
     require(std::accumulate(p.begin(), p.end(), mpz_class(0)) != 0, "the factor of the reduced mask is 0 at 1");
-    const auto product = [&](const Mask& symbol, std::size_t step, const mpz_class& scale) {
-      Vector result(symbol.points() + step * (p.size() - 1));
-      for (std::size_t i = 0; i < symbol.points(); ++i)
-        for (std::size_t j = 0; j < p.size(); ++j)
-          arithmetic_.add_product(result[i + step * j], symbol.coefficients[i] * scale, p[j]);
-      return result;
-    };
-    require(product(mask, 1, other.denominator) == product(other, claim_.arity, mask.denominator),
-            "the reduced mask is not that of the mask and the factor");
+    Vector left = product_of_symbols(mask.coefficients, p, 1, arithmetic_),
+           right = product_of_symbols(other.coefficients, p, claim_.arity, arithmetic_);
+    for (mpz_class& x : left) x *= other.denominator;
+    for (mpz_class& x : right) x *= mask.denominator;
+    require(left == right, "the reduced mask is not that of the mask and the factor");
     read_bounds(read_scheme(other), true);
     show_attained(other);
     const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
@@ -191,6 +192,14 @@ class Checker {
       use_graph(read_graph(block, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
     else
       use_polytope(read_polytope(block, fields, entry_error_, reader_, arithmetic_));
+  }
+
+  /// Section 6.5: all masks, and what is to be shown of them.
+  Family read_list(const MaskList& list) {
+    require(!exact_, "an exact number is that of one mask or family");
+    const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
+    show_exponent(list.arity, power(list.arity, sum_rules), sum_rules);
+    return list_family(list, sum_rules);
   }
 
   /// Section 6.7: of a vector scheme.
@@ -359,29 +368,8 @@ class Checker {
   void read_norm(const Family& family, const Fields& fields, std::size_t columns) {
     require(fields.size() == 2, "wrong number of fields after 'norm'");
     const std::size_t level = parse_size(fields[1], 1, 64);
-    use_upper_bound(norm_of_products(family, level, columns) + change_of(family, entry_error_, level), level);
-  }
-
-  mpq_class norm_of_products(const Family& family, std::size_t level, std::size_t columns) {
-    const std::size_t n = family.size;
-    require(power(family.count(), level) * columns * n * n * 20 <= max_work, too_much_work);
-    mpz_class largest = 0;
-    for (std::size_t k = 0; k < columns; ++k) {
-      Vector unit(n);
-      unit[k] = 1;
-      largest = std::max(largest, largest_norm(family, unit, level));
-    }
-    return ratio(largest, power(family.denominator, level).get_num());
-  }
-
-  /// The largest 1-norm of product * x over all products of this many matrices.
-  mpz_class largest_norm(const Family& family, const Vector& x, std::size_t level) {
-    mpz_class largest = 0;
-    for (std::size_t t = 0; level > 0 && t < family.count(); ++t)
-      largest = std::max(largest,
-                         largest_norm(family, arithmetic_.multiply(family.matrix(t), x, family.size), level - 1));
-    for (std::size_t i = 0; level == 0 && i < x.size(); ++i) largest += abs(x[i]);
-    return largest;
+    use_upper_bound(norm_of_products(family, level, columns, arithmetic_) + change_of(family, entry_error_, level),
+                    level);
   }
 
   void use_polytope(const Polytope& body) {
@@ -443,7 +431,8 @@ class Checker {
     const Family family = transition_family(mask, claim_.arity, order);
     if (fields.size() > 1) {
       require(fields.size() == 3 && fields[1] == "norm" && logarithm_ == 0, "expected 'logarithm 0 norm LEVEL'");
-      require(norm_of_products(family, parse_size(fields[2], 1, 64), 1) <= 1, "the norm of products is above 1");
+      require(norm_of_products(family, parse_size(fields[2], 1, 64), 1, arithmetic_) <= 1,
+              "the norm of products is above 1");
     } else {
       require(by_single_ && (sum_rules_ - order) % 2 == 0, "the differences of this order need a norm");
       ExactRadius one;

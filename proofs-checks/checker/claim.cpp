@@ -12,6 +12,12 @@ const char* const usage =
     "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
     "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --levels 'w=LOW..HIGH' --lower P/Q FILE\n"
     "                     (for all sequences of these w, one for each level; <, not <=)\n"
+    "       subcert-check ... --levels RANGE --recurrence '[P]/(Q)' --start LOW..HIGH --from K --lower P/Q FILE\n"
+    "                     (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)\n"
+    "       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of "
+    "these\n"
+    "                     masks; follows=0-1,1-0,...: for those where each pair is one of these)\n"
+    "       subcert-check --masks ... --arity A --order period=0,1,...    (in turn; the rest as with --mask)\n"
     "       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)\n"
     "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
     "                     within EPS of MASK that have M sum rules)\n"
@@ -50,10 +56,11 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask",      "--arity",     "--for",       "--levels",      "--within",  "--surface",
-                           "--refinable", "--integral",  "--component", "--dilation",    "--vectors", "--hermite",
-                           "--matrices",  "--subradius", "--l1",        "--contraction", "--lower",   "--upper",
-                           "--exact",     "--attains",   "--logarithm", "FILE"})
+  for (const char* name :
+       {"--mask",     "--arity",   "--for",     "--levels",   "--recurrence", "--start",    "--from",
+        "--masks",    "--order",   "--within",  "--surface",  "--refinable",  "--integral", "--component",
+        "--dilation", "--vectors", "--hermite", "--matrices", "--subradius",  "--l1",       "--contraction",
+        "--lower",    "--upper",   "--exact",   "--attains",  "--logarithm",  "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -90,6 +97,23 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
                               : curve         ? "the vector scheme of "
                                               : "the refinable functions of ") +
                   mask + " with " + kind + " " + scale;
+}
+
+/// A mask for each level.
+void read_masks_claim(const std::string& masks, const std::string& arity, const std::string& order, Claim& claim) {
+  claim.arity = static_cast<unsigned>(parse_size(arity, 2, 16));
+  claim.list = parse_mask_list(masks, claim.arity, order);
+  const std::vector<std::size_t>& period = claim.list->period;
+  if (!period.empty()) {
+    Arithmetic arithmetic;
+    claim.mask = masks_in_one(*claim.list, period, arithmetic);
+    require(claim.mask->points() <= 1000, "the masks of a period have more than 1000 coefficients together");
+    claim.arity = static_cast<unsigned>(power(claim.arity, period.size()).get_num().get_ui());
+  }
+  claim.head = "lists " + masks + " " + arity + " " + order;
+  claim.text = "Hoelder exponent";
+  claim.subject = masks + " with arity " + arity + (period.empty() ? " for all sequences of levels" : " for levels") +
+                  (order == "any" ? "" : " with " + order);
 }
 
 /// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
@@ -140,21 +164,27 @@ Claim read_claim(const std::vector<std::string>& arguments) {
              &refinable = given["--refinable"], &integral = given["--integral"], &component = given["--component"],
              &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &radius = given["--matrices"],
              &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
-             &of_matrices = vectors ? vectors : hermite, &curve = mask ? mask : of_matrices,
-             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
-             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
-             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
+             &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"], &order = given["--order"],
+             &recurrence = given["--recurrence"], &start = given["--start"], &from = given["--from"],
+             &one = mask ? mask : masks, &curve = one ? one : of_matrices, &matrices = subradius ? subradius : radius,
+             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"],
+             &attains = given["--attains"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
+             &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
-  const int subjects = mask.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
+  const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;
+  const int subjects = one.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
                        subradius.has_value() + vectors.has_value() + hermite.has_value();
   require(file && subjects == 1 && curve.has_value() == arity.has_value() &&
-              surface.has_value() == dilation.has_value() && (curve || !range) && (mask || !rounding) &&
-              !(range && rounding) && (!of_matrices || (!levels && !exact && lower.has_value() != upper.has_value())) &&
-              !(values && levels) && !(levels && (upper || !lower)) && !(exact && (range || rounding)) &&
-              (!attains || rounding) &&
-              (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : mask.has_value())) &&
-              (!rough || (mask && !rounding)) && (!logarithm || (mask && (exact || attains))) &&
+              surface.has_value() == dilation.has_value() && (mask || of_matrices || !range) && (mask || !rounding) &&
+              !(mask && masks) && masks.has_value() == order.has_value() &&
+              recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
+              (levels || !from) && !(range && rounding) &&
+              (!of_matrices || (!levels && !exact && lower.has_value() != upper.has_value())) && !(values && levels) &&
+              !((levels || follow_each_other) && (upper || !lower)) &&
+              !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
+              (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : one.has_value())) &&
+              (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
               ((!component && !integral) || refinable),
           usage);
   Claim claim;
@@ -176,7 +206,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   claim.levels = levels.has_value();
   if (rounding) claim.rounding = parse_rounding(*rounding);
   claim.hermite = hermite.has_value();
-  if (curve) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
+  if (masks) read_masks_claim(*masks, *arity, *order, claim);
+  if (mask || of_matrices) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
   if (integral) {
     claim.integral.emplace();
@@ -226,7 +257,15 @@ Claim read_claim(const std::vector<std::string>& arguments) {
                (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
   if (range) {
     claim.head += " " + *range;
-    claim.text += (levels ? " for all sequences of levels with " : " for all ") + *range;
+    if (recurrence) {
+      claim.recurrence = parse_recurrence(*recurrence, *start, *from, claim.range->letter);
+      claim.head += " recurrence=" + *recurrence + " start=" + *start + " from=" + *from;
+      claim.text += (claim.recurrence->from ? " from level " + *from : " from some level") + " on of " +
+                    range->substr(0, 1) + " -> " + *recurrence + " with " + range->substr(0, 1) + "=" + *start +
+                    " at level 0, all in " + *range;
+    } else {
+      claim.text += (levels ? " for all sequences of levels with " : " for all ") + *range;
+    }
   }
   if (rounding) {
     claim.head += " within=" + *rounding;

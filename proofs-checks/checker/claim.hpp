@@ -3,6 +3,7 @@
 
 #include "exact_radius.hpp"
 #include "least_absolute.hpp"
+#include "levels.hpp"
 #include "parameter.hpp"
 #include "surfaces/surface.hpp"
 
@@ -27,6 +28,8 @@ struct Claim {
   std::optional<Range> range;
   bool hermite = false;  // of matrices with an arity: HC^k of a Hermite scheme, not the exponent of limits
   bool levels = false;
+  std::optional<Recurrence> recurrence;  // of these levels
+  std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   std::optional<Rationals> integral;     // of matrices: of the only functions that have it

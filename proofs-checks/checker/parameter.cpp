@@ -8,18 +8,12 @@
 #include <numeric>
 
 namespace subcert_check {
-namespace {
 
-constexpr std::size_t max_determinant_bits = 1UL << 31;  // of all numbers of a determinant together
-constexpr std::size_t max_determinant_degree = 1UL << 14;
-constexpr std::size_t max_cycle_order = 1UL << 20;  // but for 1, of roots of unity
-
-/// The coefficients of u^j v^(n-j) in (low v + high u)^k (u + v)^(n-k), times the n-th power of the denominator of the
-/// range, for k = 0, ..., n.
 std::vector<Vector> power_forms(const Range& range, std::size_t n) {
   const mpz_class denominator = lcm(range.low.get_den(), range.high.get_den());
   const mpz_class low = mpq_class(range.low * denominator).get_num(),
-                  high = mpq_class(range.high * denominator).get_num();
+                  high = range.unbounded ? denominator : mpq_class(range.high * denominator).get_num(),
+                  last = range.unbounded ? mpz_class(0) : denominator;
   std::vector<Vector> forms;
   for (std::size_t k = 0; k <= n; ++k) {
     Vector& form = forms.emplace_back(Vector{1});
@@ -27,11 +21,24 @@ std::vector<Vector> power_forms(const Range& range, std::size_t n) {
       form.emplace_back(0);
       for (std::size_t j = form.size(); j-- > 0;)
         form[j] = (r < k ? low : denominator) * form[j] +
-                  (j > 0 ? mpz_class((r < k ? high : denominator) * form[j - 1]) : mpz_class(0));
+                  (j > 0 ? mpz_class((r < k ? high : last) * form[j - 1]) : mpz_class(0));
     }
   }
   return forms;
 }
+
+Vector divisor_form(const Vector& polynomial, const std::vector<Vector>& forms) {
+  Vector result(polynomial.size());
+  for (std::size_t k = 0; k < polynomial.size(); ++k)
+    for (std::size_t j = 0; j < polynomial.size(); ++j) result[j] += forms[k][j] * polynomial[k];
+  return result;
+}
+
+namespace {
+
+constexpr std::size_t max_determinant_bits = 1UL << 31;  // of all numbers of a determinant together
+constexpr std::size_t max_determinant_degree = 1UL << 14;
+constexpr std::size_t max_cycle_order = 1UL << 20;  // but for 1, of roots of unity
 
 /// The boxes of u^j v^(n-j), j = 0, ..., n, in place of those of the powers.
 Vector coefficient_forms(const Mask& mask, const Range& range) {
@@ -41,14 +48,6 @@ Vector coefficient_forms(const Mask& mask, const Range& range) {
     for (std::size_t j = 0; j < mask.powers; ++j)
       for (std::size_t i = 0; i < mask.points(); ++i)
         result[j * mask.points() + i] += forms[k][j] * mask.coefficients[k * mask.points() + i];
-  return result;
-}
-
-/// The coefficients of the divisor of a mask.
-Vector divisor_form(const Vector& divisor, const std::vector<Vector>& forms) {
-  Vector result(divisor.size());
-  for (std::size_t k = 0; k < divisor.size(); ++k)
-    for (std::size_t j = 0; j < divisor.size(); ++j) result[j] += forms[k][j] * divisor[k];
   return result;
 }
 

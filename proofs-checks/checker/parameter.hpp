@@ -9,10 +9,18 @@ namespace subcert_check {
 struct Range {
   char letter;
   mpq_class low, high;
+  bool unbounded = false;  // from `low` on; there is no `high`
 };
 
 /// w=LOW..HIGH
 Range parse_range(std::string_view text);
+
+/// The coefficients of u^j v^(n-j) in (low v + high u)^k (u + v)^(n-k), times the n-th power of the denominator of the
+/// range, for k = 0, ..., n; without an upper end in (low v + u)^k v^(n-k).
+std::vector<Vector> power_forms(const Range& range, std::size_t n);
+
+/// The form of a polynomial with as many coefficients.
+Vector divisor_form(const Vector& polynomial, const std::vector<Vector>& forms);
 
 /// The control matrices of a range: for each matrix those of u^0, u^1, ..., one after another, and the weights of these
 /// powers, positive integers.

@@ -112,6 +112,16 @@ mpq_class bound_by_inverse(const ScaledProduct& p, std::size_t parts, Reader& re
   return modulus(p.x, p.y) / p.scale - mpz_class(n) / steep;
 }
 
+/// The largest 1-norm of product * x over all products of this many matrices.
+mpz_class largest_norm(const Family& family, const Vector& x, std::size_t level, Arithmetic& arithmetic) {
+  mpz_class largest = 0;
+  for (std::size_t t = 0; level > 0 && t < family.count(); ++t)
+    largest = std::max(
+        largest, largest_norm(family, arithmetic.multiply(family.matrix(t), x, family.size), level - 1, arithmetic));
+  for (std::size_t i = 0; level == 0 && i < x.size(); ++i) largest += abs(x[i]);
+  return largest;
+}
+
 }  // namespace
 
 mpq_class spectral_radius_bound(const Family& family, const GivenProduct& given, const mpq_class& entry_error,
@@ -123,6 +133,18 @@ mpq_class spectral_radius_bound(const Family& family, const GivenProduct& given,
                                      : bound_by_polynomial(product, arithmetic);
   require(bound > 0, "the product proves no positive spectral radius");
   return bound;
+}
+
+mpq_class norm_of_products(const Family& family, std::size_t level, std::size_t columns, Arithmetic& arithmetic) {
+  const std::size_t n = family.size;
+  require(power(family.count(), level) * columns * n * n * 20 <= max_work, too_much_work);
+  mpz_class largest = 0;
+  for (std::size_t k = 0; k < columns; ++k) {
+    Vector unit(n);
+    unit[k] = 1;
+    largest = std::max(largest, largest_norm(family, unit, level, arithmetic));
+  }
+  return ratio(largest, power(family.denominator, level).get_num());
 }
 
 }  // namespace subcert_check

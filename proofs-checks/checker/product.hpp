@@ -1,4 +1,4 @@
-// Lower bounds of the joint spectral radius by a product: section 4.5 of ../certificates/SPEC.md.
+// Bounds of the joint spectral radius by products: sections 4.5 and 4.6 of ../certificates/SPEC.md.
 #pragma once
 
 #include "scheme.hpp"
@@ -15,5 +15,8 @@ struct GivenProduct {
 /// entries of the matrices are within `entry_error` of those that are meant.
 mpq_class spectral_radius_bound(const Family& family, const GivenProduct& given, const mpq_class& entry_error,
                                 Reader& reader, Arithmetic& arithmetic);
+
+/// The largest sum of moduli in one of the first columns of all products of so many matrices.
+mpq_class norm_of_products(const Family& family, std::size_t level, std::size_t columns, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

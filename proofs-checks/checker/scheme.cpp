@@ -151,7 +151,7 @@ Mask parse_matrix_mask(std::string_view text, char letter) {
   return mask;
 }
 
-Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules) {
+Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules, std::size_t width) {
   const std::size_t points = mask.points();
   const mpz_class scale = power(arity, sum_rules).get_num();
   std::vector<Vector> divided;
@@ -165,7 +165,7 @@ Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules
     }
     for (mpz_class& x : b) x *= scale;
   }
-  const std::size_t size = std::max<std::size_t>(1, (divided[0].size() + arity - 3) / (arity - 1));
+  const std::size_t size = std::max(width, (divided[0].size() + arity - 3) / (arity - 1));
   require(size <= 256, "transition matrices larger than 256");
   Vector entries;
   for (std::size_t t = 0; t < arity; ++t)

@@ -49,8 +49,8 @@ Mask parse_mask(std::string_view text, char letter);
 Mask parse_matrix_mask(std::string_view text, char letter);
 
 /// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each
-/// matrix those of all powers, one after another.
-Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules);
+/// matrix those of all powers, one after another. On a window of at least that width.
+Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules, std::size_t width = 1);
 
 /// Rejects unless a mask of matrices of one variable has A_0 = diag(1, 1/arity, 1/arity^2, ...), if it has A_0, and
 /// A_k = 0 for the other multiples k of the arity. One without A_0 keeps no constant data.

@@ -61,6 +61,8 @@ MaskListFile mask_list_of(const toml::table& table) {
       const toml::array& pair = list_of(node, "follows", "numbers in each pair [BEFORE, AFTER]", 2, 2);
       file.list.follows.emplace_back(number_of_mask(*pair.get(0), count), number_of_mask(*pair.get(1), count));
     }
+  if (follows && !has_sequence(file.list))
+    throw FileError(place_of(*follows), "no sequence of masks goes on for ever; expected pairs that come round again");
   return file;
 }
 

@@ -48,13 +48,13 @@ Decision property_of(const SchemeLevels& levels, const Property& property, const
     return {all.holds, std::move(found)};
   }
   const auto& [recurrence, start] = *levels.following;
-  const FollowedLevels followed = follow(mask, recurrence, start, levels.values, {Deadline::in(seconds)});
+  const FollowedLevels followed = follow(mask, recurrence, {start}, levels.values, {Deadline::in(seconds)});
   const Truth answer = followed.have(asked, all.holds);
   const std::string rule = levels.family.name + " = " + recurrence.text();
-  if (!followed.first_level) return {Truth::unknown, rule + " was not proved to lead into the range and to stay in it"};
+  if (!followed.way) return {Truth::unknown, rule + " was not proved to lead into the range and to stay in it"};
   if (!followed.masks_exist) return {Truth::unknown, "there may be no mask at a level before the range"};
   if (answer == Truth::yes || !followed.limit)
-    return {answer, answer == Truth::yes ? fmt::format("in the range from level {} on", *followed.first_level)
+    return {answer, answer == Truth::yes ? fmt::format("in the range from level {} on", followed.way->size())
                                          : "not proved for every sequence in the range"};
   return {answer, by_exponent(followed.limit->exponent.exponent, asked).reason};
 }

@@ -19,7 +19,7 @@ let usage =
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--recurrence"; "--start"; "--from"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -620,7 +620,7 @@ let check arguments =
   let find name = List.assoc_opt name given in
   let has name = find name <> None and get name = Option.get (find name) in
   let only names = List.for_all (fun (name, _) -> List.mem name ([ "--lower"; "--theorem"; "--show"; "FILE" ] @ names)) given in
-  require (has "FILE" && List.exists has [ "--matrices"; "--subradius"; "--mask"; "--surface"; "--refinable"; "--vectors"; "--hermite"; "--l1" ]) usage;
+  require (has "FILE" && List.exists has [ "--matrices"; "--subradius"; "--mask"; "--masks"; "--surface"; "--refinable"; "--vectors"; "--hermite"; "--l1" ]) usage;
   let letter c = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') and digit c = c >= '0' && c <= '9' in
   let is_name name = name <> "" && letter name.[0] && String.for_all (fun c -> letter c || digit c) name in
   require (Option.fold ~none:true ~some:is_name (find "--theorem")) "--theorem needs a name of letters and digits";

@@ -4,6 +4,7 @@
 #include <subcert/analysis/family/limit_of_levels.hpp>
 #include <subcert/analysis/family/limit_values_of_levels.hpp>
 #include <subcert/analysis/family/local_levels.hpp>
+#include <subcert/analysis/family/mask_list.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -80,23 +81,34 @@ struct LevelsEvidence {
   RangeProperty property;
   Box box;
   PropertyOfLevels levels;
+  std::optional<FollowedLevels> followed = {};
 };
 
 py::dict levels_dict(const LevelsEvidence& evidence) {
   std::vector<Rational> period;
   for (const Values& values : evidence.levels.period) period.push_back(values.front());
-  return py::dict("holds"_a = evidence.levels.holds, "reason"_a = evidence.levels.reason,
-                  "sum_rules"_a = evidence.levels.sum_rules, "period"_a = period);
+  const Truth all = evidence.levels.holds;
+  const auto& followed = evidence.followed;
+  return py::dict("holds"_a = followed ? followed->have(evidence.property, all) : all,
+                  "reason"_a = evidence.levels.reason, "sum_rules"_a = evidence.levels.sum_rules, "period"_a = period,
+                  "first_level"_a = followed ? followed->first_level() : std::nullopt);
 }
 
 std::shared_ptr<LevelsEvidence> levels(const ParametricScheme& scheme, const std::string& text, const Rational& low,
-                                       const Rational& high, double seconds, const py::object& progress) {
+                                       const Rational& high, const std::optional<std::string>& recurrence,
+                                       const std::pair<Rational, std::optional<Rational>>& start, double seconds,
+                                       const py::object& progress) {
   const auto property = parse_range_property(text);
   if (!property) fail(ErrorKind::usage, "property: expected convergent, C1 or holder>=3/2, got '{}'", text);
   return interruptible(progress, [&] {
     const Box box{{low}, {high}};
-    return std::make_shared<LevelsEvidence>(LevelsEvidence{
+    auto evidence = std::make_shared<LevelsEvidence>(LevelsEvidence{
         scheme, *property, box, property_of_levels(scheme.mask, *property, box, {Deadline::in(seconds)})});
+    if (recurrence)
+      evidence->followed = follow(scheme.mask, Recurrence::parse(plain_text(*recurrence), scheme.name, scheme.letter),
+                                  {{start.first, start.second.value_or(start.first)}, !start.second}, {low, high},
+                                  {Deadline::in(seconds)});
+    return evidence;
   });
 }
 
@@ -162,6 +174,37 @@ py::tuple local_of(const ParametricScheme& scheme, const Rational& low, const Ra
   return py::make_tuple(found.order, found.exponent);
 }
 
+/// Of masks, one for each level.
+struct ListEvidence {
+  MaskList list;
+  ExponentOfList found;
+  double seconds;
+};
+
+std::shared_ptr<ListEvidence> list_of(const std::vector<std::string>& schemes, const std::vector<std::size_t>& period,
+                                      const std::vector<std::pair<std::size_t, std::size_t>>& follows, double seconds,
+                                      const py::object& progress) {
+  MaskList list{{}, period, follows};
+  for (const std::string& one : schemes) list.masks.push_back(make_scheme(one).mask.curve());
+  return interruptible(progress, [&] {
+    ExponentOfList found = exponent_of(list, {Deadline::in(seconds)});
+    return std::make_shared<ListEvidence>(ListEvidence{std::move(list), std::move(found), seconds});
+  });
+}
+
+py::dict list_dict(const ListEvidence& evidence) {
+  const ExponentOfList& found = evidence.found;
+  return py::dict("exponent"_a = found.exponent, "exact"_a = found.exact, "sum_rules"_a = found.sum_rules,
+                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes());
+}
+
+py::list certificates_of(const ListEvidence& evidence) {
+  py::list result;
+  for (const Certificate& one : list_certificates(evidence.list, evidence.found, {Deadline::in(evidence.seconds)}))
+    result.append(py::make_tuple(one.text(), one.claim.lower, one.claim.upper, one.claim.exact, one.claim.logarithm));
+  return result;
+}
+
 struct CurveEvidence {
   ParametricScheme scheme;
   ExponentCurve curve;
@@ -206,12 +249,16 @@ void add_families(py::module_& module) {
       .def("certificates", [](const LevelsEvidence& evidence) {
         std::vector<RangeCertificate> certificates;
         if (auto one = levels_certificate(evidence.scheme.mask, evidence.scheme.letter, evidence.property, evidence.box,
-                                          evidence.levels))
+                                          evidence.levels, evidence.followed ? &*evidence.followed : nullptr))
           certificates.push_back({evidence.box.low[0], evidence.box.high[0], Truth::yes, std::move(*one)});
         return certificates_list(certificates);
       });
   module.def("property_of_levels", &levels);
   module.def("limit_of_levels", &limit_of);
+  py::class_<ListEvidence, std::shared_ptr<ListEvidence>>(module, "ListEvidence")
+      .def_property_readonly("facts", &list_dict)
+      .def("certificates", &certificates_of);
+  module.def("exponent_of_levels", &list_of);
   module.def("local_levels", &local_of);
   module.def("masks_of_levels", &masks_at);
   module.def("limit_values_of_levels", &values_of);

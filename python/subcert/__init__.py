@@ -28,11 +28,13 @@ from ._families import (
     ExponentCurve,
     Family,
     Levels,
+    LevelsExponent,
     LevelsLimit,
     Piece,
     PropertyRange,
     RangeEnd,
     SpecialValue,
+    exponent_of_levels,
     family,
 )
 from ._proofs import (

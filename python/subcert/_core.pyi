@@ -64,6 +64,10 @@ class LevelsEvidence:
     facts: dict[str, Any]
     def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
 
+class ListEvidence:
+    facts: dict[str, Any]
+    def certificates(self) -> list[tuple[str, Optional[str], Optional[str], Optional[str], Optional[int]]]: ...
+
 class CurveEvidence:
     facts: dict[str, Any]
     def certificates(self) -> list[tuple[Fraction, Fraction, str, str, Optional[str], Optional[str]]]: ...
@@ -127,8 +131,22 @@ def property_range(
     progress: _Progress,
 ) -> RangeEvidence: ...
 def property_of_levels(
-    scheme: ParametricScheme, property: str, low: Fraction, high: Fraction, budget: float, progress: _Progress
+    scheme: ParametricScheme,
+    property: str,
+    low: Fraction,
+    high: Fraction,
+    recurrence: Optional[str],
+    start: tuple[Fraction, Optional[Fraction]],
+    budget: float,
+    progress: _Progress,
 ) -> LevelsEvidence: ...
+def exponent_of_levels(
+    schemes: Sequence[str],
+    period: Sequence[int],
+    follows: Sequence[tuple[int, int]],
+    budget: float,
+    progress: _Progress,
+) -> ListEvidence: ...
 def local_levels(
     scheme: ParametricScheme, low: Fraction, high: Fraction, budget: float, progress: object
 ) -> tuple[int, tuple[Optional[Fraction], Optional[Fraction]]]: ...

@@ -11,7 +11,7 @@ from . import _plots
 from ._calls import core as _core
 from ._certificates import Certificate
 from ._data import _jobs
-from ._exact import Enclosure, Exact, Truth, fraction, optional_enclosure
+from ._exact import Decision, Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
 from ._schemes import Named, Scheme, Symbol, VectorScheme, _symbol, scheme
 
@@ -124,11 +124,36 @@ class Levels:
     period: tuple[Fraction, ...]
     """Of a sequence without the property: these values again and again."""
     sum_rules: int
+    first_level: Optional[int] = None
+    """With a recurrence: the level from which on the values are in the range; None where no one level is that for all
+    first values."""
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def certificates(self) -> list[IntervalCertificate]:
-        """One where it is proved, else none."""
+        """One where it is proved for all sequences, else none; with a recurrence it says so of its values."""
         return _certificates(self._evidence)
+
+
+@dataclasses.dataclass(frozen=True)
+class LevelsExponent:
+    """The least exponent of all sequences of masks."""
+
+    exponent: Enclosure
+    """All limits have at least the lower end, those of `sequence` at most the upper one."""
+    exact: Decision
+    sum_rules: int
+    sequence: tuple[int, ...]
+    """The numbers of the masks whose limits are the least smooth, again and again."""
+    stable: bool
+    """Of the shifts of `sequence`."""
+    _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def certificates(self) -> list[Certificate]:
+        """Of all sequences, unless they are in a period, and of the one with the least exponent."""
+        return [
+            Certificate(text, lower, upper, None, exact, logarithm)
+            for text, lower, upper, exact, logarithm in self._evidence.certificates()
+        ]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -239,17 +264,34 @@ class Family(Named):
         )
 
     def levels(
-        self, property: str, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None
+        self,
+        property: str,
+        low: Exact,
+        high: Exact,
+        *,
+        recurrence: Optional[str] = None,
+        start: Any = None,
+        budget: float = 60,
+        progress: Progress = None,
     ) -> Levels:
         """Whether a property holds for all sequences of values between low and high, one for each level: convergent,
-        C1, C2, ... or holder>=3/2.
+        C1, C2, ... or holder>=3/2. With a recurrence: for those where each value follows from the one before, from the
+        level on at which all of them are between low and high. `start`: the first value, or a pair of the least and the
+        largest one, which is None where there is none.
 
         >>> import subcert
         >>> subcert.family("four-point:w").levels("C1", "1/1000", "19/100").holds.value
         'yes'
+        >>> conic = subcert.family("conic-four-point:v")
+        >>> conic.levels("C1", "9/20", 1000, recurrence="v=sqrt((1+v)/2)", start=(-1, 1000000)).first_level
+        2
         """
+        if (recurrence is None) != (start is None):
+            raise ValueError("levels: recurrence and start need each other")
+        first, last = start if isinstance(start, tuple) else (start, start)
+        ends = (fraction(first or 0), None if last is None and start is not None else fraction(last or 0))
         evidence = _core.property_of_levels(
-            self._handle, property, fraction(low), fraction(high), budget, progress
+            self._handle, property, fraction(low), fraction(high), recurrence, ends, budget, progress
         )
         facts = evidence.facts
         return Levels(
@@ -257,6 +299,7 @@ class Family(Named):
             reason=facts["reason"],
             period=tuple(facts["period"]),
             sum_rules=facts["sum_rules"],
+            first_level=facts["first_level"],
             _evidence=evidence,
         )
 
@@ -391,3 +434,32 @@ def _certificates(evidence: Any) -> list[IntervalCertificate]:
         IntervalCertificate(low, high, Truth(holds), Certificate(text, lower, upper))
         for low, high, holds, text, lower, upper in evidence.certificates()
     ]
+
+
+def exponent_of_levels(
+    schemes: Iterable[Union[str, Scheme]],
+    *,
+    period: Iterable[int] = (),
+    follows: Iterable[tuple[int, int]] = (),
+    budget: float = 60,
+    progress: Progress = None,
+) -> LevelsExponent:
+    """The least exponent of the limits where each level takes one of these masks: any of them; or those of a period,
+    numbers from 0, again and again; or so that each pair (before, after) is one of `follows`.
+
+    >>> import subcert
+    >>> found = subcert.exponent_of_levels(["four-point:w=1/4", "four-point:w=1/16"], follows=[(0, 1), (1, 0), (1, 1)])
+    >>> round(float(found.exponent.lower), 5), found.sequence, len(found.certificates())
+    (0.99734, (0, 1), 2)
+    """
+    texts = [one if isinstance(one, str) else one.specification for one in schemes]
+    evidence = _core.exponent_of_levels(texts, list(period), list(follows), budget, progress)
+    facts = evidence.facts
+    return LevelsExponent(
+        exponent=Enclosure._of(facts["exponent"]),
+        exact=Decision._of(facts["exact"]),
+        sum_rules=facts["sum_rules"],
+        sequence=tuple(facts["sequence"]),
+        stable=facts["stable"],
+        _evidence=evidence,
+    )

@@ -245,6 +245,11 @@ bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rat
   return !p.is_zero() && p(low) != 0 && p(high) != 0 && count_real_roots(p, low, high, deadline) == 0;
 }
 
+bool has_no_real_root_from(const LaurentPolynomial& p, const Rational& low) {
+  // The zeros x are 1/t.
+  return !p.is_zero() && has_no_real_root(p.reversed().shifted(p.highest()), 0, 1 / low);
+}
+
 std::optional<Rational> zero_of_linear(const LaurentPolynomial& p) {
   if (p.is_zero() || p.highest() != 1) return std::nullopt;
   return Rational(-p.coefficient(0) / p.coefficient(1));

@@ -22,6 +22,8 @@ std::optional<int> count_real_roots(const LaurentPolynomial& p, const Rational& 
 bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high);
 /// Whether that is proved before the deadline.
 bool has_no_real_root(const LaurentPolynomial& p, const Rational& low, const Rational& high, const Deadline& deadline);
+/// Whether p is not zero and has no zero x >= low. Domain: no negative exponents, low > 0. Cost: the same.
+bool has_no_real_root_from(const LaurentPolynomial& p, const Rational& low);
 
 /// The zero of a polynomial of degree 1; nothing for another degree. Domain: lowest exponent 0 or more.
 std::optional<Rational> zero_of_linear(const LaurentPolynomial& p);

@@ -19,6 +19,7 @@ import edge_cases
 import frequency_cases
 import graph_cases
 import l1_cases
+import level_cases
 import make_surfaces
 import single_cases
 import stability_cases
@@ -685,7 +686,7 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
-    modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, vector_range_cases, stability_cases, attains_cases
+    modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, vector_range_cases, stability_cases, attains_cases, level_cases
     for name, case in attains_cases.accepted(sys.modules[__name__]):
         write(name, case)
     for name, family in [case for module in modules for case in module.MATRICES]:

@@ -109,7 +109,7 @@ std::vector<Case> read_cases(const std::string& directory) {
       is_range = is_range || option == "--for";
       is_hermite = is_hermite || option == "--hermite";
       of_matrices = of_matrices || is_hermite || option == "--vectors";
-      is_levels = is_levels || option == "--levels";
+      is_levels = is_levels || option == "--levels" || (option == "--order" && !value.starts_with("period"));
       if (option == "--upper" && value[0] == 'C')
         rough = std::stoi(value.substr(1));
       else if (option == "--upper")
@@ -118,7 +118,8 @@ std::vector<Case> read_cases(const std::string& directory) {
       is_l1 = is_l1 || option == "--l1";
       if (option == "--logarithm") logarithm = value;
       if (option == "--lower" || option == "--upper" || option == "--exact" || option == "--logarithm") continue;
-      exponent = exponent || option == "--mask" || option == "--surface" || option == "--refinable" || option == "--l1";
+      exponent = exponent || option == "--mask" || option == "--masks" || option == "--surface" ||
+                 option == "--refinable" || option == "--l1";
       subject.insert(subject.end(),
                      {option, option == "--matrices" || option == "--subradius" ? directory + "/" + value : value});
     }

@@ -34,6 +34,25 @@ USAGE = [
         "--lower 0 --levels w=0..1 ", "--lower 0 --exact 1-log|[-1,1]@1,0,1|^1/1 ")),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --levels w=1..1 --lower 0 golden.cert"),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --levels v=0..1 --lower 0 golden.cert"),
+    *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 --lower 0 {more} golden.cert") for more in (
+        "--recurrence [w]", "--recurrence [w] --start 0..1", "--start 0..1 --from 0", "--recurrence [w] --start 1 --from 0",
+        "--recurrence [w] --start 1..0 --from 0", "--recurrence [w] --start 0..1..2 --from 0", "--recurrence [w] --start 0..inf --from 0",
+        "--recurrence [w] --start 0..1 --from some", "--recurrence [w] --start 0..1 --from 1001", "--recurrence [v] --start 0..1 --from 0",
+        "--recurrence [w,1] --start 0..1 --from 0", "--recurrence root[w] --start 0..1 --from 0", "--recurrence [[w]] --start 0..1 --from 0")),
+    (64, "--mask [w,1-w,1-w,w] --arity 2 --for w=0..1 --lower 0 --recurrence [w] --start 0..1 --from 0 golden.cert"),
+    *((64, f"--masks {more} golden.cert") for more in (
+        "[1,2,1]/2 --arity 2 --lower 1", "[1,2,1]/2 --order any --lower 1", "[1,2,1]/2 --arity 2 --order any",
+        "[1,2,1]/2 --arity 2 --order any --lower 1 --upper 1", "[1,2,1]/2 --arity 2 --order any --upper C1",
+        "[1,2,1]/2 --arity 2 --order any --lower 1 --exact 2-log|[-2,1]@2,0,1|^1/1", "[1,2,1]/2 --arity 2 --order any --lower 1 --mask [1,2,1]/2",
+        "[1,2,1]/2 --arity 2 --order all --lower 1", "[1,2,1]/2 --arity 2 --order period= --lower 1", "[1,2,1]/2 --arity 2 --order period=1 --lower 1",
+        "[1,2,1]/2 --arity 2 --order period=0,0,0,0,0,0,0 --lower 1", "[1,2,3,2,1]/3 --arity 3 --order period=0,0,0,0 --lower 1",
+        "[1,2,1]/2 --arity 2 --order follows=0 --lower 1", "[1,2,1]/2 --arity 2 --order follows=0-0-0 --lower 1", "[1,2,1]/2 --arity 2 --order follows=0-1 --lower 1",
+        f"[1,2,1]/2 --arity 2 --order follows={'0-0,' * 4096}0-0 --lower 1", "[1,2,1]/2; --arity 2 --order any --lower 1",
+        "[0,1,1] --arity 2 --order any --lower 1", "[1,1,0] --arity 2 --order any --lower 1", "[[1,1],[1,1]] --arity 2 --order any --lower 1",
+        f"{'[1,2,1]/2;' * 64}[1,2,1]/2 --arity 2 --order any --lower 1", "[1,2,1]/2 --arity 17 --order any --lower 1",
+        "[1,2,1]/2 --arity 2 --order any --lower 1 --levels w=0..1", "[1,2,1]/2 --arity 2 --order period=0 --lower 1 --within 1/9,1",
+        "[1,2,1]/2 --arity 2 --order period=0 --for w=0..1 --lower 1", f"[{'1,' * 700}1];[{'1,' * 700}1] --arity 2 --order period=0,1 --lower 1")),
+    (64, "--mask [1,2,1]/2 --arity 2 --order any --lower 1 golden.cert"),
     (64, "--matrices golden.mat --within 1/9,1 --upper 2 golden.cert"),
     (64, "--mask [1,1] --arity 2 --within 0,1 golden.cert"), (64, "--mask [1,1] --arity 2 --within 1/9 golden.cert"),
     (64, "--mask [1,1] --arity 2 --within 1/9,0 golden.cert"), (64, "--mask [1,1] --arity 2 --within -1,1 golden.cert"),
@@ -181,6 +200,7 @@ def printed(arguments):
     values = dict(zip(arguments[::2], arguments[1::2]))
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
     levels = values.pop("--levels", None)
+    order, step, start, level = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from"))
     range_ = levels or values.get("--for")
     exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
     if attains := values.pop("--attains", None):
@@ -203,6 +223,12 @@ def printed(arguments):
     text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
     text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
     text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else "")
+    if step:
+        level = "some level" if level == "some" else f"level {level}"
+        text = text.replace(" for all sequences of levels with ", f" from {level} on of {levels[0]} -> {step} with {levels[0]}={start} at level 0, all in ")
+    if order:
+        text = text.replace("--masks ", "").replace("masks ", "") + (" for levels" if order.startswith("period") else " for all sequences of levels")
+        text += "" if order == "any" else f" with {order}"
     text += f" for all masks within={within}" if within else ""
     if "--vectors" in values or "--hermite" in values:
         end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"

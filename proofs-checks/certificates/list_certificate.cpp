@@ -1,0 +1,60 @@
+#include "certificate_text.hpp"
+
+#include <subcert/analysis/symbol/support/error.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+using namespace certificate_text;
+
+constexpr int levels_of_bounds = 8;  // of the norms beside the radius
+
+std::string order_text(const MaskList& list) {
+  if (!list.period.empty()) return fmt::format("period={}", fmt::join(list.period, ","));
+  if (list.follows.empty()) return "any";
+  std::vector<std::string> pairs;
+  for (const auto& [before, after] : list.follows) pairs.push_back(fmt::format("{}-{}", before, after));
+  return fmt::format("follows={}", fmt::join(pairs, ","));
+}
+
+ListSubject subject_of(const MaskList& list) {
+  std::vector<std::string> masks;
+  for (const Mask& mask : list.masks) masks.push_back(mask.symbol().to_mask_text());
+  return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
+}
+
+Certificate of_all(const ExponentOfList& found, const Rational& lower) {
+  const ClaimedEnds ends{outward(lower, Rounding::down), {}};
+  Certificate certificate{{ends, subject_of(found.list)}, {}, ends};
+  certificate.sections.push_back({fmt::format("sum-rules {}\n{}", found.sum_rules, blocks_text(found.radius))});
+  add_sections(certificate, found.radius.proof, found.family.count());
+  return certificate;
+}
+
+Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
+  std::vector<Mask> levels;
+  for (const std::size_t number : sequence) levels.push_back(list.masks.at(number));
+  const Mask one = levels_as_one(levels);
+  Certificate certificate = exponent_certificate(
+      one, holder_regularity(one, levels_of_bounds, budget, HolderProof::certificate));
+  certificate.claim.subject = subject_of({list.masks, sequence});
+  return certificate;
+}
+
+}  // namespace
+
+std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
+  std::vector<Certificate> result;
+  const Rational lower = found.sum_rules - *log_ratio(upper_end(found.radius, {}), list.masks.front().arity()).upper;
+  if (lower <= 0) return result;
+  if (list.period.empty()) result.push_back(of_all(found, lower));
+  if (found.exponent.upper || !list.period.empty()) result.push_back(of_sequence(list, found.sequence, budget));
+  return result;
+}
+
+}  // namespace subcert

@@ -1,0 +1,53 @@
+// Schemes whose mask changes from level to level: section 6.5 of ../certificates/SPEC.md, which proves each step.
+#pragma once
+
+#include "parameter.hpp"
+#include "scheme.hpp"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace subcert_check {
+
+/// Masks of one arity and what may follow what: nothing said, each may follow each; or the pairs BEFORE, AFTER; or the
+/// masks of `period` again and again.
+struct MaskList {
+  std::vector<Mask> masks;
+  unsigned arity;
+  std::vector<std::size_t> period;
+  std::vector<std::pair<std::size_t, std::size_t>> follows;
+};
+
+/// MASK;MASK;... and `any`, `period=0,1,...` or `follows=0-1,1-0,...`.
+MaskList parse_mask_list(std::string_view masks, unsigned arity, std::string_view order);
+
+/// The first mask, then the next one, and so on, as one mask of the arity to the power of their number.
+Mask masks_in_one(const MaskList& list, const std::vector<std::size_t>& sequence, Arithmetic& arithmetic);
+
+/// Rejects unless each mask keeps constant data.
+void check_constants(const MaskList& list);
+
+/// T_0, T_1, ... of the masks in any order, or the matrices of the pairs.
+Family list_family(const MaskList& list, std::size_t sum_rules);
+
+/// The coefficients of symbol(z) factor(z^step).
+Vector product_of_symbols(const Vector& symbol, const Vector& factor, std::size_t step, Arithmetic& arithmetic);
+
+/// w -> STEP or the root of it, from all values of a range, which may be unbounded; from the level `from` on, or from
+/// one that is not said.
+struct Recurrence {
+  Mask step;  // one coefficient
+  bool is_root;
+  Range start;
+  std::optional<std::size_t> from;
+};
+
+/// `[P]/D`, `[P]/(Q)` or `sqrt` before them; LOW..HIGH or LOW..inf; a number or `some`.
+Recurrence parse_recurrence(std::string_view step, std::string_view start, std::string_view from, char letter);
+
+/// Rejects unless the lines `level` show that all values come into the range and stay there.
+void read_recurrence(const Recurrence& recurrence, const Range& range, Reader& reader, Arithmetic& arithmetic);
+
+}  // namespace subcert_check

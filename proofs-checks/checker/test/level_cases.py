@@ -1,0 +1,137 @@
+"""Masks that change from level to level (6.5): values that follow from each other, and lists of masks."""
+
+CORNER, RANGE = "[w,1-w,1-w,w]", "w=1/100..49/100"
+PROOF = "sum-rules 1; to 49/100; block 0 norm 1; "
+HALF, ROOT, OPEN_ROOT = "[1/10+1/2*w]", "sqrt[1/20+1/10*w]", "sqrt[1/20+1/20*w]"
+FOUR_SPLINE = "[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,1]/8"
+HAT_CHAIKIN = "[1,2,1]/2@-1;[1,3,3,1]/4"
+SIX_SPLINE = "[3,0,-25,0,150,256,150,0,-25,0,3]/256;[1,4,6,4,1]/8"
+AT_END = "[49/400-1/4*w]/(49/100-w)"
+NO_CONSTANTS = "[1,0,1];[1,2,2,2,1]/4"  # the two in turn, as one mask of arity 4, have a sum rule
+THREE = "[1,2,3,2,1]/3;[1,3,6,7,6,3,1]/9"  # B-splines of arity 3
+
+
+def follow(step, start, level, mask=CORNER, values=RANGE):
+    return f"--mask {mask} --arity 2 --levels {values} --recurrence {step} --start {start} --from {level} --lower 0"
+
+
+def followed(name, step, start, level, way=""):
+    return name, follow(step, start, level), (
+        f"levels {CORNER} 2 {RANGE} recurrence={step} start={start} from={level}; bounds 0 -; {way}{PROOF}end")
+
+
+def lists(masks, order, end, arity=2):
+    return f"--masks {masks} --arity {arity} --order {order} {end}".strip()
+
+
+def listed(name, masks, order, end, lines, arity=2):
+    return name, lists(masks, order, end, arity), f"lists {masks} {arity} {order}; bounds - -; {lines}; end"
+
+
+MATRICES, CHANGED = [], []
+ACCEPTED = [
+    followed("follow-affine", HALF, "0..1", 2, "level 1/10 3/5; level 3/20 2/5; "),
+    followed("follow-affine-later", HALF, "0..1", 3, "level 1/10 3/5; level 3/20 2/5; "),
+    followed("follow-root", ROOT, "0..1", 1, "level 1/5 2/5; "),
+    followed("follow-root-of-0", OPEN_ROOT, "-1..1", 2, "level 0 2/5; level 1/5 3/10; "),
+    followed("follow-root-wide", OPEN_ROOT, "-1..1", 3, "level -1 2/5; level 0 3/10; level 1/5 3/10; "),
+    followed("follow-root-open", ROOT, "0..inf", "some", "level 1/5 2/5; "),
+    followed("follow-affine-open", HALF, "0..inf", "some", "level 1/10 2/5; "),
+    followed("follow-slow-open", "[1/100+7/8*w]", "49/100..inf", "some"),
+    followed("follow-quotient", "[1]/(3+w)", "1/5..1/5", 0),
+    followed("follow-quotient-negative", "[-1]/(-3-w)", "1/5..1/5", 0),
+    followed("follow-quotient-open", "[1+w]/(4+3*w)", "0..inf", "some", "level 1/4 3/8; "),
+    followed("follow-same", "[w]", "1/100..49/100", 0),
+    followed("follow-constant", "[1/4]", "-7..7", 1, "level 1/4 1/4; "),
+    followed("follow-slowly", "[w]", "1/4..1/4", 1000, 1000 * "level 1/4 1/4; "),
+    followed("follow-square", "[1/5-1/5*w^2]", "-1/2..1/2", 1, "level 3/20 1/4; "),
+    listed("list-any", HAT_CHAIKIN, "any", "--lower 1", "sum-rules 2; block 0 norm 1"),
+    listed("list-one", "[1,3,3,1]/4", "any", "--lower 2", "sum-rules 2; block 0 norm 1"),
+    listed("list-wide", FOUR_SPLINE, "any", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
+    listed("list-in-turn", FOUR_SPLINE, "follows=0-1,1-0", "--lower 2", "sum-rules 4; block 0 norm 4"),
+    listed("list-spline-last", FOUR_SPLINE, "follows=0-1,1-1", "--lower 29/10", "sum-rules 4; block 0 norm 10"),
+    listed("list-first-alone", FOUR_SPLINE, "follows=0-0", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
+    listed("list-arity-3", THREE, "any", "--lower 1", "sum-rules 2; block 0 norm 1", 3),
+    listed("list-arity-3-follows", THREE, "follows=1-0,0-1", "--lower 1", "sum-rules 2; block 0 norm 2", 3),
+    listed("list-4096-pairs", "[1,3,3,1]/4", "follows=" + ",".join(4096 * ["0-0"]), "--lower 2", "sum-rules 2; block 0 norm 1"),
+    listed("period", FOUR_SPLINE, "period=0,1", "--lower 2 --upper 5/2",
+           "sum-rules 4; stability; product 0 8 0 2; block 0 norm 2"),
+    listed("period-exact", FOUR_SPLINE, "period=0,1", "--exact 4-log|[-8,1]@8,0,1/1000|^1/1 --logarithm 0",
+           "exact 4-log|[-8,1]@8,0,1/1000|^1/1; root 8 0 0 8 8; sum-rules 4; stability; product 0 8 0 2; block 0 single 8 0; "
+           "square 1; factor 0; recurrence -8 1; logarithm 0"),
+    listed("period-stable", FOUR_SPLINE, "period=0,1", "", "sum-rules 4; stability"),
+    listed("period-twice", "[1,3,3,1]/4", "period=0,0", "--lower 2", "sum-rules 2; block 0 norm 1"),
+    listed("period-six", "[1,2,1]/2@-1", "period=0,0,0,0,0,0", "--lower 1", "sum-rules 1; block 0 norm 1"),
+]
+
+MANY, PAIRS = ";".join(64 * ["[-1,0,9,16,9,0,-1]/16"]), ",".join(33 * ["63-0"])
+OTHER = "what keeps the recurrence from being"
+EDITED = [
+    ("follow-early", "follow-affine", follow(HALF, "0..1", 1), "come into the range at a later level", [("from=2", "from=1")]),
+    ("follow-no-way", "follow-affine", None, "do not come into the range", [("level 1/10 3/5; level 3/20 2/5; ", "")]),
+    ("follow-half-way", "follow-affine", None, "do not come into the range", [("level 3/20 2/5; ", "")]),
+    ("follow-way-below", "follow-affine", None, "do not come into the range", [("level 3/20 2/5; ", "level 1/200 2/5; ")]),
+    ("follow-low", "follow-affine", None, f"{OTHER} below", [("level 1/10", "level 11/100")]),
+    ("follow-high", "follow-affine", None, f"{OTHER} above", [("3/5", "59/100")]),
+    ("follow-reversed", "follow-constant", None, "the values of a level are an interval", [("level 1/4 1/4", "level 1/4 1/5")]),
+    ("follow-more", "follow-slowly", None, "more levels than the checker allows", [("bounds 0 -; ", "bounds 0 -; level 1/4 1/4; ")]),
+    ("follow-inside", "follow-square", None, f"{OTHER} above", [("3/20 1/4", "3/20 1/5")]),
+    ("follow-root-low", "follow-root", None, f"{OTHER} below", [("level 1/5", "level 9/40")]),
+    ("follow-root-high", "follow-root", None, f"{OTHER} above", [("2/5", "38/100")]),
+    ("follow-root-minus", "follow-root", None, "a root may be above", [("level 1/5 2/5", "level -2/5 -1/5")]),
+    ("follow-root-none", "follow-root-of-0", follow(OPEN_ROOT, "-2..1", 2), f"{OTHER} below", [("-1..1", "-2..1")]),
+    ("follow-out-above", "follow-same", follow("[2*w]", "1/100..49/100", 0), f"{OTHER} above", [("[w]", "[2*w]")]),
+    ("follow-out-below", "follow-same", follow("[1/2*w]", "1/100..49/100", 0), f"{OTHER} below", [("[w]", "[1/2*w]")]),
+    ("follow-pole", "follow-quotient", follow("[1]/(1/4-w)", "1/5..1/5", 0), "the denominator of the recurrence", [("(3+w)", "(1/4-w)")]),
+    ("follow-pole-later", "follow-quotient-open", follow("[1+w]/(4-w)", "0..inf", "some"), "the denominator of the recurrence",
+     [("(4+3*w)", "(4-w)"), ("3/8", "9/20")]),
+    ("follow-open-above", "follow-root-open", follow(ROOT, "1..inf", "some"), "an unbounded start begins above the range", [("0..inf", "1..inf")]),
+    ("follow-open-negative", "follow-same", follow("[w]", "-1..inf", "some", values="w=-1/2..-1/4"), "with a positive upper end",
+     [(RANGE, "w=-1/2..-1/4"), ("1/100..49/100", "-1..inf"), ("from=0", "from=some")]),
+    ("follow-open-0", "follow-same", follow("[w]", "-1..inf", "some", values="w=-1/2..0"), "with a positive upper end",
+     [(RANGE, "w=-1/2..0"), ("1/100..49/100", "-1..inf"), ("from=0", "from=some")]),
+    ("follow-root-0", "follow-constant", follow("sqrt[0]", "-7..7", 1, values="w=0..1"), "does not prove the claim",
+     [(RANGE, "w=0..1"), ("[1/4]", "sqrt[0]"), ("level 1/4 1/4", "level 0 0"), ("to 49/100", "to 1")]),
+    ("follow-pole-at-end", "follow-quotient", follow(AT_END, "1/5..1/5", 0), "the denominator of the recurrence", [("[1]/(3+w)", AT_END)]),
+    ("follow-to-end", "follow-same", follow("[w]", "1/5..49/100", 1), f"{OTHER} below",
+     [("1/100..49/100 from=0", "1/5..49/100 from=1"), ("bounds 0 -; ", "bounds 0 -; level 49/100 49/100; ")]),
+    ("follow-open-slow", "follow-slow-open", follow("[1/100+19/20*w]", "49/100..inf", "some"), f"{OTHER} above nine tenths of", [("7/8", "19/20")]),
+    ("follow-open-below", "follow-affine-open", follow("[1/4-1/10*w]", "0..inf", "some"), f"{OTHER} below", [(HALF, "[1/4-1/10*w]")]),
+    ("follow-open-root-below", "follow-root-open", follow("sqrt[1/16-1/50*w]", "0..inf", "some"), f"{OTHER} below", [(ROOT, "sqrt[1/16-1/50*w]")]),
+    ("follow-open-root-slow", "follow-root-open", follow("sqrt[1/20*w+41/50*w^2]", "1/4..inf", "some"), OTHER,
+     [(ROOT, "sqrt[1/20*w+41/50*w^2]"), ("0..inf", "1/4..inf"), ("level 1/5 2/5; ", "")]),
+    ("follow-as-levels", "follow-affine", f"--mask {CORNER} --arity 2 --levels {RANGE} --lower 0", "fields", []),
+    ("levels-as-follow", "corner-levels", follow(HALF, "0..1", 2), "expected 'levels ", []),
+    ("follow-other-start", "follow-affine", follow(HALF, "0..2", 2), "expected 'levels ", []),
+    ("follow-not-there", "follow-affine", None, "expected 'sum-rules'", [("sum-rules 1", "levels 1/4 1/3; sum-rules 1")]),
+    ("list-high", "list-any", lists(HAT_CHAIKIN, "any", "--lower 11/10"), "does not prove the claim", []),
+    ("list-zero", "list-any", lists(HAT_CHAIKIN, "any", "--lower 0"), "must be positive", []),
+    ("list-rules", "list-any", None, "has no sum rules of this order", [("sum-rules 2", "sum-rules 3")]),
+    ("list-no-rules", "list-any", None, "number outside", [("sum-rules 2", "sum-rules 0")]),
+    ("list-full", "list-any", None, "fields", [("sum-rules 2", "sum-rules 2 full")]),
+    ("list-other-order", "list-in-turn", lists(FOUR_SPLINE, "any", "--lower 2"), "expected 'lists ", []),
+    ("list-backwards", "list-spline-last", lists(FOUR_SPLINE, "follows=1-0,0-0", "--lower 29/10"), "does not prove the claim",
+     [("follows=0-1,1-1", "follows=1-0,0-0")]),
+    ("list-in-turn-high", "list-in-turn", lists(FOUR_SPLINE, "follows=0-1,1-0", "--lower 51/20"), "does not prove the claim", []),
+    ("list-exact", "list-any", None, "an exact number is that of one mask or family",
+     [("bounds - -", "bounds - -; exact 2-log|[-2,1]@2,0,1/10|^1/1; root 2 0 0 2 2")]),
+    ("list-stability", "list-any", None, "expected 'block 0'", [("block 0", "stability; block 0")]),
+    ("list-single", "list-any", None, "polytope", [("block 0 norm 1", "block 0 single 2 8")]),
+    ("list-no-constants", "list-any", lists(NO_CONSTANTS, "any", "--lower 1"), "does not keep constant data", [(HAT_CHAIKIN, NO_CONSTANTS)]),
+    ("period-no-constants", "period-twice", lists(NO_CONSTANTS, "period=0,1", "--lower 1/2"), "does not keep constant data",
+     [("[1,3,3,1]/4", NO_CONSTANTS), ("period=0,0", "period=0,1"), ("sum-rules 2", "sum-rules 1")]),
+    ("list-large", "list-any", lists(MANY, "follows=63-0", "--lower 1"), "transition matrices larger than 256",
+     [(f"{HAT_CHAIKIN} 2 any", f"{MANY} 2 follows=63-0"), ("sum-rules 2", "sum-rules 1")]),
+    ("list-many-pairs", "list-any", lists(MANY, f"follows={PAIRS}", "--lower 1"), "more work",
+     [(f"{HAT_CHAIKIN} 2 any", f"{MANY} 2 follows={PAIRS}")]),
+    ("list-narrow", "list-wide", lists(SIX_SPLINE, "any", "--lower 29/10"), "does not prove the claim",
+     [(FOUR_SPLINE, SIX_SPLINE), ("norm 4", "norm 6")]),
+    ("list-one-class", "list-any", lists("[1,3]", "any", "--lower 1"), "does not keep constant data", [(HAT_CHAIKIN, "[1,3]")]),
+    ("list-1000", "list-any", lists(f"[{'1,' * 999}1]", "any", "--lower 1"), "expected 'lists ", []),
+    ("period-1000", "period-twice", lists(f"[{'1,' * 499}1];[1,1]", "period=0,1", "--lower 1"), "expected 'lists ", []),
+    ("period-other", "period", lists(FOUR_SPLINE, "period=1,0", "--lower 2 --upper 5/2"), "expected 'lists ", []),
+    ("period-high", "period", lists(FOUR_SPLINE, "period=0,1", "--lower 13/5"), "does not prove the claim", []),
+    ("period-low", "period", lists(FOUR_SPLINE, "period=0,1", "--lower 2 --upper 12/5"), "does not prove the claim", []),
+]
+REJECTED = [(name, base, options, reason, [tuple(part.replace("; ", "\n") for part in edit) for edit in edits])
+            for name, base, options, reason, edits in EDITED]

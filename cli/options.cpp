@@ -290,7 +290,7 @@ std::string commands_with(const CLI::App& app, const std::string& option) {
 std::string command_for_scheme(const std::string& word) {
   try {
     make_any_scheme(word);
-    return "; a scheme comes behind it, as in 'subcert analyze " + printable(word) + "'";
+    return "; it is a scheme, as in 'subcert analyze " + printable(word) + "'";
   } catch (const Error&) {
     return "";
   }

@@ -165,6 +165,10 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("mask fourpoint:w=1/16").err, "did you mean 'four-point'?"));
   CHECK(contains(run("mask chaikn").err, "did you mean 'chaikin'?"));
   CHECK(contains(run("levls four-point:w").err, "did you mean 'levels'?"));
+  CHECK(contains(run("chaikin").err, "it is a scheme, as in 'subcert analyze chaikin'; see 'subcert --help'"));
+  CHECK(contains(run("reproduce dyn-2015 --only tabel1").err, "did you mean 'table1'?"));
+  CHECK(contains(run("reproduce dyn2015").err, "did you mean 'dyn-2015'?"));
+  CHECK(contains(run("experiment fig33").err, "did you mean 'fig3'?"));
   CHECK(contains(run("statement list").err, "did you mean 'statements'?"));
   CHECK(contains(run("exponent chaikin").err, "there is no command 'exponent'; did you mean one of 'regularity', "));
   CHECK(contains(run("regularity chaikin --juntt x").err, "there is no option '--juntt'; see 'subcert regularity"));

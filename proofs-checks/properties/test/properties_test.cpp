@@ -128,7 +128,7 @@ TEST_CASE("bad files are refused with line and column") {
   CHECK(error_of("msk = 'dd:n=2'\nstable = true")
             .ends_with("symmetry, stable, interpolatory, variance, for, levels, recurrence, start, masks, period, "
                        "follows; did you mean 'mask'?"));
-  CHECK(error_of("scheme = 'dd:n=2'\nstable = true").ends_with("; did you mean 'mask'?"));
+  CHECK(error_of("[[scheme]]\nscheme = 'dd:n=2'\nstable = true").ends_with("; did you mean 'mask'?"));
   CHECK(error_of("mask = 'dd:n=2'\nC1 = true").ends_with("; did you mean 'smoothness'?"));
   CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = false") ==
         "line 3, column 10: not TOML: Error while parsing key-value pair: cannot redefine existing boolean 'stable'");

@@ -6,8 +6,8 @@
 #include <subcert/reports/formats/provenance.hpp>
 #include <subcert/schemes/specification.hpp>
 
-#include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -131,9 +131,19 @@ std::string without_alignment(string_view written) {
       const std::size_t end = brace < text.size() && text[brace] == '{' ? closing(text, brace) : std::string::npos;
       blank(at, end == std::string::npos ? name.size() : end + 1 - at, ' ');
     }
-  for (const auto& [sign, meaning] : {std::pair<string_view, char>{"\\left\\{", ' '}, {"\\right.", ' '}, {"\\\\", ';'},
-                                      {"\\qquad", ' '}, {"\\quad", ' '}, {"\\,", ' '}, {"\\;", ' '}, {"\\ ", ' '},
-                                      {"&", ' '}, {"$", ' '}, {"\n", ';'}, {"\t", ' '}, {"\r", ' '}})
+  for (const auto& [sign, meaning] : {std::pair<string_view, char>{"\\left\\{", ' '},
+                                      {"\\right.", ' '},
+                                      {"\\\\", ';'},
+                                      {"\\qquad", ' '},
+                                      {"\\quad", ' '},
+                                      {"\\,", ' '},
+                                      {"\\;", ' '},
+                                      {"\\ ", ' '},
+                                      {"&", ' '},
+                                      {"$", ' '},
+                                      {"\n", ';'},
+                                      {"\t", ' '},
+                                      {"\r", ' '}})
     for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;) blank(at, sign.size(), meaning);
   return text;
 }
@@ -264,8 +274,8 @@ class Rules {
         fail(datum, "one rule for each class of indices");
     }
     if (static_cast<long>(classes.size()) < arity)
-      fail(first, fmt::format("{} rules, one for each class of indices modulo {}; found {}", arity, arity,
-                              classes.size()));
+      fail(first,
+           fmt::format("{} rules, one for each class of indices modulo {}; found {}", arity, arity, classes.size()));
     long lowest = 0;  // power of z
     for (std::size_t k = 0; k < lefts_.size(); ++k)
       for (const Datum& datum : data_of(k)) lowest = std::min(lowest, power_of(datum, k));
@@ -322,9 +332,10 @@ class Rules {
     const Index& left = data_[lefts_[k].datum].index;
     const auto refuse = [&]() {
       const std::size_t from = std::min(side.find_first_not_of(' '), side.size());
-      throw SpecificationError(side.substr(from), begin + from + 1,
-                               fmt::format("a sum of data as {}_{{{}+1}}, each times a number, or a letter other than z",
-                                           data_[lefts_[k].datum].name, left.letter));
+      throw SpecificationError(
+          side.substr(from), begin + from + 1,
+          fmt::format("a sum of data as {}_{{{}+1}}, each times a number, or a letter other than z",
+                      data_[lefts_[k].datum].name, left.letter));
     };
     if (side.find('#') != string_view::npos) refuse();
     std::string marked;

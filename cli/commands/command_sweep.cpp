@@ -188,7 +188,8 @@ void add_sweep(Command& app) {
   command
       .option("SCHEMES", options->schemes,
               "Schemes with lists of values, as primal:n=1..60,d={1,3} or four-point:w=0..1/4 step 1/64; all masks, as "
-              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; a file with a scheme in each line, - for standard input")
+              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; a file with a scheme in each line, - for "
+              "standard input")
       .required();
   command
       .option("--ask", options->ask,

@@ -118,7 +118,8 @@ TEST_CASE("help of the program has the exit codes, and hides what only the build
   CHECK(help.find("\nExit status:\n  0   done") != std::string::npos);
   CHECK(help.find("manual") == std::string::npos);
   CHECK(run("mask --help").out.find("Exit status") == std::string::npos);
-  check_fails(run("completion csh"), 64, "SHELL: 'csh'; expected bash, zsh, fish; did you mean 'zsh'?; see 'subcert completion --help'");
+  check_fails(run("completion csh"), 64,
+              "SHELL: 'csh'; expected bash, zsh, fish; did you mean 'zsh'?; see 'subcert completion --help'");
 }
 
 TEST_CASE("answers go to a file when asked") {

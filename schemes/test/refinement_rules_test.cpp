@@ -49,7 +49,8 @@ std::string printed(const Rule& rule, long arity, const std::string& letter, lon
       default: return (fine ? "g[" : "f[") + index + "]";
     }
   };
-  std::string text = datum(shifted(std::to_string(arity) + letter, rule.output), true) + draw.one_of({"=", " = ", " &= "});
+  std::string text = datum(shifted(std::to_string(arity) + letter, rule.output), true) +
+                     draw.one_of({"=", " = ", " &= "});
   for (std::size_t k = 0; k < rule.weights.size(); ++k) {
     const Rational& weight = rule.weights[k];
     const std::string size = to_text(abs(weight)), above = numerator(abs(weight)).str(),
@@ -95,7 +96,8 @@ TEST_CASE("random rules in every notation give their mask") {
 }
 
 TEST_CASE("the rules of papers") {
-  CHECK(symbol_of("f_{2i}^{k+1} = f_i^k, f_{2i+1}^{k+1} = -1/16 f_{i-1}^k + 9/16 f_i^k + 9/16 f_{i+1}^k - 1/16 f_{i+2}^k") ==
+  CHECK(symbol_of(
+            "f_{2i}^{k+1} = f_i^k, f_{2i+1}^{k+1} = -1/16 f_{i-1}^k + 9/16 f_i^k + 9/16 f_{i+1}^k - 1/16 f_{i+2}^k") ==
         symbol_of("DD4"));
   CHECK(symbol_of("f_{2i}=f_i; f_{2i+1} = \\frac{1}{16}(-f_{i-1}+9f_i+9f_{i+1}-f_{i+2})") == symbol_of("DD4"));
   CHECK(symbol_of("p_{2i} = ¾p_i + ¼p_{i−1}\np_{2i+1} = ¾p_i + ¼p_{i+1}") == symbol_of("[1,3,3,1]/4@-1"));
@@ -118,9 +120,10 @@ TEST_CASE("rules that are none are refused, with what would be right") {
   CHECK_THAT(refusal("so f_{2i} = f_i, f_{2i+1} = f_i"), StartsWith("1 so : a rule"));
   CHECK_THAT(refusal("f_{99i} = f_i"), StartsWith("1 f_{99i}: an index from 2i to 64i"));
   for (const char* side :
-       {"f_i f_{i+1}", "f_i + 1/2", "f_i^2 + w", "f_i + g_{i+1}", "f_i + f_j", "1/f_i", "f_{2i}", "a_j f_{i+j}", "z f_i",
-        "zeta f_i", "max(f_i, f_{i+1})", "(f_i", "f_i = f_{i+1}", "1", "", "f_i + (1 + f_i)", "f_{i,j}", "#f_i", "(#1)",
-        "(f_i)^2", "f_i / (f_i)"}) {
+       {"f_i f_{i+1}",   "f_i + 1/2",   "f_i^2 + w",  "f_i + g_{i+1}",   "f_i + f_j",         "1/f_i",
+        "f_{2i}",        "a_j f_{i+j}", "z f_i",      "zeta f_i",        "max(f_i, f_{i+1})", "(f_i",
+        "f_i = f_{i+1}", "1",           "",           "f_i + (1 + f_i)", "f_{i,j}",           "#f_i",
+        "(#1)",          "(f_i)^2",     "f_i / (f_i)"}) {
     const std::string found = refusal("f_{2i} = f_i, f_{2i+1} = " + std::string(side));
     CAPTURE(side, found);
     CHECK(found.find("a sum of data as f_{i+1}, each times a number, or a letter other than z") != std::string::npos);
@@ -140,16 +143,16 @@ TEST_CASE("rules that are none are refused, with what would be right") {
 
 TEST_CASE("masks with their name, bare lists and columns") {
   const LaurentPolynomial cubic = symbol_of("[1,4,6,4,1]/8");
-  for (const char* text :
-       {"a = [1,4,6,4,1]/8", "a(z) = (1+z)^4/8z^2", "\\alpha = \\frac18 [1,4,6,4,1]", "a_n = 1/8 (1, 4, 6, 4, 1)",
-        "1/8, 1/2, 3/4, 1/2, 1/8", "0.125 0.5 0.75 0.5 0.125", "1/8 1/2 3/4 1/2 1/8", "[1/8; 1/2; 3/4; 1/2; 1/8]",
-        "[1;4;6;4;1]/8"}) {
+  for (const char* text : {"a = [1,4,6,4,1]/8", "a(z) = (1+z)^4/8z^2", "\\alpha = \\frac18 [1,4,6,4,1]",
+                           "a_n = 1/8 (1, 4, 6, 4, 1)", "1/8, 1/2, 3/4, 1/2, 1/8", "0.125 0.5 0.75 0.5 0.125",
+                           "1/8 1/2 3/4 1/2 1/8", "[1/8; 1/2; 3/4; 1/2; 1/8]", "[1;4;6;4;1]/8"}) {
     CAPTURE(text);
     CHECK(symbol_of(text) == cubic);
   }
   CHECK(symbol_of("-1/16, 0, 9/16, 1, 9/16, 0, -1/16") == symbol_of("DD4"));
   CHECK(symbol_of("-1/16 0 9/16 1 9/16 0 −1/16") == symbol_of("DD4"));
-  for (const char* text : {"1/16", "1 + 2", "w = 1/16", "1/8, 1/2, w", "ab = [1,1]", "a b = [1,1]", "= [1,1]", "1,2:3"}) {
+  for (const char* text :
+       {"1/16", "1 + 2", "w = 1/16", "1/8, 1/2, w", "ab = [1,1]", "a b = [1,1]", "= [1,1]", "1,2:3"}) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), !Catch::StartsWith("accepted"));
   }

@@ -61,9 +61,12 @@ namespace {
 /// What a word of other programs is called here, or a misspelt `local`; empty for other words.
 std::string_view local_meant(std::string_view family) {
   constexpr std::pair<std::string_view, std::string_view> names[] = {
-      {"savgol", "local:points=21,d=2,weight=box"}, {"savitzky-golay", "local:points=21,d=2,weight=box"},
-      {"loess", "local:width=0.75,d=2,robust=4"},   {"lowess", "local:width=0.67,d=1,robust=3"},
-      {"robust", "local:d=1,robust=3"},             {"local", "local:points=21,d=1"}};
+      {"savgol", "local:points=21,d=2,weight=box"},
+      {"savitzky-golay", "local:points=21,d=2,weight=box"},
+      {"loess", "local:width=0.75,d=2,robust=4"},
+      {"lowess", "local:width=0.67,d=1,robust=3"},
+      {"robust", "local:d=1,robust=3"},
+      {"local", "local:points=21,d=1"}};
   std::vector<std::string> words;
   for (const auto& [word, meant] : names) words.emplace_back(word);
   const std::string nearest = nearest_word(family, words);

@@ -4,7 +4,9 @@
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/reports/formats/provenance.hpp>
+#include <subcert/schemes/specification.hpp>
 
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -145,7 +147,11 @@ Option& Option::exact_number() {
 }
 
 Option& Option::one_of(const std::vector<std::string>& words) {
-  option_->check(CLI::IsMember(words));
+  option_->check(CLI::Validator(
+      [words](const std::string& text) -> std::string {
+        return std::ranges::find(words, text) == words.end() ? expected_one_of(words, text) : "";
+      },
+      fmt::format("{{{}}}", fmt::join(words, ","))));
   return suggest([words] {
     std::vector<Suggestion> suggestions;
     for (const std::string& word : words) suggestions.push_back({word, ""});
@@ -280,6 +286,16 @@ std::string commands_with(const CLI::App& app, const std::string& option) {
   return see_also("; it is one of ", found);
 }
 
+/// For the first argument where it is a scheme.
+std::string command_for_scheme(const std::string& word) {
+  try {
+    make_any_scheme(word);
+    return "; it is a scheme, as in 'subcert analyze " + printable(word) + "'";
+  } catch (const Error&) {
+    return "";
+  }
+}
+
 /// Refuses a first argument that is neither a command nor an option.
 void require_command(const CLI::App& app, const std::vector<std::string>& arguments) {
   if (arguments.empty())
@@ -295,9 +311,10 @@ void require_command(const CLI::App& app, const std::vector<std::string>& argume
     if (command->get_name() == arguments.front()) return;
     if (!command->get_group().empty()) names.push_back(command->get_name());
   }
-  const std::string nearest = did_you_mean(arguments.front(), names);
-  fail(ErrorKind::usage, "there is no command {}{}; see 'subcert --help'", in_quotes(arguments.front()),
-       nearest.empty() ? commands_about(app, arguments.front()) : nearest);
+  std::string meant = did_you_mean(arguments.front(), names);
+  if (meant.empty()) meant = commands_about(app, arguments.front());
+  if (meant.empty()) meant = command_for_scheme(arguments.front());
+  fail(ErrorKind::usage, "there is no command {}{}; see 'subcert --help'", in_quotes(arguments.front()), meant);
 }
 
 /// Whose help says more: of the command that is named first, or of the program.

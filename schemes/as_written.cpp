@@ -1,6 +1,7 @@
 #include "as_written.hpp"
 
 #include "plain_text.hpp"
+#include "refinement_rules.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/expression.hpp>
@@ -84,9 +85,13 @@ std::string without_blanks(std::string_view list, bool parts) {
   return result;
 }
 
-/// `[1,2;3,4]` as `[[1,2],[3,4]]`
-std::string in_rows(const std::string& list) {
+/// `[1,2;3,4]` as `[[1,2],[3,4]]`, and a column `[1;2]` as `[1,2]`.
+std::string in_rows(std::string list) {
   if (list.find(';') == std::string::npos || list.find('[', 1) != std::string::npos) return list;
+  if (list.find(',') == std::string::npos) {
+    std::ranges::replace(list, ';', ',');
+    return list;
+  }
   std::string rows = "[";
   for (const char c : list) rows += c == ';' ? "],[" : std::string(1, c);
   return rows + "]";
@@ -183,6 +188,30 @@ std::string in_brackets(std::string text) {
   return text;
 }
 
+/// `1/4, 3/4, 3/4, 1/4` in brackets: numbers with commas or blanks between them.
+std::string in_list(std::string text) {
+  const bool numbers = std::ranges::all_of(text, [](char c) {
+    return is_digit(c) || is_blank(c) || std::string_view(",.+-*/^()").find(c) != std::string_view::npos;
+  });
+  std::string list = "[" + text + "]";
+  if (!numbers || without_blanks(list, text.find(',') == std::string::npos).find(',') == std::string::npos) return text;
+  return list;
+}
+
+/// Without the name of a mask or a symbol and its equality sign: `a = [1,3,3,1]/4`, `a(z) = (1+z)^3/4`.
+std::string without_left_side(std::string text) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || text.find_first_of("[(", equal) == std::string::npos) return text;
+  std::string left = trimmed(text.substr(0, equal));
+  for (const std::string_view variable : {"(z)", "(x)", "(x,y)", "(x, y)", "(z1,z2)", "(z_1,z_2)", "(z_1, z_2)"})
+    if (left.ends_with(variable)) left.erase(left.size() - variable.size());
+  const bool one_letter = !left.empty() && is_letter(left.front()) && (left.size() == 1 || left[1] == '_');
+  const bool is_name = is_greek(left) || (one_letter && std::ranges::all_of(left.substr(1), [](char c) {
+                                            return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+                                          }));
+  return is_name ? trimmed(text.substr(equal + 1)) : text;
+}
+
 /// `array([1., 3., 3., 1.])/4`, as numpy shows it, without the word.
 std::string without_array(std::string text) {
   const std::size_t open = text.find("array(");
@@ -230,7 +259,9 @@ bool is_symbol(std::string_view text) {
 }  // namespace
 
 std::string specification_as_written(std::string_view text) {
-  const std::string written = in_brackets(without_array(trimmed(plain_text(text))));
+  if (const auto rules = rules_as_written(text)) return *rules;
+  const std::string right = without_left_side(trimmed(plain_text(text)));
+  const std::string written = in_list(in_brackets(without_array(right)));
   const std::size_t colon = written.starts_with('[') ? std::string::npos : written.find(':');
   if (colon == std::string::npos) {
     if (std::string mask = mask_as_written(written); !mask.empty()) return mask;

@@ -284,10 +284,7 @@ std::string plain_text(string_view text) {
   try {
     return Plain(formula ? text.substr(1, text.size() - 2) : text, formula ? 1 : 0, 0).read();
   } catch (const SpecificationError& error) {
-    // Places are counted in characters.
-    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-    const auto before = std::ranges::count_if(text.substr(0, error.position() - 1), begins);
-    throw SpecificationError(error.token(), static_cast<std::size_t>(before) + 1, error.expected());
+    throw SpecificationError(error.token(), characters_before(text, error.position() - 1) + 1, error.expected());
   }
 }
 

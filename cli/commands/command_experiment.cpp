@@ -17,9 +17,9 @@ struct ExperimentCommand : CommonOptions {
   std::size_t runs = 200;
 };
 
-std::string known() {
-  std::string result = "list";
-  for (const experiments::Experiment& candidate : experiments::experiments()) result += ", " + candidate.id;
+std::vector<std::string> known() {
+  std::vector<std::string> result{"list"};
+  for (const experiments::Experiment& candidate : experiments::experiments()) result.push_back(candidate.id);
   return result;
 }
 
@@ -61,7 +61,7 @@ ExitCode run(const ExperimentCommand& options) {
   if (options.id == "list") return list(options);
   const auto& all = experiments::experiments();
   if (std::none_of(all.begin(), all.end(), [&](const experiments::Experiment& e) { return e.id == options.id; }))
-    fail(ErrorKind::usage, "ID '{}': unknown experiment; expected {}", options.id, known());
+    fail(ErrorKind::usage, "ID: {}", expected_one_of(known(), options.id));
   const experiments::Experiment& chosen = experiments::experiment(options.id);
   options.progress("experiment " + chosen.id);
   const experiments::RanExperiment ran = experiments::run_experiment(chosen,

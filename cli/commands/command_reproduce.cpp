@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
@@ -46,8 +47,7 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
   const auto known = reports::reproducible_papers();
   for (const std::string& paper : papers)
     if (std::find(known.begin(), known.end(), paper) == known.end())
-      fail(ErrorKind::usage, "PAPER '{}' cannot be reproduced by this version; expected {}", paper,
-           fmt::join(known, ", "));
+      fail(ErrorKind::usage, "PAPER: {}", expected_one_of(known, paper));
   for (const std::string& item : options.only) {
     std::vector<std::string> items;
     for (const std::string& paper : papers) {
@@ -55,7 +55,7 @@ void require_known(const ReproduceOptions& options, const std::vector<std::strin
       items.insert(items.end(), more.begin(), more.end());
     }
     if (std::find(items.begin(), items.end(), item) == items.end())
-      fail(ErrorKind::usage, "--only: unknown item '{}'; expected {}", item, fmt::join(items, ", "));
+      fail(ErrorKind::usage, "--only: {}", expected_one_of(items, item));
   }
 }
 

@@ -29,6 +29,19 @@ struct SweepCommandOptions : CommonOptions, SweepArguments {
 
 constexpr std::size_t most_counterexamples = 5;
 
+/// The lines of a file, or of standard input, without empty ones and remarks.
+void add_lines(const std::string& file, std::vector<std::string>& schemes) {
+  std::istringstream lines(read_input(file));
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
+      schemes.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+}
+
+/// Whether the argument names a file of schemes.
+bool is_list(const std::string& text) {
+  return text == standard_stream || text.ends_with(".txt") || std::filesystem::is_regular_file(text);
+}
+
 /// The plan that is given, options over what its file says.
 sweeps::SweepPlan plan_of(const SweepCommandOptions& options) {
   sweeps::SweepPlan plan;
@@ -42,14 +55,10 @@ sweeps::SweepPlan plan_of(const SweepCommandOptions& options) {
   } else {
     for (const std::string& text : options.schemes) {
       if (text.ends_with(".toml")) fail(ErrorKind::usage, "sweep: need a plan alone, got others beside {}", text);
-      if (text != standard_stream) {
+      if (is_list(text))
+        add_lines(text, plan.schemes);
+      else
         plan.schemes.push_back(text);
-        continue;
-      }
-      std::istringstream lines(read_input(text));
-      for (std::string line; std::getline(lines, line);)
-        if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
-          plan.schemes.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
     }
   }
   if (!options.ask.empty()) plan.ask = options.ask;
@@ -179,7 +188,8 @@ void add_sweep(Command& app) {
   command
       .option("SCHEMES", options->schemes,
               "Schemes with lists of values, as primal:n=1..60,d={1,3} or four-point:w=0..1/4 step 1/64; all masks, as "
-              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; - for lines on standard input")
+              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; a file with a scheme in each line, - for "
+              "standard input")
       .required();
   command
       .option("--ask", options->ask,

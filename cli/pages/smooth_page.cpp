@@ -73,7 +73,7 @@ std::string noise_line(const std::string& column, const data::NoiseEstimate& noi
   if (method != data::BandMethod::linear)
     return fmt::format("# noise of {}: standard deviation {:.6g} from {} residuals, without outliers\n", column,
                        std::sqrt(noise.variance), noise.terms);
-  const std::string ties = noise.ties == 0 ? "" : fmt::format(" and {} data beside others", noise.ties);
+  const std::string ties = noise.ties == 0 ? "" : fmt::format(" and {} data at the positions of others", noise.ties);
   return fmt::format(
       "# noise of {}: standard deviation {:.6g} from {} second differences{}, {:.6g} degrees of freedom\n", column,
       std::sqrt(noise.variance), noise.terms - noise.ties, ties, noise.degrees_of_freedom);

@@ -19,6 +19,9 @@ TEST_CASE("statements: the fields of the contract") {
   CHECK(unknown.err.find("no statement or paper 'nobody-1900/eq-1'") != std::string::npos);
   check_fails(run("statements check conjecture-7"), 64,
               "no statement or paper 'conjecture-7'; did you mean dyn-2015/conjecture-7?");
+  check_fails(run("statements check conjecture7"), 64,
+              "no statement or paper 'conjecture7'; did you mean dyn-2015/conjecture-7?");
+  CHECK(contains(run("statements check dyn2015").err, "; did you mean 'dyn-2015'?"));
   CHECK(run("statements").out == run("statements list").out);
   // What an id begins with means all of these; a whole id that one alone.
   CHECK(run("statements list --ids dyn-2015/table-3").out ==

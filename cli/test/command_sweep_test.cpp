@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 using namespace subcert::testing;
@@ -46,6 +47,17 @@ TEST_CASE("sweep: a line for each scheme, as they come, in order, and continued"
   CHECK(first.at("keys").at("d") == "1");
   CHECK(first.at("answers").at("variance").contains("mean"));
   CHECK(!first.at("answers").at("regularity").contains("seconds"));
+}
+
+TEST_CASE("sweep: a file has a scheme in each line") {
+  const Folder folder;
+  const std::string list = folder / "schemes";
+  std::ofstream(list) << "# two\nDD4\n\nchaikin\n";
+  const Run both = run("sweep " + list + " --in-order");
+  CHECK(both.code == 0);
+  CHECK(both.out.find("\nDD4,4,yes,2,2,") != std::string::npos);
+  CHECK(both.out.find("\nchaikin,3,yes,2,2,") != std::string::npos);
+  CHECK(run("sweep nowhere.txt").code == 66);
 }
 
 TEST_CASE("sweep: a crash costs its scheme alone") {

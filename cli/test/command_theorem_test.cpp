@@ -15,7 +15,7 @@ TEST_CASE("theorems: proved, and unknown with what is missing") {
   CHECK(dual.at("verdict") == "holds");
   CHECK(dual.at("d").at(0) == 2);
   check_fails(run("theorem conjecture-7 --family bspline"), 64,
-              "--family: bspline not in {primal,primal-odd,dual,dual-odd}; see 'subcert theorem --help'");
+              "--family: 'bspline'; expected primal, primal-odd, dual, dual-odd; see 'subcert theorem --help'");
   const auto unknown = run_json("theorem conjecture-7 --d 31", 3);  // more time would not change it
   CHECK(unknown.at("verdict") == "unknown");
   CHECK_FALSE(unknown.at("missing").empty());

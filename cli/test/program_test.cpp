@@ -118,7 +118,8 @@ TEST_CASE("help of the program has the exit codes, and hides what only the build
   CHECK(help.find("\nExit status:\n  0   done") != std::string::npos);
   CHECK(help.find("manual") == std::string::npos);
   CHECK(run("mask --help").out.find("Exit status") == std::string::npos);
-  check_fails(run("completion csh"), 64, "SHELL: csh not in {bash,zsh,fish}; see 'subcert completion --help'");
+  check_fails(run("completion csh"), 64,
+              "SHELL: 'csh'; expected bash, zsh, fish; did you mean 'zsh'?; see 'subcert completion --help'");
 }
 
 TEST_CASE("answers go to a file when asked") {
@@ -165,6 +166,10 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("mask fourpoint:w=1/16").err, "did you mean 'four-point'?"));
   CHECK(contains(run("mask chaikn").err, "did you mean 'chaikin'?"));
   CHECK(contains(run("levls four-point:w").err, "did you mean 'levels'?"));
+  CHECK(contains(run("chaikin").err, "it is a scheme, as in 'subcert analyze chaikin'; see 'subcert --help'"));
+  CHECK(contains(run("reproduce dyn-2015 --only tabel1").err, "did you mean 'table1'?"));
+  CHECK(contains(run("reproduce dyn2015").err, "did you mean 'dyn-2015'?"));
+  CHECK(contains(run("experiment fig33").err, "did you mean 'fig3'?"));
   CHECK(contains(run("statement list").err, "did you mean 'statements'?"));
   CHECK(contains(run("exponent chaikin").err, "there is no command 'exponent'; did you mean one of 'regularity', "));
   CHECK(contains(run("regularity chaikin --juntt x").err, "there is no option '--juntt'; see 'subcert regularity"));

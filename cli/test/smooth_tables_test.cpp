@@ -262,3 +262,13 @@ TEST_CASE("a group that cannot be smoothed does not stop the others") {
                   ": expected at least 4 rows to choose a scheme; found 2; name a scheme; nor can other "
                   "groups be smoothed");
 }
+
+TEST_CASE("names of other programs, and columns of text, come with what is meant here") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  std::ofstream(data) << "station,hour,temp\nA,0,1\nA,1,2\nA,2,2\nA,3,1\nA,4,2\nA,5,3\nA,6,2\n";
+  CHECK(contains(run("smooth " + data).err, "station holds text and is left out (--by station smooths its groups"));
+  CHECK(contains(run("smooth " + data + " --scheme savgol:21").err, "as local:points=21,d=2,weight=box"));
+  CHECK(contains(run("smooth " + data + " --scheme lcal:points=5").err, "as local:points=21,d=1"));
+  CHECK(contains(run("verify " + data + " --claim '1 < holder'").err, "a claim names its scheme, as 3/2 < primal:n=5"));
+}

@@ -248,7 +248,9 @@ bool StatedClaim::is_plain() const {
   return !lower_strict && !upper_strict && !upper_alone && !(values && values->low == values->high);
 }
 
-StatedClaim stated_claim(const std::string& words) {
+namespace {
+
+StatedClaim read_claim(const std::string& words) {
   if (const auto contraction = stated_contraction(words)) return *contraction;
   const std::size_t at = words.find(range_begins);
   const std::optional<Chain> chain = chain_of(words.substr(0, at));
@@ -288,6 +290,18 @@ StatedClaim stated_claim(const std::string& words) {
   if (upper) claim.upper = end_of(*upper, true);
   if (claim.says_rough()) stated.upper_strict = false;
   return stated;
+}
+
+}  // namespace
+
+StatedClaim stated_claim(const std::string& words) {
+  try {
+    return read_claim(words);
+  } catch (const SpecificationError& error) {
+    fail(ErrorKind::usage,
+         "--claim '{}': {}; a claim names its scheme, as 3/2 < primal:n=5 or 1 < four-point:w for 1/20 <= w <= 1/10",
+         words, error.what());
+  }
 }
 
 StatedClaim with_letter_of(const CertificateClaim& proved, StatedClaim stated) {

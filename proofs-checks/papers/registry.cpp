@@ -7,6 +7,7 @@
 
 #include <subcert/analysis/symbol/support/budget.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <fmt/format.h>
 
@@ -119,15 +120,19 @@ std::vector<const Statement*> find_statements(const std::string& id_or_paper) {
   if (result.empty())
     for (const Statement& statement : statements())
       if (statement.id.starts_with(id_or_paper + "-")) result.push_back(&statement);
-  std::vector<std::string> meant;  // without its paper
+  std::vector<std::string> words, meant;
   for (const Statement& statement : statements())
-    if (statement.id.ends_with("/" + id_or_paper)) meant.push_back(statement.id);
+    words.insert(words.end(), {statement.id, statement.id.substr(statement.paper().size() + 1)});
+  const std::string word = std::ranges::find(words, id_or_paper) == words.end() ? nearest_word(id_or_paper, words)
+                                                                                : id_or_paper;
+  for (const Statement& statement : statements())
+    if (statement.id == word || statement.id.ends_with("/" + word)) meant.push_back(statement.id);
   if (result.empty() && !meant.empty())
     fail(ErrorKind::usage, "no statement or paper '{}'; did you mean {}?", id_or_paper, fmt::join(meant, " or "));
   if (result.empty())
     fail(ErrorKind::usage,
-         "no statement or paper '{}'; the papers are {}, the ids are listed by 'subcert statements list'", id_or_paper,
-         fmt::join(paper_keys(), ", "));
+         "no statement or paper '{}'; the papers are {}, the ids are listed by 'subcert statements list'{}",
+         id_or_paper, fmt::join(paper_keys(), ", "), did_you_mean(id_or_paper, paper_keys()));
   return result;
 }
 

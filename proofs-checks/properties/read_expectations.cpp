@@ -2,6 +2,7 @@
 #include "properties.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -99,10 +100,23 @@ bool is_known(std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-std::string joined_names() {
-  std::string names;
-  for (const std::string& key : known_keys()) names += (names.empty() ? "" : ", ") + key;
-  return names;
+/// For a word that others have for a property, `; did you mean 'mask'?`.
+std::string property_meant(std::string_view word) {
+  constexpr std::pair<std::string_view, std::string_view> words[] = {{"scheme", "mask"},
+                                                                     {"specification", "mask"},
+                                                                     {"symbol", "mask"},
+                                                                     {"continuity", "smoothness"},
+                                                                     {"C", "smoothness"},
+                                                                     {"C1", "smoothness"},
+                                                                     {"C2", "smoothness"},
+                                                                     {"regularity", "holder"},
+                                                                     {"exponent", "holder"},
+                                                                     {"generation", "generates"},
+                                                                     {"reproduction", "reproduces"},
+                                                                     {"support_size", "support"}};
+  for (const auto& [other, name] : words)
+    if (other == word) return fmt::format("; did you mean '{}'?", name);
+  return "";
 }
 
 SchemeRange read_range(const toml::node& node, ParametricScheme family) {
@@ -206,8 +220,8 @@ struct SpecificationOf {
 ExpectedScheme read_scheme(const toml::table& table) {
   for (const auto& [key, node] : table)
     if (!is_known(key.str()))
-      throw FileError(place_of(key.source()), "unknown property " + in_quotes(key.str()) + "; expected one of " +
-                                                  joined_names() + did_you_mean(key.str(), known_keys()));
+      throw FileError(place_of(key.source()),
+                      "unknown property " + expected_one_of(known_keys(), key.str()) + property_meant(key.str()));
   Subject scheme = read_subject(table);
   std::string specification = std::visit(SpecificationOf{}, scheme);
   const toml::node* mask = table.get("mask");

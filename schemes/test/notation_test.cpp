@@ -2,9 +2,9 @@
 #include <subcert/schemes/as_written.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/test/draw.hpp>
 
 #include <functional>
-#include <random>
 
 using namespace subcert;
 
@@ -12,32 +12,20 @@ namespace {
 
 using Coefficients = std::vector<Rational>;
 
-class Draw {
- public:
-  long number(long low, long high) { return std::uniform_int_distribution<long>(low, high)(engine_); }
-  bool coin() { return number(0, 1) == 1; }
-  std::string one_of(const std::vector<std::string>& words) {
-    return words[static_cast<std::size_t>(number(0, static_cast<long>(words.size()) - 1))];
-  }
-
-  /// Coefficients that sum to 1 over each class, the first and the last not zero.
-  Coefficients mask() {
-    for (;;) {
-      Coefficients c(static_cast<std::size_t>(number(2, 9)));
-      const long below = std::vector<long>{1, 2, 3, 4, 16, 30, 1024}[static_cast<std::size_t>(number(0, 6))];
-      for (Rational& one : c) one = Rational(number(-20, 20), below);
-      for (std::size_t parity = 0; parity < 2; ++parity) {
-        Rational sum = 0;
-        for (std::size_t k = parity + 2; k < c.size(); k += 2) sum += c[k];
-        c[parity] = 1 - sum;
-      }
-      if (c.front() != 0 && c.back() != 0) return c;
+/// Coefficients that sum to 1 over each class, the first and the last not zero.
+Coefficients draw_mask(Draw& draw) {
+  for (;;) {
+    Coefficients c(static_cast<std::size_t>(draw.number(2, 9)));
+    const long below = std::vector<long>{1, 2, 3, 4, 16, 30, 1024}[static_cast<std::size_t>(draw.number(0, 6))];
+    for (Rational& one : c) one = Rational(draw.number(-20, 20), below);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+      Rational sum = 0;
+      for (std::size_t k = parity + 2; k < c.size(); k += 2) sum += c[k];
+      c[parity] = 1 - sum;
     }
+    if (c.front() != 0 && c.back() != 0) return c;
   }
-
- private:
-  std::mt19937 engine_{20261126};
-};
+}
 
 Integer common_denominator(const Coefficients& c) {
   Integer common = 1;
@@ -133,7 +121,7 @@ std::string symbol_in_some_form(const Coefficients& c, long first, Draw& draw) {
 TEST_CASE("random masks in every notation read back") {
   Draw draw;
   for (int trial = 0; trial < 3000; ++trial) {
-    const Coefficients c = draw.mask();
+    const Coefficients c = draw_mask(draw);
     const long first = draw.number(-12, 12);
     const bool list = draw.coin();
     const std::string text = list ? list_in_some_form(c, draw) + "@" + std::to_string(first)
@@ -146,7 +134,7 @@ TEST_CASE("random masks in every notation read back") {
 TEST_CASE("random families with names of several letters are those with one") {
   Draw draw;
   for (int trial = 0; trial < 500; ++trial) {
-    const Coefficients a = draw.mask();
+    const Coefficients a = draw_mask(draw);
     if (a == Coefficients{1, 1}) continue;  // no letter is left
     const std::string name = draw.one_of({"w", "mu", "alpha", "tension", "omega", "z", "e", "zeta"});
     const std::string written = draw.one_of({name, name == "mu" ? "μ" : name == "alpha" ? "\\alpha{}" : name});

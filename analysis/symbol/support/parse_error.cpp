@@ -2,6 +2,8 @@
 
 #include "utf8.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -101,6 +103,10 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::string nearest = nearest_word(word, known);
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+std::string expected_one_of(const std::vector<std::string>& known, std::string_view word) {
+  return fmt::format("{}; expected {}{}", in_quotes(word), fmt::join(known, ", "), did_you_mean(word, known));
 }
 
 }  // namespace subcert

@@ -44,4 +44,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 /// `; did you mean 'primal'?`, or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
+/// `'pirmal'; expected primal, dual; did you mean 'primal'?`
+std::string expected_one_of(const std::vector<std::string>& known, std::string_view word);
+
 }  // namespace subcert

@@ -20,6 +20,11 @@ Character first_character(std::string_view text) {
   return {code, shortest && scalar ? length : 0};
 }
 
+std::size_t characters_before(std::string_view text, std::size_t end) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  return static_cast<std::size_t>(std::ranges::count_if(text.substr(0, end), begins));
+}
+
 std::string trimmed(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
   return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));

@@ -17,6 +17,9 @@ struct Character {
 /// The first one of a text. Domain: not empty.
 Character first_character(std::string_view text);
 
+/// Those that begin before the byte at `end`.
+std::size_t characters_before(std::string_view text, std::size_t end);
+
 /// Of ASCII.
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }

@@ -37,4 +37,6 @@ TEST_CASE("the word that is meant") {
   CHECK(nearest_word(std::string(1000000, 'a'), words).empty());
   CHECK(did_you_mean("pimal", words) == "; did you mean 'primal'?");
   CHECK(did_you_mean("x", words).empty());
+  CHECK(expected_one_of({"primal", "dual"}, "dul") == "'dul'; expected primal, dual; did you mean 'dual'?");
+  CHECK(expected_one_of({"primal", "dual"}, "x") == "'x'; expected primal, dual");
 }

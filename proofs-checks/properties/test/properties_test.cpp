@@ -124,10 +124,12 @@ TEST_CASE("bad files are refused with line and column") {
             .ends_with("'smoothness' takes \">= K\"; 1 alone does not say which: \">= 1\""));
   CHECK(error_of("mask = 'dd:n=2'\nreproduces = 3.0").ends_with("'reproduces' takes an integer or a comparison"));
   CHECK(error_of("mask = 'bspline:degree=1'\n smothness = '>= 1'")
-            .rfind("line 2, column 2: unknown property 'smothness'; expected one of mask, name, convergent", 0) == 0);
+            .rfind("line 2, column 2: unknown property 'smothness'; expected mask, name, convergent", 0) == 0);
   CHECK(error_of("msk = 'dd:n=2'\nstable = true")
             .ends_with("symmetry, stable, interpolatory, variance, for, levels, recurrence, start, masks, period, "
                        "follows; did you mean 'mask'?"));
+  CHECK(error_of("[[scheme]]\nscheme = 'dd:n=2'\nstable = true").ends_with("; did you mean 'mask'?"));
+  CHECK(error_of("mask = 'dd:n=2'\nC1 = true").ends_with("; did you mean 'smoothness'?"));
   CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = false") ==
         "line 3, column 10: not TOML: Error while parsing key-value pair: cannot redefine existing boolean 'stable'");
   CHECK(error_of("mask = 'nothing:n=1'\nstable = true")

@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>
@@ -55,10 +56,38 @@ void raise_biases(std::vector<SmoothingCandidate>& candidates, double spread) {
   for (SmoothingCandidate& one : candidates) one.risk.bias_squared -= least;
 }
 
+namespace {
+
+/// What a word of other programs is called here, or a misspelt `local`; empty for other words.
+std::string_view local_meant(std::string_view family) {
+  constexpr std::pair<std::string_view, std::string_view> names[] = {
+      {"savgol", "local:points=21,d=2,weight=box"},
+      {"savitzky-golay", "local:points=21,d=2,weight=box"},
+      {"loess", "local:width=0.75,d=2,robust=4"},
+      {"lowess", "local:width=0.67,d=1,robust=3"},
+      {"robust", "local:d=1,robust=3"},
+      {"local", "local:points=21,d=1"}};
+  std::vector<std::string> words;
+  for (const auto& [word, meant] : names) words.emplace_back(word);
+  const std::string nearest = nearest_word(family, words);
+  for (const auto& [word, meant] : names)
+    if (word == nearest) return meant;
+  return "";
+}
+
+}  // namespace
+
 SmoothingMethod make_smoothing_method(std::string_view specification) {
   if (is_local_specification(specification)) return make_local_polynomial(specification);
   if (is_l1_specification(specification)) return make_l1_scheme(specification);
-  return make_scheme(specification);
+  try {
+    return make_scheme(specification);
+  } catch (const SpecificationError& error) {
+    const std::string_view family = specification.substr(0, specification.find(':'));
+    const std::string_view meant = local_meant(family);
+    if (meant.empty() || error.token() != family) throw;
+    throw SpecificationError(family, 1, fmt::format("a scheme, or local polynomials, as {}", meant));
+  }
 }
 
 std::string to_text(const SmoothingMethod& method) {

@@ -194,11 +194,12 @@ std::vector<std::size_t> columns_as_written(const SampleOptions& options, std::s
   return columns;
 }
 
-/// That these columns are left out, and where names may have been taken for data.
-std::string remark_on_text(const Table& table, const std::vector<std::size_t>& columns) {
+/// That these columns are left out, which option takes one of them, and where names may have been taken for data.
+std::string remark_on_text(const Table& table, const std::vector<std::size_t>& columns, bool by) {
   std::string text;
   for (const std::size_t c : columns) text += (text.empty() ? "" : ", ") + column_name(table, c);
   text += columns.size() == 1 ? " holds text and is left out" : " hold text and are left out";
+  if (!by) text += fmt::format(" (--by {} smooths its groups one by one)", column_name(table, columns.front()));
   if (table.header.empty())
     text += fmt::format("; line {} counts as data, as a number is in it (--header yes takes it as names)",
                         table.lines.front());
@@ -249,7 +250,7 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
     dates.emplace().date = "%Y%m%d";
     remarks.push_back(column_name(table, *use.x) + " holds dates as YYYYMMDD, and is taken in days");
   }
-  if (!use.left_out.empty()) remarks.push_back(remark_on_text(table, use.left_out));
+  if (!use.left_out.empty()) remarks.push_back(remark_on_text(table, use.left_out, !options.by.empty()));
   if (use.numbered)
     remarks.emplace_back("the first column has no name, counts the rows, and is left out (--x 1 takes it)");
   if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())

@@ -1,0 +1,17 @@
+#pragma once
+/// Refinement rules as papers print them.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace subcert {
+
+/// `f_{2i}^{k+1} = f_i^k, f_{2i+1}^{k+1} = 1/2 f_i^k + 1/2 f_{i+1}^k` as `symbol:` of the mask; nothing for a text that
+/// has no such left side. Rules stand in any order, with commas, semicolons, `\\`, line ends or `and` between them;
+/// data may be called by any letter, on the left by another one, with primes and powers for the level, and `f[2i]` is
+/// `f_{2i}`. Domain: at most 30,000 characters. Errors: throws SpecificationError where rules are missing or the same,
+/// and for a right side that is not a sum of data, each times a number or a letter.
+std::optional<std::string> rules_as_written(std::string_view text);
+
+}  // namespace subcert

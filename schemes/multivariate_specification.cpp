@@ -168,7 +168,7 @@ void require_affine(const Piece& body, const LatticeMask& mask) {
   const std::string name = fmt::format("the class of ({})", fmt::join(mask.dilation().digits()[bad], ","));
   fail(body,
        fmt::format("coefficients that sum to 1 over each class of indices modulo {}; {}", mask.dilation().to_text(),
-                   empty[bad] ? name + " has none; another dilation is written ,dilation=[1,1;1,-1]"
+                   empty[bad] ? name + " has none (another matrix: dilation=[a,b;c,d])"
                               : sum_text(name, sums[bad], common_sum(sums))));
 }
 

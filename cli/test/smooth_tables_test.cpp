@@ -113,7 +113,8 @@ TEST_CASE("tables come as they are: text, groups, dates, marks, names of rows") 
         std::string::npos);
   std::ofstream(data, std::ios::binary) << "land,code,1960,1961\nA,a,1,2\nB,b,2,3\nC,c,3,4\n";
   const std::string unnamed = run("smooth " + data + " --scheme primal:n=1 --irregular fit").err;
-  CHECK(unnamed.find("column 1, column 2 hold text and are left out; line 1 counts as data") != std::string::npos);
+  CHECK(unnamed.find("column 1, column 2 hold text and are left out (--by 1 smooths its groups one by one); "
+                     "line 1 counts as data") != std::string::npos);
   CHECK(unnamed.find("--header yes takes it") != std::string::npos);
   CHECK(run("smooth " + data + " --scheme primal:n=1 --level 0 --quiet --bands 0 --header yes").out ==
         "1960,1961,1961_sd\n1,2,0\n2,3,0\n3,4,0\n");

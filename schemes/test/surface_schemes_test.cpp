@@ -123,11 +123,11 @@ TEST_CASE("bad surface specifications say what, where and what would be right") 
         "sums to 2");
   CHECK(refusal("mask2:[[1,1,1]]") ==
         "7 '[[1,1,1]]' coefficients that sum to 1 over each class of indices modulo [2,0;0,2]; the class of (0,1) has "
-        "none");
+        "none (another matrix: dilation=[a,b;c,d])");
   CHECK(
       refusal("mask2:[[1,1]]@0,0") ==
       "7 '[[1,1]]@0,0' coefficients that sum to 1 over each class of indices modulo [2,0;0,2]; the class of (0,1) has "
-      "none");
+      "none (another matrix: dilation=[a,b;c,d])");
   CHECK(refusal("mask2:[[1,1],[1,1]],arity=1") == "27 '1' arity as an integer from 2 to 64");
   CHECK(refusal("mask2:[[1,1],[1,1]],arity=2,dilation=[2,0;0,2]") == "38 '[2,0;0,2]' arity or dilation, not both");
   CHECK(refusal("mask2:[[1,1],[1,1]],dilation=[2,0]") ==
@@ -158,7 +158,7 @@ TEST_CASE("bad surface specifications say what, where and what would be right") 
   CHECK(refusal("box:[1,0;0,1,1]") == "10 '0,1,1' 2 numbers, one for each variable");
   CHECK(refusal("box:[2,0;0,2]") ==
         "5 '[2,0;0,2]' coefficients that sum to 1 over each class of indices modulo [2,0;0,2]; the class of (0,0) has "
-        "none");
+        "none (another matrix: dilation=[a,b;c,d])");
   CHECK(refusal("box:[1,0;0,1;1,1],dilation=[1,-1;1,1]") ==
         "5 '[1,0;0,1;1,1]' directions that the dilation [1,-1;1,1] maps to multiples of directions");
   CHECK(refusal("box:[64,0;0,64;64,64],arity=64").find("at most 100000 coefficients") != std::string::npos);

@@ -199,7 +199,9 @@ std::string remark_on_text(const Table& table, const std::vector<std::size_t>& c
   std::string text;
   for (const std::size_t c : columns) text += (text.empty() ? "" : ", ") + column_name(table, c);
   text += columns.size() == 1 ? " holds text and is left out" : " hold text and are left out";
-  if (!by) text += fmt::format(" (--by {} smooths its groups one by one)", column_name(table, columns.front()));
+  if (!by)
+    text += fmt::format(" (--by {} smooths its groups one by one)",
+                        table.header.empty() ? std::to_string(columns.front() + 1) : table.header[columns.front()]);
   if (table.header.empty())
     text += fmt::format("; line {} counts as data, as a number is in it (--header yes takes it as names)",
                         table.lines.front());

@@ -269,7 +269,7 @@ Report report_dyn_2015(const ReportOptions& options) {
       report.sections.push_back(std::move(section));
   };
   for (formats::Section* section : {&masks, &bounds, &sharp, &variance}) append(*section);
-  add_experiments(report, options);
+  report.experiments_at = report.sections.size();
   for (formats::Section* section : {&conjecture, &theorems}) append(*section);
   return report;
 }

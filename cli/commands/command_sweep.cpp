@@ -152,7 +152,7 @@ ExitCode run(const SweepCommandOptions& options) {
   if (plan.columns.empty() && !plan.expect.empty()) columns.emplace_back("expected");
   const SweepLines lines(options.json, columns);
   Tally tally(plan.expect);
-  const bool at_once = !options.in_order && (options.out.empty() || options.out == standard_stream);
+  const bool on_screen = options.out.empty() || options.out == standard_stream;
   sweeps::SweepOptions sweep = sweep_options(options, options, "sweep");
   bool has_head = false;
   const auto print = [&](const std::string& text) {
@@ -161,18 +161,23 @@ ExitCode run(const SweepCommandOptions& options) {
     std::cout << text;
     require_output_written();
   };
-  if (at_once) sweep.finished = [&](std::size_t, const Json& answers) { print(lines.line(tally.judged(answers))); };
+  const bool as_they_come = on_screen && !options.in_order;
+  if (as_they_come)
+    sweep.finished = [&](std::size_t, const Json& answers) { print(lines.line(tally.judged(answers))); };
+  std::string text = lines.head();  // of a file
+  sweep.in_order = [&](std::size_t, const Json& answers) {
+    tally.add(answers);
+    if (as_they_come) return;
+    const std::string line = lines.line(tally.judged(answers));
+    if (on_screen) return print(line);
+    text += line;
+  };
   const auto results = run_sweep(
       cases, [&](std::size_t i) { return answers_of_scheme(plan, schemes[i], program); }, sweep);
   if (!results) return done;  // the first rank prints
   options.end_progress();
-  std::string text = lines.head();
-  for (const auto& answers : results->values) {
-    if (!answers) continue;
-    tally.add(*answers);
-    if (!at_once) text += lines.line(tally.judged(*answers));
-  }
-  if (!at_once) options.answer(text);
+  if (!on_screen) options.answer(text);
+  if (on_screen && !has_head) print("");
   options.remark(tally.text());
   if (!options.certificates.empty()) write_certificates(options, plan, program, tally.counterexamples());
   return tally.code();
@@ -200,7 +205,7 @@ void add_sweep(Command& app) {
   command.option("--where", options->where, "Only schemes whose keys meet this, as 'n >= 4 and d == 1'");
   command.option("--expect", options->expect, "What the answers should meet, as 'holder > 1.9 and converges == yes'");
   command.option("--columns", options->columns, "Columns of the table, by the names of --json").separated_by_commas();
-  command.flag("--in-order", options->in_order, "Lines in the order of the schemes, at the end, not as they come");
+  command.flag("--in-order", options->in_order, "Lines in the order of the schemes, not as they come");
   command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none")
       .within(0.001, 1e6);
   command.option("--memory", options->memory, "MiB that a search of one answer may hold; 512 if none")

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subcert::sweeps {
@@ -57,6 +58,8 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
 
   const JournalContent& content() const { return content_; }
+  /// The entries, which the content then has no more.
+  std::vector<JournalEntry> take_entries() { return std::exchange(content_.entries, {}); }
 
   /// Appends one case: one write, then fsync, so that afterwards the line survives whatever happens to the process or
   /// the machine. Errors: throws missing_file; the journal then ends with its last whole line.

@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 
 namespace subcert::sweeps {
 namespace {
@@ -36,6 +37,7 @@ class Ledger {
       if (options.shard.contains(i) && !results_.values[i]) waiting_.push_back(i);
     std::stable_sort(waiting_.begin(), waiting_.end(),
                      [&](std::size_t a, std::size_t b) { return cases[a].effort > cases[b].effort; });
+    tell_in_order();
     report_progress();
   }
 
@@ -53,13 +55,15 @@ class Ledger {
     try {
       if (outcome.failed) {
         if (failed_++ == 0) first_failed_ = "case '" + cases_[i].specification + "': " + outcome.text;
-        return;
+        without_.insert(i);
+        return tell_in_order();
       }
       Json value = Json::parse(outcome.text);
       if (journal_) journal_->append({options_.version, cases_[i].specification, value});
       results_.values[i] = std::move(value);
       ++results_.computed;
       if (options_.finished) options_.finished(i, *results_.values[i]);
+      tell_in_order();
       report_progress();
     } catch (...) {
       if (!failure_) failure_ = std::current_exception();
@@ -79,14 +83,25 @@ class Ledger {
       for (const std::string& report :
            damage_reports(options_.journal, journal_->content(), "its case is computed again where it is needed"))
         options_.warn(report);
-    std::map<std::string, const Json*> known;
-    for (const JournalEntry& entry : journal_->content().entries) known.emplace(entry.id(), &entry.result);
+    std::map<std::string, Json> known;
+    for (JournalEntry& entry : journal_->take_entries()) known.emplace(entry.id(), std::move(entry.result));
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (const auto found = known.find(ids[i]); options_.shard.contains(i) && found != known.end()) {
-        results_.values[i] = *found->second;
+        results_.values[i] = std::move(found->second);
         ++results_.from_journal;
         if (options_.finished) options_.finished(i, *results_.values[i]);
       }
+  }
+
+  void tell_in_order() {
+    if (!options_.in_order) return;
+    for (; told_ < cases_.size(); ++told_) {
+      if (!options_.shard.contains(told_) || without_.contains(told_)) continue;
+      std::optional<Json>& value = results_.values[told_];
+      if (!value) return;
+      options_.in_order(told_, *value);
+      value.reset();
+    }
   }
 
   void report_progress() const {
@@ -102,7 +117,8 @@ class Ledger {
   std::optional<Journal> journal_;
   std::mutex mutex_;
   std::vector<std::size_t> waiting_;
-  std::size_t begun_ = 0;
+  std::size_t begun_ = 0, told_ = 0;
+  std::set<std::size_t> without_;  ///< a result, as they failed
   SweepResults results_;
   std::exception_ptr failure_;
   std::size_t failed_ = 0;

@@ -42,13 +42,16 @@ struct SweepOptions {
   std::function<void(const std::string&)> progress = {};
   /// Called with each case that is known, in the order in which they come, those of the journal first; may be empty.
   std::function<void(std::size_t, const Json&)> finished = {};
+  /// Called with each case of the shard in the order of the cases, as soon as those before it are known; what it was
+  /// called with is not among the results any more, so that a sweep holds few of them. May be empty.
+  std::function<void(std::size_t, const Json&)> in_order = {};
   /// Called with what the user must know, such as a damaged line of the journal; may be empty.
   std::function<void(const std::string&)> warn = {};
 };
 
 struct SweepResults {
-  /// In the order of the cases; nothing for the cases outside the shard. Each value has been through its text, so it is
-  /// the same whether it was computed now or read from the journal.
+  /// In the order of the cases; nothing for the cases outside the shard, and for those told in order. Each value has
+  /// been through its text, so it is the same whether it was computed now or read from the journal.
   std::vector<std::optional<Json>> values;
   std::size_t computed = 0;
   std::size_t from_journal = 0;

@@ -3,9 +3,12 @@
 #include <subcert/cmake/folder.hpp>
 #include <subcert/proofs-checks/sweeps/sweep.hpp>
 
+#include <fmt/format.h>
+
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -171,6 +174,38 @@ TEST_CASE("progress tells how far the sweep is") {
   CHECK(lines == std::vector<std::string>{"1 of 3 cases, 1 of them from the journal",
                                           "2 of 3 cases, 1 of them from the journal",
                                           "3 of 3 cases, 1 of them from the journal"});
+}
+
+TEST_CASE("cases are told in their order and are not held, whatever failed, was known or belongs to another shard") {
+  const Folder folder;
+  constexpr int count = 40;
+  for (const int jobs : {1, 3})
+    for (const std::size_t shards : {1u, 3u}) {
+      SweepOptions options;
+      options.journal = folder.path / fmt::format("{}-{}", jobs, shards);
+      options.shard = {1, shards};
+      options.jobs = jobs;
+      std::vector<std::size_t> told;
+      options.in_order = [&](std::size_t i, const Json& value) {
+        CHECK(value == square(i));
+        told.push_back(i);
+      };
+      const auto failing = [](std::size_t i) {
+        if (i == 0 || i == 9 || i == 39) throw std::runtime_error("no");
+        return square(i);
+      };
+      CHECK_THROWS(run_sweep(make_cases(count), failing, options));
+      std::vector<std::size_t> wanted;
+      for (std::size_t i = 0; i < count; i += shards)
+        if (i != 0 && i != 9 && i != 39) wanted.push_back(i);
+      CHECK(told == wanted);
+      told.clear();
+      const auto results = run_sweep(make_cases(count), square, options);
+      wanted.clear();
+      for (std::size_t i = 0; i < count; i += shards) wanted.push_back(i);
+      CHECK(told == wanted);
+      CHECK(std::ranges::none_of(results->values, [](const auto& value) { return value.has_value(); }));
+    }
 }
 
 TEST_CASE("shards are disjoint, and joined they are the whole") {

@@ -51,8 +51,8 @@ text::MaskText part_of(const text::MaskTextOf<QuadraticNumber>& parts, Rational 
 }
 
 /// With entries in which one square root stands.
-Scheme with_root(VectorForm form, const text::MaskTextOf<QuadraticNumber>& parts, long root,
-                 std::size_t components, const Dilation& dilation) {
+Scheme with_root(VectorForm form, const text::MaskTextOf<QuadraticNumber>& parts, long root, std::size_t components,
+                 const Dilation& dilation) {
   std::vector<QuadraticTerm> terms;
   for (const bool is_root : {false, true})
     for (LatticeMask::Term term :

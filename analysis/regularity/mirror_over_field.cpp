@@ -26,8 +26,9 @@ RationalMatrix plus_multiple(const RationalMatrix& a, const RationalMatrix& b, c
   return result;
 }
 
-/// A matrix J with J first[t] = second[t] J for all t, if it is the only one up to factors from the field. The last
-/// two are the root. By the images J A_w e = B_w x of a basis A_w e: what the A_t say of it is said of x by the B_t.
+/// A regular J with J A_t = B_t J for all t, A the first list and B the second, if it is the only one up to factors
+/// from the field; the last matrix of each is the product with the root. It maps a basis A_w e, w words, to B_w x with
+/// x = J e: what combinations the A_t A_w e are says which x there may be.
 std::optional<RationalMatrix> intertwiner(const Matrices& first, const Matrices& second, const Deadline& deadline) {
   const std::size_t size = first.front().rows();
   const auto modular = radius::modulo_prime(MatrixFamily(first));

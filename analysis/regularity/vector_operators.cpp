@@ -66,8 +66,8 @@ Decision largest_is_attained(const BlockProof& proof) {
   for (const JointSpectralRadius& other : proof.blocks) {
     const bool has_its_product = other.exact.is_yes() && other.product.word == leader.product.word;
     if (*other.radius.upper > *leader.radius.lower && !has_its_product)
-      return {Truth::unknown, other.exact.is_yes() ? "two blocks have radii that could not be compared exactly"
-                                                   : other.exact.reason};
+      return {Truth::unknown,
+              other.exact.is_yes() ? "two blocks have radii that could not be compared exactly" : other.exact.reason};
   }
   return leader.exact;
 }
@@ -88,10 +88,10 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
     const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
-    proof.blocks.push_back(family.distance > 0
-                               ? radius::RoundedFamily(family.matrices, family.distance, {.have_symmetries = mirrored.has_value()})
-                                     .radius(norms, share)
-                               : joint_spectral_radius(family.matrices, share, norms));
+    proof.blocks.push_back(family.distance > 0 ? radius::RoundedFamily(family.matrices, family.distance,
+                                                                       {.have_symmetries = mirrored.has_value()})
+                                                     .radius(norms, share)
+                                               : joint_spectral_radius(family.matrices, share, norms));
     const Enclosure& radius = proof.blocks.back().radius;
     if (*radius.lower > *proof.blocks[proof.leading].radius.lower) proof.leading = k;
     result.radius.upper = k == 0 ? *radius.upper : std::max(*result.radius.upper, *radius.upper);

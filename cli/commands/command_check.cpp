@@ -187,8 +187,9 @@ WrittenCertificates write_certificates_of_schemes(const std::vector<Question>& q
       missing += fmt::format("no certificate of {}: {}\n", questions[i].name, reason_text(error));
     }
   }
-  WrittenCertificates written = write_certificates(options.certificate, certificates, {"-scheme"},
-                                                   "other questions than HC and convergent of vector and Hermite schemes", json);
+  WrittenCertificates written = write_certificates(
+      options.certificate, certificates, {"-scheme"},
+      "other questions than HC and convergent of vector and Hermite schemes", json);
   written.text = missing + written.text;
   return written;
 }

@@ -112,8 +112,9 @@ TEST_CASE("properties of vectors of functions and Hermite schemes") {
   CHECK(run("verify " + proofs + "/00001-scheme.cert --claim '1 <= HC of merrien:lambda=-1/8,mu=1/2'").code == 0);
   CHECK(run("verify " + proofs + "/00002-scheme.cert --claim '0 <= scheme of ghm'").code == 0);
   // what it has none for is said; those of the run before are gone
-  folder.write("file.toml", "[[scheme]]\nmask = 'cl:2'\nconvergent = true\n[[scheme]]\nmask = 'dd:n=2'\nconvergent = "
-                            "true\n[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1'\nHC = '>= 1'\n");
+  folder.write("file.toml",
+               "[[scheme]]\nmask = 'cl:2'\nconvergent = true\n[[scheme]]\nmask = 'dd:n=2'\nconvergent = "
+               "true\n[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1'\nHC = '>= 1'\n");
   const auto json = run_json("check " + file + " --certificate " + proofs, 1);
   CHECK(json.at("certificates") == 1);
   CHECK(run("verify " + proofs + "/00001-scheme.cert --claim 'HC of merrien:lambda=-1/8,mu=1 <= 1'").code == 0);

@@ -363,8 +363,7 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   list.push_back(converges_fact(regularity.converges()));
   if (vector) {
     list.push_back(hermite_fact(vector->hermite));
-    list.push_back(scheme.form == VectorForm::hermite ? spectral_fact(scheme)
-                                                      : member("spectral_degree", nullptr));
+    list.push_back(scheme.form == VectorForm::hermite ? spectral_fact(scheme) : member("spectral_degree", nullptr));
   }
   if (curve)
     append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});

@@ -291,12 +291,11 @@ TEST_CASE("square roots may be typed in masks of Hermite schemes") {
     return *regularity_of(scheme.mask, {Deadline::in(20)}, {.quadratic = scheme.quadratic, .hermite = true}).surface;
   };
   // HC^1 for -3 < mu < 1, with the exponent 2 - log2(max(1, |1 + mu|))
-  for (const auto& [mu, largest, converges] :
-       {std::tuple{"sqrt(2)/4", Rational(135355339059, 100'000'000'000), true},
-        {"-sqrt(2)", Rational(1), true},
-        {"-2*sqrt(2)", Rational(182842712474, 100'000'000'000), true},
-        {"sqrt(2)", Rational(241421356237, 100'000'000'000), false},
-        {"-3*sqrt(2)", Rational(324264068711, 100'000'000'000), false}}) {
+  for (const auto& [mu, largest, converges] : {std::tuple{"sqrt(2)/4", Rational(135355339059, 100'000'000'000), true},
+                                               {"-sqrt(2)", Rational(1), true},
+                                               {"-2*sqrt(2)", Rational(182842712474, 100'000'000'000), true},
+                                               {"sqrt(2)", Rational(241421356237, 100'000'000'000), false},
+                                               {"-3*sqrt(2)", Rational(324264068711, 100'000'000'000), false}}) {
     CAPTURE(mu);
     const Scheme scheme = make_refinable_scheme(merrien_text(mu));
     REQUIRE(scheme.quadratic);
@@ -315,9 +314,7 @@ TEST_CASE("square roots may be typed in masks of Hermite schemes") {
 TEST_CASE("bicubic Hermite splines are products of cubic ones") {
   const std::string cubic = "merrien:lambda=-1/8,mu=-1/2", rough = "merrien:lambda=-1/8,mu=1/2";
   const auto regularity = [](const std::string& text) { return vector_regularity(mask_of(text), {Deadline::in(60)}); };
-  const auto product = [](const std::string& a, const std::string& b) {
-    return fmt::format("tensor:({})x({})", a, b);
-  };
+  const auto product = [](const std::string& a, const std::string& b) { return fmt::format("tensor:({})x({})", a, b); };
   const MultivariateRegularity bicubic = regularity(product(cubic, cubic));
   CHECK(is_exactly(bicubic.exponent, 2));
   CHECK(bicubic.exact.is_yes());
@@ -346,8 +343,7 @@ TEST_CASE("bicubic Hermite splines are products of cubic ones") {
                         grid = limit_values(both, *bicubic.vector->values, level);
   for (long x = -4; x <= 4; ++x)
     for (long y = -4; y <= 4; ++y)
-      for (long c = 0; c < 4; ++c)
-        CHECK(value(grid, {x, y, c}) == value(along, {x, c / 2}) * value(along, {y, c % 2}));
+      for (long c = 0; c < 4; ++c) CHECK(value(grid, {x, y, c}) == value(along, {x, c / 2}) * value(along, {y, c % 2}));
   CHECK(value(grid, {2, 2, 0}) == Rational(1, 4));
   CHECK(value(grid, {2, 2, 3}) == Rational(1, 64));
 }

@@ -141,7 +141,8 @@ TEST_CASE("Hermite schemes with a square root keep data of polynomials around pl
     return hermite_degree(*make_refinable_scheme("hermite:" + text).quadratic);
   };
   // Merrien's scheme, mu = sqrt(2)/4; slopes that are not those of lines; no constants
-  CHECK(degree("[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1") == 2);
+  CHECK(degree("[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1") ==
+        2);
   CHECK(degree("[[[1/2,-1/8],[sqrt(2)/2,0]],[[1,0],[0,1/2]],[[1/2,1/8],[-sqrt(2)/2,0]]]@-1") == 0);
   CHECK(degree("[[[1/2,-1/8],[sqrt(2)/2,0]],[[1,0],[0,1/2]],[[sqrt(2)/2,1/8],[-sqrt(2)/2,0]]]@-1") == -1);
   // values on the tangents at (i - sqrt(2))/2; the same with -sqrt(2) in one class, which has no common place

@@ -26,9 +26,9 @@ RationalMatrix plus_multiple(const RationalMatrix& a, const RationalMatrix& b, c
   return result;
 }
 
-/// A regular J with J A_t = B_t J for all t, A the first list and B the second, if it is the only one up to factors
-/// from the field; the last matrix of each is the product with the root. It maps a basis A_w e, w words, to B_w x with
-/// x = J e: what combinations the A_t A_w e are says which x there may be.
+/// A J that is not 0 with J A_t = B_t J for all t, A the first list and B the second, if it is the only one up to
+/// factors from the field; the last matrix of each is the product with the root. It maps a basis A_w e, w words, to B_w
+/// x with x = J e: what combinations the A_t A_w e are says which x there may be.
 std::optional<RationalMatrix> intertwiner(const Matrices& first, const Matrices& second, const Deadline& deadline) {
   const std::size_t size = first.front().rows();
   const auto modular = radius::modulo_prime(MatrixFamily(first));
@@ -115,6 +115,16 @@ Operators in_basis(const Operators& operators, const RationalMatrix& basis) {
   RationalMatrix root = std::move(result.back());
   result.pop_back();
   return {MatrixFamily(std::move(result)), std::move(root)};
+}
+
+bool are_similar(const Operators& first, const Operators& second, const Deadline& deadline) {
+  const std::size_t size = first.family.size();
+  if (second.family.size() != size || size > largest_mirrored) return false;
+  Matrices mirrored = second.matrices();
+  std::reverse(mirrored.begin(), mirrored.end() - 1);
+  for (const Matrices& other : {second.matrices(), std::move(mirrored)})
+    if (const auto map = intertwiner(first.matrices(), other, deadline); map && kernel(*map).empty()) return true;
+  return false;
 }
 
 std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline& deadline) {

@@ -61,11 +61,13 @@ NormProof norms_of(const RealFamily& family, const Budget& budget) {
 namespace {
 
 /// Whether the product of the leading block attains the radius of the whole, each block being known by itself.
-Decision largest_is_attained(const BlockProof& proof) {
+Decision largest_is_attained(const BlockProof& proof, const std::vector<Operators>& blocks, const Deadline& deadline) {
   const JointSpectralRadius& leader = proof.blocks[proof.leading];
-  for (const JointSpectralRadius& other : proof.blocks) {
-    const bool has_its_product = other.exact.is_yes() && other.product.word == leader.product.word;
-    if (*other.radius.upper > *leader.radius.lower && !has_its_product)
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const JointSpectralRadius& other = proof.blocks[k];
+    const bool is_product_of_both = other.exact.is_yes() && other.product.word == leader.product.word;
+    if (*other.radius.upper > *leader.radius.lower && !is_product_of_both &&
+        !are_similar(blocks[proof.leading], blocks[k], deadline))
       return {Truth::unknown,
               other.exact.is_yes() ? "two blocks have radii that could not be compared exactly" : other.exact.reason};
   }
@@ -77,14 +79,16 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   const BlockTriangular triangular = block_triangularise(MatrixFamily(operators.matrices()),
                                                          budget.deadline.after(shares::blocks));
   JointSpectralRadius result;
+  std::vector<Operators> blocks;
   BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
   for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
     std::vector<RationalMatrix> block = triangular.block(k).matrices();
     RationalMatrix root = std::move(block.back());
     block.pop_back();
-    const Operators operators_of_block{MatrixFamily(std::move(block)), std::move(root)};
-    const auto mirrored = mirror_symmetric(operators_of_block, budget.deadline.after(shares::mirrors));
-    const RealFamily family = on_functions(mirrored.value_or(operators_of_block), number);
+    blocks.push_back({MatrixFamily(std::move(block)), std::move(root)});
+    const Operators& given = blocks.back();
+    const auto mirrored = mirror_symmetric(given, budget.deadline.after(shares::mirrors));
+    const RealFamily family = on_functions(mirrored.value_or(given), number);
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
     const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
@@ -99,7 +103,7 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   const JointSpectralRadius& leader = proof.blocks[proof.leading];
   result.product = leader.product;
   result.radius.lower = *leader.radius.lower;
-  result.exact = largest_is_attained(proof);
+  result.exact = largest_is_attained(proof, blocks, budget.deadline);
   result.proof = std::move(proof);
   return result;
 }

@@ -52,6 +52,10 @@ Operators in_basis(const Operators& operators, const RationalMatrix& basis);
 /// matrices of this size, about one for each of its rows.
 std::optional<Operators> mirror_symmetric(const Operators& operators, const Deadline& deadline);
 
+/// Whether a regular map over the field of the root takes the operators of one to those of the other, digit by digit in
+/// the same order or in the reverse one: their radii are equal. False where none is found. Domain and cost: as above.
+bool are_similar(const Operators& first, const Operators& second, const Deadline& deadline);
+
 /// Matrices, and how far the entries of those that are meant may be from theirs.
 struct RealFamily {
   MatrixFamily matrices;

@@ -1,5 +1,6 @@
 #include "vector_operators.hpp"
 
+#include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 
@@ -60,6 +61,24 @@ NormProof norms_of(const RealFamily& family, const Budget& budget) {
 
 namespace {
 
+/// Of a block of numbers of the field, which are equal up to their sign or differ by more than rounding.
+JointSpectralRadius radius_of_field_numbers(const Operators& block, const RealFamily& family) {
+  JointSpectralRadius result = radius::radius_of_numbers(family.matrices);
+  if (family.distance == 0) return result;
+  const auto best = static_cast<std::size_t>(result.product.word.front());
+  const Rational size = *result.radius.upper;
+  result.radius = {std::max(Rational(0), Rational(size - family.distance)), size + family.distance};
+  result.product.radius = result.radius;
+  result.product.exact.reset();
+  result.proof = NormProof{1, size + family.distance};
+  for (std::size_t t = 0; t < family.matrices.count(); ++t) {
+    const bool is_equal = block.family[t] == block.family[best] || block.family[t] == Rational(-1) * block.family[best];
+    if (!is_equal && abs(family.matrices[t](0, 0)) + 2 * family.distance >= size)
+      result.exact = {Truth::unknown, "two numbers of the field are too near"};
+  }
+  return result;
+}
+
 /// Whether the product of the leading block attains the radius of the whole, each block being known by itself.
 Decision largest_is_attained(const BlockProof& proof, const std::vector<Operators>& blocks, const Deadline& deadline) {
   const JointSpectralRadius& leader = proof.blocks[proof.leading];
@@ -87,15 +106,17 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
     block.pop_back();
     blocks.push_back({MatrixFamily(std::move(block)), std::move(root)});
     const Operators& given = blocks.back();
-    const auto mirrored = mirror_symmetric(given, budget.deadline.after(shares::mirrors));
+    const bool is_number = triangular.sizes[k] == 2;
+    const auto mirrored = is_number ? std::nullopt : mirror_symmetric(given, budget.deadline.after(shares::mirrors));
     const RealFamily family = on_functions(mirrored.value_or(given), number);
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
     const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
-    proof.blocks.push_back(family.distance > 0 ? radius::RoundedFamily(family.matrices, family.distance,
-                                                                       {.have_symmetries = mirrored.has_value()})
-                                                     .radius(norms, share)
-                                               : joint_spectral_radius(family.matrices, share, norms));
+    proof.blocks.push_back(is_number             ? radius_of_field_numbers(given, family)
+                           : family.distance > 0 ? radius::RoundedFamily(family.matrices, family.distance,
+                                                                         {.have_symmetries = mirrored.has_value()})
+                                                       .radius(norms, share)
+                                                 : joint_spectral_radius(family.matrices, share, norms));
     const Enclosure& radius = proof.blocks.back().radius;
     if (*radius.lower > *proof.blocks[proof.leading].radius.lower) proof.leading = k;
     result.radius.upper = k == 0 ? *radius.upper : std::max(*result.radius.upper, *radius.upper);

@@ -143,6 +143,8 @@ TEST_CASE("Radii of blocks over a field are equal where that is proved") {
   // larger by less than what rounding shows, by another product
   CHECK(exact({half, {Rational(1, 4)}}, {{Rational(1, 4)}, more}) == Truth::unknown);
   CHECK(exact({half, {}}, {{}, {0, Rational(-1, 2)}}) == Truth::unknown);  // equal, but by no map
+  CHECK(exact({half}, {{0, Rational(-1, 2)}}) == Truth::yes);              // of one block, up to the sign
+  CHECK(exact({half}, {more}) == Truth::unknown);
 }
 
 }  // namespace

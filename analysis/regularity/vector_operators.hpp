@@ -50,7 +50,7 @@ Operators in_basis(const Operators& operators, const RationalMatrix& basis);
 /// the operators to those of the digits in reverse order: matrices of rounded entries keep this symmetry. Nothing where
 /// none is found; what is found is verified exactly. Domain: with a root. Cost: kernels and products of rational
 /// matrices of this size, about one for each of its rows.
-std::optional<Operators> mirror_symmetric(const Operators& operators, const Deadline& deadline);
+std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline& deadline);
 
 /// Whether a regular map over the field of the root takes the operators of one to those of the other, digit by digit in
 /// the same order or in the reverse one: their radii are equal. False where none is found. Domain and cost: as above.

@@ -83,12 +83,14 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
   }
 }
 
+Certificate scheme_certificate(const Scheme& scheme, const Budget& budget) {
+  require(scheme.form && !scheme.quadratic, "certificate: need a scheme of rational matrices, got {}",
+          scheme.specification);
+  return vector_scheme_certificate(scheme.mask, scheme.form == VectorForm::hermite, budget);
+}
+
 WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget) {
-  return write_certificate(file, [&] {
-    require(scheme.form && !scheme.quadratic, "certificate: need a scheme of rational matrices, got {}",
-            scheme.specification);
-    return vector_scheme_certificate(scheme.mask, scheme.form == VectorForm::hermite, budget);
-  });
+  return write_certificate(file, [&] { return scheme_certificate(scheme, budget); });
 }
 
 void require_place(const std::string& file) {

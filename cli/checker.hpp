@@ -44,7 +44,10 @@ struct WrittenCertificate {
 WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
                                      const std::string& matrices = {});
 
-/// The same for vector_scheme_certificate() of the scheme.
+/// vector_scheme_certificate() of the scheme. Errors: throws Error for schemes of other masks than rational matrices.
+Certificate scheme_certificate(const Scheme& scheme, const Budget& budget);
+
+/// The same for scheme_certificate().
 WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget);
 
 /// Before the work: whether a certificate can be written there. Errors: throws missing_file where the folder is none.

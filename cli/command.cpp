@@ -130,6 +130,11 @@ std::vector<Suggestion> suggested_schemes() {
   return result;
 }
 
+void add_scheme_certificate(Command& command, std::string& target) {
+  command.option("--scheme-certificate", target,
+                 "Write one there that a vector scheme converges, or a Hermite scheme with its derivatives, or not");
+}
+
 void add_scheme(Command& command, std::string& target, bool any, bool vectors) {
   std::vector<FamilyHelp> help = families();
   if (any) help.insert(help.end(), multivariate_families().begin(), multivariate_families().end());

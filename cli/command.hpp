@@ -107,6 +107,8 @@ std::vector<Suggestion> suggested_schemes();
 /// The positional argument SCHEME; `any` names the families of two and three variables in the help too, `vectors` those
 /// of vectors of functions.
 void add_scheme(Command& command, std::string& target, bool any = false, bool vectors = false);
+/// `--scheme-certificate`, of vector and Hermite schemes themselves.
+void add_scheme_certificate(Command& command, std::string& target);
 
 /// The positional argument SCHEME where it is a family with one parameter, and --over, its values.
 void add_family(Command& command, std::string& target, std::string& over);

@@ -51,15 +51,14 @@ text::MaskText part_of(const text::MaskTextOf<QuadraticNumber>& parts, Rational 
 }
 
 /// With entries in which one square root stands.
-Scheme with_root(VectorForm form, const Piece& mask, const text::MaskTextOf<QuadraticNumber>& parts, long root,
-                 std::size_t components, const Dilation& dilation) {
-  if (form == VectorForm::hermite) fail(mask, "rational numbers, as the matrices are of a Hermite scheme");
+Scheme with_root(VectorForm form, const text::MaskTextOf<QuadraticNumber>& parts, long root, std::size_t components,
+                 const Dilation& dilation) {
   std::vector<QuadraticTerm> terms;
   for (const bool is_root : {false, true})
     for (LatticeMask::Term term :
          terms_of(part_of(parts, is_root ? &QuadraticNumber::multiple : &QuadraticNumber::rational),
                   text::Entries::matrices)) {
-      if (form == VectorForm::vector) std::swap(term.row, term.column);
+      if (form != VectorForm::refinable) std::swap(term.row, term.column);
       terms.push_back({term.exponents, term.row, term.column, is_root ? Rational(0) : term.coefficient,
                        is_root ? term.coefficient : Rational(0)});
     }
@@ -91,7 +90,7 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
   fields.finish();
   const auto root = std::ranges::max_element(parts.coefficients, {}, &QuadraticNumber::root);
   Scheme scheme = checked(mask, [&, &mask = mask] {
-    if (root->root > 0) return with_root(form, mask, parts, root->root, components, dilation);
+    if (root->root > 0) return with_root(form, parts, root->root, components, dilation);
     const LatticeMask given = matrix_mask(terms_of(part_of(parts, &QuadraticNumber::rational), text::Entries::matrices),
                                           components, dilation);
     return vector_scheme(form, title_of(form), form == VectorForm::refinable ? given : transposed(given));

@@ -118,6 +118,7 @@ inline constexpr double scheme = 0.2;   ///< whether the scheme converges itself
 inline constexpr double spaces = 0.2;   ///< differences of ever higher orders
 inline constexpr double norms = 0.05;   ///< of each radius
 inline constexpr double blocks = 0.3;   ///< of a field
+inline constexpr double mirrors = 0.2;  ///< of each block over a field
 inline constexpr double whole = 0.6;    ///< the worst function
 inline constexpr double sobolev = 0.2;  ///< its exponent in the mean of squares
 }  // namespace vector

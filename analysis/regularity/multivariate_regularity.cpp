@@ -350,9 +350,10 @@ namespace {
 MultivariateRegularity vector_scheme_regularity(const LatticeMask& mask, const Budget& budget,
                                                 const RegularityOptions& options) {
   const Budget share{budget.deadline.after(schedule::vector::scheme), budget.memory};
-  const Decision converges = options.quadratic ? vector_scheme_converges(*options.quadratic, share)
-                             : options.hermite ? hermite_scheme_converges(mask, share)
-                                               : vector_scheme_converges(mask, share);
+  const auto converge = [&](const auto& meant) {
+    return options.hermite ? hermite_scheme_converges(meant, share) : vector_scheme_converges(meant, share);
+  };
+  const Decision converges = options.quadratic ? converge(*options.quadratic) : converge(mask);
   const VectorQuestion question{options.bits, options.component, options.integral};
   MultivariateRegularity result = options.quadratic ? vector_regularity(*options.quadratic, budget, question)
                                                     : vector_regularity(mask, budget, question);

@@ -196,18 +196,23 @@ Decision vector_scheme_converges(const QuadraticMask& mask, const Budget& budget
   return parts_converge({mask.doubled, mask.root}, budget);
 }
 
-Decision hermite_scheme_converges(const LatticeMask& mask, const Budget& budget) {
+namespace {
+
+/// Limits over a field are numbers x + sqrt(root) y: the sums that they are, and so what is solved for, are of the
+/// matrices over the field, and equal numbers have equal parts.
+Decision hermite_parts_converge(const LatticeMask& mask, long root, const Budget& budget) {
   require(mask.dimension() == 1, "hermite_scheme_converges: need one variable, got {}", mask.dimension());
   const LatticeMask same = mask.with_dilation(with_zero_first(mask.dilation()));
+  const Parts parts{same, root};
   Decision open{Truth::yes, ""};
   std::vector<Limits> limits;
-  for (std::size_t k = 0; k < mask.components(); ++k) {
+  for (std::size_t k = 0; k < parts.components(); ++k) {
     const Rational factor = power(Rational(mask.arity()), static_cast<long>(k));
     std::vector<LatticeSequence> starts;
-    add_differences(starts, same, k, factor);
+    for (const std::size_t part : parts.parts_of(k)) add_differences(starts, same, part, factor);
     const Shrinking found = shrinking(
-        {same}, starts, factor,
-        {budget.deadline.after(1.0 / static_cast<double>(mask.components() - k)), budget.memory});
+        parts, starts, factor,
+        {budget.deadline.after(1.0 / static_cast<double>(parts.components() - k)), budget.memory});
     if (found.contract.is_no())
       return {Truth::no, fmt::format("the data of derivative {} do not converge: {}", k, found.contract.reason)};
     if (!found.contract.is_yes() && open.is_yes())
@@ -220,6 +225,16 @@ Decision hermite_scheme_converges(const LatticeMask& mask, const Budget& budget)
       open = {Truth::unknown, "its limits at the integers were not found"};
   }
   return open.is_yes() ? are_derivatives(limits) : open;
+}
+
+}  // namespace
+
+Decision hermite_scheme_converges(const LatticeMask& mask, const Budget& budget) {
+  return hermite_parts_converge(mask, 0, budget);
+}
+
+Decision hermite_scheme_converges(const QuadraticMask& mask, const Budget& budget) {
+  return hermite_parts_converge(mask.doubled, mask.root, budget);
 }
 
 HermiteOrder hermite_order(const MultivariateRegularity& found, const Decision& converges, std::size_t data) {

@@ -17,6 +17,7 @@ Decision vector_scheme_converges(const QuadraticMask& mask, const Budget& budget
 /// all bounded data, and phi is not always 0. No polynomials have to be kept. Domain: one variable. Errors: throws
 /// Error. Error: as above. Cost: as above, r times. Proof: docs/vectors.md, theorem 2. Ref: [DM06], [MS19].
 Decision hermite_scheme_converges(const LatticeMask& mask, const Budget& budget);
+Decision hermite_scheme_converges(const QuadraticMask& mask, const Budget& budget);
 
 /// HC^l of a scheme on r data from its convergence and the exponent of its limits: none where it does not converge. A
 /// function of this kind has l continuous derivatives if and only if its exponent exceeds l (docs/vectors.md, theorem

@@ -1,30 +1,14 @@
 #include "vector_operators.hpp"
 
+#include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 
 #include <algorithm>
 
 namespace subcert::vectors {
-namespace {
 
 namespace shares = schedule::vector;
-
-/// The columns e of the identity that, with their images J e, are a basis. Domain: J J is a number that is no square.
-std::vector<std::size_t> half_basis(const RationalMatrix& root) {
-  const std::size_t size = root.rows();
-  RationalMatrix columns(size, 2 * size);
-  for (std::size_t c = 0; c < size; ++c) {
-    columns(c, 2 * c) = 1;
-    for (std::size_t r = 0; r < size; ++r) columns(r, 2 * c + 1) = root(r, c);
-  }
-  std::vector<std::size_t> result;
-  for (const std::size_t column : pivot_columns(columns))
-    if (column % 2 == 0) result.push_back(column / 2);
-  return result;
-}
-
-}  // namespace
 
 Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts) {
   if (parts.root == 0) return {MatrixFamily(std::move(matrices))};
@@ -51,21 +35,16 @@ Operators operators_of(const DifferenceSpace& space, const Parts& parts) {
 RealFamily on_functions(const Operators& operators, long number) {
   if (!operators.root) return {operators.family};
   constexpr long root_bits = 512;
-  const RationalMatrix& root = *operators.root;
-  const std::vector<std::size_t> chosen = half_basis(root);
-  RationalMatrix basis(root.rows(), root.rows());
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    basis(chosen[i], 2 * i) = 1;
-    for (std::size_t r = 0; r < root.rows(); ++r) basis(r, 2 * i + 1) = root(r, chosen[i]);
-  }
+  const RationalMatrix basis = basis_of_pairs(RationalMatrix::identity(operators.family.size()), *operators.root);
+  const std::size_t size = basis.rows() / 2;
   const Rational value = rounded_root(number, root_bits);
   Rational largest = 0;
   std::vector<RationalMatrix> result;
   for (const RationalMatrix& matrix : operators.family) {
     const RationalMatrix x = solve(basis, matrix * basis);
-    RationalMatrix& real = result.emplace_back(chosen.size(), chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-      for (std::size_t k = 0; k < chosen.size(); ++k) {
+    RationalMatrix& real = result.emplace_back(size, size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k) {
         real(i, k) = x(2 * i, 2 * k) + value * x(2 * i + 1, 2 * k);
         largest = std::max(largest, abs(x(2 * i + 1, 2 * k)));
       }
@@ -82,23 +61,62 @@ NormProof norms_of(const RealFamily& family, const Budget& budget) {
 
 namespace {
 
+/// Of a block of numbers of the field, which are equal up to their sign or differ by more than rounding.
+JointSpectralRadius radius_of_field_numbers(const Operators& block, const RealFamily& family) {
+  JointSpectralRadius result = radius::radius_of_numbers(family.matrices);
+  if (family.distance == 0) return result;
+  const auto best = static_cast<std::size_t>(result.product.word.front());
+  const Rational size = *result.radius.upper;
+  result.radius = {std::max(Rational(0), Rational(size - family.distance)), size + family.distance};
+  result.product.radius = result.radius;
+  result.product.exact.reset();
+  result.proof = NormProof{1, size + family.distance};
+  for (std::size_t t = 0; t < family.matrices.count(); ++t) {
+    const bool is_equal = block.family[t] == block.family[best] || block.family[t] == Rational(-1) * block.family[best];
+    if (!is_equal && abs(family.matrices[t](0, 0)) + 2 * family.distance >= size)
+      result.exact = {Truth::unknown, "two numbers of the field are too near"};
+  }
+  return result;
+}
+
+/// Whether the product of the leading block attains the radius of the whole, each block being known by itself.
+Decision largest_is_attained(const BlockProof& proof, const std::vector<Operators>& blocks, const Deadline& deadline) {
+  const JointSpectralRadius& leader = proof.blocks[proof.leading];
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const JointSpectralRadius& other = proof.blocks[k];
+    const bool is_product_of_both = other.exact.is_yes() && other.product.word == leader.product.word;
+    if (*other.radius.upper > *leader.radius.lower && !is_product_of_both &&
+        !are_similar(blocks[proof.leading], blocks[k], deadline))
+      return {Truth::unknown,
+              other.exact.is_yes() ? "two blocks have radii that could not be compared exactly" : other.exact.reason};
+  }
+  return leader.exact;
+}
+
 /// Of the diagonal blocks over the field of the root, each by itself.
 JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
   const BlockTriangular triangular = block_triangularise(MatrixFamily(operators.matrices()),
                                                          budget.deadline.after(shares::blocks));
   JointSpectralRadius result;
+  std::vector<Operators> blocks;
   BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
   for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
     std::vector<RationalMatrix> block = triangular.block(k).matrices();
     RationalMatrix root = std::move(block.back());
     block.pop_back();
-    const RealFamily family = on_functions({MatrixFamily(std::move(block)), std::move(root)}, number);
+    blocks.push_back({MatrixFamily(std::move(block)), std::move(root)});
+    const Operators& given = blocks.back();
+    const bool is_number = triangular.sizes[k] == 2;
+    const auto mirrored = is_number ? std::nullopt : mirror_symmetric(given, budget.deadline.after(shares::mirrors));
+    const RealFamily family = on_functions(mirrored.value_or(given), number);
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
     const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
-    proof.blocks.push_back(family.distance > 0
-                               ? radius::RoundedFamily(family.matrices, family.distance).radius(norms, share)
-                               : joint_spectral_radius(family.matrices, share, norms));
+    proof.blocks.push_back(is_number             ? radius_of_field_numbers(given, family)
+                           : family.distance > 0 ? radius::RoundedFamily(family.matrices, family.distance,
+                                                                         {.have_symmetries = mirrored.has_value()})
+                                                       .radius(norms, share)
+                                                 : joint_spectral_radius(family.matrices, share, norms));
     const Enclosure& radius = proof.blocks.back().radius;
     if (*radius.lower > *proof.blocks[proof.leading].radius.lower) proof.leading = k;
     result.radius.upper = k == 0 ? *radius.upper : std::max(*result.radius.upper, *radius.upper);
@@ -106,8 +124,7 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   const JointSpectralRadius& leader = proof.blocks[proof.leading];
   result.product = leader.product;
   result.radius.lower = *leader.radius.lower;
-  const bool is_number = leader.radius.is_exact() && *result.radius.upper == *result.radius.lower;
-  result.exact = is_number ? leader.exact : Decision{Truth::unknown, "the matrices are rounded"};
+  result.exact = largest_is_attained(proof, blocks, budget.deadline);
   result.proof = std::move(proof);
   return result;
 }

@@ -39,6 +39,23 @@ struct Operators {
 Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts);
 Operators operators_of(const DifferenceSpace& space, const Parts& parts);
 
+/// The columns, one after the other, that are no combinations over the field of the root of those before them, each
+/// with its image under the root behind it. Domain: the root times itself is a number that is no square.
+RationalMatrix basis_of_pairs(const RationalMatrix& columns, const RationalMatrix& root);
+
+/// Domain: with a root; a regular basis.
+Operators in_basis(const Operators& operators, const RationalMatrix& basis);
+
+/// In a basis e_1, J e_1, e_2, J e_2, ..., J the product with the root, such that the reversal of e_1, e_2, ... maps
+/// the operators to those of the digits in reverse order: matrices of rounded entries keep this symmetry. Nothing where
+/// none is found; what is found is verified exactly. Domain: with a root. Cost: kernels and products of rational
+/// matrices of this size, about one for each of its rows.
+std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline& deadline);
+
+/// Whether a regular map over the field of the root takes the operators of one to those of the other, digit by digit in
+/// the same order or in the reverse one: their radii are equal. False where none is found. Domain and cost: as above.
+bool are_similar(const Operators& first, const Operators& second, const Deadline& deadline);
+
 /// Matrices, and how far the entries of those that are meant may be from theirs.
 struct RealFamily {
   MatrixFamily matrices;

@@ -26,6 +26,7 @@ struct AnalyzeOptions : CommonOptions {
   std::string plot;
   std::string html;
   std::string over;
+  std::string scheme_certificate;
   PaperForm form;
 };
 
@@ -63,8 +64,14 @@ ExitCode analyze_vector(const Scheme& scheme, const AnalyzeOptions& options) {
   const FunctionVector& vector = *found.surface->vector;
   facts::Facts list = regularity_facts(scheme, found, {}, {watch.seconds(), 0, found.is_closed()});
   if (vector.continuous.is_yes() && vector.values) list.push_back(facts::values_fact(*vector.values));
-  print(options, list, 13, options.form.latex ? "% " + scheme.specification + "\n" : "");
+  const WrittenCertificate certificate = write_scheme_certificate(options.scheme_certificate, scheme,
+                                                                  {Deadline::in(options.budget)});
+  Json json = page_json(list);
+  certificate.add_to(json, "scheme_certificate");
+  answer(options, options.form,
+         {list, 13, json, certificate.text(false), options.form.latex ? "% " + scheme.specification + "\n" : ""});
   if (!options.plot.empty()) draw_vector(options.plot, scheme, vector);
+  certificate.failure.raise();
   return exit_code(vector.continuous.truth);
 }
 
@@ -108,7 +115,13 @@ ExitCode analyze_family(const AnalyzeOptions& options) {
 ExitCode run(const AnalyzeOptions& options) {
   require_one_form(options, options.form);
   require_picture_name(options.plot);
-  if (has_parameter(options.scheme)) return analyze_family(options);
+  require_place(options.scheme_certificate);
+  const bool is_family = has_parameter(options.scheme);
+  if (!options.scheme_certificate.empty() &&
+      (is_family || is_l1_specification(options.scheme) || !make_refinable_scheme(options.scheme).form))
+    fail(ErrorKind::usage, "--scheme-certificate: expected a vector or Hermite scheme without a parameter, got {}",
+         options.scheme);
+  if (is_family) return analyze_family(options);
   if (!options.over.empty()) fail(ErrorKind::usage, "--over: {} has no parameter", options.scheme);
   if (is_l1_specification(options.scheme)) return analyze_l1(options);
   const Deadline deadline = Deadline::in(options.budget);
@@ -140,6 +153,7 @@ void add_analyze(Command& app) {
       "--html", options->html,
       "A page with pictures and the certificate, all in one file; of a family, a page to move its parameter");
   command.option("--over", options->over, "The values on that page: w=LOW..HIGH");
+  add_scheme_certificate(command, options->scheme_certificate);
   add_scheme(command, options->scheme, true);
   add_paper_form(command, options->form, "Mask, symbol and exponent as formulas of LaTeX, and all facts as a table",
                  "All facts as a table in Markdown");

@@ -2,7 +2,9 @@
 
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/cli/parameter_range.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/reports/formats/html.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -15,6 +17,7 @@
 #include <iostream>
 #include <mutex>
 #include <new>
+#include <set>
 #include <variant>
 
 namespace subcert::cli {
@@ -23,6 +26,7 @@ namespace {
 struct CheckOptions : CommonOptions {
   std::vector<std::string> files;
   std::string junit;
+  std::string certificate;
   double budget = 20;
 };
 
@@ -35,6 +39,7 @@ struct Question {
   std::string specification, name, property, expected;
   std::function<Decision(double seconds)> decide;
   bool unreadable = false;
+  const Scheme* itself = nullptr;  ///< the vector or Hermite scheme, where the question is about the scheme itself
 
   std::string claim() const { return unreadable ? "the scheme" : name + ": " + property + " " + expected; }
 };
@@ -49,10 +54,14 @@ void add_questions(const std::string& file, const std::vector<SchemeOfFile>& sch
       continue;
     }
     const auto& scheme = std::get<properties::ExpectedScheme>(one);
-    for (const properties::Expectation& expectation : scheme.expectations)
+    const Scheme* single = std::get_if<Scheme>(&scheme.scheme);
+    for (const properties::Expectation& expectation : scheme.expectations) {
+      const bool of_itself = expectation.property == "HC" || expectation.property == "convergent";
       questions.push_back({file, expectation.place, scheme.specification, scheme.name, expectation.property,
                            expectation.expected,
-                           [&](double seconds) { return has_property(scheme, expectation, seconds); }});
+                           [&](double seconds) { return has_property(scheme, expectation, seconds); }, false,
+                           of_itself && single && single->form ? single : nullptr});
+    }
   }
 }
 
@@ -159,7 +168,34 @@ std::string counts_text(const std::vector<Answer>& answers) {
          (errors == 0 ? "" : ", " + std::to_string(errors) + (errors == 1 ? " error" : " errors")) + ".\n";
 }
 
+/// Of each vector or Hermite scheme of which a question about the scheme itself is answered, one that says what is
+/// proved of it.
+WrittenCertificates write_certificates_of_schemes(const std::vector<Question>& questions,
+                                                  const std::vector<Answer>& answers, const CheckOptions& options,
+                                                  Json& json) {
+  if (options.certificate.empty()) return {};
+  std::vector<NamedCertificate> certificates;
+  std::set<const Scheme*> seen;
+  std::string missing;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const Scheme* scheme = questions[i].itself;
+    if (!scheme || (!answers[i].is(Truth::yes) && !answers[i].is(Truth::no)) || !seen.insert(scheme).second) continue;
+    try {
+      certificates.push_back({fmt::format("{:05}-scheme", certificates.size() + 1),
+                              scheme_certificate(*scheme, {Deadline::in(options.budget)})});
+    } catch (const Error& error) {
+      missing += fmt::format("no certificate of {}: {}\n", questions[i].name, reason_text(error));
+    }
+  }
+  WrittenCertificates written = write_certificates(
+      options.certificate, certificates, {"-scheme"},
+      "other questions than HC and convergent of vector and Hermite schemes", json);
+  written.text = missing + written.text;
+  return written;
+}
+
 ExitCode run(const CheckOptions& options) {
+  if (!options.certificate.empty()) require_folder(options.certificate);
   std::vector<std::vector<SchemeOfFile>> files;
   for (const std::string& file : options.files) files.push_back(read_expected(file));
   std::vector<Question> questions;
@@ -178,7 +214,9 @@ ExitCode run(const CheckOptions& options) {
     if (!at_once) text += answer_line(questions[i], answers[i]);
   }
   if (!options.junit.empty()) runtime::write_file(options.junit, junit_text(questions, answers));
-  options.answer(json, text + counts_text(answers));
+  const WrittenCertificates written = write_certificates_of_schemes(questions, answers, options, json);
+  options.answer(json, text + counts_text(answers) + written.text);
+  written.failure.raise();
   if (std::ranges::any_of(answers, [](const Answer& answer) { return answer.is(Truth::no); })) return failed;
   if (std::ranges::any_of(questions, &Question::unreadable)) return bad_data;
   return std::ranges::all_of(answers, [](const Answer& answer) { return answer.is(Truth::yes); }) ? done : undecided;
@@ -192,6 +230,8 @@ void add_check(Command& app) {
                                 "subcert check my-schemes.toml", options, [=] { return run(*options); });
   command.option("FILE", options->files, "TOML files with schemes and properties").required();
   command.option("--junit", options->junit, "Write the answers there, too, as a report of JUnit");
+  command.option("--certificate", options->certificate,
+                 "Write certificates of what is proved of vector and Hermite schemes themselves into this folder");
   command.option("--budget", options->budget, "Seconds of processor time for each search")
       .within(0.001, 1e6)
       .with_default();

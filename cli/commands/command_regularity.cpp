@@ -136,8 +136,7 @@ void add_regularity(Command& app) {
   command.option("--component", options->component, "Of a vector of functions the exponent of this one alone")
       .within(1, 64);
   command.option("--certificate", options->certificate, "Write a certificate for 'subcert verify' there");
-  command.option("--scheme-certificate", options->scheme_certificate,
-                 "Write one there that a vector scheme converges, or a Hermite scheme with its derivatives, or not");
+  add_scheme_certificate(command, options->scheme_certificate);
   add_scheme(command, options->scheme, true, true);
   add_paper_form(command, options->form, "The exponent as a formula of LaTeX", "All facts as a table in Markdown");
 }

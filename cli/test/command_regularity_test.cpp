@@ -231,8 +231,17 @@ TEST_CASE("regularity: whether a vector scheme converges has a certificate of it
   CHECK(contains(written("dd:n=2"), "not written: need a scheme of rational matrices, got dd:n=2"));
   CHECK(contains(written("cl:2"), "not written: need a scheme of rational matrices, got cl:2"));
   CHECK(asked("1 <= HC of ghm") == 64);
-  const auto json = run_json("regularity merrien:lambda=-1/8,mu=1/2 --scheme-certificate " + file);
-  CHECK(json.at("scheme_certificate").at("lower") == "1");
+  for (const char* command : {"regularity", "analyze"}) {
+    const auto json = run_json(std::string(command) + " merrien:lambda=-1/8,mu=1/2 --scheme-certificate " + file);
+    CHECK(json.at("scheme_certificate").at("lower") == "1");
+  }
+  CHECK(contains(joined(run("analyze merrien:lambda=-1/8,mu=1 --scheme-certificate " + file).out),
+                 "verified: that the scheme is not HC^1"));
+  for (const char* other : {"dd:n=2", "four-point:w", "merrien:lambda,mu=1/2", "l1:points=4"}) {
+    const auto refused = run(std::string("analyze '") + other + "' --scheme-certificate " + file);
+    CHECK(refused.code == 64);
+    CHECK(contains(refused.err, "expected a vector or Hermite scheme without a parameter"));
+  }
 }
 
 TEST_CASE("regularity: vectors of functions by name") {
@@ -244,7 +253,7 @@ TEST_CASE("regularity: vectors of functions by name") {
   const auto rounded = run_json("regularity cl:2 --certificate " + folder / "no.cert");
   CHECK(has_digits(rounded.at("holder"), "lower", "0.59632253897"));
   CHECK(has_digits(rounded.at("holder"), "upper", "0.59632253897"));
-  CHECK(rounded.at("exact") == false);
+  CHECK(rounded.at("exact") == true);
   CHECK(rounded.at("certificate").is_null());
   check_fails(run("verify " + file + " --claim '0.5 <= cl:2'"), 64,
               "--claim: need rational coefficients, got cl:2; there are no certificates for others");

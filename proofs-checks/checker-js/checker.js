@@ -2623,13 +2623,7 @@ var check_certificate = (() => {
     const matrices = digits.map((_, t) => vectors.map((_row, i) => vectors.map((_column, k) =>
       by_power.map(({matrices: m}) => scale * m[t][i][k]))));
     const goal = {below: lower && at_most(power_below(base, minus(order, lower)), true)};
-    if (upper) {
-      const reached = at_least(over(1n, power_below(base, minus(upper, order))));
-      goal.above = (radius, length) => {
-        demand(!less(radius, 1n), no_exponent);
-        reached(radius, length);
-      };
-    }
+    if (upper) goal.above = at_least(over(1n, power_below(base, minus(upper, order))));  // above 1
     const symbol = {arity, degree, q, den: by_power[0].den, matrices};
     if (interval) check_intervals(reader, symbol, goal, {levels: false, interval});
     else prove(reader, control_family(symbol, null), goal);

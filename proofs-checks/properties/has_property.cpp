@@ -217,7 +217,9 @@ Decision hermite(const Scheme& scheme, const Expectation& expectation, double se
 
 /// Of polynomials whose values and derivatives are kept; -1 where not even those of constants are.
 Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation, double) {
-  return whole_number(data::hermite_reproduction(scheme.mask).degree, expectation);
+  return whole_number(
+      scheme.quadratic ? data::hermite_degree(*scheme.quadratic) : data::hermite_reproduction(scheme.mask).degree,
+      expectation);
 }
 
 }  // namespace

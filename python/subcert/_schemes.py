@@ -513,6 +513,8 @@ class VectorScheme(_OnLattice):
         >>> rough = subcert.refinable([[[1, 0], [2, 3 / 2]], [[2, 0], [0, 3 / 2]], [[1, 0], [0, 0]]], 2, first=0)
         >>> print(rough.holder(component=1), rough.holder().enclosure.lower > 0.415)
         1 True
+        >>> subcert.scheme("cl:2").holder().facts["exact"]  # of matrices with a square root
+        True
         """
         if component is not None and not 1 <= component <= self.components:
             raise DomainError(f"component: expected 1 to {self.components}, got {component}")

@@ -216,14 +216,18 @@ std::string solutions_text(const FunctionVector& vector) {
 }
 
 /// What a Hermite scheme keeps, and whether it would keep more in another convention.
-Fact spectral_fact(const LatticeMask& mask) {
-  const int degree = data::hermite_reproduction(mask).degree, wanted = static_cast<int>(mask.components()) - 1;
+Fact spectral_fact(const Scheme& scheme) {
+  const LatticeMask& mask = scheme.mask;
+  const int degree = scheme.quadratic ? data::hermite_degree(*scheme.quadratic)
+                                      : data::hermite_reproduction(mask).degree,
+            wanted = static_cast<int>(mask.components()) - 1;
   const auto up_to = [](int d) {
     return d == 0 ? std::string("of constants") : fmt::format("of polynomials up to degree {}", d);
   };
   std::string text = degree < 0 ? "not even those of constants" : "those " + up_to(degree);
   if (degree < wanted) {
     text += ": the spectral condition of its data fails";
+    if (scheme.quadratic) return {"spectral_degree", "keeps data", text, "", degree};
     // Of A_k the columns are the rows of P_k.
     std::vector<LatticeMask::Term> exchanged = mask.terms(), divided = exchanged;
     for (LatticeMask::Term& term : exchanged) std::swap(term.row, term.column);
@@ -359,8 +363,7 @@ Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
   list.push_back(converges_fact(regularity.converges()));
   if (vector) {
     list.push_back(hermite_fact(vector->hermite));
-    list.push_back(scheme.form == VectorForm::hermite ? spectral_fact(scheme.mask)
-                                                      : member("spectral_degree", nullptr));
+    list.push_back(scheme.form == VectorForm::hermite ? spectral_fact(scheme) : member("spectral_degree", nullptr));
   }
   if (curve)
     append(list, {bound_fact("bound", curve->bounds.last()), levels_member(curve->bounds)});

@@ -57,7 +57,10 @@ GridData<double> refined_columns(const GridData<double>& data, const Scheme& sch
 
 AnyScheme make_data_scheme(std::string_view specification) {
   if (is_l1_specification(specification_as_written(specification))) return make_any_scheme(specification);
-  return make_refinable_scheme(specification);
+  Scheme scheme = make_refinable_scheme(specification);
+  require(!scheme.quadratic || scheme.form != VectorForm::hermite,
+          "refine: need a Hermite scheme of rational matrices, got {}", scheme.specification);
+  return scheme;
 }
 
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {

@@ -1,5 +1,6 @@
-#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -275,8 +276,76 @@ TEST_CASE("square roots may be typed in masks of matrices") {
   CHECK(*hat.exponent.lower > Rational(999, 1000));
   CHECK(refusal_of("refinable:[[[sqrt(2),0],[0,1]],[[1,0],[0,sqrt(3)]]]")
             .find("'sqrt(3)' one square root in all entries, here multiples of sqrt(2)") != std::string::npos);
-  CHECK(refusal_of("hermite:[[[sqrt(2),0],[0,1]],[[1,0],[0,1]]]").find("rational numbers") != std::string::npos);
   CHECK(refusal_of("refinable:[[[sqrt(2,0],[0,1]],[[1,0],[0,1]]]") != "accepted");
+}
+
+/// Merrien's scheme with lambda = -1/8.
+std::string merrien_text(const std::string& mu) {
+  return fmt::format(
+      "hermite:[[[1/2,-1/8],[1/2-({0})/2,({0})/4]],[[1,0],[0,1/2]],[[1/2,1/8],[({0})/2-1/2,({0})/4]]]@-1", mu);
+}
+
+TEST_CASE("square roots may be typed in masks of Hermite schemes") {
+  const Rational narrow(1, 1'000'000'000);
+  const auto regularity = [](const Scheme& scheme) {
+    return *regularity_of(scheme.mask, {Deadline::in(20)}, {.quadratic = scheme.quadratic, .hermite = true}).surface;
+  };
+  // HC^1 for -3 < mu < 1, with the exponent 2 - log2(max(1, |1 + mu|))
+  for (const auto& [mu, largest, converges] : {std::tuple{"sqrt(2)/4", Rational(135355339059, 100'000'000'000), true},
+                                               {"-sqrt(2)", Rational(1), true},
+                                               {"-2*sqrt(2)", Rational(182842712474, 100'000'000'000), true},
+                                               {"sqrt(2)", Rational(241421356237, 100'000'000'000), false},
+                                               {"-3*sqrt(2)", Rational(324264068711, 100'000'000'000), false}}) {
+    CAPTURE(mu);
+    const Scheme scheme = make_refinable_scheme(merrien_text(mu));
+    REQUIRE(scheme.quadratic);
+    CHECK(make_refinable_scheme(scheme.specification).quadratic->doubled == scheme.quadratic->doubled);
+    const MultivariateRegularity found = regularity(scheme);
+    CHECK(found.converges.truth == (converges ? Truth::yes : Truth::no));
+    if (!converges) continue;
+    CHECK(found.vector->hermite->order == 1);
+    CHECK(abs(*found.exponent.lower - (2 - *log_ratio(largest, 2).lower)) < narrow);
+    CHECK(*found.exponent.upper - *found.exponent.lower < narrow);
+    CHECK(found.exact.is_yes());
+  }
+  CHECK_FALSE(make_refinable_scheme(merrien_text("sqrt(4)/4")).quadratic);
+}
+
+TEST_CASE("bicubic Hermite splines are products of cubic ones") {
+  const std::string cubic = "merrien:lambda=-1/8,mu=-1/2", rough = "merrien:lambda=-1/8,mu=1/2";
+  const auto regularity = [](const std::string& text) { return vector_regularity(mask_of(text), {Deadline::in(60)}); };
+  const auto product = [](const std::string& a, const std::string& b) { return fmt::format("tensor:({})x({})", a, b); };
+  const MultivariateRegularity bicubic = regularity(product(cubic, cubic));
+  CHECK(is_exactly(bicubic.exponent, 2));
+  CHECK(bicubic.exact.is_yes());
+  CHECK(bicubic.space->family.size() == 30);
+  REQUIRE(bicubic.vector->components.size() == 4);
+  for (const ComponentRegularity& one : bicubic.vector->components) CHECK(is_exactly(one.exponent, 2));
+  CHECK(is_closely(*bicubic.sobolev, Rational(5, 2)));
+  // the worse of the two factors, also beside a scheme of numbers
+  const Enclosure log = log_ratio(3, 2);
+  for (const std::string& text : {product(rough, cubic), product("bspline:degree=3", rough)}) {
+    CAPTURE(text);
+    const Enclosure exponent = regularity(text).exponent;
+    CHECK(*exponent.lower <= 3 - *log.lower);
+    CHECK(*exponent.upper >= 3 - *log.upper);
+    CHECK(*exponent.upper - *exponent.lower < Rational(1, 1'000'000'000));
+  }
+  CHECK(is_exactly(regularity(product(cubic, "hermite-dd:points=2,order=3")).exponent, 2));
+  // values and derivatives, component (i, k) at 2 i + k
+  constexpr int level = 2;
+  const LatticeMask one = mask_of(cubic), both = mask_of(product(cubic, cubic));
+  const auto value = [](const LatticeSequence& values, const LatticePoint& point) {
+    const auto found = values.find(point);
+    return found == values.end() ? Rational(0) : found->second;
+  };
+  const LatticeSequence along = limit_values(one, *vector_regularity(one, {Deadline::in(20)}).vector->values, level),
+                        grid = limit_values(both, *bicubic.vector->values, level);
+  for (long x = -4; x <= 4; ++x)
+    for (long y = -4; y <= 4; ++y)
+      for (long c = 0; c < 4; ++c) CHECK(value(grid, {x, y, c}) == value(along, {x, c / 2}) * value(along, {y, c % 2}));
+  CHECK(value(grid, {2, 2, 0}) == Rational(1, 4));
+  CHECK(value(grid, {2, 2, 3}) == Rational(1, 64));
 }
 
 TEST_CASE("tensor products of vectors have all products of components") {
@@ -320,7 +389,7 @@ TEST_CASE("exponents of vectors of functions by name") {
     const MultivariateRegularity found = quadratic(text);
     CHECK(found.vector->solutions == 1);
     CHECK(found.vector->components.size() == 2);
-    CHECK_FALSE(found.exact.is_yes());  // as the root is rounded
+    CHECK(found.exact.is_yes());  // of all matrices that are so near to the rounded ones
     CHECK(*found.exponent.lower <= 2 - *seven.lower / 2);
     CHECK(*found.exponent.upper >= 2 - *seven.upper / 2);
     CHECK(*found.exponent.upper - *found.exponent.lower < narrow);
@@ -330,10 +399,13 @@ TEST_CASE("exponents of vectors of functions by name") {
                                     {"bat:2", Rational(11679675249, 10'000'000'000)},
                                     {"bat:3", Rational(10387198057, 10'000'000'000)}}) {
     CAPTURE(text);
-    const Enclosure found = quadratic(text).exponent;  // as enclosed by another program, to ten digits
+    const MultivariateRegularity all = quadratic(text);
+    const Enclosure& found = all.exponent;  // as enclosed by another program, to ten digits
     CHECK(*found.lower <= value + narrow / 10);
     CHECK(*found.upper >= value);
     CHECK(*found.upper - *found.lower < narrow);
+    CHECK(all.exact.is_yes());
+    for (const ComponentRegularity& one : all.vector->components) CHECK(one.exact.is_yes());
   }
   const auto sobolev = regularity(mask_of("ghm")).sobolev;
   REQUIRE(sobolev);

@@ -70,6 +70,9 @@ ACCEPTED = [
     accepted("vector-ends", HAT_HAAR, "1 1", HAT_SPACE),
     # with M = -2 its two ends change places
     accepted("vector-ends-minus-two", "[[[0,0],[0,2]],[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-2", "1 1", HAT_SPACE, "[-2]"),
+    # values of which the sum is 0
+    accepted("vector-opposite", "[[[0,-1],[-1,0]],[[0,-2],[-2,0]],[[0,-1],[-1,0]]]/2@-1", "1 1", "differences 2; digits 0 1; values 0.0:1 0.1:-1; "
+             "space 1; vector -1.0:1 -1.1:-1 0.0:-2 0.1:2 1.0:1 1.1:-1; product 0 1/2 0 0; block 0 norm 1; end"),
     accepted("vector-hat", "[[[1]],[[2]],[[1]]]/2@-1", "1 1", HAT_SPACE),
     accepted("vector-shifted-hat", "[[[1]],[[2]],[[1]]]/2@0", "1 1", HAT_SPACE.replace("values 0", "values 1").replace(
         "-1.0:1 0.0:-2 1.0:1", "0.0:1 1.0:-2 2.0:1")),

@@ -14,41 +14,77 @@ namespace {
 
 constexpr const char* beyond_doubles = "refine: need numbers within the range of doubles; take fewer levels";
 
+/// x + sqrt(root) y for a root that is known.
+struct FieldNumber {
+  Rational x = 0, y = 0;
+  bool operator==(const FieldNumber& other) const = default;
+};
+FieldNumber product(const FieldNumber& a, const FieldNumber& b, long root) {
+  return {a.x * b.x + root * a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+/// A mask of matrices of `size` rows, by its entries: rational, or as those of a QuadraticMask doubled.
+struct FieldMask {
+  const LatticeMask& mask;
+  std::size_t size;
+  long root = 0;
+
+  /// For each entry once: its index, its row and column, and whether it counts times the square root.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (const LatticeMask::Term& term : mask.terms())
+      if (term.column < size)
+        visit(term.exponents[0], term.row % size, term.column,
+              term.row < size ? FieldNumber{term.coefficient, 0} : FieldNumber{0, term.coefficient});
+  }
+};
+
 /// n (n - 1) ... (n - k + 1) x^(n - k), the k-th derivative of x^n.
-Rational monomial(int n, int k, const Rational& x) {
-  if (k > n) return 0;
-  Rational result = power(x, n - k);
-  for (int factor = n; factor > n - k; --factor) result *= factor;
+FieldNumber monomial(int n, int k, const FieldNumber& x, long root) {
+  if (k > n) return {};
+  FieldNumber result{1};
+  for (int factor = n; factor > k; --factor) result = product(result, x, root);
+  for (int factor = n; factor > n - k; --factor) result = product(result, {factor}, root);
   return result;
 }
 
 /// Where linear polynomials have to stand to be kept, in the mean of the residue classes.
-Rational hermite_centre(const LatticeMask& mask) {
-  Rational sum = 0;
-  for (const LatticeMask::Term& term : mask.terms()) {
-    if (term.column != 0 || term.row > 1) continue;
-    sum += term.coefficient * (term.row == 0 ? term.exponents[0] : -mask.arity());
-  }
-  return sum / mask.arity();
+FieldNumber hermite_centre(const FieldMask& mask) {
+  const Rational arity = mask.mask.arity();
+  FieldNumber sum;
+  mask.each([&](long k, std::size_t row, std::size_t column, const FieldNumber& entry) {
+    if (column != 0 || row > 1) return;
+    const Rational factor = row == 0 ? Rational(k) / arity : Rational(-1);
+    sum.x += factor * entry.x;
+    sum.y += factor * entry.y;
+  });
+  return sum;
 }
 
 /// Whether x^n and its derivatives are kept, where all of lower degree are.
-bool keeps_monomial(const LatticeMask& mask, const Rational& centre, int n) {
-  const int arity = mask.arity();
-  const std::size_t size = mask.components();
-  std::vector<Rational> sums(size * static_cast<std::size_t>(arity), 0);
-  for (const LatticeMask::Term& term : mask.terms()) {
-    const long k = term.exponents[0], residue = modulo(k, static_cast<long>(arity));
-    sums[static_cast<std::size_t>(residue) * size + term.column] += term.coefficient *
-                                                                    monomial(n, static_cast<int>(term.row),
-                                                                             Rational((residue - k) / arity));
-  }
+bool keeps_monomial(const FieldMask& mask, const FieldNumber& centre, int n) {
+  const long arity = mask.mask.arity();
+  std::vector<FieldNumber> sums(mask.size * static_cast<std::size_t>(arity));
+  mask.each([&](long k, std::size_t row, std::size_t column, const FieldNumber& entry) {
+    const long residue = modulo(k, arity);
+    const FieldNumber moved = monomial(n, static_cast<int>(row), {Rational((residue - k) / arity)}, mask.root);
+    FieldNumber& sum = sums[static_cast<std::size_t>(residue) * mask.size + column];
+    sum.x += entry.x * moved.x;
+    sum.y += entry.y * moved.x;
+  });
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const int derivative = static_cast<int>(i % size);
-    const Rational place = (Rational(i / size) - centre) / arity;
-    if (sums[i] != power(Rational(arity), -derivative) * monomial(n, derivative, place)) return false;
+    const int derivative = static_cast<int>(i % mask.size);
+    const FieldNumber place{(Rational(i / mask.size) - centre.x) / arity, -centre.y / arity};
+    const Rational unit = power(Rational(arity), -derivative);
+    if (sums[i] != product({unit}, monomial(n, derivative, place, mask.root), mask.root)) return false;
   }
   return true;
+}
+
+int kept_degree(const FieldMask& mask, const FieldNumber& centre) {
+  int degree = -1;
+  while (keeps_monomial(mask, centre, degree + 1)) ++degree;
+  return degree;
 }
 
 /// The range of the indices of each residue class.
@@ -97,9 +133,14 @@ void require_boundary(VectorForm form, const Axis& axis, Boundary boundary) {
 }  // namespace
 
 HermiteReproduction hermite_reproduction(const LatticeMask& mask) {
-  HermiteReproduction result{hermite_centre(mask)};
-  while (keeps_monomial(mask, result.centre, result.degree + 1)) ++result.degree;
-  return result;
+  const FieldMask entries{mask, mask.components()};
+  const FieldNumber centre = hermite_centre(entries);
+  return {centre.x, kept_degree(entries, centre)};
+}
+
+int hermite_degree(const QuadraticMask& mask) {
+  const FieldMask entries{mask.doubled, mask.components(), mask.root};
+  return kept_degree(entries, hermite_centre(entries));
 }
 
 AxisRule axis_rule(const LatticeMask& mask, VectorForm form) {

@@ -16,6 +16,8 @@ struct HermiteReproduction {
   int degree = -1;
 };
 HermiteReproduction hermite_reproduction(const LatticeMask& mask);
+/// The degree for matrices over a quadratic field, in which the centre is, too.
+int hermite_degree(const QuadraticMask& mask);
 
 /// The rule P_k, A_k transposed, of a mask of matrices A_k. With `hermite` it acts on values and derivatives per unit
 /// of the spacing of its data; its centre and degree are those with which polynomials and their derivatives are kept,

@@ -136,6 +136,27 @@ std::vector<Rational> step_by_definition(const LatticeMask& mask, VectorForm for
 
 }  // namespace
 
+TEST_CASE("Hermite schemes with a square root keep data of polynomials around places with it") {
+  const auto degree = [](const std::string& text) {
+    return hermite_degree(*make_refinable_scheme("hermite:" + text).quadratic);
+  };
+  // Merrien's scheme, mu = sqrt(2)/4; slopes that are not those of lines; no constants
+  CHECK(degree("[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1") ==
+        2);
+  CHECK(degree("[[[1/2,-1/8],[sqrt(2)/2,0]],[[1,0],[0,1/2]],[[1/2,1/8],[-sqrt(2)/2,0]]]@-1") == 0);
+  CHECK(degree("[[[1/2,-1/8],[sqrt(2)/2,0]],[[1,0],[0,1/2]],[[sqrt(2)/2,1/8],[-sqrt(2)/2,0]]]@-1") == -1);
+  // values on the tangents at (i - sqrt(2))/2; the same with -sqrt(2) in one class, which has no common place
+  CHECK(degree("[[[1,-sqrt(2)/2],[0,1/2]],[[1,1/2-sqrt(2)/2],[0,1/2]]]@0") == 1);
+  CHECK(degree("[[[1,-sqrt(2)/2],[0,1/2]],[[1,1/2+sqrt(2)/2],[0,1/2]]]@0") == 0);
+  for (const auto& [scheme, expected] : reproducing()) {
+    std::vector<QuadraticTerm> terms;
+    for (const LatticeMask::Term& term : scheme.mask.terms())
+      terms.push_back({term.exponents, term.row, term.column, term.coefficient, 0});
+    CHECK(hermite_degree(quadratic_mask(terms, scheme.mask.components(), 7, scheme.mask.dilation())) == expected);
+  }
+  CHECK_THROWS(make_data_scheme("hermite:[[[1,-sqrt(2)/2],[0,1/2]],[[1,1/2-sqrt(2)/2],[0,1/2]]]@0"));
+}
+
 TEST_CASE("Hermite data of polynomials are refined exactly, up to the ends") {
   Random random;
   for (const auto& [scheme, degree] : reproducing()) {

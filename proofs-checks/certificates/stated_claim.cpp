@@ -99,7 +99,6 @@ std::optional<ForClause> read_for(std::string text, const std::string& name) {
 MaskSubject family_subject(const ParametricScheme& family, const ForClause& clause, bool hermite,
                            const std::string& text) {
   const bool is_of_matrices = family.mask.components() > 1;
-  if (clause.is_levels && is_of_matrices) fail(ErrorKind::usage, "--claim: {}: levels are of masks of numbers", text);
   if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", text);
   return {family.mask.to_text(family.letter),
           std::to_string(family.mask.arity()),

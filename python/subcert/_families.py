@@ -146,6 +146,8 @@ class LevelsExponent:
     """The numbers of the masks whose limits are the least smooth, again and again."""
     stable: bool
     """Of the shifts of `sequence`."""
+    formula: Optional[str] = None
+    """The exponent in closed form, where it is exact and no rational number."""
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def certificates(self) -> list[Certificate]:
@@ -167,6 +169,8 @@ class LevelsLimit:
     exponent: Enclosure
     """All limits have at least the lower end, those of some data at late levels at most the upper one."""
     exact: bool
+    formula: Optional[str] = None
+    """The exponent in closed form, where it is exact and no rational number."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -311,8 +315,8 @@ class Family(Named):
 
         >>> import subcert
         >>> limit = subcert.family("exponential-six-point:v").levels_limit("v=sqrt((1+v)/2)", "1/2", 10)
-        >>> limit.exponentials, round(float(limit.exponent.lower), 5), limit.exact
-        ((2,), 2.83007, True)
+        >>> limit.exponentials, round(float(limit.exponent.lower), 5), limit.formula
+        ((2,), 2.83007, '6 - log_2(9)')
         """
         facts = _core.limit_of_levels(self._handle, recurrence, fraction(low), fraction(high), budget, progress)
         if not facts:
@@ -323,6 +327,7 @@ class Family(Named):
             exponentials=tuple(facts["exponentials"]),
             exponent=Enclosure._of(facts["exponent"]),
             exact=facts["exact"],
+            formula=facts["formula"],
         )
 
     def levels_schemes(self, recurrence: str, start: Exact, levels: int) -> list[Scheme]:
@@ -461,5 +466,6 @@ def exponent_of_levels(
         sum_rules=facts["sum_rules"],
         sequence=tuple(facts["sequence"]),
         stable=facts["stable"],
+        formula=facts["formula"],
         _evidence=evidence,
     )

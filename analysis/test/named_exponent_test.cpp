@@ -12,7 +12,7 @@ using subcert::testing::rounds;
 
 namespace {
 
-RationalMatrix matrix(std::initializer_list<std::initializer_list<Rational>> rows) {
+RationalMatrix square_matrix(std::initializer_list<std::initializer_list<Rational>> rows) {
   RationalMatrix result(rows.size(), rows.size());
   std::size_t i = 0;
   for (const auto& row : rows) {
@@ -35,7 +35,7 @@ double modulus(const AttainedNumber& number) {
 
 LaurentPolynomial polynomial(const std::vector<Rational>& coefficients) { return {coefficients, 0}; }
 
-std::optional<NamedExponent> exponent_of(const std::string& specification) {
+std::optional<NamedExponent> named_exponent_of(const std::string& specification) {
   const Scheme scheme = make_scheme(specification);
   RegularityOptions options;
   options.rounding = scheme.rounding;
@@ -45,38 +45,38 @@ std::optional<NamedExponent> exponent_of(const std::string& specification) {
 }  // namespace
 
 TEST_CASE("named radii: of eigenvalues that are known") {
-  const auto golden = named(matrix({{1, 1}, {1, 0}}));
+  const auto golden = named(square_matrix({{1, 1}, {1, 0}}));
   REQUIRE(golden);
   CHECK(golden->polynomial == polynomial({-1, -1, 1}));
   CHECK(golden->point.im == 0);
   CHECK(modulus(*golden) == Approx((1 + std::sqrt(5.0)) / 2));
   // A negative eigenvalue is named by its modulus.
-  const auto negative = named(matrix({{-1, -1}, {-1, 0}}));
+  const auto negative = named(square_matrix({{-1, -1}, {-1, 0}}));
   REQUIRE(negative);
   CHECK(negative->polynomial == golden->polynomial);
   CHECK(negative->point.re > 0);
-  const auto both_signs = named(matrix({{0, 2}, {1, 0}}));
+  const auto both_signs = named(square_matrix({{0, 2}, {1, 0}}));
   REQUIRE(both_signs);
   CHECK(both_signs->polynomial == polynomial({-2, 0, 1}));
   CHECK(both_signs->point.re > 0);
-  const auto complex = named(matrix({{1, -2}, {2, 1}}));
+  const auto complex = named(square_matrix({{1, -2}, {2, 1}}));
   REQUIRE(complex);
   CHECK(complex->polynomial == polynomial({5, -2, 1}));
   CHECK(complex->point.im != 0);
-  const auto rational = named(matrix({{Rational(7, 3), 5}, {0, 1}}));
+  const auto rational = named(square_matrix({{Rational(7, 3), 5}, {0, 1}}));
   REQUIRE(rational);
   CHECK(rational->polynomial == polynomial({-7, 3}));
   CHECK(rational->point == RationalComplex{Rational(7, 3), 0});
   // Large and small ones, which are scaled for the search.
   for (const Rational& factor : {power(Rational(2), 300), power(Rational(10), -90)}) {
-    const auto scaled_one = named(factor * matrix({{1, 1}, {1, 0}}));
+    const auto scaled_one = named(factor * square_matrix({{1, 1}, {1, 0}}));
     REQUIRE(scaled_one);
     CHECK(abs(Rational(scaled_one->point.re / factor - golden->point.re)) < power(Rational(10), -30));
   }
 }
 
 TEST_CASE("named radii: nothing where the number is not told from others, or of too large a degree") {
-  const RationalMatrix two = matrix({{2, 0}, {0, 3}});
+  const RationalMatrix two = square_matrix({{2, 0}, {0, 3}});
   CHECK(named_radius(two, 1, {3, 0}, {Rational(5, 2), Rational(7, 2)}, 10));
   CHECK_FALSE(named_radius(two, 1, {3, 0}, {Rational(3, 2), Rational(7, 2)}, 10));
   CHECK_FALSE(named_radius(two, 1, {3, 0}, {Rational(5, 2), Rational(11, 4)}, 10));
@@ -84,9 +84,9 @@ TEST_CASE("named radii: nothing where the number is not told from others, or of 
   CHECK_FALSE(named_radius(two, 1, {3, 0}, {0, 4}, 10));
   CHECK_FALSE(named_radius(two, 1, {3, 0}, Enclosure::at_least(1), 10));
   // 2 and -2 belong to two polynomials.
-  CHECK_FALSE(named(matrix({{2, 0}, {0, -2}})));
-  CHECK_FALSE(named(matrix({{1, 1}, {1, 0}}), 1));
-  CHECK(named(matrix({{1, 1}, {1, 0}}), 2));
+  CHECK_FALSE(named(square_matrix({{2, 0}, {0, -2}})));
+  CHECK_FALSE(named(square_matrix({{1, 1}, {1, 0}}), 1));
+  CHECK(named(square_matrix({{1, 1}, {1, 0}}), 2));
 }
 
 TEST_CASE("named radii: random matrices") {
@@ -123,14 +123,14 @@ TEST_CASE("named exponents: of masks with algebraic coefficients") {
         // The same as where the number is rational
         Known{"mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1..2", 2, polynomial({-2, -2, 1}), 1}}) {
     INFO(known.scheme);
-    const auto found = exponent_of(known.scheme);
+    const auto found = named_exponent_of(known.scheme);
     REQUIRE(found);
     CHECK(found->rules == known.rules);
     CHECK(found->base == 2);
     CHECK(found->radius.polynomial == known.radius);
     CHECK(found->radius.length == known.length);
   }
-  CHECK_FALSE(exponent_of("daubechies:n=5"));  // no field is known
+  CHECK_FALSE(named_exponent_of("daubechies:n=5"));  // no field is known
 }
 
 TEST_CASE("named exponents: fields of Daubechies' masks are theirs") {
@@ -161,7 +161,7 @@ TEST_CASE("named exponents: value and enclosure agree") {
         "mask:[-1,2,6,6,3]/8", "mask:[1-t,5+t,14+2*t,14-2*t,1-t,-3+t]/16,where=t^2-7:2.6..2.7"}) {
     INFO(specification);
     const Scheme scheme = make_scheme(specification);
-    const auto named_one = exponent_of(specification);
+    const auto named_one = named_exponent_of(specification);
     if (!named_one) continue;
     RegularityOptions options;
     options.rounding = scheme.rounding;

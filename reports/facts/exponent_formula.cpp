@@ -11,7 +11,7 @@ namespace subcert::facts {
 namespace {
 
 constexpr int digits_of_zero = 13;
-constexpr std::size_t longest = 100;  // of a polynomial that is read
+constexpr std::size_t longest_polynomial = 100;  // of a polynomial that is read
 const Rational largest_square = 999'999'999;
 
 /// The real zero of a polynomial of degree 2 next to the point; empty where the number below the root is too long.
@@ -100,7 +100,7 @@ Json ExponentFormula::json() const {
 
 bool ExponentFormula::is_short() const {
   return rational_ || !root_.empty() ||
-         RationalFunction(exponent_.radius.polynomial).to_text('r').size() <= longest;
+         RationalFunction(exponent_.radius.polynomial).to_text('r').size() <= longest_polynomial;
 }
 
 std::optional<ExponentFormula> exponent_formula(const Scheme& scheme, const Regularity& regularity) {

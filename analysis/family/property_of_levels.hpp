@@ -24,8 +24,9 @@ struct PropertyOfLevels {
 
 /// By one bound for the whole box: pieces of a box prove nothing of sequences that change from one to the other. It is
 /// refuted by one value for all levels, a corner or the middle, or, of numbers, by two corners in turn. Domain: as
-/// property_map, one letter or more; `convergent`, `smooth`, `holder` or, of matrices, `hermite`. Errors: throws Error. Error: none; what is not decided is left
-/// `unknown`. Cost: a joint spectral radius, and the exponents of a few masks. Ref: docs/levels.md.
+/// property_map, one letter or more; `convergent`, `smooth`, `holder` or, of matrices, `hermite`. Errors: throws Error.
+/// Error: none; what is not decided is left `unknown`. Cost: a joint spectral radius, and the exponents of a few masks.
+/// Ref: docs/levels.md.
 PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                                     const Budget& budget);
 

@@ -1,5 +1,5 @@
+#include <subcert/analysis/family/named_exponent.hpp>
 #include <subcert/analysis/radii/joint/named_radius.hpp>
-#include <subcert/analysis/regularity/named_exponent.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -116,12 +116,11 @@ TEST_CASE("named exponents: of masks with algebraic coefficients") {
     LaurentPolynomial radius;
     std::size_t length;
   };
-  for (const Known& known :
-       {Known{"daubechies:n=2", 2, polynomial({-2, -2, 1}), 1},
-        // (1 + sqrt 10 + sqrt(5 + 2 sqrt 10))/2, [Dau88]
-        Known{"daubechies:n=3", 3, polynomial({9, -12, -24, -8, 4}), 1},
-        // The same as where the number is rational
-        Known{"mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1..2", 2, polynomial({-2, -2, 1}), 1}}) {
+  for (const Known& known : {Known{"daubechies:n=2", 2, polynomial({-2, -2, 1}), 1},
+                             // (1 + sqrt 10 + sqrt(5 + 2 sqrt 10))/2, [Dau88]
+                             Known{"daubechies:n=3", 3, polynomial({9, -12, -24, -8, 4}), 1},
+                             // The same as where the number is rational
+                             Known{"mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1..2", 2, polynomial({-2, -2, 1}), 1}}) {
     INFO(known.scheme);
     const auto found = named_exponent_of(known.scheme);
     REQUIRE(found);

@@ -81,7 +81,8 @@ Verdict own_verdict(const CertificateClaim& claim, const std::string& file) {
 
 /// Errors: as stated_claim, and read_lists.
 StatedClaim read_stated(const std::string& words) {
-  return stated_claim(words, [](const std::string& file) { return list_subject(without_twins(read_lists(file).list)); });
+  return stated_claim(words,
+                      [](const std::string& file) { return list_subject(without_twins(read_lists(file).list)); });
 }
 
 /// A claim in words: what a checker proves of it as it stands, or what follows from what the file says of itself, once
@@ -113,8 +114,11 @@ Verdict stated_verdict(const std::string& words, const CertificateClaim& own, co
 CertificateClaim plain_claim(const std::string& words, const CertificateClaim& own) {
   const StatedClaim stated = with_letter_of(own, read_stated(words));
   if (!stated.is_plain())
-    fail(ErrorKind::usage, "--print-claim: checkers know <= alone, ranges with LOW < HIGH and, of recurrences, what the certificate says, "
-         "got '{}'", words);
+    fail(
+        ErrorKind::usage,
+        "--print-claim: checkers know <= alone, ranges with LOW < HIGH and, of recurrences, what the certificate says, "
+        "got '{}'",
+        words);
   return stated.claim;
 }
 

@@ -94,9 +94,8 @@ std::string formula_line(const ExponentOfList& found) {
 RangeProperty read_levels_property(const std::string& text, bool of_matrices) {
   using Kind = RangeProperty::Kind;
   const auto property = parse_range_property(text);
-  if (!property ||
-      (property->kind != Kind::convergent && property->kind != Kind::smooth && property->kind != Kind::holder &&
-       !(of_matrices && property->kind == Kind::hermite)))
+  if (!property || (property->kind != Kind::convergent && property->kind != Kind::smooth &&
+                    property->kind != Kind::holder && !(of_matrices && property->kind == Kind::hermite)))
     fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ...{} or holder>=3/2, got '{}'",
          of_matrices ? ", HC1, HC2, ..." : "", text);
   return *property;

@@ -116,6 +116,14 @@ TEST_CASE("the exponent in closed form is the one that is enclosed") {
   CHECK(run_json("regularity chaikin").at("formula").is_null());     // 2, as it stands
   CHECK(run_json("regularity primal:n=5").at("formula").is_null());  // of an irrational radius
   CHECK(run_json("regularity 'mask:[1,1]'", 1).at("formula").is_null());
+  // Of algebraic numbers.
+  CHECK(run_json("regularity daubechies:n=2").at("formula") == "2 - log_2(1+sqrt(3))");
+  CHECK(contains(run("regularity daubechies:n=2 --latex").out, "\\alpha = 2 - \\log_{2} \\left(1+\\sqrt{3}\\right) "));
+  const auto cubic = run_json("regularity daubechies:n=3");
+  CHECK(cubic.at("formula") == "3 - log_2(r), 4*r^4-8*r^3-24*r^2-12*r+9 = 0, r = 3.763737662273");
+  CHECK(cubic.at("radius_number") ==
+        Json({{"polynomial", {"9", "-12", "-24", "-8", "4"}}, {"zero", "3.763737662273"}, {"root", 1}}));
+  CHECK(contains(run("regularity daubechies:n=3 --latex").out, "r^{4}-8 r^{3}-24 r^{2}-12 r+9 = 0"));
 }
 
 TEST_CASE("answers name their inputs by digests that any machine computes") {

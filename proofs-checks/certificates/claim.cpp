@@ -25,8 +25,8 @@ struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
     const std::string_view of_numbers = of.is_levels ? levels : "exponent";
-    const std::string line = fmt::format("{} {} {}{}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices, of.mask,
-                                         of.arity, more.empty() ? "" : " ", more,
+    const std::string line = fmt::format("{} {} {}{}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices,
+                                         of.mask, of.arity, more.empty() ? "" : " ", more,
                                          of.is_levels && !of.of_matrices.empty() ? " levels" : "");
     return of.recurrence.empty()
                ? line

@@ -19,13 +19,14 @@ constexpr std::string_view contracts = "contraction ", belongs_to = " of ", comp
 constexpr std::string_view range_begins = " for ", all = "all ", levels = "levels ";
 
 [[noreturn]] void refuse(const std::string& claim) {
-  fail(ErrorKind::usage,
-       "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-       "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
-       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'lists:FILE', 'radius FILE' or 'subradius FILE'; "
-       "or NUMBER <= l1:points=N,d=D [<= NUMBER], "
-       "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
-       claim);
+  fail(
+      ErrorKind::usage,
+      "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
+      "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
+      "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'lists:FILE', 'radius FILE' or 'subradius FILE'; "
+      "or NUMBER <= l1:points=N,d=D [<= NUMBER], "
+      "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
+      claim);
 }
 
 /// What stands between the signs, in increasing order.
@@ -259,7 +260,8 @@ bool starts_within(const StatedClaim& stated, const CertificateClaim& proved) {
   const auto start = first_values_of(fmt::format("w0={}", mask_of(proved).start), "w");
   if (!start || theirs->low != ours->low || theirs->high != ours->high) return false;
   const auto& [values, unbounded] = *stated.start;
-  return start->values.lower <= values.lower && (start->unbounded || (!unbounded && values.upper <= start->values.upper));
+  return start->values.lower <= values.lower &&
+         (start->unbounded || (!unbounded && values.upper <= start->values.upper));
 }
 
 /// Whether some value is in both.
@@ -354,8 +356,8 @@ StatedClaim with_letter_of(const CertificateClaim& proved, StatedClaim stated) {
   const char before = theirs->range[0];
   constexpr std::string_view root = "sqrt";
   const std::ptrdiff_t skipped = theirs->recurrence.starts_with(root) ? root.size() : 0;
-  for (const auto& [text, begin] : {std::pair(&theirs->mask, std::ptrdiff_t{0}), {&theirs->range, 0}, 
-                                    {&theirs->recurrence, skipped}})
+  for (const auto& [text, begin] :
+       {std::pair(&theirs->mask, std::ptrdiff_t{0}), {&theirs->range, 0}, {&theirs->recurrence, skipped}})
     std::replace(text->begin() + begin, text->end(), before, ours->range[0]);
   return stated;
 }

@@ -21,8 +21,8 @@ std::string with_root(const AttainedNumber& number) {
   const Rational b = p.coefficient(1), a = 2 * p.coefficient(2), square = b * b - 2 * a * p.coefficient(0);
   if (square > largest_square) return "";
   const bool above = (number.point.re * a + b > 0);
-  return QuadraticNumber::parse(fmt::format("({}{}sqrt({}))/({})", to_text(Rational(-b)), above ? "+" : "-",
-                                            to_text(square), to_text(a)))
+  return QuadraticNumber::parse(
+             fmt::format("({}{}sqrt({}))/({})", to_text(Rational(-b)), above ? "+" : "-", to_text(square), to_text(a)))
       .to_text();
 }
 
@@ -36,8 +36,7 @@ std::string latex_of_root(std::string text) {
 
 std::string decimals(const RationalComplex& z) {
   std::string text = to_decimal(z.re, digits_of_zero, Rounding::nearest);
-  if (z.im != 0)
-    text += fmt::format("{}{}i", z.im > 0 ? "+" : "", to_decimal(z.im, digits_of_zero, Rounding::nearest));
+  if (z.im != 0) text += fmt::format("{}{}i", z.im > 0 ? "+" : "", to_decimal(z.im, digits_of_zero, Rounding::nearest));
   return text;
 }
 
@@ -57,16 +56,16 @@ ExponentFormula::ExponentFormula(NamedExponent exponent)
 /// In front of the logarithm: `2 - `, `-3*`.
 std::string ExponentFormula::factor(const char* dot) const {
   const auto& [rules, base, dimension, radius] = exponent_;
-  return (rules == 0 ? "-" : fmt::format("{} - ", rules)) +
-         (dimension == 1 ? "" : fmt::format("{}{}", dimension, dot));
+  return (rules == 0 ? "-" : fmt::format("{} - ", rules)) + (dimension == 1 ? "" : fmt::format("{}{}", dimension, dot));
 }
 
 std::string ExponentFormula::text() const {
   const AttainedNumber& radius = exponent_.radius;
   const bool plain = rational_ || !root_.empty();
-  const std::string number = rational_        ? to_text(*rational_)
-                             : !root_.empty() ? root_
-                             : radius.point.im == 0 ? "r" : "|r|";
+  const std::string number = rational_              ? to_text(*rational_)
+                             : !root_.empty()       ? root_
+                             : radius.point.im == 0 ? "r"
+                                                    : "|r|";
   std::string text = fmt::format("{}log_{}({})", factor("*"), exponent_.base, number);
   if (radius.length > 1) text += fmt::format("/{}", radius.length);
   if (!plain)
@@ -78,7 +77,8 @@ std::string ExponentFormula::latex() const {
   const AttainedNumber& radius = exponent_.radius;
   const std::string number = rational_              ? formats::latex_formula(to_text(*rational_))
                              : !root_.empty()       ? "\\left(" + latex_of_root(root_) + "\\right)"
-                             : radius.point.im == 0 ? "r" : "|r|";
+                             : radius.point.im == 0 ? "r"
+                                                    : "|r|";
   return factor("\\,") + (radius.length > 1 ? fmt::format("\\tfrac{{1}}{{{}}} ", radius.length) : "") +
          fmt::format("\\log_{{{}}} {}", exponent_.base, number);
 }

@@ -3,7 +3,7 @@
 
 #include "fact.hpp"
 
-#include <subcert/analysis/regularity/named_exponent.hpp>
+#include <subcert/analysis/family/named_exponent.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <optional>

@@ -40,7 +40,6 @@ Fact values_fact(const LatticeSequence& values);
 /// The line of the exponent alone. `digits`: at least.
 Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits);
 
-
 /// What a supersolution in frequency proves.
 Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds);
 

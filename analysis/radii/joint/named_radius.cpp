@@ -24,8 +24,8 @@ bool is_told_by(const Enclosure& modulus, const radius::LeadingFactor& found) {
     return *size.lower <= *modulus.upper && *modulus.lower <= *size.upper;
   };
   const bool real = imaginary_part(found.zero).enclosure(root_bits).contains(0);
-  return may_be_there(found.zero) && std::ranges::count_if(found.zeros, may_be_there) <=
-                                         (real ? 1 : 2) * (is_even_or_odd(found.factor) ? 2 : 1);
+  return may_be_there(found.zero) &&
+         std::ranges::count_if(found.zeros, may_be_there) <= (real ? 1 : 2) * (is_even_or_odd(found.factor) ? 2 : 1);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "named_exponent.hpp"
 
+#include "parametric_family.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
-#include <subcert/analysis/family/parametric_family.hpp>
 #include <subcert/analysis/radii/joint/named_radius.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
@@ -61,8 +62,8 @@ std::optional<NamedExponent> of_curve(const Mask& mask, const HolderRegularity& 
   } else if (const ParametricFamily family = transition_matrices(divided_difference_scheme(meant->mask, rules));
              family.size() * static_cast<std::size_t>(meant->polynomial.highest()) <= largest_conjugates) {
     const std::vector<int>& word = found.product.word;
-    number = named_radius(product_of_conjugates(family, meant->polynomial, word), word.size(),
-                          found.product.eigenvalue, found.radius, largest_named_degree);
+    number = named_radius(product_of_conjugates(family, meant->polynomial, word), word.size(), found.product.eigenvalue,
+                          found.radius, largest_named_degree);
   }
   if (!number) return std::nullopt;
   named.radius = std::move(*number);

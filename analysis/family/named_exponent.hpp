@@ -1,9 +1,9 @@
 #pragma once
 /// Exponents by the algebraic number that is behind them.
 
-#include "regularity.hpp"
+#include "mask_list.hpp"
 
-#include <subcert/analysis/family/mask_list.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
 namespace subcert {

@@ -114,11 +114,8 @@ Verdict stated_verdict(const std::string& words, const CertificateClaim& own, co
 CertificateClaim plain_claim(const std::string& words, const CertificateClaim& own) {
   const StatedClaim stated = with_letter_of(own, read_stated(words));
   if (!stated.is_plain())
-    fail(
-        ErrorKind::usage,
-        "--print-claim: checkers know <= alone, ranges with LOW < HIGH and, of recurrences, what the certificate says, "
-        "got '{}'",
-        words);
+    fail(ErrorKind::usage,
+         "--print-claim: checkers know <= alone, ranges with LOW < HIGH and no recurrences in words, got '{}'", words);
   return stated.claim;
 }
 

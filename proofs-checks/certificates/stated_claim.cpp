@@ -19,14 +19,12 @@ constexpr std::string_view contracts = "contraction ", belongs_to = " of ", comp
 constexpr std::string_view range_begins = " for ", all = "all ", levels = "levels ";
 
 [[noreturn]] void refuse(const std::string& claim) {
-  fail(
-      ErrorKind::usage,
-      "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
-      "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
-      "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'lists:FILE', 'radius FILE' or 'subradius FILE'; "
-      "or NUMBER <= l1:points=N,d=D [<= NUMBER], "
-      "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
-      claim);
+  fail(ErrorKind::usage,
+       "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
+       "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
+       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'lists:FILE', 'radius FILE' or 'subradius "
+       "FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
+       claim);
 }
 
 /// What stands between the signs, in increasing order.

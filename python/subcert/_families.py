@@ -279,9 +279,9 @@ class Family(Named):
         progress: Progress = None,
     ) -> Levels:
         """Whether a property holds for all sequences of values between low and high, one for each level: convergent,
-        C1, C2, ... or holder>=3/2. With a recurrence: for those where each value follows from the one before, from the
-        level on at which all of them are between low and high. `start`: the first value, or a pair of the least and the
-        largest one, which is None where there is none.
+        C1, C2, ..., holder>=3/2 or, of Hermite schemes, HC1. With a recurrence: for those where each value follows from
+        the one before, from the level on at which all of them are between low and high. `start`: the first value, or a
+        pair of the least and the largest one, which is None where there is none.
 
         >>> import subcert
         >>> subcert.family("four-point:w").levels("C1", "1/1000", "19/100").holds.value
@@ -289,6 +289,9 @@ class Family(Named):
         >>> conic = subcert.family("conic-four-point:v")
         >>> conic.levels("C1", "9/20", 1000, recurrence="v=sqrt((1+v)/2)", start=(-1, 1000000)).first_level
         2
+        >>> hermite = subcert.family("merrien:lambda=-1/8,mu").levels("HC1", -1, 0)
+        >>> hermite.holds.value, hermite.certificates()[0].verify().accepted
+        ('yes', True)
         """
         if (recurrence is None) != (start is None):
             raise ValueError("levels: recurrence and start need each other")

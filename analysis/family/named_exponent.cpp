@@ -9,7 +9,7 @@
 namespace subcert {
 namespace {
 
-constexpr int most_rules = 12;  // that are split off from a radius
+constexpr int most_powers = 12;  // of the base, which are split off from a radius
 constexpr std::size_t largest_conjugates = 64;
 
 AttainedNumber rational_number(const Rational& radius) {
@@ -70,17 +70,25 @@ std::optional<NamedExponent> of_curve(const Mask& mask, const HolderRegularity& 
   return named;
 }
 
-/// Times a power of the base, so that the number is integral, or as near to it as that makes it.
+/// Times a power of the base: the least one with which the number is an algebraic integer, or else at least 1.
 void split_off(NamedExponent& named) {
-  NamedExponent best = named;
-  const auto leading = [](const NamedExponent& one) {
-    return abs(one.radius.polynomial.coefficient(one.radius.polynomial.highest()));
+  const auto times_power = [&](int power_of_base) {
+    return NamedExponent{static_cast<int>(named.dimension) * power_of_base, named.base, named.dimension,
+                         scaled(named.radius, power(Rational(named.base), power_of_base))};
   };
-  for (int rules = 1; rules <= most_rules && leading(best) > 1; ++rules)
-    if (NamedExponent next{rules, named.base, 1, scaled(named.radius, power(Rational(named.base), rules))};
-        leading(next) < leading(best))
-      best = std::move(next);
-  named = std::move(best);
+  const auto is_integral = [](const NamedExponent& one) {
+    return abs(one.radius.polynomial.coefficient(one.radius.polynomial.highest())) == 1;
+  };
+  std::optional<NamedExponent> large;
+  for (int k = 0; k <= most_powers; ++k) {
+    NamedExponent next = times_power(k);
+    if (is_integral(next)) {
+      named = std::move(next);
+      return;
+    }
+    if (!large && next.radius.point.squared_modulus() >= 1) large = std::move(next);
+  }
+  if (large) named = std::move(*large);
 }
 
 std::optional<NamedExponent> of_operators(const LatticeMask& mask, const MultivariateRegularity& found) {
@@ -101,8 +109,8 @@ std::optional<NamedExponent> of_operators(const LatticeMask& mask, const Multiva
   if (const auto root = exact_root(Rational(named.base), named.dimension)) {
     named.base = to_integer(*root, Rounding::nearest).convert_to<long>();
     named.dimension = 1;
-    split_off(named);
   }
+  split_off(named);
   return named;
 }
 

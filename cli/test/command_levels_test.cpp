@@ -206,7 +206,7 @@ TEST_CASE("levels: closed forms of exponents") {
   const Folder folder;
   const std::string list = "levels lists:" + folder.write("list.toml", "masks = [\"dual:n=2\", \"dual:n=2\"]");
   CHECK(says(run(list), "\nformula      3 - log_2(8/5)\n"));
-  CHECK(run_json(list).at("radius_number").at("polynomial") == Json::array({"-8", "5"}));
+  CHECK(run_json(list).at("radius_number").at("polynomial").dump() == "[\"-8\",\"5\"]");
 }
 
 TEST_CASE("levels: lists of masks") {

@@ -290,7 +290,7 @@ class Family(Named):
         >>> conic.levels("C1", "9/20", 1000, recurrence="v=sqrt((1+v)/2)", start=(-1, 1000000)).first_level
         2
         >>> hermite = subcert.family("merrien:lambda=-1/8,mu").levels("HC1", -1, 0)
-        >>> hermite.holds.value, hermite.certificates()[0].verify().accepted
+        >>> hermite.holds.value, hermite.certificates()[0].certificate.verify().accepted
         ('yes', True)
         """
         if (recurrence is None) != (start is None):

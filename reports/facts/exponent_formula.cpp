@@ -1,7 +1,6 @@
 #include "exponent_formula.hpp"
 
 #include <subcert/analysis/symbol/polynomials/quadratic_number.hpp>
-#include <subcert/analysis/symbol/polynomials/rational_function.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/reports/formats/paper_text.hpp>
 
@@ -32,6 +31,19 @@ std::string latex_of_root(std::string text) {
   const std::size_t at = text.find(head), end = text.find(')', at);
   return formats::latex_formula(text.substr(0, at)) + "\\sqrt{" +
          text.substr(at + head.size(), end - at - head.size()) + "}";
+}
+
+/// `r^2-2*r-2`
+std::string polynomial_in_r(const LaurentPolynomial& p) {
+  std::string text;
+  for (long k = p.highest(); k >= 0; --k) {
+    const Rational c = p.coefficient(k);
+    if (c == 0) continue;
+    const std::string power = k == 0 ? "" : k == 1 ? "r" : fmt::format("r^{}", k);
+    const bool one = abs(c) == 1 && k > 0;
+    text += (c < 0 ? "-" : text.empty() ? "" : "+") + (one ? "" : to_text(abs(c)) + (k > 0 ? "*" : "")) + power;
+  }
+  return text;
 }
 
 std::string decimals(const RationalComplex& z) {
@@ -68,8 +80,7 @@ std::string ExponentFormula::text() const {
                                                     : "|r|";
   std::string text = fmt::format("{}log_{}({})", factor("*"), exponent_.base, number);
   if (radius.length > 1) text += fmt::format("/{}", radius.length);
-  if (!plain)
-    text += fmt::format(", {} = 0, r = {}", RationalFunction(radius.polynomial).to_text('r'), decimals(radius.point));
+  if (!plain) text += fmt::format(", {} = 0, r = {}", polynomial_in_r(radius.polynomial), decimals(radius.point));
   return text;
 }
 
@@ -86,8 +97,8 @@ std::string ExponentFormula::latex() const {
 std::string ExponentFormula::latex_of_zero() const {
   if (rational_ || !root_.empty()) return "";
   const AttainedNumber& radius = exponent_.radius;
-  return fmt::format(", \\quad {} = 0, \\; r \\approx {}",
-                     formats::latex_formula(RationalFunction(radius.polynomial).to_text('r')), decimals(radius.point));
+  return fmt::format(", \\quad {} = 0, \\; r \\approx {}", formats::latex_formula(polynomial_in_r(radius.polynomial)),
+                     decimals(radius.point));
 }
 
 Json ExponentFormula::json() const {
@@ -99,8 +110,7 @@ Json ExponentFormula::json() const {
 }
 
 bool ExponentFormula::is_short() const {
-  return rational_ || !root_.empty() ||
-         RationalFunction(exponent_.radius.polynomial).to_text('r').size() <= longest_polynomial;
+  return rational_ || !root_.empty() || polynomial_in_r(exponent_.radius.polynomial).size() <= longest_polynomial;
 }
 
 std::optional<ExponentFormula> exponent_formula(const Scheme& scheme, const Regularity& regularity) {

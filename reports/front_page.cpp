@@ -170,6 +170,9 @@ std::string front_page(const Findings& findings) {
   const std::vector<Result> all = results(findings);
   std::string body = "<h1>subcert: claims about subdivision schemes, proved or refuted</h1>\n" +
                      origin_html(findings.origin, standing_sentence(counts(all, ResultKind::statement)));
+  if (!findings.complete)
+    body +=
+        "<p class=place>The experiments are still being computed; this page is written anew when they are done.</p>\n";
   body += score_bars(all);
   body += "<nav aria-label=\"Everything\"><a href=\"results.html\">Every result</a> ";
   if (!findings.statements.empty()) body += "<a href=\"errata.html\">Errata and confirmations</a> ";

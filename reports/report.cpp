@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace subcert::reports {
@@ -74,9 +75,9 @@ Report make_report(const std::string& paper, const ReportOptions& options) {
   const auto items = report_items(paper);
   for (const std::string& item : options.only)
     require(std::find(items.begin(), items.end(), item) != items.end(), "unknown item '{}' of {}", item, paper);
-  if (const SpecialReport* special = special_report(paper)) return special->make(options);
-  Report report{paper, statements::citation(paper), {}};
-  add_experiments(report, options);
+  const SpecialReport* special = special_report(paper);
+  Report report = special ? special->make(options) : Report{paper, statements::citation(paper), {}};
+  if (options.experiments) add_experiments(report, options);
   return report;
 }
 
@@ -88,13 +89,16 @@ std::vector<std::string> experiment_ids(const std::string& paper) {
 }
 
 void add_experiments(Report& report, const ReportOptions& options) {
+  std::vector<formats::Section> sections;
   for (const std::string& id : experiment_ids(report.paper)) {
     if (!options.wants(id)) continue;
     if (options.progress) options.progress(id);
     report.experiments.push_back(
         experiments::run_experiment(experiments::experiment(id), {options.seed, options.runs, options.jobs}));
-    report.sections.push_back(experiments::experiment_section(report.experiments.back()));
+    sections.push_back(experiments::experiment_section(report.experiments.back()));
   }
+  report.sections.insert(report.sections.begin() + static_cast<std::ptrdiff_t>(report.experiments_at),
+                         std::make_move_iterator(sections.begin()), std::make_move_iterator(sections.end()));
 }
 
 }  // namespace subcert::reports

@@ -112,7 +112,14 @@ std::string results_json(const std::vector<Result>& results) {
 
 }  // namespace
 
-void write_reports(const Findings& findings, const std::filesystem::path& folder, int jobs) {
+Written written(const Findings& findings) {
+  Written result;
+  for (const Report& report : findings.reports)
+    for (const formats::Section& section : report.sections) result.emplace(report.paper, section.id);
+  return result;
+}
+
+void write_reports(const Findings& findings, const std::filesystem::path& folder, int jobs, const Written& before) {
   std::vector<std::function<void()>> pictures;
   const std::vector<Result> all = results(findings);
   for (const Report& report : findings.reports) {
@@ -145,11 +152,12 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
         runtime::write_file(inside / (table.id + ".csv"), csv(rows));
         runtime::write_file(inside / (table.id + ".tex"), latex_table(table.title, rows));
       }
+      const bool drawn = before.contains({report.paper, section.id});
       for (const formats::Figure& figure : section.figures)
-        pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
+        if (!drawn) pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
       for (const formats::SurfaceFigure& figure : section.surface_figures) {
         runtime::write_file(inside / (figure.id + ".surfaces.js"), formats::surface_script(figure, report.paper));
-        pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
+        if (!drawn) pictures.push_back([&figure, inside] { formats::draw(figure, inside); });
       }
     }
   }

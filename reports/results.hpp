@@ -29,6 +29,7 @@ struct Findings {
   std::vector<Report> reports;
   std::vector<CheckedStatement> statements = {};
   Origin origin = {};
+  bool complete = true;  ///< or the experiments are being computed
 
   /// Whether all verdicts are the recorded ones.
   bool as_recorded() const;

@@ -94,7 +94,7 @@ inline constexpr double splitting = 0.2;  ///< into diagonal blocks
 
 /// An exponent in one variable: holder_regularity.cpp.
 namespace curve {
-inline constexpr double unstable = 0.3;      ///< the mask itself, where a reduced one tells the exponent
+inline constexpr double reduced = 0.7;       ///< the reduced mask, where that one tells the exponent
 inline constexpr double norms = 0.5;         ///< of the difference scheme, level by level
 inline constexpr double convergence = 0.5;   ///< by one product, and then by norms
 inline constexpr double growth_grace = 0.5;  ///< seconds, for norms where the exponent is an integer

@@ -239,9 +239,10 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
   const bool needed = other.changes() && is_affine(other.mask) &&
                       (proof == HolderProof::certificate || has_stable_shifts(mask).is_no());
   if (!needed) return own_regularity(mask, levels, budget, rounding, bits);
-  HolderRegularity result = own_regularity(mask, levels, {budget.deadline.after(shares::unstable), budget.memory},
+  // First the one that tells the exponent: what the proofs of the other take beyond its share is not its loss.
+  HolderRegularity stable = own_regularity(other.mask, levels, {budget.deadline.after(shares::reduced), budget.memory},
                                            rounding, bits);
-  HolderRegularity stable = own_regularity(other.mask, levels, budget, rounding, bits);
+  HolderRegularity result = own_regularity(mask, levels, budget, rounding, bits);
   use_reduced(result, std::move(other), std::move(stable));
   return result;
 }

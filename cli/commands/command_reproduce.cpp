@@ -87,8 +87,10 @@ bool wants_colours() {
   return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR") && terminal && std::string(terminal) != "dumb";
 }
 
-/// The papers, and for pages of whole papers their statements, too.
-reports::Findings findings_of(const std::vector<std::string>& papers, const ReproduceOptions& options) {
+/// The papers, and for pages of whole papers their statements, too. The experiments come last: `exact` is told of all
+/// the rest before they are begun, if there is anything of it.
+reports::Findings findings_of(const std::vector<std::string>& papers, const ReproduceOptions& options,
+                              const std::function<void(const reports::Findings&)>& exact) {
   std::mutex terminal;
   const Progress progress = [&](const std::string& line) {
     const std::lock_guard lock(terminal);
@@ -96,6 +98,7 @@ reports::Findings findings_of(const std::vector<std::string>& papers, const Repr
   };
   reports::ReportOptions report_options{options.only, options.threads(), progress, options.seed};
   report_options.budget = options.budget;
+  report_options.experiments = false;
   report_options.verified = [](const Certificate& certificate, const std::string& matrices) {
     return verified(certificate, matrices);
   };
@@ -115,7 +118,20 @@ reports::Findings findings_of(const std::vector<std::string>& papers, const Repr
     else
       findings.statements = check_statements_of(papers, options.threads(), progress);
   });
+  findings.complete = false;
+  if (with_statements) exact(findings);
+  parallel_tasks(asked.size(), options.threads(),
+                 [&](std::size_t i) { reports::add_experiments(findings.reports[i], asked[i].second); });
+  findings.complete = true;
   return findings;
+}
+
+void write_page(const reports::Findings& findings, const ReproduceOptions& options,
+                const reports::Written& before = {}) {
+  options.progress("writing " + options.out);
+  reports::write_reports(findings, options.out, options.threads(), before);
+  runtime::write_file(std::filesystem::path(options.out) / "summary.txt",
+                      to_text(findings.origin) + reports::full_list(findings));
 }
 
 ExitCode run(ReproduceOptions& options) {
@@ -127,13 +143,12 @@ ExitCode run(ReproduceOptions& options) {
     const std::string file = (std::filesystem::path(options.baseline) / "results.json").string();
     earlier = reports::read_results(read_file(file), file);
   }
-  const reports::Findings findings = findings_of(papers, options);
-  if (!options.out.empty()) {
-    options.progress("writing " + options.out);
-    reports::write_reports(findings, options.out, options.threads());
-    runtime::write_file(std::filesystem::path(options.out) / "summary.txt",
-                        to_text(findings.origin) + reports::full_list(findings));
-  }
+  reports::Written written;
+  const reports::Findings findings = findings_of(papers, options, [&](const reports::Findings& exact) {
+    write_page(exact, options);
+    written = reports::written(exact);
+  });
+  if (!options.out.empty()) write_page(findings, options, written);
   options.end_progress();
   const std::vector<reports::Result> all = reports::results(findings);
   std::optional<std::vector<reports::Change>> changed;

@@ -8,19 +8,27 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 namespace subcert::theorems {
 namespace {
 
 constexpr int most_degree = 21;  ///< to which section 7 is tried
 
+/// The constants of a proof, and its inequalities with them.
+struct Inequalities {
+  Constants constants;
+  std::vector<Check> checks;
+};
+
 /// One id and how each of its degrees is proved.
 struct Proof {
   int degree;
-  std::function<Constants(int threads)> constants;
-  std::function<std::vector<Check>(const Constants&, int threads)> checks;
+  std::function<Inequalities(const Constants* given, int threads)> run;  ///< null: with the constants that it finds
   std::function<void(Theorem&)> describe;
 };
 
@@ -36,45 +44,44 @@ struct Entry {
 /// A proof of section 7: its constants are found by the same run.
 using Run = void (*)(Ledger&, const SchemeFamily&, int degree, int threads);
 
-/// Where time runs out the inequalities so far are not lost.
-void run_in_time(Run run, Ledger& ledger, const SchemeFamily& family, int degree, int threads) {
-  try {
-    run(ledger, family, degree, threads);
-  } catch (OutOfTime& late) {
-    late.checks = ledger.checks();
-    throw;
-  }
-}
-
 std::optional<Proof> found(int degree, const SchemeFamily& family, Run run,
                            void (*describe)(Theorem&, const SchemeFamily&), int most = most_degree) {
   if (degree > most) return std::nullopt;
   return Proof{degree,
-               [=, &family](int threads) {
-                 Ledger ledger;
-                 run_in_time(run, ledger, family, degree, threads);
-                 return ledger.constants();
-               },
-               [=, &family](const Constants& constants, int threads) {
-                 Ledger ledger(&constants);
-                 run_in_time(run, ledger, family, degree, threads);
-                 return ledger.checks();
+               [=, &family](const Constants* given, int threads) {
+                 Ledger ledger(given);
+                 try {
+                   run(ledger, family, degree, threads);
+                 } catch (OutOfTime& late) {  // the inequalities so far are not lost
+                   late.checks = ledger.checks();
+                   throw;
+                 }
+                 return Inequalities{given ? *given : ledger.constants(), ledger.checks()};
                },
                [=, &family](Theorem& t) { describe(t, family); }};
 }
 
-/// A proof without constants of its own.
-Proof by_threads(int degree, std::vector<Check> (*checks)(const Constants&, int, int), void (*describe)(Theorem&)) {
-  return {degree, [](int) { return Constants(); },
-          [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
+/// A proof whose constants are known before its inequalities.
+Proof by_constants(int degree, const std::function<Constants()>& constants,
+                   const std::function<std::vector<Check>(const Constants&, int threads)>& checks,
+                   void (*describe)(Theorem&)) {
+  return {degree,
+          [=](const Constants* given, int threads) {
+            const Constants known = given ? *given : constants();
+            return Inequalities{known, checks(known, threads)};
+          },
+          describe};
 }
 
-/// A proof whose functions take the degree.
+/// One whose functions take the degree.
 Proof by_degree(int degree, Constants (*constants)(int), std::vector<Check> (*checks)(const Constants&, int, int),
                 void (*describe)(Theorem&)) {
-  return {degree, [=](int) { return constants(degree); },
-          [=](const Constants& c, int threads) { return checks(c, degree, threads); }, describe};
+  return by_constants(
+      degree, [=] { return constants(degree); },
+      [=](const Constants& known, int threads) { return checks(known, degree, threads); }, describe);
 }
+
+Constants no_constants() { return {}; }
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = [] {
@@ -90,13 +97,13 @@ const std::vector<Entry>& entries() {
           "max psi_n ~ 1/n; of max |psi_n'| ~ 1/n^2 the upper bound, while the rate is false: n^2 max |psi_n'| tends "
           "to 0",
           every, degrees},
-         {{1, [](int) { return degree_one_constants_7(); }, degree_one_checks_7, describe_7_degree_one}},
+         {by_constants(1, degree_one_constants_7, degree_one_checks_7, describe_7_degree_one)},
          higher,
          false,
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_7, describe_7); }});
     all.push_back(
         {{"conjecture-8-n", "psi_{n+1} < psi_n everywhere", every, degrees},
-         {{1, [](int) { return degree_one_constants_8(); }, degree_one_checks_8, describe_8_degree_one}},
+         {by_constants(1, degree_one_constants_8, degree_one_checks_8, describe_8_degree_one)},
          higher,
          false,
          [](int degree, const SchemeFamily& family) { return found(degree, family, uniform_8_n, describe_8_n); }});
@@ -110,11 +117,14 @@ const std::vector<Entry>& entries() {
                    [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
                      if (!primal(family) || degree < 13) return found(degree, family, uniform_8_d, describe_8_d);
                      if (degree > most_neighbours) return std::nullopt;
-                     return by_threads(degree, every_n_checks, describe_every_n);
+                     return by_constants(
+                         degree, no_constants,
+                         [=](const Constants& known, int threads) { return every_n_checks(known, degree, threads); },
+                         describe_every_n);
                    }});
     all.push_back(
         {{"limit-constants", "the limits C_d of n max psi_n, printed together", "n to infinity", {1, 3, 5, 7, 9}},
-         {{1, [](int) { return limit_constants_stated(); }, limit_constants_checks, describe_limit_constants}},
+         {by_constants(1, limit_constants_stated, limit_constants_checks, describe_limit_constants)},
          {"stated digits for this degree"},
          true});
     all.push_back({{"convergence", "S_n^d converges", "every odd d, every n >= (d+1)/2", {1, 3, 5}},
@@ -203,7 +213,7 @@ const std::vector<Entry>& entries() {
                    true,
                    [=](int degree, const SchemeFamily& family) -> std::optional<Proof> {
                      if (!primal(family)) return std::nullopt;
-                     return Proof{degree, [](int) { return Constants(); }, limits_grow_checks, describe_limits_grow};
+                     return by_constants(degree, no_constants, limits_grow_checks, describe_limits_grow);
                    }});
     return all;
   }();
@@ -246,13 +256,11 @@ const std::vector<TheoremEntry>& theorem_list() {
   return list;
 }
 
-Constants stated_constants(const std::string& id, int degree, const std::string& family, int threads) {
-  const std::optional<Proof> proof = find(find(id), degree, scheme_family(family));
-  return proof ? proof->constants(threads) : Constants();
-}
+namespace {
 
-Theorem prove(const std::string& id, int degree, const Constants& constants, int threads,
-              const std::string& family_id) {
+/// `given`: the constants, or null for those that the proof finds.
+Theorem theorem_of(const std::string& id, int degree, const Constants* given, const std::string& family_id,
+                   int threads) {
   const Entry& entry = find(id);
   const SchemeFamily& family = scheme_family(family_id);
   const bool primal = family.evaluation == Evaluation::primal;
@@ -270,8 +278,9 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
                                             (family.id == "primal" ? "" : " of the " + family.title + " schemes")};
     return theorem;
   }
-  theorem.constants = constants;
-  theorem.checks = proof->checks(constants, threads);
+  Inequalities run = proof->run(given, threads);
+  theorem.constants = std::move(run.constants);
+  theorem.checks = std::move(run.checks);
   theorem.decision = verdict(theorem.checks);
   if (theorem.decision.truth != Truth::unknown) {
     proof->describe(theorem);
@@ -284,13 +293,32 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
   return theorem;
 }
 
-Theorem prove(const std::string& id, int degree) { return prove(id, degree, stated_constants(id, degree)); }
+}  // namespace
+
+Theorem prove(const std::string& id, int degree, const Constants& constants, int threads, const std::string& family) {
+  return theorem_of(id, degree, &constants, family, threads);
+}
+
+const Theorem& proved(const std::string& id, int degree, const std::string& family, int threads) {
+  struct Slot {
+    std::once_flag once;
+    Theorem theorem;
+  };
+  static std::mutex mutex;
+  static std::map<std::tuple<std::string, int, std::string>, Slot> known;
+  Slot& slot = [&]() -> Slot& {
+    const std::lock_guard lock(mutex);
+    return known[{id, degree, family}];
+  }();
+  std::call_once(slot.once, [&] { slot.theorem = theorem_of(id, degree, nullptr, family, threads); });
+  return slot.theorem;
+}
 
 Theorem prove_in_time(const std::string& id, int degree, const std::string& family, int threads,
                       const Patience& patience) {
   const PatienceScope scope(&patience);
   try {
-    return prove(id, degree, stated_constants(id, degree, family, threads), threads, family);
+    return proved(id, degree, family, threads);
   } catch (OutOfTime& late) {
     Theorem theorem;
     theorem.id = id;

@@ -40,19 +40,18 @@ struct TheoremEntry {
 
 const std::vector<TheoremEntry>& theorem_list();
 
-/// The constants as the text states them, or as they are found for a degree that the text does not name. `family` is
-/// that of a specification: primal, primal-odd, dual or dual-odd. Errors: throws a domain error for an unknown id.
-Constants stated_constants(const std::string& id, int degree, const std::string& family = "primal", int threads = 1);
+/// Runs every inequality of the proof with the constants that the text states, or that the proof finds; kept in this
+/// process. `family` is that of a specification: primal, primal-odd, dual or dual-odd. Domain: 1 <= degree <=
+/// largest_degree, odd for the primal families, whose even degrees have the schemes of degree + 1. Errors: throws a
+/// domain error for an unknown id or family and for a degree beyond. Cost: seconds, for degree 13 a quarter of a minute
+/// on one thread.
+const Theorem& proved(const std::string& id, int degree, const std::string& family = "primal", int threads = 1);
 
-/// Runs every inequality of the proof with these constants. Domain: 1 <= degree <= largest_degree, odd for the primal
-/// families, whose even degrees have the schemes of degree + 1. Errors: throws a domain error for an unknown id or
-/// family and for a degree beyond. Cost: seconds, for degree 13 a quarter of a minute on one thread.
+/// The same with these constants, not kept.
 Theorem prove(const std::string& id, int degree, const Constants& constants, int threads = 1,
               const std::string& family = "primal");
-Theorem prove(const std::string& id, int degree);
 
-/// The same with the constants that the text states, or that are found. Where the patience ends first the answer is
-/// unknown, with the inequalities that were proved until then.
+/// `proved`, or, where the patience ends first, unknown with the inequalities that were proved until then.
 Theorem prove_in_time(const std::string& id, int degree, const std::string& family, int threads,
                       const Patience& patience);
 

@@ -101,6 +101,43 @@ TEST_CASE("the first page says what it is, who made it and how to object; a pape
   CHECK(json.at("results").size() == 44 + 20 + 2);
 }
 
+TEST_CASE("the experiments may come after the page of the rest, at their place, and what is drawn stays") {
+  const Folder folder;
+  ReportOptions options{{"supports", "levels", "fig19"}, 2, {}, 1, 20};
+  const Report whole = make_report("dyn-2015", options);
+  REQUIRE(whole.sections.size() == 3);
+  options.experiments = false;
+  Findings findings{{make_report("dyn-2015", options)}};
+  Report& report = findings.reports.front();
+  CHECK(report.experiments.empty());
+  CHECK(report.experiments_at == 2);
+  report.sections.push_back(report.sections.front());  // as what comes behind them
+  report.sections.back().id = "behind";
+  findings.complete = false;
+  write_reports(findings, folder.path, 2);
+  const auto is_told = [&] {
+    return content(folder.path / "index.html").find("experiments are still being computed") != std::string::npos;
+  };
+  CHECK(is_told());
+  const Written before = written(findings);
+  CHECK(before.size() == 3);
+  std::vector<fs::path> drawn;
+  for (const auto& entry : fs::directory_iterator(folder.path / "dyn-2015"))
+    if (entry.path().extension() == ".svg") drawn.push_back(entry.path());
+  REQUIRE(!drawn.empty());
+  for (const fs::path& picture : drawn) std::ofstream(picture) << "drawn";
+  add_experiments(report, options);
+  findings.complete = true;
+  REQUIRE(report.sections.size() == 4);
+  CHECK(report.sections[2].id == whole.sections[2].id);
+  CHECK(report.sections[2].paragraphs == whole.sections[2].paragraphs);
+  CHECK(report.sections[3].id == "behind");
+  write_reports(findings, folder.path, 2, before);
+  CHECK_FALSE(is_told());
+  for (const fs::path& picture : drawn) CHECK(content(picture) == "drawn");
+  CHECK(fs::exists(folder.path / "dyn-2015" / "fig19-claims.csv"));
+}
+
 TEST_CASE("a failed write leaves the old file and nothing else") {
   const Folder folder;
   runtime::write_file(folder.path / "a.txt", "old");

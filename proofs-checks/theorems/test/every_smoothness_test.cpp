@@ -99,15 +99,15 @@ TEST_CASE("smoothness for every degree: every inequality holds, and fails if its
   check_theorem("smoothness-all", 5, "primal-odd");
   for (int degree : {3, 4, 31}) check_theorem("smoothness-all", degree, "dual");
   check_theorem("smoothness-all", 6, "dual-odd");
-  for (int degree : {101, largest_degree}) CHECK(prove("smoothness-all", degree).decision.is_yes());
+  for (int degree : {101, largest_degree}) CHECK(proved("smoothness-all", degree).decision.is_yes());
   for (int degree : {199, 200}) {
-    const Constants stated = stated_constants("smoothness-all", degree, "dual");
+    const Constants stated = proved("smoothness-all", degree, "dual").constants;
     CHECK(prove("smoothness-all", degree, stated, 1, "dual").decision.is_yes());
   }
 }
 
 TEST_CASE("smoothness for every degree: what is said for one degree, and where nothing is") {
-  CHECK(prove("smoothness-all", 5).statement.at(2).find("C^5 for all n >= 0.949 4^5") != std::string::npos);
+  CHECK(proved("smoothness-all", 5).statement.at(2).find("C^5 for all n >= 0.949 4^5") != std::string::npos);
   Rational before = 1;
   for (int degree : {5, 7, 9, 13, 21, 51}) {
     const Rational start = every_smoothness_start(scheme_family("primal"), degree);

@@ -30,20 +30,20 @@ TEST_CASE("the theorems agree with exact values on a grid") {
   VarianceGrid before;
   for (int n = 1; n <= 12; ++n) {
     const VarianceGrid grid = variance_grid(make_scheme("primal:n=" + std::to_string(n)).mask.curve(), 4, n > 1);
-    const Rational bound = stated_constants("conjecture-7", 1)[n == 1 ? "beta" : "beta_2"] / (n * n);
+    const Rational bound = proved("conjecture-7", 1).constants[n == 1 ? "beta" : "beta_2"] / (n * n);
     for (std::size_t i = 0; i < grid.values.size(); ++i) {
       const Rational deviation = grid.values[i] * Rational(4 * n - 1, 4) / c - 1;
       CHECK(deviation < bound);
       CHECK(-deviation < bound);
       if (n > 1) CHECK(grid.values[i] < before.values[i]);
     }
-    if (n > 1) CHECK(grid.steepest() * (n * n) < stated_constants("conjecture-7", 1)["s"]);
+    if (n > 1) CHECK(grid.steepest() * (n * n) < proved("conjecture-7", 1).constants["s"]);
     before = grid;
   }
 }
 
 TEST_CASE("exponents that are known otherwise lie within the bounds of the theorems on smoothness") {
-  const Rational C = stated_constants("smoothness", 1)["C"];
+  const Rational C = proved("smoothness", 1).constants["C"];
   for (int n = 2; n <= 9; ++n) {
     CAPTURE(n);
     const Enclosure s = holder_regularity(make_scheme("primal:n=" + std::to_string(n)).mask.curve(), 4, {}).exponent;
@@ -61,21 +61,21 @@ TEST_CASE("exponents that are known otherwise lie within the bounds of the theor
 }
 
 TEST_CASE("where nothing is proved the answer is unknown and says what is missing") {
-  const Theorem theorem = prove("conjecture-7", 99);
+  const Theorem theorem = proved("conjecture-7", 99);
   CHECK(theorem.decision.truth == Truth::unknown);
   CHECK_FALSE(theorem.missing.empty());
   for (const auto& [id, degree] : {std::pair{"conjecture-8-d-all", 13}, {"conjecture-8-d-large", 3}}) {
-    CHECK(prove(id, degree).decision.truth == Truth::unknown);
-    CHECK_FALSE(prove(id, degree).missing.empty());
+    CHECK(proved(id, degree).decision.truth == Truth::unknown);
+    CHECK_FALSE(proved(id, degree).missing.empty());
   }
   for (const char* id : {"convergence", "conjecture-8-d-all", "conjecture-8-d-large", "limit-constants-order"}) {
     const Theorem other = prove(id, 5, {}, 1, "dual");
     CHECK(other.decision.truth == Truth::unknown);
     CHECK_FALSE(other.missing.empty());
   }
-  CHECK_FAILS(prove("conjecture-9", 1), domain);
-  CHECK_FAILS(prove("conjecture-7", 2), domain);
-  CHECK_FAILS(stated_constants("conjecture-7", 1)["nobody"], domain);
+  CHECK_FAILS(proved("conjecture-9", 1), domain);
+  CHECK_FAILS(proved("conjecture-7", 2), domain);
+  CHECK_FAILS(proved("conjecture-7", 1).constants["nobody"], domain);
 }
 
 TEST_CASE("bounds that do not suffice refute nothing, and the answer says which inequality misses") {
@@ -122,20 +122,20 @@ TEST_CASE("decimals") {
 }
 
 TEST_CASE("what holds for every degree can be asked for every degree") {
-  CHECK(prove("convergence", 33).decision.is_yes());
-  CHECK(prove("conjecture-8-d-large", 97).decision.is_yes());
-  CHECK(prove("convergence", 101).decision.is_yes());
+  CHECK(proved("convergence", 33).decision.is_yes());
+  CHECK(proved("conjecture-8-d-large", 97).decision.is_yes());
+  CHECK(proved("convergence", 101).decision.is_yes());
 }
 
 TEST_CASE("all dual schemes of degree 1 are C^2, all primal ones C^1") {
   for (const char* family : {"dual", "dual-odd"}) {
-    const Theorem theorem = prove("smoothness-dual", 1, stated_constants("smoothness-dual", 1, family), 1, family);
+    const Theorem theorem = proved("smoothness-dual", 1, family);
     CHECK(theorem.decision.is_yes());
     CHECK(theorem.statement.front().find("all limits are C^2") != std::string::npos);
   }
-  CHECK(prove("smoothness", 1).decision.is_yes());
+  CHECK(proved("smoothness", 1).decision.is_yes());
   // A degree for which the bounds do not suffice: what fails is said.
-  const Theorem open = prove("smoothness", 21);
+  const Theorem open = proved("smoothness", 21);
   CHECK(open.decision.truth == Truth::unknown);
   CHECK_FALSE(open.missing.empty());
 }

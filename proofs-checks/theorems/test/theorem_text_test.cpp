@@ -87,17 +87,17 @@ const std::set<std::string> costly{"T.16", "W.1", "W.2", "W.3"};
 TEST_CASE("the text has the numbered inequalities that the program runs") {
   std::set<std::string> run;
   for (const char* id : {"conjecture-7", "conjecture-8-n"}) {
-    for (const Check& check : prove(id, 1).checks) run.insert(check.id);
-    for (const Check& check : prove(id, 3).checks) run.insert(check.id);
+    for (const Check& check : proved(id, 1).checks) run.insert(check.id);
+    for (const Check& check : proved(id, 3).checks) run.insert(check.id);
   }
   for (const char* id : {"conjecture-8-d", "convergence", "conjecture-8-d-all", "limit-constants-order", "smoothness",
                          "smoothness-dual"})
-    for (const Check& check : prove(id, 1).checks) run.insert(check.id);
-  for (const Check& check : prove("smoothness-all", 5).checks) run.insert(check.id);
+    for (const Check& check : proved(id, 1).checks) run.insert(check.id);
+  for (const Check& check : proved("smoothness-all", 5).checks) run.insert(check.id);
   for (int degree : {3, 7})
-    for (const Check& check : prove("conjecture-8-d-all", degree).checks) run.insert(check.id);
+    for (const Check& check : proved("conjecture-8-d-all", degree).checks) run.insert(check.id);
   for (int degree : {5, 13})
-    for (const Check& check : prove("conjecture-8-d-large", degree).checks) run.insert(check.id);
+    for (const Check& check : proved("conjecture-8-d-large", degree).checks) run.insert(check.id);
   const auto tags = matches(source(), R"(\\tag\{([^}]*)\})");
   CHECK(as_set(tags).size() == tags.size());
   run.insert(costly.begin(), costly.end());
@@ -107,24 +107,24 @@ TEST_CASE("the text has the numbered inequalities that the program runs") {
 TEST_CASE("the tables of the text state the constants of the program") {
   const std::string text = source();
   std::size_t rows = 0;
-  for (const Constant& one : stated_constants("conjecture-7", 1).all()) {
+  for (const Constant& one : proved("conjecture-7", 1).constants.all()) {
     check_cell(text, "1:" + one.name, 1, one);
     ++rows;
   }
-  for (const Constant& one : stated_constants("conjecture-8-n", 1).all()) check_cell(text, "1:" + one.name, 1, one);
+  for (const Constant& one : proved("conjecture-8-n", 1).constants.all()) check_cell(text, "1:" + one.name, 1, one);
   rows += 4;  // n_1, beta_2, beta, s of the table for section 7
-  for (const Constant& one : stated_constants("conjecture-8-d", 1).all())
+  for (const Constant& one : proved("conjecture-8-d", 1).constants.all())
     if (head(one.name, 1) != one.name) {
       check_cell(text, "7:" + head(one.name, 1), 1, one);
       ++rows;
     }
-  for (const Constant& one : stated_constants("convergence", 1).all()) {
+  for (const Constant& one : proved("convergence", 1).constants.all()) {
     check_cell(text, "P:" + one.name, 1, one);
     ++rows;
   }
   std::size_t column = 1;
   for (const auto& [family, degree] : {std::pair{"primal", 5}, {"dual", 3}, {"dual", 4}}) {
-    for (const Constant& one : stated_constants("smoothness-all", degree, family).all()) {
+    for (const Constant& one : proved("smoothness-all", degree, family).constants.all()) {
       check_cell(text, "X:" + one.name, column, one);
       if (column == 1) ++rows;
     }
@@ -136,24 +136,24 @@ TEST_CASE("the tables of the text state the constants of the program") {
     CHECK(decimal(cells.at(2)) == every_smoothness_start(scheme_family("dual"), degree));
   }
   for (int degree : {5, 7, 9, 11})
-    for (const Constant& one : stated_constants("conjecture-8-d-large", degree).all()) {
+    for (const Constant& one : proved("conjecture-8-d-large", degree).constants.all()) {
       check_cell(text, "T:" + one.name, static_cast<std::size_t>(degree - 3) / 2, one);
       if (degree == 5) ++rows;
     }
   for (int degree : {3, 5})
-    for (const Constant& one : stated_constants("conjecture-8-d-all", degree).all())
-      CHECK(stated_constants("conjecture-7", degree)[one.name] == one.value);
+    for (const Constant& one : proved("conjecture-8-d-all", degree).constants.all())
+      CHECK(proved("conjecture-7", degree).constants[one.name] == one.value);
   CHECK(matches(text, R"((% [0-9PTX]:))").size() == rows);
 }
 
 TEST_CASE("the text has the numbers and constants of the theorems that take longer", "[long]") {
   const std::string text = source();
-  const Constants rate = stated_constants("rate", 1);
+  const Constants rate = proved("rate", 1).constants;
   for (const Constant& one : rate.all()) check_cell(text, "W:" + one.name, 1, one);
   std::set<std::string> run;
-  for (const Check& check : prove("rate", 1, rate).checks) run.insert(check.id);
-  for (const Check& check : prove("conjecture-8-d", 13).checks) run.insert(check.id);
-  for (const Check& check : prove("conjecture-8-d-large", 13).checks) run.erase(check.id);
+  for (const Check& check : proved("rate", 1).checks) run.insert(check.id);
+  for (const Check& check : proved("conjecture-8-d", 13).checks) run.insert(check.id);
+  for (const Check& check : proved("conjecture-8-d-large", 13).checks) run.erase(check.id);
   CHECK(run == costly);
 }
 
@@ -165,15 +165,15 @@ TEST_CASE("the tables for section 7 state the constants that the program finds",
   for (int degree : {3, 5, 7, 9, 11, 13}) {
     CAPTURE(degree);
     const auto column = static_cast<std::size_t>(degree + 1) / 2;
-    for (const Constant& one : stated_constants("conjecture-7", degree).all())
+    for (const Constant& one : proved("conjecture-7", degree).constants.all())
       check_cell(text, "7:" + head(one.name, degree), column, one);
-    CHECK(row(text, "7:n_1")[column] == n_1(prove("conjecture-7", degree)));
+    CHECK(row(text, "7:n_1")[column] == n_1(proved("conjecture-7", degree)));
   }
   for (const char* family : {"primal-odd", "dual", "dual-odd"})
     for (int degree = 1; degree <= 7; degree += family == std::string("primal-odd") ? 2 : 1) {
       const std::string key = "F:" + (family + (":" + std::to_string(degree)));
       CAPTURE(key);
-      const Constants stated = stated_constants("conjecture-7", degree, family);
+      const Constants stated = proved("conjecture-7", degree, family).constants;
       const std::vector<std::string> cells = row(text, key);
       CHECK(cells[2] == n_1(prove("conjecture-7", degree, stated, 2, family)));
       CHECK(decimal(cells[3]) == stated["beta_2"]);
@@ -187,15 +187,15 @@ TEST_CASE("the tables for section 7 state the constants that the program finds",
 
 TEST_CASE("the text states the constants of the theorems on smoothness") {
   const std::string text = source();
-  const Constants one = stated_constants("smoothness", 1);
+  const Constants one = proved("smoothness", 1).constants;
   CHECK(text.find("C = " + to_decimal(one["C"], 6, Rounding::nearest) + " ,") != std::string::npos);
   CHECK(text.find("$s>" + to_decimal(one["s"], 6, Rounding::nearest) + "$ for $n\\ge4$") != std::string::npos);
   for (const auto& [family, degree] :
        {std::pair{"primal-odd", 1}, {"primal", 3}, {"dual", 1}, {"dual", 2}, {"dual-odd", 1}, {"dual-odd", 2}}) {
     const std::string d = std::to_string(degree), key = std::string("S:") + family + ":" + d;
     CAPTURE(key);
-    const Constants stated = stated_constants("smoothness", degree, family);
-    const Theorem theorem = prove("smoothness", degree, stated, 2, family);
+    const Theorem& theorem = proved("smoothness", degree, family, 2);
+    const Constants& stated = theorem.constants;
     const std::vector<std::string> cells = row(text, key);
     const auto bound = [&](std::size_t i) {
       return theorem.ranges.at(theorem.ranges.size() - 3 + i).first.substr(std::string("n >= ").size());

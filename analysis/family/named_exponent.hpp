@@ -20,8 +20,8 @@ struct NamedExponent {
 constexpr long largest_named_degree = 10;
 
 /// Nothing where the radius is not proved to be attained, the exponent is rational or not known from above, or the
-/// number has a larger degree or was not told from others. Domain: `found` is of this mask, with rounded coefficients only
-/// if these are `meant`; of a vector all functions were asked for. Cost: as named_radius.
+/// number has a larger degree or was not told from others. Domain: `found` is of this mask, with rounded coefficients
+/// only if these are `meant`; of a vector all functions were asked for. Cost: as named_radius.
 std::optional<NamedExponent> named_exponent(const LatticeMask& mask, const Regularity& found,
                                             const std::optional<AlgebraicMask>& meant = std::nullopt);
 

@@ -68,7 +68,9 @@ std::string mask_formulas(const Scheme& scheme) {
 
 std::string exponent_latex(const Enclosure& exponent, const std::optional<ExponentFormula>& formula) {
   const std::string relation = formats::relation_latex(exponent, latex_digits);
-  return relation.empty() ? "" : "\\alpha " + (formula ? "= " + formula->latex() + " " : "") + relation;
+  return relation.empty() ? ""
+                          : "\\alpha " + (formula ? "= " + formula->latex() + " " : "") + relation +
+                                (formula ? formula->latex_of_zero() : "");
 }
 
 ExitCode print_range(const Scheme& scheme, Facts known, bool complete, std::size_t width, const CommonOptions& options,

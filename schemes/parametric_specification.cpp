@@ -360,7 +360,10 @@ Scheme specification_text::make_algebraic_mask(const Piece& family, const Piece&
     distance = std::max(distance, Rational(slope * away));
   }
   const bool symmetric = std::equal(text.coefficients.begin(), text.coefficients.end(), text.coefficients.rbegin());
-  if (distance > 0) scheme.rounding = {power(Rational(2), binary_exponent(distance) + 1), sum_rules(mask), symmetric};
+  if (distance > 0) {
+    scheme.rounding = {power(Rational(2), binary_exponent(distance) + 1), sum_rules(mask), symmetric};
+    scheme.algebraic = {mask, number.polynomial};
+  }
   return scheme;
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace subcert {
@@ -128,6 +129,11 @@ Scheme make_daubechies(Fields& fields) {
                 "orthonormal scaling function D" + number(2 * n) + " of Daubechies, coefficients rounded",
                 rounded.mask};
   if (rounded.rounding.distance > 0) scheme.rounding = rounded.rounding;
+  // Those that are of small degree over the rationals.
+  static const std::map<long, std::string> known{
+      {2, "mask:[1+t,3+t,3-t,1-t]/4,where=t^2-3:1..2"},
+      {3, "mask:[t^2+2*t-3,t^2+6*t+5,30-2*t^2+4*t,30-2*t^2-4*t,t^2-6*t+5,t^2-2*t-3]/32,where=t^4-10*t^2-15:3..4"}};
+  if (const auto field = known.find(n); field != known.end()) scheme.algebraic = make_scheme(field->second).algebraic;
   return scheme;
 }
 

@@ -6,6 +6,7 @@
 
 #include <subcert/analysis/symbol/masks/level_masks.hpp>
 #include <subcert/analysis/symbol/masks/matrix_masks.hpp>
+#include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 #include <subcert/analysis/symbol/polynomials/term_text.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 
@@ -44,6 +45,8 @@ struct Scheme {
   std::optional<QuadraticMask> quadratic = std::nullopt;
   /// Of a mask of matrices: the integral of the functions that are meant, where the equation has several solutions.
   std::optional<std::vector<Rational>> integral = std::nullopt;
+  /// What is meant where `mask` is one of numbers and rounded, and its field is known.
+  std::optional<AlgebraicMask> algebraic = std::nullopt;
 };
 
 /// A data-dependent scheme of one to three variables. It has no mask and only acts on data.

@@ -111,7 +111,7 @@ FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, 
   const Interval first{start.values.lower, start.unbounded ? kept.upper : start.values.upper};
   result.masks_exist = masks_exist(mask, recurrence, first, static_cast<int>(result.way->size())) &&
                        (!start.unbounded || has_no_real_root_from(mask.denominator(), kept.upper));
-  result.limit = limit_of_levels(mask, recurrence, kept, budget);
+  if (mask.components() == 1) result.limit = limit_of_levels(mask, recurrence, kept, budget);
   return result;
 }
 

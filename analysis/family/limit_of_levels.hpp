@@ -49,7 +49,7 @@ struct FollowedLevels {
   /// Of the values at levels 1, 2, ... until they are there, as Recurrence::way_into; nothing where that is not proved.
   std::optional<std::vector<Interval>> way = {};
   bool masks_exist = true;                  ///< before they are there, for all of `start`
-  std::optional<LimitOfLevels> limit = {};  ///< where they come there
+  std::optional<LimitOfLevels> limit = {};  ///< where they come there; of numbers
 
   /// From which on they are there; nothing where no one level is that for all of `start`.
   std::optional<int> first_level() const;
@@ -58,7 +58,7 @@ struct FollowedLevels {
   Truth have(const RangeProperty& property, Truth all_sequences) const;
 };
 
-/// For all w_0 in `start`, until they are in `kept` for good. Domain: as limit_of_levels. Cost: the same.
+/// For all w_0 in `start`, until they are in `kept` for good. Domain: as limit_of_levels, or matrices. Cost: the same.
 FollowedLevels follow(const ParametricMask& mask, const Recurrence& recurrence, const FirstValues& start,
                       const Interval& kept, const Budget& budget);
 

@@ -114,6 +114,7 @@ class Rules {
 }  // namespace
 
 LocalLevels local_levels(const ParametricMask& mask, const Box& box, const Budget& budget) {
+  require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
   require_levels(mask, box);
   require(std::ranges::all_of(mask.sizes(), [](std::size_t size) { return size <= 2; }) &&
               mask.denominators().entries.size() == 1,

@@ -54,7 +54,7 @@ std::vector<std::size_t> representatives(const MaskList& list) {
 
 /// The same sequences of masks, along a graph without twins; in any order where each mask may follow each. `kept`: the
 /// numbers that its masks have in the list.
-MaskList without_twins(const MaskList& list, std::vector<std::size_t>& kept) {
+MaskList with_twins_as_one(const MaskList& list, std::vector<std::size_t>& kept) {
   const std::vector<std::size_t> first = representatives(list);
   MaskList result{{}, {}, {}, list.most_rules};
   std::vector<std::size_t> number(first.size());
@@ -138,10 +138,16 @@ bool has_sequence(const MaskList& list) {
   }
 }
 
+MaskList without_twins(const MaskList& list) {
+  require_list(list);
+  std::vector<std::size_t> kept;
+  return list.period.empty() ? with_twins_as_one(list, kept) : list;
+}
+
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   require_list(list);
   std::vector<std::size_t> kept;
-  MaskList single = list.period.empty() ? without_twins(list, kept) : list;
+  MaskList single = list.period.empty() ? with_twins_as_one(list, kept) : list;
   std::vector<Mask> masks = single.masks;
   if (!list.period.empty()) {
     const std::optional<Mask> one = in_one(list.masks, list.period);

@@ -22,6 +22,10 @@ struct MaskList {
 /// Whether some sequence goes on for ever.
 bool has_sequence(const MaskList& list);
 
+/// The same sequences with equal masks that the same sequences may follow as one; in a period the list itself. Domain:
+/// canonical. Errors: throws Error.
+MaskList without_twins(const MaskList& list);
+
 /// The least exponent of all sequences.
 struct ExponentOfList {
   int sum_rules = 0;                  ///< that all masks have, and of which use is made
@@ -31,7 +35,7 @@ struct ExponentOfList {
   std::vector<std::size_t> sequence;  ///< the masks of the leading product, again and again
   MatrixFamily family;                ///< whose radius it is from
   JointSpectralRadius radius;
-  MaskList list;  ///< whose matrices these are: the same sequences, with equal masks as one
+  MaskList list;  ///< whose matrices these are: without_twins
 };
 
 /// By the joint spectral radius r of the transition matrices for divided differences of the order m of the common sum

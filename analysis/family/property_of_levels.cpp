@@ -4,7 +4,7 @@
 #include "box_search.hpp"
 #include "mask_list.hpp"
 
-#include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 
@@ -37,6 +37,13 @@ std::optional<Mask> scheme_of(const ParametricMask& mask, const std::vector<Valu
   } catch (const Error&) {
     return std::nullopt;
   }
+}
+
+/// Of one value at all levels. Errors: throws Error where it has no mask.
+Regularity regularity_at(const ParametricMask& mask, const Values& w, const Budget& budget,
+                         RegularityOptions options = {}) {
+  options.levels = norm_levels;
+  return regularity_of(mask.lattice_mask_at(w), budget, options);
 }
 
 class Levels {
@@ -79,14 +86,30 @@ class Levels {
     }
   }
 
-  /// Whether the sequence of that period is proved not to have the property.
+  /// Whether the sequence of that period is proved not to have the property. Of matrices one value at all levels.
   bool fails(std::vector<Values> period) {
     if (budget_.deadline.expired()) return false;
-    const std::optional<Mask> scheme = scheme_of(mask_, period);
-    if (!scheme || family::holds_at(*scheme, property_, budget_.deadline) != Truth::no) return false;
+    if (mask_.components() > 1) {
+      if (period.size() > 1 || !fails_at(period.front())) return false;
+    } else {
+      const std::optional<Mask> scheme = scheme_of(mask_, period);
+      if (!scheme || family::holds_at(*scheme, property_, budget_.deadline) != Truth::no) return false;
+    }
     result_.holds = Truth::no;
     result_.period = std::move(period);
     return true;
+  }
+
+  bool fails_at(const Values& w) const {
+    RegularityOptions options;
+    options.hermite = property_.kind == Kind::hermite;
+    const Budget share{budget_.deadline.after(1 - bounding), budget_.memory};
+    const MultivariateRegularity found = *regularity_at(mask_, w, share, options).surface;
+    if (property_.kind == Kind::convergent) return found.converges.is_no();
+    if (options.hermite)
+      return found.vector->hermite && found.vector->hermite->next.is_no() &&
+             found.vector->hermite->order < property_.order;
+    return found.exponent.upper && *found.exponent.upper < property_.order;
   }
 
   const ParametricMask& mask_;
@@ -118,7 +141,6 @@ Truth holds(const Enclosure& exponent, const RangeProperty& property) {
 }
 
 void require_levels(const ParametricMask& mask, const Box& box) {
-  require(mask.components() == 1, "levels: need a mask of numbers, got matrices of size {}", mask.components());
   require(box.letters() == mask.letters(), "levels: need a range for each letter, got {} letters and {} ranges",
           mask.letters(), box.letters());
   family::require_box("levels", mask, box);
@@ -128,7 +150,7 @@ std::optional<Rational> upper_end_of_levels(const ParametricMask& mask, const Bo
   std::optional<Rational> least;
   for (unsigned corner = 0; corner < box.corners(); ++corner) {
     try {
-      const auto upper = holder_regularity(mask.at(box.corner(corner)), norm_levels, budget).proved_exponent().upper;
+      const auto upper = regularity_at(mask, box.corner(corner), budget).exponent().upper;
       if (upper && (!least || *upper < *least)) least = upper;
     } catch (const Error&) {  // nothing is proved there
     }
@@ -139,8 +161,10 @@ std::optional<Rational> upper_end_of_levels(const ParametricMask& mask, const Bo
 PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                                     const Budget& budget) {
   require_levels(mask, box);
-  require(property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::holder,
-          "levels: need 'convergent', 'C1', 'C2', ... or 'holder>=P/Q'");
+  require(property.kind == Kind::convergent || property.kind == Kind::smooth || property.kind == Kind::hermite ||
+              property.kind == Kind::holder,
+          "levels: need 'convergent', C1, HC1 or holder>=3/2");
+  family::require_property("levels", mask, property, sum_rules(mask));
   return Levels(mask, property, box, budget).decide();
 }
 
@@ -163,7 +187,8 @@ std::vector<ExponentOfLevels> exponents_of_levels(const ParametricMask& mask, co
     const Budget share{all.after(1.0 / static_cast<double>(count - k + 1)), options.budget.memory};
     try {
       if (const auto above = radius.from_above(one.box, excess, share))
-        one.exponent.lower = Rational(rules) - *log_ratio(above->proved_upper(), mask.arity()).upper;
+        one.exponent.lower = std::min(Rational(rules),
+                                      Rational(rules - *log_ratio(above->proved_upper(), mask.arity()).upper));
     } catch (const Error&) {  // nothing is proved there
     }
     one.exponent.upper = upper_end_of_levels(mask, one.box, share);

@@ -23,9 +23,10 @@ struct PropertyOfLevels {
 };
 
 /// By one bound for the whole box: pieces of a box prove nothing of sequences that change from one to the other. It is
-/// refuted by one value for all levels, a corner or the middle, or by two corners in turn. Domain: as property_map, one
-/// letter or more; `convergent`, `smooth` or `holder`. Errors: throws Error. Error: none; what is not decided is left
-/// `unknown`. Cost: a joint spectral radius, and the exponents of a few masks. Ref: docs/levels.md.
+/// refuted by one value for all levels, a corner or the middle, or, of numbers, by two corners in turn. Domain: as
+/// property_map, one letter or more; `convergent`, `smooth`, `holder` or, of matrices, `hermite`. Errors: throws Error.
+/// Error: none; what is not decided is left `unknown`. Cost: a joint spectral radius, and the exponents of a few masks.
+/// Ref: docs/levels.md.
 PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                                     const Budget& budget);
 
@@ -33,7 +34,7 @@ PropertyOfLevels property_of_levels(const ParametricMask& mask, const RangePrope
 /// for all sequences. Nothing where none is proved. Domain: as above. Cost: an exponent for each corner.
 std::optional<Rational> upper_end_of_levels(const ParametricMask& mask, const Box& box, const Budget& budget);
 
-/// Errors: throws Error unless the mask is one of numbers and property_map takes the box.
+/// Errors: throws Error unless property_map takes the box.
 void require_levels(const ParametricMask& mask, const Box& box);
 
 /// Of all sequences of values in a box.

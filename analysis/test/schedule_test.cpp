@@ -133,8 +133,9 @@ TEST_CASE("shares of what is left leave time for the step after them") {
   check_leaves(0.5, {schedule::block::opposite_as_one});                                 // the matrices told apart
   check_leaves(0.3, {schedule::products::coordinates, schedule::products::runs});        // looks with contexts
   check_leaves(0.05, {schedule::forms::one_form, schedule::forms::contexts, schedule::forms::tree});  // proofs
-  check_leaves(0.3, {schedule::forms::fine_proof});                        // a proof with doubles
-  check_leaves(0.3, {schedule::curve::norms, schedule::curve::unstable});  // the radius
+  check_leaves(0.3, {schedule::forms::fine_proof});  // a proof with doubles
+  check_leaves(0.5, {schedule::curve::norms});       // the radius
+  check_leaves(0.3, {schedule::curve::reduced});     // the mask that does not tell the exponent
   check_leaves(0.03,
                {schedule::surface::stability, schedule::surface::sobolev, schedule::surface::search});  // convergence
   check_leaves(0.9, {schedule::surface::norms});

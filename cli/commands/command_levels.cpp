@@ -148,7 +148,7 @@ std::string limit_text(const LimitOfLevels& limit, const std::string& name) {
   const Enclosure& exponent = found.exponent;
   text += "exponent     ";
   if (!exponent.lower) return text + "not bounded: the mask in the limit was not proved to converge\n";
-  if (found.exact.is_yes()) return text + enclosure_text(exponent, 12) + "  (exact)\n";
+  if (found.exact.is_yes()) return text + enclosure_text(exponent, 12) + "  (exact)\n" + formula_line(found);
   text += "at least " + exponent.lower_text(12);
   if (exponent.upper) text += fmt::format(", at most {}", exponent.upper_text(12));
   return text + "\n";
@@ -322,8 +322,9 @@ ExitCode run(const LevelsCommandOptions& options) {
   for (const auto& [name, is_given] :
        {std::pair{"--over", !options.over.empty()}, {"--property", !options.property.empty()}})
     if (!is_given) fail(ErrorKind::usage, "{} is required with a family that has a parameter", name);
-  const RangeProperty property = read_levels_property(options.property);
-  LevelsAnswer found{options.property, make_lettered_scheme(options.scheme, options.over), {}, {}, property};
+  LetteredScheme lettered = make_lettered_scheme(options.scheme, options.over);
+  const RangeProperty property = read_levels_property(options.property, lettered.mask.components() > 1);
+  LevelsAnswer found{options.property, std::move(lettered), {}, {}, property};
   const LetteredScheme& scheme = found.scheme;
   found.box = read_box(options.over, scheme.names);
   if (options.each_point) return run_each_point(options, scheme, found.box, property);
@@ -369,11 +370,11 @@ void add_levels(Command& app) {
       [=] { return run(*options); });
   command
       .option("SCHEME", options->scheme,
-              "mask:[...] with letters in its coefficients, four-point:w, other families; or lists:FILE")
+              "mask:[...] with letters in its coefficients, four-point:w, hermite:[[[...]]]; or lists:FILE")
       .required()
       .suggest(suggested_schemes);
   command.option("--over", options->over, "The values, for each letter: w=LOW..HIGH").one_each();
-  command.option("--property", options->property, "convergent, C1, C2, ... or holder>=3/2");
+  command.option("--property", options->property, "convergent, C1, C2, ..., holder>=3/2 or, of Hermite schemes, HC1");
   command.option("--recurrence", options->recurrence,
                  "How each level has its value from the one before: v=sqrt((1+v)/2)");
   command.option("--start", options->start,

@@ -1,9 +1,12 @@
 // subcert verify FILE|DIR...: asks the independent checker, a program of its own
 
+#include "level_values.hpp"
+
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
+#include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/identity.hpp>
 #include <subcert/proofs-checks/certificates/stated_claim.hpp>
 
@@ -76,10 +79,16 @@ Verdict own_verdict(const CertificateClaim& claim, const std::string& file) {
   return {"verified", done, answer.text + decimals(claim)};
 }
 
+/// Errors: as stated_claim, and read_lists.
+StatedClaim read_stated(const std::string& words) {
+  return stated_claim(words,
+                      [](const std::string& file) { return list_subject(without_twins(read_lists(file).list)); });
+}
+
 /// A claim in words: what a checker proves of it as it stands, or what follows from what the file says of itself, once
 /// a checker proved that of the subject of these words.
 Verdict stated_verdict(const std::string& words, const CertificateClaim& own, const std::string& file) {
-  const StatedClaim stated = with_letter_of(own, stated_claim(words));
+  const StatedClaim stated = with_letter_of(own, read_stated(words));
   if (stated.is_plain()) {
     const CheckerAnswer answer = run_checker(checker_arguments(stated.claim, file));
     const auto code = static_cast<ExitCode>(answer.code);
@@ -103,9 +112,10 @@ Verdict stated_verdict(const std::string& words, const CertificateClaim& own, co
 
 /// What the checkers are to be asked.
 CertificateClaim plain_claim(const std::string& words, const CertificateClaim& own) {
-  const StatedClaim stated = with_letter_of(own, stated_claim(words));
+  const StatedClaim stated = with_letter_of(own, read_stated(words));
   if (!stated.is_plain())
-    fail(ErrorKind::usage, "--print-claim: checkers know <= alone, and ranges with LOW < HIGH, got '{}'", words);
+    fail(ErrorKind::usage,
+         "--print-claim: checkers know <= alone, ranges with LOW < HIGH and no recurrences in words, got '{}'", words);
   return stated.claim;
 }
 
@@ -147,7 +157,7 @@ void ask(const VerifyOptions& options, const std::string& path, Answers& answers
 
 /// A file that cannot be asked about ends the work, after the answers so far.
 ExitCode run(const VerifyOptions& options) {
-  if (!options.claim.empty()) static_cast<void>(stated_claim(options.claim));  // errors before work
+  if (!options.claim.empty()) static_cast<void>(read_stated(options.claim));  // errors before work
   Answers answers;
   std::exception_ptr unread;
   try {

@@ -7,6 +7,7 @@
 
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/properties/mask_list_file.hpp>
+#include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/reports/facts/exponents.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
@@ -45,6 +46,7 @@ std::string text_of(const MaskListFile& file, const ExponentOfList& found, const
     text += fmt::format("mask {}{}\n", padded(std::to_string(k), 8), file.specifications[k]);
   text += fmt::format("order        {}\nsum rules    {}{}\nexponent     {}\n", order_text(file.list), found.sum_rules,
                       file.list.period.empty() ? " in common" : "", exponent_text(found));
+  text += formula_line(found);
   if (!found.sequence.empty() && file.list.period.empty())
     text += fmt::format("least for    {}\n", sequence_text(found.sequence));
   if (found.exponent.lower && !found.exact.is_yes()) text += "not exact    " + found.exact.reason + "\n";
@@ -77,17 +79,25 @@ std::vector<NamedCertificate> certificates_of(const MaskList& list, const Expone
 }  // namespace
 
 Json exponent_json(const ExponentOfList& found) {
-  return {{"holder", enclosure_json(positive_part(found.exponent))},
-          {"exact", found.exact.is_yes()},
-          {"exactness", found.exact.reason}};
+  Json json{{"holder", enclosure_json(positive_part(found.exponent))},
+            {"exact", found.exact.is_yes()},
+            {"exactness", found.exact.reason}};
+  json.update(facts::page_json(facts::formula_facts(facts::exponent_formula(found))));
+  return json;
 }
 
-RangeProperty read_levels_property(const std::string& text) {
+std::string formula_line(const ExponentOfList& found) {
+  const auto formula = facts::exponent_formula(found);
+  return formula ? fmt::format("formula      {}\n", formula->text()) : "";
+}
+
+RangeProperty read_levels_property(const std::string& text, bool of_matrices) {
   using Kind = RangeProperty::Kind;
   const auto property = parse_range_property(text);
-  if (!property ||
-      (property->kind != Kind::convergent && property->kind != Kind::smooth && property->kind != Kind::holder))
-    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ... or holder>=3/2, got '{}'", text);
+  if (!property || (property->kind != Kind::convergent && property->kind != Kind::smooth &&
+                    property->kind != Kind::holder && !(of_matrices && property->kind == Kind::hermite)))
+    fail(ErrorKind::usage, "--property: expected convergent, C1, C2, ...{} or holder>=3/2, got '{}'",
+         of_matrices ? ", HC1, HC2, ..." : "", text);
   return *property;
 }
 

@@ -8,11 +8,13 @@
 
 namespace subcert::cli {
 
-/// `convergent`, `C2` or `holder>=3/2`. Errors: throws a usage error for another text.
-RangeProperty read_levels_property(const std::string& text);
+/// `convergent`, `C2`, `holder>=3/2` or, of matrices, `HC1`. Errors: throws a usage error for another text.
+RangeProperty read_levels_property(const std::string& text, bool of_matrices = false);
 
-/// The exponent, and whether it is exact.
+/// The exponent, whether it is exact, and its closed form.
 Json exponent_json(const ExponentOfList& found);
+/// The closed form, or nothing.
+std::string formula_line(const ExponentOfList& found);
 
 /// `property`: empty where none is asked for. `certificates`: a folder, or empty. Errors: throws Error.
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,

@@ -113,6 +113,102 @@ TEST_CASE("levels: exponents over ranges that grow, as text and picture") {
   CHECK(run_json("levels four-point:w --over w=1/32..1/8 --property C1 --boxes 3").at("growing").size() == 3);
 }
 
+TEST_CASE("levels: claims in words about recurrences and lists") {
+  const Folder folder;
+  const std::string certificates = folder / "proofs", proof = "verify " + certificates;
+  const auto claim = [&](const std::string& words) { return run(proof + " --claim '" + words + "'").code; };
+  const std::string family = "levels " + conic + " --over v=9/20..1000 --property C1 --recurrence 'v=sqrt((1+v)/2)' " +
+                             "--certificate " + certificates + " --start v0=",
+                    levels = "1 <= conic-four-point:v for all levels ", step = ", v=sqrt((1+v)/2), v0=";
+  CHECK(run(family + "-1..1000000").code == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "-1..1000000") == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "0.5..3") == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "1/2") == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "-1..1000001") == 1);
+  CHECK(claim(levels + "v=9/20..1000" + step + "0..inf") == 1);
+  CHECK(claim(levels + "v=1/2..1000" + step + "1/2") == 1);  // nothing says that values come there
+  CHECK(claim(levels + "v=9/20..1000, v=sqrt((2+v)/3), v0=1") == 1);
+  CHECK(claim("2 <= conic-four-point:v for all levels v=9/20..1000" + step + "1/2") == 1);
+  CHECK(claim("1/2 <= conic-four-point:v for all levels v=9/20..1000" + step + "1/2") == 0);
+  CHECK(claim("1 <= conic-four-point:w for all levels w=9/20..1000, w=sqrt((1+w)/2), w0=1/2") == 0);
+  for (const char* words : {"v=9/20..1000, v=sqrt((1+v)/2)", "v=9/20..1000, v0=1", "v=9/20..1000, v=sin(v), v0=1",
+                            "v=9/20..1000, v=sqrt((1+v)/2), v0=3..1", "v=9/20..1000, v=sqrt((1+v)/2), v1=1"})
+    CHECK(claim(levels + words) == 64);
+  CHECK(run(family + "-1..inf").code == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "0..inf") == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "-1..7") == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "-2..inf") == 1);
+  CHECK(run(family + "2000..inf").code == 3);  // then it is about all sequences, and nothing comes there
+  CHECK(claim(levels + "v=9/20..1000") == 0);
+  CHECK(claim(levels + "v=9/20..1000" + step + "1/2") == 1);
+
+  const std::string masks = "masks = [\"dd:n=2\", \"bspline:degree=3\", \"dd:n=2\"]\n";
+  const std::string any = folder.write("any.toml", masks), turn = folder.write("turn.toml", masks + "period = [0, 1]");
+  CHECK(run("levels lists:" + any + " --certificate " + certificates).code == 0);
+  CHECK(claim("2 <= lists:" + any) == 0);
+  CHECK(claim("3/2 < lists:" + any) == 0);
+  CHECK(claim("2 < lists:" + any) == 1);
+  CHECK(claim("2 <= lists:" + turn) == 1);
+  CHECK(claim("2 <= lists:" + folder.write("other.toml", "masks = [\"dd:n=3\"]")) == 1);
+  CHECK(claim("2 <= lists:" + (folder / "none.toml")) == 66);
+  CHECK(run("levels lists:" + turn + " --certificate " + certificates).code == 0);
+  CHECK(claim("5/2 <= lists:" + turn + " <= 5/2") == 0);
+  CHECK(claim("2 <= lists:" + turn) == 0);
+}
+
+TEST_CASE("levels: vectors and Hermite schemes") {
+  const Folder folder;
+  const std::string certificates = folder / "proofs", proof = "verify " + certificates + "/01-proved.cert";
+  const std::string merrien = "levels merrien:lambda=-1/8,mu --over mu=-1..", saved = " --certificate " + certificates;
+  const Run page = run(merrien + "0 --property HC1" + saved);
+  CHECK(page.code == 0);
+  CHECK(says(page, "answer       HC1 for every sequence of mu from -1 to 0, one value for each level\n"));
+  const Run verified = run(proof);
+  CHECK((verified.code == 0 && says(verified, "HC^1 of the Hermite scheme of")));
+  CHECK(says(verified, "for all sequences of levels with m=-1..0"));
+  const auto claim = [&](const std::string& words) { return run(proof + " --claim '" + words + "'").code; };
+  CHECK(claim("1 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1..0") == 0);
+  CHECK(claim("1 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1/2..0") == 0);
+  CHECK(claim("1 <= HC of merrien:lambda=-1/8,mu for mu=-1..0") == 0);
+  CHECK(claim("1 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1..1/2") == 1);
+  CHECK(claim("2 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1..0") == 1);
+  // What holds for each value is not what holds for all sequences.
+  CHECK(run("range merrien:lambda=-1/8,mu --over mu=-1..0 --property HC1" + saved).code == 0);
+  CHECK(run("verify " + certificates + " --claim '1 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1..0'").code ==
+        1);
+  const Run refuted = run(merrien + "2 --property HC1");
+  CHECK((refuted.code == 1 && says(refuted, "not HC1 for every sequence: not for mu = 2 at all levels\n")));
+  CHECK(run(merrien + "0 --property convergent" + saved).code == 0);
+  CHECK(says(run(proof), "0 < Hoelder exponent of the vector scheme of"));
+  CHECK(run(merrien + "0 --property C1").code == 0);
+  CHECK(run("levels merrien:lambda,mu --over lambda=-0.132..-0.095 --over mu=-0.52..-0.41 --property HC1").code == 0);
+  // Values that follow from each other.
+  const std::string step = " --recurrence 'mu=mu/2-1/4' --start mu0=";
+  CHECK(run(merrien + "0 --property HC1" + step + "-9..5" + saved).code == 0);
+  const Run follows = run(proof);
+  CHECK((follows.code == 0 && says(follows, "of m -> [-1/4+1/2*m] with m=-9..5 at level 0, all in m=-1..0")));
+  CHECK(claim("1 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1..0, mu=mu/2-1/4, mu0=-9..0") == 0);
+  CHECK(claim("1 <= HC of merrien:lambda=-1/8,mu for all levels mu=-1..0") == 1);
+  CHECK(run_json(merrien + "0 --property convergent --boxes 2").at("growing").size() == 2);
+  CHECK(run("levels four-point:w --over w=1/32..1/8 --property HC1").code == 64);
+  CHECK(run(merrien + "0 --property HC0").code == 64);
+  CHECK(run(merrien + "0 --property C1 --each-point").code == 64);
+}
+
+TEST_CASE("levels: closed forms of exponents") {
+  const auto limit = [](const std::string& family) {
+    return run_json("levels " + family + " --property C1 --recurrence 'v=sqrt((1+v)/2)' --start v0=1/2")
+        .at("recurrence")
+        .at("limit");
+  };
+  CHECK(limit("exponential-six-point:v --over v=1/2..10").at("formula") == "6 - log_2(9)");
+  CHECK(limit("conic-four-point:v --over v=9/20..1000").at("formula").is_null());  // 2
+  const Folder folder;
+  const std::string list = "levels lists:" + folder.write("list.toml", "masks = [\"dual:n=2\", \"dual:n=2\"]");
+  CHECK(says(run(list), "\nformula      3 - log_2(8/5)\n"));
+  CHECK(run_json(list).at("radius_number").at("polynomial").dump() == "[\"-8\",\"5\"]");
+}
+
 TEST_CASE("levels: lists of masks") {
   const Folder folder;
   const std::string masks = "masks = [\"dd:n=2\", \"bspline:degree=3\"]\n";

@@ -106,16 +106,28 @@ TEST_CASE("the exponent in closed form is the one that is enclosed") {
     const auto found = run_json(std::string("regularity ") + scheme);
     if (found.at("formula").is_null()) continue;
     const auto formula = found.at("formula").get<std::string>();
-    int rules = 0, arity = 0, above = 0, below = 1;
-    REQUIRE(std::sscanf(formula.c_str(), "%d - log_%d(%d/%d)", &rules, &arity, &above, &below) >= 3);
-    const double value = rules - std::log(double(above) / below) / std::log(arity);
+    int rules = 0, arity = 0;
+    REQUIRE(std::sscanf(formula.c_str(), "%d - log_%d(", &rules, &arity) == 2);
+    const auto& number = found.at("radius_number");
+    const double zero = std::stod(number.at("zero").get<std::string>());  // 13 digits
+    const double value = rules - std::log(zero) / number.at("root").get<double>() / std::log(arity);
     CHECK(std::abs(value - std::stod(found.at("holder").at("lower").get<std::string>())) < 1e-12);
-    CHECK(contains(run(std::string("analyze ") + scheme).out, "\nformula       " + formula + "\n"));
+    CHECK(run_json(std::string("analyze ") + scheme).at("formula") == formula);
   }
   CHECK(run_json("regularity dual:n=2").at("formula") == "3 - log_2(8/5)");
   CHECK(run_json("regularity chaikin").at("formula").is_null());     // 2, as it stands
-  CHECK(run_json("regularity primal:n=5").at("formula").is_null());  // of an irrational radius
+  CHECK(run_json("regularity primal:n=5").at("formula").is_null());  // of a long polynomial
   CHECK(run_json("regularity 'mask:[1,1]'", 1).at("formula").is_null());
+  // Of algebraic numbers.
+  CHECK(run_json("regularity daubechies:n=2").at("formula") == "2 - log_2(1+sqrt(3))");
+  CHECK(contains(run("regularity daubechies:n=2 --latex").out, "\\alpha = 2 - \\log_{2} \\left(1+\\sqrt{3}\\right) "));
+  CHECK(run_json("regularity daubechies:n=4").at("formula").is_null());  // of which no field is known
+  const auto cubic = run_json("regularity daubechies:n=3");
+  CHECK(cubic.at("formula") == "3 - log_2(r), 4*r^4-8*r^3-24*r^2-12*r+9 = 0, r = 3.763737662273");
+  CHECK(cubic.at("radius_number").at("polynomial").dump() == "[\"9\",\"-12\",\"-24\",\"-8\",\"4\"]");
+  CHECK(cubic.at("radius_number").at("zero") == "3.763737662273");
+  CHECK(cubic.at("radius_number").at("root") == 1);
+  CHECK(contains(run("regularity daubechies:n=3 --latex").out, "r^{4}-8 r^{3}-24 r^{2}-12 r+9 = 0"));
 }
 
 TEST_CASE("answers name their inputs by digests that any machine computes") {

@@ -86,6 +86,9 @@ std::optional<Certificate> levels_certificate(const ParametricMask& mask, char l
                                               const Box& box, const PropertyOfLevels& levels,
                                               const FollowedLevels* followed = nullptr);
 
+/// As certificates name a list.
+ListSubject list_subject(const MaskList& list);
+
 /// That all sequences of the masks have at least the lower end of the exponent, unless they are in a period; and of the
 /// sequence that bounds it from above, if one does, what its exponent is. None where nothing positive is proved.
 /// Domain: `found` is that of the list. Cost: the exponent of one mask of arity a^L.

@@ -25,8 +25,9 @@ struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
     const std::string_view of_numbers = of.is_levels ? levels : "exponent";
-    const std::string line = fmt::format("{} {} {}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices, of.mask,
-                                         of.arity, more.empty() ? "" : " ", more);
+    const std::string line = fmt::format("{} {} {}{}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices,
+                                         of.mask, of.arity, more.empty() ? "" : " ", more,
+                                         of.is_levels && !of.of_matrices.empty() ? " levels" : "");
     return of.recurrence.empty()
                ? line
                : fmt::format("{} {}{} {}{} {}{}", line, recurrence, of.recurrence, start, of.start, from, of.from);
@@ -54,16 +55,16 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (second.empty()) fail(ErrorKind::data, "{}: not a certificate", file);
   const bool rounded = more.starts_with(within);
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
-  if (kind == "exponent" || kind == levels) {
-    MaskSubject subject{first, second, more, kind == levels};
-    for (std::string word; words >> word;)
+  const bool of_matrices = kind == "vectors" || kind == "hermite";
+  if (kind == "exponent" || kind == levels || of_matrices) {
+    MaskSubject subject{first, second, more, kind == levels, {}, of_matrices ? kind : ""};
+    for (std::string word; words >> word; subject.is_levels = subject.is_levels || word == levels)
       for (const auto& [name, field] :
            {std::pair(recurrence, &subject.recurrence), {start, &subject.start}, {from, &subject.from}})
         if (word.starts_with(name)) *field = word.substr(name.size());
     return subject;
   }
   if (kind == lists) return ListSubject{first, second, more};
-  if (kind == "vectors" || kind == "hermite") return MaskSubject{first, second, more, false, {}, kind};
   if (kind == "surface" || kind == "refinable") {
     SurfaceSubject subject{first, second, kind == "refinable"};
     for (; !more.empty(); more.clear(), words >> more)

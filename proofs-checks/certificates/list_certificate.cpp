@@ -22,15 +22,9 @@ std::string order_text(const MaskList& list) {
   return fmt::format("follows={}", fmt::join(pairs, ","));
 }
 
-ListSubject subject_of(const MaskList& list) {
-  std::vector<std::string> masks;
-  for (const Mask& mask : list.masks) masks.push_back(mask.symbol().to_mask_text());
-  return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
-}
-
 Certificate of_all(const ExponentOfList& found, const Rational& lower) {
   const ClaimedEnds ends{outward(lower, Rounding::down), {}};
-  Certificate certificate{{ends, subject_of(found.list)}, {}, ends};
+  Certificate certificate{{ends, list_subject(found.list)}, {}, ends};
   certificate.sections.push_back({fmt::format("sum-rules {}\n{}", found.sum_rules, blocks_text(found.radius))});
   add_sections(certificate, found.radius.proof, found.family.count());
   return certificate;
@@ -42,11 +36,17 @@ Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& se
   const Mask one = levels_as_one(levels);
   Certificate certificate = exponent_certificate(
       one, holder_regularity(one, levels_of_bounds, budget, HolderProof::certificate));
-  certificate.claim.subject = subject_of({list.masks, sequence});
+  certificate.claim.subject = list_subject({list.masks, sequence});
   return certificate;
 }
 
 }  // namespace
+
+ListSubject list_subject(const MaskList& list) {
+  std::vector<std::string> masks;
+  for (const Mask& mask : list.masks) masks.push_back(mask.symbol().to_mask_text());
+  return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
+}
 
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<Certificate> result;

@@ -37,6 +37,11 @@ Certificate interval_certificate(const ParametricMask& mask, char letter, const 
   return certificate;
 }
 
+/// As in MaskSubject.
+std::string kind_of_matrices(const ParametricMask& mask, const RangeProperty& property) {
+  return property.kind == RangeProperty::Kind::hermite ? "hermite" : mask.components() > 1 ? "vectors" : "";
+}
+
 /// That the levels of the claim are those which follow from each other, and how their values come into its range.
 void add_recurrence(Certificate& certificate, char letter, const FollowedLevels& followed) {
   auto& subject = std::get<MaskSubject>(certificate.claim.subject);
@@ -99,8 +104,7 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
   const bool stable = property.kind == Kind::stable,
              rough = property.kind == Kind::smooth && property.order >= range.sum_rules;
   if (!stable && !rough && range.proofs.empty()) return {};
-  const bool hermite = property.kind == Kind::hermite;
-  const std::string of_matrices = hermite ? "hermite" : mask.components() > 1 ? "vectors" : "";
+  const std::string of_matrices = kind_of_matrices(mask, property);
   std::vector<RangeCertificate> certificates;
   std::vector<Enclosure> special;  // looked at on their own
   for (const SpecialValue& value : range.special) special.push_back(value.value);
@@ -149,7 +153,8 @@ std::optional<Certificate> levels_certificate(const ParametricMask& mask, char l
   if (levels.holds != Truth::yes) return std::nullopt;
   const Rational &low = box.low[0], &high = box.high[0];
   Certificate certificate = interval_certificate(mask, letter, low, high, {to_text(property.order), {}},
-                                                 {{low, high, levels.above, std::nullopt}}, "", true);
+                                                 {{low, high, levels.above, std::nullopt}},
+                                                 kind_of_matrices(mask, property), true);
   if (followed && followed->way) add_recurrence(certificate, letter, *followed);
   return certificate;
 }

@@ -22,9 +22,8 @@ constexpr std::string_view range_begins = " for ", all = "all ", levels = "level
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
        "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
-       "'FAMILY for all levels w=LOW..HIGH', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= "
-       "NUMBER], "
-       "or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
+       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'lists:FILE', 'radius FILE' or 'subradius "
+       "FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
 
@@ -75,13 +74,43 @@ struct ForClause {
   ParameterRange values;
   bool is_levels = false;
   Chain behind;  ///< the values, then the upper end
+  std::optional<Recurrence> recurrence = {};
+  std::optional<FirstValues> start = {};  ///< with it
 };
 
-std::optional<ForClause> read_for(std::string text, const std::string& name) {
+/// `w0=FIRST..LAST`, `w0=FIRST..inf` or `w0=VALUE`.
+std::optional<FirstValues> first_values_of(std::string text, const std::string& name) {
+  constexpr std::string_view open = "..inf";
+  const bool unbounded = text.ends_with(open);
+  if (unbounded) text.resize(text.size() - open.size());
+  const auto values = values_of(text, name + "0");
+  if (!values || (unbounded && values->low < values->high)) return std::nullopt;
+  return FirstValues{{values->low, values->high}, unbounded};
+}
+
+/// Behind the range of levels, `w=STEP, w0=FIRST..LAST`; false for another text.
+bool read_following(const std::string& text, const ParametricScheme& family, ForClause& clause) {
+  const std::size_t comma = text.rfind(',');
+  if (comma == std::string::npos) return false;
+  clause.start = first_values_of(trimmed(text.substr(comma + 1)), family.name);
+  try {
+    clause.recurrence = Recurrence::parse(trimmed(text.substr(0, comma)), family.name, family.letter);
+  } catch (const ParseError&) {
+    return false;
+  }
+  return clause.start.has_value();
+}
+
+std::optional<ForClause> read_for(std::string text, const ParametricScheme& family) {
+  const std::string& name = family.name;
   ForClause clause{};
   if (text.starts_with(all)) text = trimmed(text.substr(all.size()));
   clause.is_levels = text.starts_with(levels);
   if (clause.is_levels) text = trimmed(text.substr(levels.size()));
+  if (const std::size_t comma = text.find(','); clause.is_levels && comma != std::string::npos) {
+    if (!read_following(text.substr(comma + 1), family, clause)) return std::nullopt;
+    text = trimmed(text.substr(0, comma));
+  }
   if (const auto values = parse_parameter_range(text, name)) {
     clause.values = *values;
     clause.behind.parts = {text};
@@ -99,7 +128,6 @@ std::optional<ForClause> read_for(std::string text, const std::string& name) {
 MaskSubject family_subject(const ParametricScheme& family, const ForClause& clause, bool hermite,
                            const std::string& text) {
   const bool is_of_matrices = family.mask.components() > 1;
-  if (clause.is_levels && is_of_matrices) fail(ErrorKind::usage, "--claim: {}: levels are of masks of numbers", text);
   if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", text);
   return {family.mask.to_text(family.letter),
           std::to_string(family.mask.arity()),
@@ -108,7 +136,8 @@ MaskSubject family_subject(const ParametricScheme& family, const ForClause& clau
           {},
           hermite          ? "hermite"
           : is_of_matrices ? "vectors"
-                           : ""};
+                           : "",
+          clause.recurrence ? clause.recurrence->to_text(family.letter) : ""};
 }
 
 /// A vector scheme itself, of whose refinable functions claims are made otherwise.
@@ -126,8 +155,9 @@ MaskSubject vector_scheme_subject(const std::string& specification, bool hermite
           hermite ? "hermite" : "vectors"};
 }
 
-ClaimSubject stated_subject(const std::string& subject) {
-  constexpr std::string_view radius = "radius ", subradius = "subradius ";
+ClaimSubject stated_subject(const std::string& subject, const ReadList& read_list) {
+  constexpr std::string_view radius = "radius ", subradius = "subradius ", lists = "lists:";
+  if (read_list && subject.starts_with(lists)) return read_list(subject.substr(lists.size()));
   if (subject.starts_with(radius)) return FamilySubject{false, {}, {}, trimmed(subject.substr(radius.size()))};
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (is_l1_specification(subject)) return l1_subject(subject);
@@ -220,6 +250,18 @@ bool is_within(const std::optional<ParameterRange>& stated, const std::optional<
   return !stated || (proved->low <= stated->low && stated->high <= proved->high);
 }
 
+/// Of values that follow from each other: whether all first values that are stated are among those that are proved, and
+/// the range is the one into which they come.
+bool starts_within(const StatedClaim& stated, const CertificateClaim& proved) {
+  if (!stated.start) return true;
+  const auto theirs = stated.values, ours = values_of(proved);
+  const auto start = first_values_of(fmt::format("w0={}", mask_of(proved).start), "w");
+  if (!start || theirs->low != ours->low || theirs->high != ours->high) return false;
+  const auto& [values, unbounded] = *stated.start;
+  return start->values.lower <= values.lower &&
+         (start->unbounded || (!unbounded && values.upper <= start->values.upper));
+}
+
 /// Whether some value is in both.
 bool meet(const std::optional<ParameterRange>& stated, const std::optional<ParameterRange>& proved) {
   if (!stated) return true;
@@ -245,12 +287,12 @@ bool contracts_as(const ClaimSubject& stated, const ClaimSubject& proved) {
 bool StatedClaim::is_plain() const {
   const bool upper_alone = claim.upper && !claim.lower && !claim.exact && !claim.says_rough() && !values &&
                            mask_of(claim).of_matrices.empty() && !std::holds_alternative<FamilySubject>(claim.subject);
-  return !lower_strict && !upper_strict && !upper_alone && !(values && values->low == values->high);
+  return !lower_strict && !upper_strict && !upper_alone && !(values && values->low == values->high) && !start;
 }
 
 namespace {
 
-StatedClaim read_claim(const std::string& words) {
+StatedClaim read_claim(const std::string& words, const ReadList& read_list) {
   if (const auto contraction = stated_contraction(words)) return *contraction;
   const std::size_t at = words.find(range_begins);
   const std::optional<Chain> chain = chain_of(words.substr(0, at));
@@ -275,15 +317,16 @@ StatedClaim read_claim(const std::string& words) {
   if (parts.size() > subject + 1) upper = parts[subject + 1];
   if (upper) stated.upper_strict = chain->strict[subject];
   if (at == std::string::npos) {
-    claim.subject = stated_subject(text);
+    claim.subject = stated_subject(text, read_list);
   } else {
     const bool hermite = text.starts_with(hc);
     const ParametricScheme family = make_parametric_scheme(trimmed(text.substr(hermite ? hc.size() : 0)));
-    const auto clause = read_for(trimmed(words.substr(at + range_begins.size())), family.name);
+    const auto clause = read_for(trimmed(words.substr(at + range_begins.size())), family);
     if (!clause || (upper && clause->behind.parts.size() > 1)) refuse(words);
     if (clause->behind.parts.size() > 1) upper = clause->behind.parts[1];
     claim.subject = family_subject(family, *clause, hermite, words);
     stated.values = clause->values;
+    stated.start = clause->start;
     stated.lower_strict = stated.upper_strict = false;  // as certificates have it
   }
   if (!mask_of(claim).of_matrices.empty()) stated.lower_strict = stated.upper_strict = false;
@@ -294,9 +337,9 @@ StatedClaim read_claim(const std::string& words) {
 
 }  // namespace
 
-StatedClaim stated_claim(const std::string& words) {
+StatedClaim stated_claim(const std::string& words, const ReadList& read_list) {
   try {
-    return read_claim(words);
+    return read_claim(words, read_list);
   } catch (const SpecificationError& error) {
     fail(ErrorKind::usage,
          "--claim '{}': {}; a claim names its scheme, as 3/2 < primal:n=5 or 1 < four-point:w for 1/20 <= w <= 1/10",
@@ -309,8 +352,11 @@ StatedClaim with_letter_of(const CertificateClaim& proved, StatedClaim stated) {
   auto* theirs = std::get_if<MaskSubject>(&stated.claim.subject);
   if (!ours || !theirs || ours->range.empty() || theirs->range.empty()) return stated;
   const char before = theirs->range[0];
-  for (std::string* text : {&theirs->mask, &theirs->range})
-    std::replace(text->begin(), text->end(), before, ours->range[0]);
+  constexpr std::string_view root = "sqrt";
+  const std::ptrdiff_t skipped = theirs->recurrence.starts_with(root) ? root.size() : 0;
+  for (const auto& [text, begin] :
+       {std::pair(&theirs->mask, std::ptrdiff_t{0}), {&theirs->range, 0}, {&theirs->recurrence, skipped}})
+    std::replace(text->begin() + begin, text->end(), before, ours->range[0]);
   return stated;
 }
 
@@ -321,6 +367,8 @@ CertificateClaim about_subject_of(const StatedClaim& stated, const CertificateCl
     if (auto* theirs = std::get_if<MaskSubject>(&claim.subject)) {
       theirs->range = ours->range;
       theirs->is_levels = ours->is_levels;
+      theirs->start = ours->start;
+      theirs->from = ours->from;
     }
   if (const auto* ours = std::get_if<L1Subject>(&proved.subject))
     if (auto* theirs = std::get_if<L1Subject>(&claim.subject)) theirs->contraction = ours->contraction;
@@ -336,7 +384,7 @@ Truth follows(const StatedClaim& stated, const CertificateClaim& proved) {
              proved_most = number_of(proved.upper);
   const bool orders = our_mask.of_matrices == "hermite",
              strict = (ours || !our_mask.of_matrices.empty()) && !orders;  // of both claims
-  if (is_within(theirs, ours) && (!their_mask.is_levels || our_mask.is_levels) &&
+  if (is_within(theirs, ours) && starts_within(stated, proved) && (!their_mask.is_levels || our_mask.is_levels) &&
       (least || most || claim.exact || std::holds_alternative<L1Subject>(claim.subject) ||
        (!proved_least && !proved_most && !proved.exact)) &&
       contracts_as(claim.subject, proved.subject) && (!claim.exact || claim.exact == proved.exact) &&

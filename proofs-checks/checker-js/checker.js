@@ -2586,7 +2586,8 @@ var check_certificate = (() => {
     });
   }
   function check_vectors(reader, claim) {
-    const {lower, upper, hermite, curve, interval} = claim, {arity, degree, q, a, components: r, first} = curve, base = BigInt(arity);
+    const {lower, upper, hermite, curve, interval, levels, recurrence} = claim, {arity, degree, q, a, components: r, first} = curve, base = BigInt(arity);
+    if (recurrence) check_following(reader, recurrence, interval);
     const order = small(reader.read('sum-rules', 1)[0], 1, 64);
     check_ends(lower, upper, 0);
     const end = lower || upper;
@@ -2625,7 +2626,7 @@ var check_certificate = (() => {
     const goal = {below: lower && at_most(power_below(base, minus(order, lower)), true)};
     if (upper) goal.above = at_least(over(1n, power_below(base, minus(upper, order))));  // above 1
     const symbol = {arity, degree, q, den: by_power[0].den, matrices};
-    if (interval) check_intervals(reader, symbol, goal, {levels: false, interval});
+    if (interval) check_intervals(reader, symbol, goal, {levels, interval});
     else prove(reader, control_family(symbol, null), goal);
   }
   function check_surface(reader, {lower, upper, surface, dilation, integral, component, exact}) {
@@ -2955,7 +2956,8 @@ var check_certificate = (() => {
                      phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C
                      alone, C = 0, 1, ...)
        subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE
-                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it diverges)
+                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it diverges;
+                     --levels and what belongs to it in place of --for, as above)
        subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
@@ -2987,10 +2989,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
-    const curve = has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'dilation', 'matrices', 'subradius') &&
-      ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 &&
-      ((none('levels') && !follow) || (has('lower') && none('upper'))) && has('masks') === has('order') &&
-      ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
+    const of_levels = ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 && (none('levels') || (has('lower') && none('upper'))) &&
+      ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from'));
+    const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'dilation', 'matrices', 'subradius') &&
+      (!follow || (has('lower') && none('upper'))) && has('masks') === has('order') &&
       (none('masks') || none('for', 'levels', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
@@ -3000,9 +3002,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'attains', 'logarithm');
-    const of_vectors = has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
+    const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
-      none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'lower', 'upper'].includes(name)));
+      none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     const others = none('l1', 'contraction', 'vectors', 'hermite');
@@ -3038,10 +3040,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       }
     } else if (kind === check_vectors) {
       claim.hermite = options.hermite !== undefined;
-      const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = options.for === undefined ? null : read_range(options.for, claim);
+      const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range_of(options, claim);
       if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
       claim.curve = read_curve(options[kind_of], small(options.arity, 2, 16), letter, 2);
-      claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${letter ? ` ${options.for}` : ''}`;
+      claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${claim.values}${claim.levels ? ' levels' : ''}${claim.following}`;
     } else if (options.masks !== undefined) {
       claim.list = read_list(options.masks, small(options.arity, 2, 16), options.order);
       if (kind === check_curve) claim.curve = masks_in_one(claim.list);
@@ -3049,18 +3051,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.head = `lists ${options.masks} ${options.arity} ${options.order}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);
-      claim.levels = options.levels !== undefined;
-      const range = claim.levels ? options.levels : options.for;
-      const letter = range === undefined ? null : read_range(range, claim);
+      const letter = read_range_of(options, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
       if (options.attains !== undefined) read_letters(options.attains);
       claim.curve = read_curve(options.mask, arity, letter);
-      claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}` + (letter ? ` ${range}` : '') +
-        (claim.within ? ` within=${options.within}` : '');
-      if (options.recurrence !== undefined) {
-        claim.recurrence = read_following(options.recurrence, options.start, options.from, letter);
-        claim.head += ` recurrence=${options.recurrence} start=${options.start} from=${options.from}`;
-      }
+      claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}${claim.values}` +
+        (claim.within ? ` within=${options.within}` : '') + claim.following;
     }
     return claim;
   }
@@ -3070,6 +3066,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       options.contraction === undefined ? null : read_contraction(options.contraction.split(','), l1);
     const upper = options.upper === undefined ? null : rational(options.upper);
     return {options, kind: check_l1, l1, contraction, lower, upper, head: `l1 ${l1.points} ${l1.degree}${l1.arity === 2 ? '' : ` ${l1.arity}`}`};
+  }
+  function read_range_of(options, claim) {  // its letter, or null; sets of the claim what is about its values
+    const {recurrence: step, start, from} = options, range = options.levels === undefined ? options.for : options.levels;
+    const letter = range === undefined ? null : read_range(range, claim), follow = step !== undefined;
+    claim.levels = options.levels !== undefined;
+    if (follow) claim.recurrence = read_following(step, start, from, letter);
+    claim.values = letter ? ` ${range}` : '';
+    claim.following = follow ? ` recurrence=${step} start=${start} from=${from}` : '';
+    return letter;
   }
   function read_range(text, claim) {
     const [, letter, low, high] = /^([a-zA-Z])=(.*?)\.\.(.*)$/s.exec(text) || [];
@@ -3094,17 +3099,18 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
             contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
       ` of least absolute deviations ${options.l1}`;
   }
-  function text_of_vectors({options, hermite, lower, upper}) {
+  function text_of_vectors({options, hermite, lower, upper, levels, interval}) {
     const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
       : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
     return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
-      `${options.arity}${options.for === undefined ? '' : ` for all ${options.for}`}`;
+      options.arity + text_of_values(options, levels, interval);
   }
   function text_of_levels({recurrence, start, from, levels: range}) {
     const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
     return recurrence === undefined ? ` for all sequences of levels with ${range}`
       : ` from ${level} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}`;
   }
+  const text_of_values = (options, levels, interval) => levels ? text_of_levels(options) : interval ? ` for all ${options.for}` : '';
   function text_of({options, of_family, lower, upper, rough, interval, levels, list}) {
     const relation = interval ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
@@ -3125,7 +3131,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const of_list = list && (list.period.length ? ' for levels' : ' for all sequences of levels') +
       (options.order === 'any' ? '' : ` with ${options.order}`);
     return `${ends} of ${subject}` +
-      (list ? of_list : levels ? text_of_levels(options) : interval ? ` for all ${options.for}` : '') +
+      (list ? of_list : text_of_values(options, levels, interval)) +
       (options.within ? ` for all masks within=${options.within}` : '');
   }
   function read_matrices(reader) {

@@ -29,7 +29,8 @@ const char* const usage =
     "                     alone, C = 0, 1, ...)\n"
     "       subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE\n"
     "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it "
-    "diverges)\n"
+    "diverges;\n"
+    "                     --levels and what belongs to it in place of --for, as above)\n"
     "       subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
@@ -180,7 +181,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               !(mask && masks) && masks.has_value() == order.has_value() &&
               recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
               (levels || !from) && !(range && rounding) &&
-              (!of_matrices || (!levels && !exact && lower.has_value() != upper.has_value())) && !(values && levels) &&
+              (!of_matrices || (!exact && lower.has_value() != upper.has_value())) && !(values && levels) &&
               !((levels || follow_each_other) && (upper || !lower)) &&
               !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
               (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : one.has_value())) &&
@@ -256,7 +257,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
                (upper && !diverges && !rough && !hermite ? relation + claim.upper->get_str() : "") +
                (logarithm ? " with |log h|^" + *logarithm : "") + " of " + claim.subject;
   if (range) {
-    claim.head += " " + *range;
+    claim.head += " " + *range + (levels && of_matrices ? " levels" : "");
     if (recurrence) {
       claim.recurrence = parse_recurrence(*recurrence, *start, *from, claim.range->letter);
       claim.head += " recurrence=" + *recurrence + " start=" + *start + " from=" + *from;

@@ -9,6 +9,7 @@
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/plain_text.hpp>
 
@@ -112,6 +113,11 @@ std::shared_ptr<LevelsEvidence> levels(const ParametricScheme& scheme, const std
   });
 }
 
+std::optional<std::string> formula_of(const ExponentOfList& found) {
+  const auto formula = facts::exponent_formula(found);
+  return formula ? std::optional(formula->text()) : std::nullopt;
+}
+
 py::dict limit_of(const ParametricScheme& scheme, const std::string& recurrence, const Rational& low,
                   const Rational& high, double seconds, const py::object& progress) {
   const Recurrence read = Recurrence::parse(plain_text(recurrence), scheme.name, scheme.letter);
@@ -121,7 +127,7 @@ py::dict limit_of(const ParametricScheme& scheme, const std::string& recurrence,
   if (!found) return {};
   return py::dict("value"_a = found->value, "sum_rules"_a = found->rules.sum_rules,
                   "exponentials"_a = found->rules.exponentials, "exponent"_a = found->exponent.exponent,
-                  "exact"_a = found->exponent.exact.is_yes());
+                  "exact"_a = found->exponent.exact.is_yes(), "formula"_a = formula_of(found->exponent));
 }
 
 std::string specification_at(const Mask& mask) {
@@ -195,7 +201,7 @@ std::shared_ptr<ListEvidence> list_of(const std::vector<std::string>& schemes, c
 py::dict list_dict(const ListEvidence& evidence) {
   const ExponentOfList& found = evidence.found;
   return py::dict("exponent"_a = found.exponent, "exact"_a = found.exact, "sum_rules"_a = found.sum_rules,
-                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes());
+                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes(), "formula"_a = formula_of(found));
 }
 
 py::list certificates_of(const ListEvidence& evidence) {

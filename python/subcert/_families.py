@@ -146,6 +146,8 @@ class LevelsExponent:
     """The numbers of the masks whose limits are the least smooth, again and again."""
     stable: bool
     """Of the shifts of `sequence`."""
+    formula: Optional[str] = None
+    """The exponent in closed form, where it is exact and no rational number."""
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def certificates(self) -> list[Certificate]:
@@ -167,6 +169,8 @@ class LevelsLimit:
     exponent: Enclosure
     """All limits have at least the lower end, those of some data at late levels at most the upper one."""
     exact: bool
+    formula: Optional[str] = None
+    """The exponent in closed form, where it is exact and no rational number."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -275,9 +279,9 @@ class Family(Named):
         progress: Progress = None,
     ) -> Levels:
         """Whether a property holds for all sequences of values between low and high, one for each level: convergent,
-        C1, C2, ... or holder>=3/2. With a recurrence: for those where each value follows from the one before, from the
-        level on at which all of them are between low and high. `start`: the first value, or a pair of the least and the
-        largest one, which is None where there is none.
+        C1, C2, ..., holder>=3/2 or, of Hermite schemes, HC1. With a recurrence: for those where each value follows from
+        the one before, from the level on at which all of them are between low and high. `start`: the first value, or a
+        pair of the least and the largest one, which is None where there is none.
 
         >>> import subcert
         >>> subcert.family("four-point:w").levels("C1", "1/1000", "19/100").holds.value
@@ -285,6 +289,9 @@ class Family(Named):
         >>> conic = subcert.family("conic-four-point:v")
         >>> conic.levels("C1", "9/20", 1000, recurrence="v=sqrt((1+v)/2)", start=(-1, 1000000)).first_level
         2
+        >>> hermite = subcert.family("merrien:lambda=-1/8,mu").levels("HC1", -1, 0)
+        >>> hermite.holds.value, hermite.certificates()[0].certificate.verify().accepted
+        ('yes', True)
         """
         if (recurrence is None) != (start is None):
             raise ValueError("levels: recurrence and start need each other")
@@ -311,8 +318,8 @@ class Family(Named):
 
         >>> import subcert
         >>> limit = subcert.family("exponential-six-point:v").levels_limit("v=sqrt((1+v)/2)", "1/2", 10)
-        >>> limit.exponentials, round(float(limit.exponent.lower), 5), limit.exact
-        ((2,), 2.83007, True)
+        >>> limit.exponentials, round(float(limit.exponent.lower), 5), limit.formula
+        ((2,), 2.83007, '6 - log_2(9)')
         """
         facts = _core.limit_of_levels(self._handle, recurrence, fraction(low), fraction(high), budget, progress)
         if not facts:
@@ -323,6 +330,7 @@ class Family(Named):
             exponentials=tuple(facts["exponentials"]),
             exponent=Enclosure._of(facts["exponent"]),
             exact=facts["exact"],
+            formula=facts["formula"],
         )
 
     def levels_schemes(self, recurrence: str, start: Exact, levels: int) -> list[Scheme]:
@@ -461,5 +469,6 @@ def exponent_of_levels(
         sum_rules=facts["sum_rules"],
         sequence=tuple(facts["sequence"]),
         stable=facts["stable"],
+        formula=facts["formula"],
         _evidence=evidence,
     )

@@ -224,6 +224,17 @@ class HolderExponent(_Certified):
     _evidence: Any = _hidden()
     _again: Any = _hidden()
 
+    @property
+    def formula(self) -> Optional[str]:
+        """The exponent in closed form, where it is known and no rational number.
+
+        >>> import subcert
+        >>> subcert.scheme("daubechies:n=2").holder().formula
+        '2 - log_2(1+sqrt(3))'
+        """
+        formula: Optional[str] = self.facts["formula"]
+        return formula
+
     def _repr_html_(self) -> str:
         rows = {
             "Hölder exponent": str(self),

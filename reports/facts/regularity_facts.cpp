@@ -327,32 +327,13 @@ Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digit
   return exponent_fact(*regularity.surface, scheme.mask.has_factors() && !regularity.surface->radius, digits);
 }
 
-std::string ExponentFormula::text() const { return fmt::format("{} - log_{}({})", rules, arity, to_text(radius)); }
-
-std::string ExponentFormula::latex() const {
-  const std::string below = denominator(radius).str(), above = numerator(radius).str();
-  return fmt::format("{} - \\log_{{{}}} {}", rules, arity,
-                     below == "1" ? above : "\\frac{" + above + "}{" + below + "}");
-}
-
-std::optional<ExponentFormula> exponent_formula(const Scheme& scheme, const Regularity& regularity) {
-  if (!regularity.curve) return std::nullopt;
-  const HolderRegularity& its = regularity.curve->deciding();
-  const Enclosure exponent = regularity.curve->proved_exponent();
-  if (!exponent.is_bounded() || exponent.is_exact() || !its.radius.radius.is_exact()) return std::nullopt;
-  return ExponentFormula{its.bounds.sum_rules, scheme.mask.curve().arity(), *its.radius.radius.lower};
-}
-
-Fact formula_fact(const std::optional<ExponentFormula>& formula) {
-  return formula ? plain("formula", "formula", formula->text()) : member("formula", nullptr);
-}
-
 Facts regularity_facts(const Scheme& scheme, const Regularity& regularity,
                        const std::optional<SobolevRegularity>& sobolev, const RegularityForm& form) {
   const auto& curve = regularity.curve;
   const auto& surface = regularity.surface;
   Facts list = named(scheme.specification, scheme.title);
-  append(list, {exponent_fact(scheme, regularity, form.digits), formula_fact(exponent_formula(scheme, regularity))});
+  list.push_back(exponent_fact(scheme, regularity, form.digits));
+  append(list, formula_facts(exponent_formula(scheme, regularity)));
   const FunctionVector* vector = surface && surface->vector ? &*surface->vector : nullptr;
   if (vector) {
     append(list, {components_fact(*vector, form.digits), continuous_fact(vector->continuous)});

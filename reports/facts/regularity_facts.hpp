@@ -1,6 +1,7 @@
 #pragma once
 /// Facts about the Hoelder exponent of a scheme.
 
+#include "exponent_formula.hpp"
 #include "fact.hpp"
 
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
@@ -38,21 +39,6 @@ Fact values_fact(const LatticeSequence& values);
 
 /// The line of the exponent alone. `digits`: at least.
 Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits);
-
-/// The exponent in closed form: rules - log_arity(radius).
-struct ExponentFormula {
-  int rules, arity;
-  Rational radius;
-
-  std::string text() const;   ///< `3 - log_2(3)`
-  std::string latex() const;  ///< `3 - \log_{2} 3`
-};
-
-/// Nothing where the radius is not known to be rational, or the exponent is.
-std::optional<ExponentFormula> exponent_formula(const Scheme& scheme, const Regularity& regularity);
-
-/// The same as a fact, for programs alone where there is none.
-Fact formula_fact(const std::optional<ExponentFormula>& formula);
 
 /// What a supersolution in frequency proves.
 Facts frequency_facts(const Scheme& scheme, const std::optional<FrequencyBound>& bound, double seconds);

@@ -150,7 +150,9 @@ Facts scheme_facts(const Scheme& scheme, const Analysis& known) {
                          : sobolev_fact(regularity->surface->sobolev, regularity->stable());
     if (!converges) exponent.label = "";
     if (!curve && !converges) sobolev.label = "";
-    append(list, {exponent, formula_fact(exponent_formula(scheme, *regularity)), sobolev});
+    list.push_back(exponent);
+    append(list, formula_facts(exponent_formula(scheme, *regularity)));
+    list.push_back(sobolev);
     list.push_back(decided("stable", converges ? "stable" : "", regularity->stable()));
   }
   if (!known.skipped.empty()) list.push_back({"skipped", "values", "skipped: " + known.skipped, "", known.skipped});

@@ -88,6 +88,13 @@ class ParametricMask {
   std::size_t components_;
 };
 
+/// A mask of numbers that are polynomials in a zero of an irreducible polynomial with lowest exponent 0, of a degree
+/// below its own.
+struct AlgebraicMask {
+  ParametricMask mask;
+  LaurentPolynomial polynomial;
+};
+
 /// The mask with all matrices transposed.
 ParametricMask transposed(const ParametricMask& mask);
 

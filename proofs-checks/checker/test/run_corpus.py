@@ -159,9 +159,13 @@ USAGE = [
         ("vectors", ""), ("vectors", "--lower 0 --upper 0"), ("vectors", "--upper 1"), ("vectors", "--upper C1"), ("vectors", "--lower 0 --component 0"),
         ("vectors", "--lower 0 --hermite [[[w,0],[0,1]]]"), ("vectors", "--lower 0 --mask [1]"), ("vectors", "--lower 0 --exact 0-log|[-1,1]@1,0,1|^1/1"),
         ("hermite", "--lower 1/2"), ("hermite", "--upper 3/2"), ("hermite", "--lower -1"), ("hermite", "--lower 501"), ("hermite", "--lower 1 --within 1/9,1"))),
-    (64, "--vectors [[[w,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, "--vectors [[[w,0],[0,1]]] --arity 2 --levels w=0..1 --lower 0 golden.cert"),
+    (64, "--vectors [[[w,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (66, "--vectors [[[w,0],[0,1]]] --arity 2 --levels w=0..1 --lower 0 none.cert"),
+    *((64, f"--{kind} [[[w,0],[0,1]]] --arity 2 --levels w=0..1 {more} golden.cert") for kind in ("vectors", "hermite") for more in (
+        "", "--upper 0", "--upper 1", "--lower 0 --upper 0", "--lower 1 --for w=0..1", "--lower 1 --recurrence [w]", "--lower 1 --exact 0-log|[-1,1]@1,0,1|^1/1",
+        "--lower 1 --start 0..1 --from 0", "--lower 1 --recurrence [v] --start 0..1 --from 0")),
+    (64, "--vectors [[[w,0],[0,1]]] --arity 2 --for w=0..1 --lower 0 --recurrence [w] --start 0..1 --from 0 golden.cert"),
     *((64, f"--vectors [[[1,0],[0,1]]] --arity 2 {more} golden.cert") for more in (
-        "", "--lower 0 --upper 0", "--upper 1", "--lower 0 --exact 0-log|[-1,1]@1,0,1|^1/1", "--lower 0 --levels w=0..1", "--lower 0 --logarithm 0",
+        "", "--lower 0 --upper 0", "--upper 1", "--lower 0 --exact 0-log|[-1,1]@1,0,1|^1/1", "--lower 0 --levels w=0..0", "--lower 0 --logarithm 0",
         "--lower 0 --within 1/9,1", "--upper C1", "--lower 0 --integral 1,0", "--exact 0-log|[-1,1]@1,0,1|^1/1")),
     (66, "--vectors [[[0,0],[0,1]]] --arity 2 --lower 0 none.cert"), (66, "--hermite [[[1,0],[0,0]]] --arity 2 --upper 1 none.cert"),
     (64, "--vectors [[[w,0],[0,1]]] --for w=0..1 --lower 0 golden.cert"), (64, "--vectors [[[w,0]]] --arity 2 --for w=0..1 --lower 0 golden.cert"),
@@ -222,10 +226,11 @@ def printed(arguments):
     text = "VERIFIED " + (f"{Fraction(lower)} {relation} " if lower else "") + what
     text += f" {relation} {Fraction(upper)}" if upper and not rough else ""
     text += (f" with |log h|^{logarithm}" if logarithm else "") + f" of {subject}"
-    text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + (f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else "")
+    over = f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else ""
     if step:
         level = "some level" if level == "some" else f"level {level}"
-        text = text.replace(" for all sequences of levels with ", f" from {level} on of {levels[0]} -> {step} with {levels[0]}={start} at level 0, all in ")
+        over = f" from {level} on of {levels[0]} -> {step} with {levels[0]}={start} at level 0, all in {levels}"
+    text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + over
     if order:
         text = text.replace("--masks ", "").replace("masks ", "") + (" for levels" if order.startswith("period") else " for all sequences of levels")
         text += "" if order == "any" else f" with {order}"
@@ -233,7 +238,7 @@ def printed(arguments):
     if "--vectors" in values or "--hermite" in values:
         end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"
         scheme = f"Hermite scheme of {values['--hermite']}" if "--hermite" in values else f"vector scheme of {values['--vectors']}"
-        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']}" + (f" for all {range_}" if range_ else "")
+        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']}{over}"
     if "--l1" in values:
         steps, order, bound = values.get("--contraction", "0,0,0").split(",")
         parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []

@@ -21,6 +21,7 @@ GRAPH = ("block 0 graph 1 2251799813673989/562949953421312 60; coordinates 23423
          "576460752204894960; "
          "step 2 0 989835504661 -2007237 -18526648 989835504481 0 1 -54935 -4 -38 2007236; "
          "step 3 0 576460752306910976 576460752304298555 -18526648 989835504481 -31992990887 1 -54935 1168974667022 -38 2007236; tree 0000; ")
+HALF, WAY = "[1/10+1/2*w]", "level 1/10 3/5; level 3/20 2/5; "
 ONE_BLOCKS = "blocks 1 2; basis 1 0 0; basis 0 1 0; basis 0 0 1; inverse 1 0 0; inverse 0 1 0; inverse 0 0 1; "
 
 
@@ -32,6 +33,18 @@ def at(value, mask, letter="w"):
     """The mask with a number, as `1/4`, in the place of its letter."""
     return re.sub(rf"[^\[\],]*{letter}[^\[\],]*", lambda entry: str(eval(  # of a corpus
         re.sub(r"\d+/\d+", lambda number: f"Q('{number[0]}')", entry[0]).replace(letter, f"Q('{value}')"), {"Q": Q})), mask)
+
+
+def levels(kind, mask, values, end, follow=""):
+    return of(kind, mask, values, f"{follow}{end}").replace("--for", "--levels")
+
+
+def accepted_levels(name, kind, mask, values, end, lines, start="", way=""):
+    """Of all sequences of values, or of those that follow from each other with these first values."""
+    option = start and f"--recurrence {HALF} --start {start} --from {way.count('level ')} "
+    words = start and f" recurrence={HALF} start={start} from={way.count('level ')}"
+    return name, levels(kind, mask, values, end, option), (
+        f"{kind} {mask} 2 {values} levels{words}; bounds {end.split()[1]} -; {way}{lines}end")
 
 
 def accepted(name, kind, mask, values, end, lines):
@@ -68,6 +81,10 @@ ACCEPTED = [
     accepted("vectors-one-diverges", "vectors", at("1", CORNERS), "", "--upper 0", LINES + "product 0 -2 0 0; "),  # by 1 itself
     accepted("hermite-one", "hermite", at("-1/2", MERRIEN, "m"), "", "--lower 1", HERMITE + "block 0 norm 4; "),
     accepted("hermite-one-refuted", "hermite", at("1", MERRIEN, "m"), "", "--upper 1", HERMITE + "product 0 4 0 1; "),
+    accepted_levels("vectors-levels", "vectors", CORNERS, "w=1/100..49/100", "--lower 0", LINES + "to 49/100; block 0 norm 1; "),
+    accepted_levels("vectors-levels-holder", "vectors", CORNERS, "w=1/5..3/10", "--lower 1/4", LINES + "to 3/10; block 0 norm 1; "),
+    accepted_levels("hermite-levels", "hermite", MERRIEN, "m=-1..0", "--lower 1", HERMITE + "to 0; " + GRAPH),
+    accepted_levels("vectors-follow", "vectors", CORNERS, "w=1/100..49/100", "--lower 0", LINES + "to 49/100; block 0 norm 1; ", "0..1", WAY),
 ]
 
 CHANGED = []
@@ -145,6 +162,16 @@ EDITED = [
      [("w=11/10..3/2", "w=9/10..3/2")]),
     ("vectors-diverges-little", "vectors-diverges", None, "does not prove the claim", [("product 0 -2 0 0", "product 0 -3/2 0 0")]),
     ("vectors-denominator", "vectors-quotient", of("vectors", QUOTIENT, "w=-2..99/100", "--lower 0"), "changes its sign", [("w=1/100..99/100", "w=-2..99/100")]),
+    ("vectors-levels-lower", "vectors-levels", levels("vectors", CORNERS, "w=1/100..49/100", "--lower 1/20"), "the bound does not prove the claim", []),
+    ("vectors-levels-of-range", "vectors-by-hand", levels("vectors", CORNERS, "w=1/100..49/100", "--lower 0"), "levels'", []),
+    ("vectors-range-of-levels", "vectors-levels", of("vectors", CORNERS, "w=1/100..49/100", "--lower 0"), "fields", []),
+    ("vectors-levels-pieces", "vectors-two-intervals", levels("vectors", CORNERS, "w=1/10..2/5", "--lower 0"),
+     "a claim about sequences of values has one interval", [("w=1/10..2/5", "w=1/10..2/5 levels")]),
+    ("vectors-levels-as-follow", "vectors-levels", levels("vectors", CORNERS, "w=1/100..49/100", "--lower 0", f"--recurrence {HALF} --start 0..1 --from 2 "),
+     "expected 'vectors ", []),
+    ("vectors-follow-as-levels", "vectors-follow", levels("vectors", CORNERS, "w=1/100..49/100", "--lower 0"), "fields", []),
+    ("vectors-follow-no-way", "vectors-follow", None, "the values do not come into the range", [(WAY, "")]),
+    ("hermite-levels-2", "hermite-levels", levels("hermite", MERRIEN, "m=-1..0", "--lower 2"), "the bound does not prove the claim", []),
     hermite("hermite-2", "the bound does not prove the claim", claim=of("hermite", MERRIEN, "m=-1..0", "--lower 2")),
     hermite("hermite-3", "the end is not below the number of sum rules", claim=of("hermite", MERRIEN, "m=-1..0", "--lower 3")),
     hermite("hermite-0", "fewer derivatives than its data are", claim=of("hermite", MERRIEN, "m=-1..0", "--lower 0")),

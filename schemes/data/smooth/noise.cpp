@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <fmt/format.h>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
@@ -247,6 +248,22 @@ std::optional<double> correlated_differences(const std::vector<double>& data, co
   const double correlation = products / squares;
   const bool is_beyond = correlation - expected / m > beyond * std::sqrt(variance / m) && correlation < 0;
   return is_beyond ? std::optional(correlation) : std::nullopt;
+}
+
+std::string remark_on_correlations(const std::vector<std::pair<std::string, double>>& found) {
+  std::string names, which = "these correlations";
+  if (found.size() == 1) {
+    names = found.front().first;
+    which = fmt::format("the correlation {:.3g}", found.front().second);
+  } else {
+    for (const auto& [name, correlation] : found)
+      names += fmt::format("{}{} ({:.3g})", names.empty() ? "" : ", ", name, correlation);
+  }
+  return fmt::format(
+      "{}: neighbouring second differences have {}, beyond that of independent noise, about -2/3: the noise is "
+      "correlated from datum to datum, and bands are too narrow, or the mean bends within few data; "
+      "docs/smoothing.md, section 3",
+      names, which);
 }
 
 namespace {

@@ -294,7 +294,7 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   CHECK(gap.err.find("land B, b, left out: " + data +
                      ", line 3, column 4: expected a number; found a missing value (--missing drop leaves it out)") !=
         std::string::npos);
-  CHECK(with(lands, "--by land --missing drop --scheme local:points=3,weight=box").code == 0);
+  CHECK(with(lands, "--by land --missing drop --scheme local:points=3,weight=box --bands 0").code == 0);
   check_fails(with("n,1,2,3\na,1,x,3\n", exact + "n"), 65, data + ", line 2, column 3: expected a number; found 'x'");
   check_fails(with("n,1,2,3\na,1,2,3e200\n", exact + "n"), 65,
               "n a: " + data + ", line 2, column 4: expected at most 1e150 in modulus; found 3e+200");
@@ -315,6 +315,20 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   std::ofstream(data, std::ios::binary) << tall;
   CHECK(rows == run("smooth " + data + " " + how).out);
   CHECK(rows.size() > 300);
+  // The column of names is none of the positions, whatever its name.
+  CHECK(with("7,1,2,3\na,1,2,3\n", exact + "7").out == "7,x,value,value_sd\na,1,1,0\na,2,2,0\na,3,3,0\n");
+  // Notes on data are told once for all series.
+  std::string waves = "n";
+  for (int i = 0; i < 60; ++i) waves += "," + std::to_string(i);
+  for (const std::string name : {"a", "b", "c"}) {
+    waves += "\n" + name;
+    for (int i = 0; i < 60; ++i)
+      waves += "," + std::to_string(name == "b" ? 7919 * i * i % 101 : (i % 12 - 6) * (i % 12 - 6));
+  }
+  const std::string notes = with(waves + "\n", "--by n --scheme primal:n=2").err;
+  CHECK(notes.find("note: value of a (-0.0725), value of c (-0.0725): neighbouring second differences have these "
+                   "correlations, beyond that of independent noise") != std::string::npos);
+  CHECK(std::count(notes.begin(), notes.end(), '\n') == 1);
   // Dates; falling positions; a number for the column of names.
   CHECK(with("n,2001-11,2001-12,2002-01\na,1,2,3\n", exact + "1").out ==
         "1,x,value,value_sd\na,2001-11,1,0\na,2001-12,2,0\na,2002-01,3,0\n");

@@ -337,6 +337,8 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   CHECK(with("n,3,2,1\na,1,2,3\n", exact + "n").out == "n,x,value,value_sd\na,3,1,0\na,2,2,0\na,1,3,0\n");
   check_fails(with("n,3,v,w\na,1,2,3\n", exact + "n"), 65,
               data + ": expected two columns or more whose names are positions, numbers or dates; found '3' alone");
+  check_fails(with("n,3,1e999,-1e400\na,1,2,3\n", exact + "n"), 65,
+              data + ": expected two columns or more whose names are positions, numbers or dates; found '3' alone");
   check_fails(with("n,u,v,w\na,1,2,3\n", exact + "n"), 65,
               data + ": expected two columns or more whose names are positions, numbers or dates; found none");
   // What columns alone have.

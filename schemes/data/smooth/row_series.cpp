@@ -11,29 +11,35 @@
 namespace subcert::data {
 namespace {
 
-/// The number that a name is; nothing for other names.
+/// The number that a name is; nothing for other names, and for numbers beyond double precision.
 std::optional<double> number_of(const std::string& name, char decimal) {
   std::string text = name;
   std::ranges::replace(text, decimal, '.');
   const auto number = parse_number(text);
-  return number ? std::optional(nearest_double(*number)) : std::nullopt;
+  if (!number || abs(*number) > Rational(std::numeric_limits<double>::max())) return std::nullopt;
+  return nearest_double(*number);
 }
 
-/// The columns whose names are positions: numbers, or dates where more are.
+/// The columns whose names are positions: numbers, or dates, which are read later, where more are.
 struct NamedPositions {
-  std::vector<std::size_t> columns;
+  std::vector<std::size_t> columns = {};
+  std::vector<double> numbers = {};
   bool dates = false;
 };
 
 NamedPositions positions_in_header(const SampleOptions& options, const Table& table, std::size_t by) {
-  NamedPositions numbers, dates{{}, true};
+  NamedPositions numbers, dates;
+  dates.dates = true;
   for (std::size_t c = table.row_names ? 1 : 0; c < table.columns; ++c) {
     if (c == by) continue;
-    if (number_of(table.header[c], table.decimal))
+    if (const auto number = number_of(table.header[c], table.decimal)) {
       numbers.columns.push_back(c);
-    else if (!readings_of_date(table.header[c]).empty())
+      numbers.numbers.push_back(*number);
+    } else if (!readings_of_date(table.header[c]).empty()) {
       dates.columns.push_back(c);
+    }
   }
+  dates.numbers.resize(dates.columns.size());
   const NamedPositions& more = dates.columns.size() > numbers.columns.size() ? dates : numbers;
   if (more.columns.size() < 2)
     fail(ErrorKind::data, "{}: expected two columns or more whose names are positions, numbers or dates; found {}",
@@ -66,7 +72,7 @@ SampleTable read_row_series(const SampleOptions& options, const std::string& tex
   const std::size_t by = find_column(parse_table(text, options.name(), form), "--by", options.by);
   form.kept = {by};
   const Table table = parse_table(text, options.name(), form);
-  const auto [columns, dates] = positions_in_header(options, table, by);
+  const auto [columns, numbers, dates] = positions_in_header(options, table, by);
   for (const std::size_t c : columns)
     if (!table.contents[c].why.empty()) fail(ErrorKind::data, "{}", table.contents[c].why);
 
@@ -81,10 +87,10 @@ SampleTable read_row_series(const SampleOptions& options, const std::string& tex
   series.fields.resize(dates ? 2 : 1);
   if (dates) result.kept.push_back(1);
   for (std::size_t row = 0; row < table.rows(); ++row)
-    for (const std::size_t c : columns) {
-      const double position = dates ? 0 : *number_of(table.header[c], table.decimal);
-      series.values.insert(series.values.end(),
-                           {std::numeric_limits<double>::quiet_NaN(), position, table.values[row * table.columns + c]});
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const std::size_t c = columns[k];
+      series.values.insert(series.values.end(), {std::numeric_limits<double>::quiet_NaN(), numbers[k],
+                                                 table.values[row * table.columns + c]});
       series.lines.push_back(table.lines[row]);
       series.places.push_back(c + 1);
       series.fields[0].push_back(table.fields[0][row]);

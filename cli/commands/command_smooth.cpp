@@ -137,7 +137,7 @@ void take_closed(SmoothOptions& options) {
     fail(ErrorKind::usage, "--closed and --boundary {}: expected one of the two; closed data have no ends",
          options.boundary);
   options.boundary = "wrap";
-  if (options.samples.x.empty()) options.samples.x = "none";
+  if (options.samples.x.empty() && options.samples.series == "columns") options.samples.x = "none";
 }
 
 ExitCode run(const SmoothOptions& options) {

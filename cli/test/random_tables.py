@@ -356,9 +356,9 @@ def draw_rows(program, seed, number_of_draw, folder):
     for word in ("--x", "--y", "--weights", "--by", "--keep", "--spacing"):
         while word in options:
             del options[options.index(word) : options.index(word) + 2]
-    options = [word for word in options if word != "--stream"] + ["--by", "g"]
+    options = [word for word in options if word not in ("--stream", "--closed")] + ["--by", "g"]
     form, runs = Form(draw, True), []
-    for rows, more in ((tall, []), (wide, ["--series", "rows"])):
+    for rows, more in ((tall, ["--x", "x", "--y", "value"]), (wide, ["--series", "rows"])):
         with open(os.path.join(folder, "table.csv"), "w", encoding="utf-8") as file:
             file.writelines(",".join(form.field(draw, text, False) for text in row) + "\n" for row in rows)
         runs.append(Run(program, ["smooth", "table.csv", *options, *more], folder))

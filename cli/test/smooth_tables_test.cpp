@@ -294,7 +294,9 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   CHECK(gap.err.find("land B, b, left out: " + data +
                      ", line 3, column 4: expected a number; found a missing value (--missing drop leaves it out)") !=
         std::string::npos);
-  CHECK(with(lands, "--by land --missing drop --scheme local:points=3,weight=box --bands 0").code == 0);
+  const auto dropped = with("n,1,2,3,4\na,2,,6,8\n",
+                            exact + "n --missing drop --irregular fit --scheme local:points=3,weight=box");
+  CHECK(dropped.code == 0);
   check_fails(with("n,1,2,3\na,1,x,3\n", exact + "n"), 65, data + ", line 2, column 3: expected a number; found 'x'");
   check_fails(with("n,1,2,3\na,1,2,3e200\n", exact + "n"), 65,
               "n a: " + data + ", line 2, column 4: expected at most 1e150 in modulus; found 3e+200");
@@ -329,6 +331,9 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   CHECK(notes.find("note: value of a (-0.0725), value of c (-0.0725): neighbouring second differences have these "
                    "correlations, beyond that of independent noise") != std::string::npos);
   CHECK(std::count(notes.begin(), notes.end(), '\n') == 1);
+  // Closed series keep their positions.
+  CHECK(with("n,1,2,3,4\na,1,2,3,2\n", "--closed --quiet --scheme primal:n=1 --bands 0 --level 0 --by n").out ==
+        "n,x,value,value_sd\na,1,1,0\na,2,2,0\na,3,3,0\na,4,2,0\n");
   // Dates; falling positions; a number for the column of names.
   CHECK(with("n,2001-11,2001-12,2002-01\na,1,2,3\n", exact + "1").out ==
         "1,x,value,value_sd\na,2001-11,1,0\na,2001-12,2,0\na,2002-01,3,0\n");

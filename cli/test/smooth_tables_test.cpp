@@ -332,8 +332,9 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
                    "correlations, beyond that of independent noise") != std::string::npos);
   CHECK(std::count(notes.begin(), notes.end(), '\n') == 1);
   // Closed series keep their positions.
-  CHECK(with("n,1,2,3,4\na,1,2,3,2\n", "--closed --quiet --scheme primal:n=1 --bands 0 --level 0 --by n").out ==
-        "n,x,value,value_sd\na,1,1,0\na,2,2,0\na,3,3,0\na,4,2,0\n");
+  CHECK(
+      with("n,1,2,3,4\na,1,2,3,2\n", "--closed --quiet --scheme primal:n=1 --bands 0 --level 0 --noise 2 --by n").out ==
+      "n,x,value,value_sd\na,1,1,2\na,2,2,2\na,3,3,2\na,4,2,2\n");
   // Dates; falling positions; a number for the column of names.
   CHECK(with("n,2001-11,2001-12,2002-01\na,1,2,3\n", exact + "1").out ==
         "1,x,value,value_sd\na,2001-11,1,0\na,2001-12,2,0\na,2002-01,3,0\n");

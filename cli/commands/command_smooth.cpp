@@ -9,6 +9,8 @@
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 
+#include <fmt/ranges.h>
+
 #include <map>
 #include <set>
 

@@ -317,6 +317,8 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   std::ofstream(data, std::ios::binary) << tall;
   CHECK(rows == run("smooth " + data + " " + how).out);
   CHECK(rows.size() > 300);
+  CHECK(with("4 5 6\na 1 2 3\nb 2 4 6\n", exact + "1").out ==
+        "1 x value value_sd\na 4 1 0\na 5 2 0\na 6 3 0\nb 4 2 0\nb 5 4 0\nb 6 6 0\n");
   // The column of names is none of the positions, whatever its name.
   CHECK(with("7,1,2,3\na,1,2,3\n", exact + "7").out == "7,x,value,value_sd\na,1,1,0\na,2,2,0\na,3,3,0\n");
   // Notes on data are told once for all series.

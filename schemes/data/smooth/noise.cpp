@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
 
 namespace subcert::data {
 namespace {
@@ -172,8 +171,8 @@ void mark_runs(const std::vector<double>& data, const std::vector<double>& weigh
   for (std::size_t end = 4; end + 2 <= data.size(); ++end)
     for (std::size_t length = 2; length <= longest_run && next + length <= end; ++length) {
       const std::size_t first = end - length;
-      const bool present = std::ranges::all_of(std::views::iota(first - 2, end + 2),
-                                               [&](std::size_t i) { return at_or_one(weights, i) > 0; });
+      bool present = true;
+      for (std::size_t i = first - 2; i < end + 2; ++i) present = present && at_or_one(weights, i) > 0;
       if (!present || !stand_out_together(data, weights, positions, first, end - 1, deviation)) continue;
       std::fill(in_runs.begin() + static_cast<std::ptrdiff_t>(first),
                 in_runs.begin() + static_cast<std::ptrdiff_t>(end), true);

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <utility>
 
 namespace subcert::data {
@@ -179,7 +179,8 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
     for (std::size_t i = 0; i < fields.size(); ++i)
       if (samples.uniform() || counts(i)) column.texts.push_back(fields[i]);
   }
-  if (std::ranges::none_of(std::views::iota(std::size_t{0}, samples.count()), counts))
+  if (samples.count() == 0 ||
+      (!samples.weights.empty() && std::ranges::all_of(samples.weights, [](const Rational& w) { return w == 0; })))
     fail(ErrorKind::data, "{}: expected a row that is neither missing nor of weight 0; found none", options.name());
   if (!samples.uniform()) samples.drop_missing();
   return samples;

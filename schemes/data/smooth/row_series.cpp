@@ -3,9 +3,9 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace subcert::data {
@@ -30,7 +30,7 @@ struct NamedPositions {
 NamedPositions positions_in_header(const SampleOptions& options, const Table& table, std::size_t by) {
   NamedPositions numbers, dates;
   dates.dates = true;
-  for (std::size_t c = table.row_names ? 1 : 0; c < table.columns; ++c) {
+  for (std::size_t c = 0; c < table.columns; ++c) {
     if (c == by) continue;
     if (const auto number = number_of(table.header[c], table.decimal)) {
       numbers.columns.push_back(c);

@@ -95,8 +95,8 @@ TEST_CASE("what is no grid is refused with its place") {
   CHECK(error_of(parse_ply, "") == "f: expected a PLY file, which begins with the line 'ply'");
   CHECK(error_of(parse_ply, replaced(ply, "ascii", "binary")) ==
         "f, line 2, word 2: expected ascii, binary_little_endian or binary_big_endian; found 'binary'");
-  CHECK(error_of(parse_ply, replaced(ply, "element vertex 9", "element vertex 10")) != "");
-  CHECK(error_of(parse_ply, replaced(ply, "element vertex 9", "element vertex 99999999999")) != "");
+  CHECK_FALSE(error_of(parse_ply, replaced(ply, "element vertex 9", "element vertex 10")).empty());
+  CHECK_FALSE(error_of(parse_ply, replaced(ply, "element vertex 9", "element vertex 99999999999")).empty());
   CHECK(error_of(parse_ply, replaced(ply, "property double z", "property double red")) ==
         "f: expected the properties x, y and z of the vertices; found no z");
   CHECK(error_of(parse_ply, replaced(ply, "end_header", "end")) ==
@@ -207,7 +207,7 @@ TEST_CASE("what vertices have beside their place is read in every form") {
     CHECK(back.encoding == encoding);
     CHECK(parse_ply(to_text(back), "f").data.values == ascii.data.values);
     for (std::size_t length = 0; length < file.size() - 4; ++length)
-      CHECK(error_of(parse_ply, file.substr(0, length)) != "");
+      CHECK_FALSE(error_of(parse_ply, file.substr(0, length)).empty());
     CHECK(error_of(parse_ply, file.substr(0, file.size() - 20)).find("bytes of face 0 after line ") !=
           std::string::npos);
   }

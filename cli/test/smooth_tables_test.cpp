@@ -340,6 +340,7 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
   // Dates; falling positions; a number for the column of names.
   CHECK(with("n,2001-11,2001-12,2002-01\na,1,2,3\n", exact + "1").out ==
         "1,x,value,value_sd\na,2001-11,1,0\na,2001-12,2,0\na,2002-01,3,0\n");
+  CHECK(with("n,1,2001-11,2,2001-12\na,1,5,2,6\n", exact + "n").out == "n,x,value,value_sd\na,1,1,nan\na,2,2,nan\n");
   CHECK(with("n,20010228,20010301,20010302\na,1,2,3\n", exact + "n").out ==
         "n,x,value,value_sd\na,20010228,1,0\na,20010301,2,0\na,20010302,3,0\n");
   CHECK(with("n,3,2,1\na,1,2,3\n", exact + "n").out == "n,x,value,value_sd\na,3,1,0\na,2,2,0\na,1,3,0\n");

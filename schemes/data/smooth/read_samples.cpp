@@ -266,8 +266,11 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
     fail(ErrorKind::data, "{}: expected a table; found a volume (--grid smooths it)", options.name());
   if (text.starts_with("ply\n") || text.starts_with("ply\r"))
     fail(ErrorKind::data, "{}: expected a table; found a mesh (subcert refine takes it)", options.name());
-  auto [table, use, kept, remarks] = options.series == "rows" ? read_row_series(options, text)
-                                                              : read_columns(options, text);
+  SampleTable read = options.series == "rows" ? read_row_series(options, text) : read_columns(options, text);
+  Table& table = read.table;
+  const ColumnUse& use = read.use;
+  const std::vector<std::size_t>& kept = read.kept;
+  std::vector<std::string>& remarks = read.remarks;
   std::optional<DateForm> dates;
   if (use.dates) dates = read_dates(options, table, fields_of(table, kept, *use.x), *use.x);
   if (use.x && !use.dates && table.contents[*use.x].numbers > 0 && read_number_dates(table, *use.x)) {

@@ -86,9 +86,14 @@ function(subcert_test name)
   subcert_warnings(${name})
   subcert_precompiled(${name} tests)
   subcert_joined(${name} 8)
-  catch_discover_tests(${name} TEST_SPEC "~[long]" TEST_PREFIX "${name}: "
+  set(none_fails)  # a name that no case has, as one that a semicolon cuts: an error of later versions by themselves
+  if(Catch2_VERSION VERSION_LESS 3)
+    set(none_fails EXTRA_ARGS --warn NoTests)
+  endif()
+  catch_discover_tests(${name} TEST_SPEC "~[long]" TEST_PREFIX "${name}: " ${none_fails}
     PROPERTIES LABELS quick TIMEOUT ${SUBCERT_TEST_SECONDS})
   if(test_LONG)
-    catch_discover_tests(${name} TEST_SPEC "[long]" TEST_PREFIX "${name}: " PROPERTIES LABELS long TIMEOUT 900)
+    catch_discover_tests(${name} TEST_SPEC "[long]" TEST_PREFIX "${name}: " ${none_fails}
+      PROPERTIES LABELS long TIMEOUT 900)
   endif()
 endfunction()

@@ -6,6 +6,7 @@
 #include "pages.hpp"
 
 #include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
@@ -38,16 +39,10 @@ Json comparison_json(const formats::ComparisonTable& table, const formats::Compa
   return json;
 }
 
-std::string csv_field(const std::string& text) {
-  std::string result = "\"";
-  for (char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
 std::string csv(const std::vector<std::vector<std::string>>& rows) {
   std::string result;
   for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) result += (i ? "," : "") + csv_field(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) result += (i ? "," : "") + data::quoted(row[i]);
     result += "\n";
   }
   return result;

@@ -9,6 +9,8 @@
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
 
+#include <fmt/ranges.h>
+
 #include <map>
 #include <set>
 
@@ -25,24 +27,38 @@ data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSa
   return smooth(samples, options.scheme, how, options.threads());
 }
 
-/// Where data are as no linear method takes them well, what does; where their noise is not as bands suppose.
-void remark_on_data(const SmoothOptions& options, const data::NamedSamples& samples,
-                    const data::SmoothedSamples& result) {
-  for (std::size_t c = 0; c < result.columns.size(); ++c) {
-    const std::string name = samples.names[c] + (samples.group.empty() ? "" : " of " + samples.group);
-    if (const auto& correlation = result.columns[c].correlated)
-      options.remark(fmt::format(
-          "{}: neighbouring second differences have the correlation {:.3g}, beyond that of independent noise, about "
-          "-2/3: the noise is correlated from datum to datum, and bands are too narrow, or the mean bends within few "
-          "data; docs/smoothing.md, section 3",
-          name, *correlation));
-    if (const std::size_t count = result.columns[c].outliers; count > 0)
-      options.remark(fmt::format(
-          "{}: {} this fit, its bands and the choice of its window (more than six deviations from both sides); "
-          "--scheme local:d=1,robust=3 leaves {} out",
-          name, count == 1 ? "1 outlier moves" : fmt::format("{} outliers move", count), count == 1 ? "it" : "them"));
+/// Columns, also of several groups, that are as no linear method takes them well, or have noise that is not as bands
+/// suppose.
+class RemarksOnData {
+ public:
+  void add(const data::NamedSamples& samples, const data::SmoothedSamples& result) {
+    for (std::size_t c = 0; c < result.columns.size(); ++c) {
+      const std::string name = samples.names[c] + (samples.group.empty() ? "" : " of " + samples.group);
+      if (const auto& correlation = result.columns[c].correlated) correlated_.emplace_back(name, *correlation);
+      if (const std::size_t count = result.columns[c].outliers; count > 0) outliers_.emplace_back(name, count);
+    }
   }
-}
+
+  /// A line for each kind.
+  void tell(const SmoothOptions& options) const {
+    if (!correlated_.empty()) options.remark(data::remark_on_correlations(correlated_));
+    if (outliers_.empty()) return;
+    const auto& [name, count] = outliers_.front();
+    constexpr const char* leaves = "(more than six deviations from both sides); --scheme local:d=1,robust=3 leaves";
+    if (outliers_.size() == 1)
+      return options.remark(fmt::format("{}: {} this fit, its bands and the choice of its window {} {} out", name,
+                                        count == 1 ? "1 outlier moves" : fmt::format("{} outliers move", count), leaves,
+                                        count == 1 ? "it" : "them"));
+    std::vector<std::string> names;
+    for (const auto& [each, number] : outliers_) names.push_back(fmt::format("{} ({})", each, number));
+    options.remark(fmt::format("{}: outliers move these fits, their bands and the choice of their windows {} them out",
+                               fmt::join(names, ", "), leaves));
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>> correlated_;
+  std::vector<std::pair<std::string, std::size_t>> outliers_;
+};
 
 /// What data-dependent schemes cannot do.
 void require_l1(const SmoothOptions& options) {
@@ -57,8 +73,9 @@ void require_l1(const SmoothOptions& options) {
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
   if (options.json || !options.plot.empty() || options.at == "data" || options.irregular == "fit" ||
-      !options.samples.by.empty())
-    fail(ErrorKind::usage, "--stream: expected none of --json, --plot, --at data, --irregular fit, --by");
+      !options.samples.by.empty() || options.samples.series == "rows")
+    fail(ErrorKind::usage,
+         "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
   if (!noise && options.requested_bands.value_or(0) != 0)
     fail(ErrorKind::usage, "--stream: --bands needs --noise, as its estimate needs all data");
   if (options.kind() == data::BandKind::simultaneous)
@@ -98,10 +115,9 @@ bool are_even(const std::vector<data::NamedSamples>& groups) {
       groups, [](const data::NamedSamples& samples) { return samples.uniform() && samples.weights.empty(); });
 }
 
-/// Whether positions that are not uniform need no option: local polynomials are made for them.
 bool takes_any_positions(const SmoothOptions& options) {
   if (options.irregular != "auto") return options.irregular == "fit";
-  return options.scheme.empty() || data::is_local_specification(options.scheme);
+  return data::takes_any_positions(options.scheme);
 }
 
 /// Why these samples cannot be smoothed.
@@ -123,7 +139,7 @@ void take_closed(SmoothOptions& options) {
     fail(ErrorKind::usage, "--closed and --boundary {}: expected one of the two; closed data have no ends",
          options.boundary);
   options.boundary = "wrap";
-  if (options.samples.x.empty()) options.samples.x = "none";
+  if (options.samples.x.empty() && options.samples.series == "columns") options.samples.x = "none";
 }
 
 ExitCode run(const SmoothOptions& options) {
@@ -147,6 +163,7 @@ ExitCode run(const SmoothOptions& options) {
   }
   if (!options.samples.keep.empty() && options.at != "data")
     fail(ErrorKind::usage, "--keep needs --at data: other rows have no fields of the table");
+  if (!options.scheme.empty()) data::make_smoothing_method(options.scheme);  // a misspelt one before faults of the data
   if (options.stream) {
     smooth_stream(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
@@ -162,17 +179,20 @@ ExitCode run(const SmoothOptions& options) {
     options.remark("the positions are not uniform and are taken as they are (--irregular raise refuses them)");
   std::vector<std::unique_ptr<SmoothPage>> pages;
   std::set<std::string> remarks;  // of several groups alike
+  const auto remark_once = [&](const std::string& line) {
+    if (remarks.insert(line).second) options.remark(line);
+  };
+  RemarksOnData of_data;
   RefusedGroups refused;
   for (data::NamedSamples& samples : groups) {
-    for (const std::string& line : samples.remarks)
-      if (remarks.insert(line).second) options.remark(line);
+    std::ranges::for_each(samples.remarks, remark_once);
     if (noise) samples.noise = data::nearest_double(*noise);
     try {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
       data::SmoothedSamples result = smoothed(options, samples);
-      remark_on_data(options, samples, result);
+      of_data.add(samples, result);
       if (result.choice && samples.names.size() > 1)
-        options.remark("one method is chosen for all columns together; --y NAME chooses it for one alone");
+        remark_once("one method is chosen for all columns together; --y NAME chooses it for one alone");
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::data) throw;
@@ -183,6 +203,7 @@ ExitCode run(const SmoothOptions& options) {
     fail(ErrorKind::data, "{}{}{}",
          options.samples.by.empty() ? "" : options.samples.by + " " + refused[0].first + ": ", refused[0].second,
          refused.size() > 1 ? "; nor can other groups be smoothed" : "");
+  of_data.tell(options);
   remark_on_refused(options, refused);
   if (!options.plot.empty()) formats::draw_file(figure_of(pages), options.plot);
   if (options.json)
@@ -224,6 +245,12 @@ void add_smooth(Command& app) {
   command.option("--decimal", options->samples.decimal, "Decimal mark").one_of({".", ","}).with_default();
   command.option("--header", options->samples.header, "Whether the first row has the names of the columns")
       .one_of({"auto", "yes", "no"})
+      .with_default();
+  command
+      .option("--series", options->samples.series,
+              "What is one series: a column, or a row, whose positions are the names of the columns, and which --by "
+              "names")
+      .one_of({"columns", "rows"})
       .with_default();
   command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
   command

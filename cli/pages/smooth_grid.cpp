@@ -26,10 +26,10 @@ void refuse_options_of_columns(const SmoothOptions& options) {
          samples.missing);
   if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.by.empty() ||
       !samples.keep.empty() || options.irregular != "auto" || options.stream || !samples.spacing.empty() ||
-      options.derivative != 0 || options.select != "risk")
+      samples.series != "columns" || options.derivative != 0 || options.select != "risk")
     fail(ErrorKind::usage,
-         "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --derivative, "
-         "--select cv, --stream");
+         "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
+         "--derivative, --select cv, --stream");
 }
 
 std::vector<std::string> names_of(const DataFile& file) {

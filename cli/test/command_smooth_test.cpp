@@ -243,7 +243,7 @@ TEST_CASE("a stream is smoothed as the whole is") {
   };
   fails("", 64, "--stream needs --scheme: the choice needs all data");
   fails("--scheme primal:n=2 --json", 64,
-        "--stream: expected none of --json, --plot, --at data, --irregular fit, --by");
+        "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
   fails("--scheme primal:n=2 --bands 0.9", 64, "--stream: --bands needs --noise, as its estimate needs all data");
   fails("--scheme primal:n=2 --boundary wrap", 64, "a stream has no end that its beginning could follow");
   fails("--scheme l1:points=4", 64, "a stream needs a linear method; l1:points=4,d=1,iterations=6,delta=1e-8 is none");
@@ -291,11 +291,11 @@ TEST_CASE("heights and volumes are smoothed") {
     check_fails(run("smooth " + plane + " --grid " + arguments), code, message);
   };
   fails("--select cv", 64,
-        "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --derivative, "
-        "--select cv, --stream");
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
+        "--derivative, --select cv, --stream");
   fails("--scheme primal:n=1 --by x", 64,
-        "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --derivative, "
-        "--select cv, --stream");
+        "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
+        "--derivative, --select cv, --stream");
   fails("--missing drop", 64,
         "--grid and --missing drop: expected one of the two; grids have no gaps: fill them first");
   const std::string gap = folder.write("gap.csv", "1,2\n3,NA\n4,5\n");

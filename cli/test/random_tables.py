@@ -342,6 +342,33 @@ def draw_case(program, seed, number_of_draw, folder):
     return found, runs
 
 
+def draw_rows(program, seed, number_of_draw, folder):
+    """Series in rows, whose positions are the names of the columns, beside the same series in a long table."""
+    draw = random.Random(f"rows/{seed}/{number_of_draw}")
+    count = draw.choice([2, 3, 7, 30])
+    kind, places = positions(draw, count)
+    while kind == "gaps":  # a column without a name is left out, a row without a position may be an error
+        kind, places = positions(draw, count)
+    series = [(draw.choice(["a", "b", "c, d", "1"]), values(draw, count, places)) for _ in range(draw.randint(1, 4))]
+    wide = [["g", *places], *([name, *each] for name, each in series)]
+    tall = [["g", "x", "value"], *([name, p, v] for name, each in series for p, v in zip(places, each))]
+    options = smooth_options(draw, Table(draw), False)
+    for word in ("--x", "--y", "--weights", "--by", "--keep", "--spacing"):
+        while word in options:
+            del options[options.index(word) : options.index(word) + 2]
+    options = [word for word in options if word not in ("--stream", "--closed")] + ["--by", "g"]
+    form, runs = Form(draw, True), []
+    for rows, more in ((tall, ["--x", "x", "--y", "value"]), (wide, ["--series", "rows"])):
+        with open(os.path.join(folder, "table.csv"), "w", encoding="utf-8") as file:
+            file.writelines(",".join(form.field(draw, text, False) for text in row) + "\n" for row in rows)
+        runs.append(Run(program, ["smooth", "table.csv", *options, *more], folder))
+    one, other = ((run.code, run.output) for run in runs)
+    if one == other:
+        return [], runs
+    return [f"series in rows differ from those in columns\n    {shlex.join(options)}\n    {wide}\n    {str(one)[:300]}\n"
+            f"    {str(other)[:300]}\n    {runs[0].errors[-200:]}{runs[1].errors[-200:]}"], runs
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program")
@@ -359,6 +386,9 @@ def main():
                 folder = tempfile.mkdtemp()
                 print(folder)
             found, runs = draw_case(program, arguments.seed, drawn, folder)
+            if drawn % 4 == 0:
+                more, of_rows = draw_rows(program, arguments.seed, drawn, folder)
+                found, runs = found + more, runs + of_rows
         codes.update(run.code for run in runs)
         slowest = max(slowest, max((run.seconds, drawn) for run in runs))
         for what in found:

@@ -273,3 +273,105 @@ TEST_CASE("names of other programs, and columns of text, come with what is meant
   CHECK(contains(run("smooth " + data + " --scheme lcal:points=5").err, "as local:points=21,d=1"));
   CHECK(contains(run("verify " + data + " --claim '1 < holder'").err, "a claim names its scheme, as 3/2 < primal:n=5"));
 }
+
+TEST_CASE("each row may be a series, whose positions are the names of the columns") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " --series rows " + arguments);
+  };
+  const std::string exact = "--scheme primal:n=1 --bands 0 --at data --quiet --by ";
+  const std::string lands = "land,code,1960,1961,1962,\nA,a,1,2,3,\n\"B, b\",b,2,,6,\nC,c,5,4,3,\n";
+  CHECK(with("land,code,1960,1961,1962,\nA,a,1,2,3,\n\"B, b\",b,2,4,6,\n", exact + "land").out ==
+        "land,x,value,value_sd\nA,1960,1,0\nA,1961,2,0\nA,1962,3,0\n\"B, b\",1960,2,0\n\"B, b\",1961,4,0\n"
+        "\"B, b\",1962,6,0\n");
+  CHECK(with(lands, "--by land --missing drop --scheme local:points=3,weight=box")
+            .err.find("columns whose names are no positions, left out: code") != std::string::npos);
+  // A gap is an error at its place, of its series alone, or left out; so is text, and a number that is too large.
+  const auto gap = with(lands, "--scheme primal:n=1 --by land");
+  CHECK(gap.code == 65);
+  CHECK(gap.err.find("land B, b, left out: " + data +
+                     ", line 3, column 4: expected a number; found a missing value (--missing drop leaves it out)") !=
+        std::string::npos);
+  const auto dropped = with("n,1,2,3,4\na,2,,6,8\n",
+                            "--by n --missing drop --scheme local:points=3,weight=box --bands 0 --quiet --level 0");
+  CHECK(dropped.code == 0);
+  check_fails(with("n,1,2,3\na,1,x,3\n", exact + "n"), 65, data + ", line 2, column 3: expected a number; found 'x'");
+  check_fails(with("n,1,2,3\na,1,2,3e200\n", exact + "n"), 65,
+              "n a: " + data + ", line 2, column 4: expected at most 1e150 in modulus; found 3e+200");
+  // The same as groups of a long table; rows of one name are one series.
+  std::string wide = "g;0;0,25;1,5;2;3\n", tall = "g;x;value\n";
+  const std::vector<std::string> at{"0", "0,25", "1,5", "2", "3"};
+  for (const std::string name : {"b", "a", "b"}) {
+    wide += name;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const std::string value = std::to_string((7 * wide.size() + i * i) % 11);
+      tall += name + ";" + at[i] + ";" + value + "\n";
+      wide += ";" + value;
+    }
+    wide += "\n";
+  }
+  const std::string how = "--by g --decimal , --scheme local:points=4 --level 1 --noise 1 --quiet";
+  const std::string rows = with(wide, how).out;
+  std::ofstream(data, std::ios::binary) << tall;
+  CHECK(rows == run("smooth " + data + " " + how).out);
+  CHECK(rows.size() > 300);
+  CHECK(with("4 5 6\na 1 2 3\nb 2 4 6\n", exact + "1").out ==
+        "1 x value value_sd\na 4 1 0\na 5 2 0\na 6 3 0\nb 4 2 0\nb 5 4 0\nb 6 6 0\n");
+  // The column of names is none of the positions, whatever its name.
+  CHECK(with("7,1,2,3\na,1,2,3\n", exact + "7").out == "7,x,value,value_sd\na,1,1,0\na,2,2,0\na,3,3,0\n");
+  // Notes on data are told once for all series.
+  std::string waves = "n";
+  for (int i = 0; i < 60; ++i) waves += "," + std::to_string(i);
+  for (const std::string name : {"a", "b", "c"}) {
+    waves += "\n" + name;
+    for (int i = 0; i < 60; ++i)
+      waves += "," + std::to_string(name == "b" ? 7919 * i * i % 101 : (i % 12 - 6) * (i % 12 - 6));
+  }
+  const std::string notes = with(waves + "\n", "--by n --scheme primal:n=2").err;
+  CHECK(notes.find("note: value of a (-0.0725), value of c (-0.0725): neighbouring second differences have these "
+                   "correlations, beyond that of independent noise") != std::string::npos);
+  CHECK(std::count(notes.begin(), notes.end(), '\n') == 1);
+  // Closed series keep their positions.
+  CHECK(
+      with("n,1,2,3,4\na,1,2,3,2\n", "--closed --quiet --scheme primal:n=1 --bands 0 --level 0 --noise 2 --by n").out ==
+      "n,x,value,value_sd\na,1,1,2\na,2,2,2\na,3,3,2\na,4,2,2\n");
+  // Dates; falling positions; a number for the column of names.
+  CHECK(with("n,2001-11,2001-12,2002-01\na,1,2,3\n", exact + "1").out ==
+        "1,x,value,value_sd\na,2001-11,1,0\na,2001-12,2,0\na,2002-01,3,0\n");
+  CHECK(with("n,1,2001-11,2,2001-12\na,1,5,2,6\n", exact + "n").out == "n,x,value,value_sd\na,1,1,nan\na,2,2,nan\n");
+  CHECK(with("n,20010228,20010301,20010302\na,1,2,3\n", exact + "n").out ==
+        "n,x,value,value_sd\na,20010228,1,0\na,20010301,2,0\na,20010302,3,0\n");
+  CHECK(with("n,3,2,1\na,1,2,3\n", exact + "n").out == "n,x,value,value_sd\na,3,1,0\na,2,2,0\na,1,3,0\n");
+  check_fails(with("n,3,v,w\na,1,2,3\n", exact + "n"), 65,
+              data + ": expected two columns or more whose names are positions, numbers or dates; found '3' alone");
+  check_fails(with("n,3,1e999,-1e400\na,1,2,3\n", exact + "n"), 65,
+              data + ": expected two columns or more whose names are positions, numbers or dates; found '3' alone");
+  check_fails(with("n,u,v,w\na,1,2,3\n", exact + "n"), 65,
+              data + ": expected two columns or more whose names are positions, numbers or dates; found none");
+  // What columns alone have.
+  check_fails(with(lands, ""), 64, "--series rows needs --by: the column of the names of the series");
+  for (const char* option : {"--x 1", "--y 2", "--weights 3", "--keep code", "--header no"})
+    check_fails(with(lands, exact + "land " + option), 64,
+                "--series rows: expected none of --x, --y, --weights, --keep, --header no; the first row has the "
+                "positions");
+  check_fails(with(lands, "--by land --stream --scheme primal:n=1"), 64,
+              "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
+}
+
+TEST_CASE("a misspelt scheme is named before faults of the data, and words of other programs have their method") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  std::ofstream(data) << "1,2\n1,3\n2,x\n";
+  const auto fails = [&](const std::string& scheme, const std::string& expected) {
+    CAPTURE(scheme);
+    check_fails(
+        run("smooth " + data + " --scheme " + scheme), 64,
+        "scheme specification, position 1: '" + scheme + "'; expected a scheme, or local polynomials, as " + expected);
+  };
+  // loess() makes four fits with family = "symmetric": three robust steps.
+  fails("loess", "local:points=75,d=2 for three quarters of 100 data (family = \"symmetric\": and robust=3)");
+  fails("lowess", "local:points=67,d=1,robust=3 for two thirds of 100 data");
+  fails("savgol", "local:points=21,d=2,weight=box");
+}

@@ -216,8 +216,9 @@ py::dict smooth_grid(const DoubleArray& values, const std::string& scheme, const
 py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const std::vector<Rational>& weights,
                 const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
                 const std::string& boundary, double constant, int level, int derivative, double bands,
-                const std::string& kind_name, bool irregular, const std::string& at, const std::optional<double>& noise,
-                const std::string& select, int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
+                const std::string& kind_name, const std::optional<bool>& irregular, const std::string& at,
+                const std::optional<double>& noise, const std::string& select, int resamples, std::uint64_t seed,
+                int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require_choices(level, bands, noise, kind_name, at);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
@@ -228,7 +229,7 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
   require_finite(samples.columns.front(), "smooth");
   samples.noise = noise;
   data::PositionOrder order;
-  if (x) order = set_positions(samples, *x, irregular);
+  if (x) order = set_positions(samples, *x, irregular.value_or(data::takes_any_positions(scheme)));
   if (!samples.uniform()) {
     if (spacing) samples.spacing = *spacing;
     const auto missing = [&](std::size_t row) { return !weights.empty() && weights[row] == 0; };
@@ -268,6 +269,7 @@ void add_data(py::module_& module) {
   module.def("refine", &refine);
   module.def("smooth", &smooth);
   module.def("smooth_grid", &smooth_grid);
+  module.def("remark_on_correlations", &data::remark_on_correlations);
   module.def("all_cores", &all_cores);
 }
 

@@ -187,7 +187,7 @@ def smooth(
     derivative: int,
     bands: float,
     kind: str,
-    irregular: bool,
+    irregular: Optional[bool],
     at: str,
     noise: Optional[float],
     select: str,
@@ -209,6 +209,7 @@ def smooth_grid(
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...
+def remark_on_correlations(found: Sequence[tuple[str, float]]) -> str: ...
 def all_cores() -> int: ...
 def check_file(text: str, file: str, program: str) -> tuple[bool, str]: ...
 def check_certificate(text: str, matrices: str, program: str) -> tuple[bool, str]: ...

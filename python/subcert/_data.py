@@ -200,8 +200,6 @@ def smooth(
         curves.update(derivative=derivative, irregular=bool(irregular), spacing=spacing is not None, origin=origin != 0)
         curves.update({"select='cv'": select == "cv", "resamples": resamples})
         return _smooth_grid(array, grid, curves)
-    if irregular is None:
-        irregular = x is not None and (not str(scheme) or str(scheme).startswith("local:"))
     if missing == "drop" and array.ndim == 1:
         array, x, weights = _without_missing(array, x, weights)
     positions = None
@@ -239,10 +237,6 @@ def smooth(
             f"{facts['outliers']} outliers move this fit; scheme='local:d=1,robust=3' leaves them out", stacklevel=2
         )
     if facts["correlated"] is not None:
-        warnings.warn(
-            f"second differences have the correlation {facts['correlated']:.3g}, beyond that of independent noise: "
-            "it is correlated, and bands are too narrow, or the mean bends within few data",
-            stacklevel=2,
-        )
+        warnings.warn(_core.remark_on_correlations([("data", facts["correlated"])]), stacklevel=2)
     facts["candidates"] = tuple(facts["candidates"])
     return Smoothed(**facts)

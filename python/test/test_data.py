@@ -165,6 +165,27 @@ def savitzky_golay(y, half, degree):
     return numpy.array([numpy.polyval(fit, i - c) for i, (fit, c) in enumerate(zip(fits, centres))])
 
 
+def test_positions_are_taken_as_they_are_where_the_method_takes_them():
+    x = numpy.array([0.0, 1, 2, 4, 5, 7, 8, 9, 12])
+    for scheme in ("", "local:points=4", "local:d=1"):
+        taken = subcert.smooth(2 * x + 1, x, scheme=scheme, at="data", bands=0)
+        assert numpy.allclose(taken.values, 2 * x + 1, atol=1e-9)
+        with pytest.raises(subcert.DataError, match="irregular=True takes positions as they are"):
+            subcert.smooth(2 * x + 1, x, scheme=scheme, irregular=False)
+    with pytest.raises(subcert.DataError, match="irregular=True takes positions as they are"):
+        subcert.smooth(2 * x + 1, x, scheme="primal:n=2")
+    table = {"x": x, "y": 2 * x + 1}
+    assert numpy.allclose(subcert.smooth(table, at="data", bands=0)["y"], 2 * x + 1, atol=1e-9)
+
+
+def test_correlated_noise_is_said_as_the_command_says_it():
+    random = numpy.random.default_rng(5)
+    noise = numpy.convolve(random.normal(size=1300), 0.6 ** numpy.arange(40), "valid")
+    with pytest.warns(UserWarning, match="the noise is correlated from datum to datum, and bands are too narrow"):
+        found = subcert.smooth(noise, scheme="primal:n=6")
+    assert found.correlated is not None and -0.667 < found.correlated < 0
+
+
 def test_robust_smoothing():
     random = numpy.random.default_rng(8)
     x = numpy.sort(random.uniform(0, 10, 300))

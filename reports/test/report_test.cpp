@@ -78,7 +78,7 @@ TEST_CASE("a report is written whole, in every format") {
     CHECK(entry.path().string().find(".part") == std::string::npos);
 }
 
-TEST_CASE("the first page says what it is, who made it and how to object; a paper's page begins with what holds") {
+TEST_CASE("the first page says what it is, who made it and how to object, a paper's page begins with what holds") {
   const Folder folder;
   Findings findings{{make_report("dyn-2015", {{"table3", "supports"}, 2, {}})}};
   for (const char* id : {"dyn-2015/theorem-1", "dyn-2015/remark-9"})

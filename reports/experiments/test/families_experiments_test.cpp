@@ -58,7 +58,7 @@ TEST_CASE("distances and diameters") {
   CHECK(diameter({0, 0, 3, 1, 1, 4}, 2) == 5);
 }
 
-TEST_CASE("squared bias and variance add up to the error; without noise there is no variance") {
+TEST_CASE("squared bias and variance add up to the error, without noise there is no variance") {
   const Method method = l1_method(6, 1);
   const ExperimentOptions many{3, 400, 2}, few{3, 4, 1};
   const NoisyData noisy = parabola(0.2, 3), quiet = parabola(0, 0);

@@ -249,7 +249,7 @@ TEST_CASE("what is open is measured again with more samples, and nothing else is
   CHECK(run_experiment(toy, {1, 10, 1}).result.runs == 80);
 }
 
-TEST_CASE("shared claims take values; setups take texts and numbers") {
+TEST_CASE("shared claims take values, setups take texts and numbers") {
   const std::string shared =
       "[[shared]]\nname = 'both'\n[[shared.claim]]\nsentence = '{what} is kept.'\nplace = 'Sec. 2'\n"
       "facts = '{topic}'\nstatistic = 's'\nrecorded = '{found}'\n";

@@ -81,7 +81,7 @@ void drop_unused(Parts& parts) {
   parts.values.resize(used * size);
   for (Quad& face : parts.faces)
     for (std::size_t& vertex : face) vertex = number[vertex];
-  parts.left_out.push_back(std::to_string(vertices - used) + " vertices without faces");
+  parts.left_out.push_back("vertices without faces (" + std::to_string(vertices - used) + ")");
 }
 
 std::string joined(const std::vector<std::string>& texts) {
@@ -284,14 +284,16 @@ std::vector<std::optional<std::size_t>> ply_places(const PlyElement& vertex, con
       lines.fail_file(std::string("the properties x, y and z of the vertices; found no ") + name);
     keep(static_cast<std::size_t>(found - vertex.properties.begin()), {});
   }
+  std::vector<std::string> left_out;
   for (std::size_t k = 0; k < vertex.properties.size(); ++k) {
     const PlyProperty& property = vertex.properties[k];
     if (places[k]) continue;
     if (property.length || is_normal(property.name))
-      parts.left_out.push_back(property.name + " of the vertices");
+      left_out.push_back(property.name);
     else
       keep(k, property.type.whole ? property.type : NumberType{});
   }
+  if (!left_out.empty()) parts.left_out.push_back(joined(left_out) + " of the vertices");
   return places;
 }
 

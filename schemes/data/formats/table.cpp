@@ -326,11 +326,15 @@ Table& TableReader::read(std::string_view lines) {
 
 void TableReader::finish() const { lines_->require_rows(); }
 
-std::string quoted_where_needed(const std::string& name, char separator) {
-  if (name.find_first_of(std::string("\"\n\r") + separator) == std::string::npos && !name.empty()) return name;
+std::string quoted(const std::string& text) {
   std::string result = "\"";
-  for (char c : name) result += c == '"' ? "\"\"" : std::string(1, c);
+  for (char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
   return result + "\"";
+}
+
+std::string quoted_where_needed(const std::string& name, char separator) {
+  const bool plain = name.find_first_of(std::string("\"\n\r") + separator) == std::string::npos && !name.empty();
+  return plain ? name : quoted(name);
 }
 
 namespace {

@@ -30,6 +30,7 @@ struct Table {
   char separator = ',';
   char decimal = '.';
   std::vector<std::size_t> lines;       ///< lines[row]: where the row stands in the file, from 1
+  std::vector<std::size_t> places;      ///< of rows that are one field of the file: its column, from 1; else none
   bool row_names = false;               ///< the header has no name for the first column, which has those of the rows
   std::vector<ColumnContent> contents;  ///< of each column, of all that was read
   std::vector<std::vector<std::string>> fields;  ///< fields[k][row]: as written in the column form.kept[k]
@@ -94,6 +95,9 @@ struct TableColumn {
   std::size_t stride = 1;
   const std::string* texts = nullptr;
 };
+
+/// The text between double quotes, as a field of a line.
+std::string quoted(const std::string& text);
 
 /// The text as a field of a line; between quotes where it is empty, or a separator, a quote or an end of line asks for
 /// them.

@@ -63,8 +63,8 @@ std::string_view local_meant(std::string_view family) {
   constexpr std::pair<std::string_view, std::string_view> names[] = {
       {"savgol", "local:points=21,d=2,weight=box"},
       {"savitzky-golay", "local:points=21,d=2,weight=box"},
-      {"loess", "local:width=0.75,d=2,robust=4"},
-      {"lowess", "local:width=0.67,d=1,robust=3"},
+      {"loess", "local:points=75,d=2 for three quarters of 100 data (family = \"symmetric\": and robust=3)"},
+      {"lowess", "local:points=67,d=1,robust=3 for two thirds of 100 data"},
       {"robust", "local:d=1,robust=3"},
       {"local", "local:points=21,d=1"}};
   std::vector<std::string> words;
@@ -352,8 +352,21 @@ Samples in_units_of_spread(Samples samples, std::vector<NoiseEstimate>& noise) {
 
 }  // namespace
 
+void require_squares(const Samples& samples) {
+  constexpr double least = 1e-140, most = 1e150;
+  for (const auto& column : samples.columns) {
+    double largest = 0;
+    for (const double value : column) largest = std::max(largest, std::abs(value));
+    if (largest > most || (largest > 0 && largest < least))
+      fail(ErrorKind::data,
+           "expected numbers whose squares are within double precision; the largest modulus is {:g} (take other units)",
+           largest);
+  }
+}
+
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
                            const std::optional<LocalPolynomial>& pattern, int threads) {
+  require_squares(samples);
   if (samples.count() < 4)
     fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name a scheme", samples.count());
   std::optional<Samples> cleaned;

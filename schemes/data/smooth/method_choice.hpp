@@ -97,12 +97,16 @@ struct MethodChoice {
   std::size_t data = 0;
 };
 
+/// Errors: throws a data error for columns whose squares, of which the noise is made, leave the range of doubles.
+void require_squares(const Samples& samples);
+
 /// The first of the ranked candidates: rank_schemes() and from there on windows of local polynomials of degree 1, 3 and
 /// 5; local polynomials of degree 1 and 3 where data are not uniform; with a pattern its windows; for a derivative
 /// rank_derivatives(), of degrees one and three above it. Of several columns the risks are added, each in units of the
 /// variance of its data about their mean. Windows of a pattern with robust steps are those for the
 /// pseudodata of a robust fit. The noise is estimated where it is not known. Errors: throws a data error for fewer than
-/// 4 data or none that neighbour two others, a domain error for a derivative above 16; else as those.
+/// 4 data or none that neighbour two others, and as require_squares(), a domain error for a derivative above 16; else
+/// as those.
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
                            const std::optional<LocalPolynomial>& pattern = std::nullopt, int threads = 1);
 

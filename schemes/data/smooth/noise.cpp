@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <fmt/format.h>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
 
 namespace subcert::data {
 namespace {
@@ -171,8 +171,8 @@ void mark_runs(const std::vector<double>& data, const std::vector<double>& weigh
   for (std::size_t end = 4; end + 2 <= data.size(); ++end)
     for (std::size_t length = 2; length <= longest_run && next + length <= end; ++length) {
       const std::size_t first = end - length;
-      const bool present = std::ranges::all_of(std::views::iota(first - 2, end + 2),
-                                               [&](std::size_t i) { return at_or_one(weights, i) > 0; });
+      bool present = true;
+      for (std::size_t i = first - 2; i < end + 2; ++i) present = present && at_or_one(weights, i) > 0;
       if (!present || !stand_out_together(data, weights, positions, first, end - 1, deviation)) continue;
       std::fill(in_runs.begin() + static_cast<std::ptrdiff_t>(first),
                 in_runs.begin() + static_cast<std::ptrdiff_t>(end), true);
@@ -247,6 +247,22 @@ std::optional<double> correlated_differences(const std::vector<double>& data, co
   const double correlation = products / squares;
   const bool is_beyond = correlation - expected / m > beyond * std::sqrt(variance / m) && correlation < 0;
   return is_beyond ? std::optional(correlation) : std::nullopt;
+}
+
+std::string remark_on_correlations(const std::vector<std::pair<std::string, double>>& found) {
+  std::string names, which = "these correlations";
+  if (found.size() == 1) {
+    names = found.front().first;
+    which = fmt::format("the correlation {:.3g}", found.front().second);
+  } else {
+    for (const auto& [name, correlation] : found)
+      names += fmt::format("{}{} ({:.3g})", names.empty() ? "" : ", ", name, correlation);
+  }
+  return fmt::format(
+      "{}: neighbouring second differences have {}, beyond that of independent noise, about -2/3: the noise is "
+      "correlated from datum to datum, and bands are too narrow, or the mean bends within few data; "
+      "docs/smoothing.md, section 3",
+      names, which);
 }
 
 namespace {

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace subcert::data {
@@ -55,6 +57,9 @@ std::size_t count_outliers(const std::vector<double>& data, const std::vector<do
 std::optional<double> correlated_differences(const std::vector<double>& data,
                                              const std::vector<double>& prior_weights = {},
                                              const std::vector<double>& positions = {});
+
+/// What such correlations, of columns by their names, say of the noise and the bands. Domain: one or more.
+std::string remark_on_correlations(const std::vector<std::pair<std::string, double>>& found);
 
 /// The factor between the standard deviation of a value and half the width of its confidence band of this level:
 /// a quantile of Student's distribution with the degrees of freedom of the noise. Domain: 0 < level < 1, an estimate

@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <utility>
 
 namespace subcert::data {
@@ -23,14 +23,19 @@ const std::vector<std::string>& fields_of(const Table& table, const std::vector<
 
 /// The rows of a table in this order.
 Table selected(const Table& table, const std::vector<std::size_t>& rows) {
-  Table result = table;
-  result.values.clear();
-  result.lines.clear();
-  for (auto& fields : result.fields) fields.clear();
+  Table result;
+  result.columns = table.columns;
+  result.header = table.header;
+  result.separator = table.separator;
+  result.decimal = table.decimal;
+  result.row_names = table.row_names;
+  result.contents = table.contents;
+  result.fields.resize(table.fields.size());
   for (const std::size_t row : rows) {
     const auto first = table.values.begin() + static_cast<std::ptrdiff_t>(row * table.columns);
     result.values.insert(result.values.end(), first, first + static_cast<std::ptrdiff_t>(table.columns));
     result.lines.push_back(table.lines[row]);
+    if (!table.places.empty()) result.places.push_back(table.places[row]);
     for (std::size_t k = 0; k < table.fields.size(); ++k) result.fields[k].push_back(table.fields[k][row]);
   }
   return result;
@@ -87,11 +92,12 @@ std::vector<double> sort_rows(const SampleOptions& options, std::size_t column, 
   samples.falling = order.falling;
   const std::size_t left_out = x.size() - order.rows.size();
   if (left_out > 0) samples.remarks.push_back(fmt::format("rows without a position, left out: {}", left_out));
-  if (!order.rising && !order.falling)
+  if (!order.rising && !order.falling) {
+    const bool others = options.x.empty() && table.places.empty();
     samples.remarks.push_back(
         "the rows were sorted by their positions" +
-        (options.x.empty() ? ", " + column_name(table, column) + " (--x COLUMN takes others, --x none counts the rows)"
-                           : std::string()));
+        (others ? ", " + column_name(table, column) + " (--x COLUMN takes others, --x none counts the rows)" : ""));
+  }
   if (left_out > 0 || !order.rising) {
     table = selected(table, order.rows);
     x = read_positions(options, table, column);
@@ -173,7 +179,8 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
     for (std::size_t i = 0; i < fields.size(); ++i)
       if (samples.uniform() || counts(i)) column.texts.push_back(fields[i]);
   }
-  if (std::ranges::none_of(std::views::iota(std::size_t{0}, samples.count()), counts))
+  if (samples.count() == 0 ||
+      (!samples.weights.empty() && std::ranges::all_of(samples.weights, [](const Rational& w) { return w == 0; })))
     fail(ErrorKind::data, "{}: expected a row that is neither missing nor of weight 0; found none", options.name());
   if (!samples.uniform()) samples.drop_missing();
   return samples;
@@ -203,9 +210,32 @@ std::string remark_on_text(const Table& table, const std::vector<std::size_t>& c
     text += fmt::format(" (--by {} smooths its groups one by one)",
                         table.header.empty() ? std::to_string(columns.front() + 1) : table.header[columns.front()]);
   if (table.header.empty())
-    text += fmt::format("; line {} counts as data, as a number is in it (--header yes takes it as names)",
-                        table.lines.front());
+    text += fmt::format(
+        "; line {} counts as data, as a number is in it (--header yes takes it as names, --series rows as positions)",
+        table.lines.front());
   return text;
+}
+
+/// Columns of samples, as they stand.
+SampleTable read_columns(const SampleOptions& options, const std::string& text) {
+  SampleTable result;
+  TableForm form = options.form();
+  form.kept = columns_as_written(options, text);
+  Table& table = result.table = parse_table(text, options.name(), form);
+  const ColumnUse& use = result.use = find_columns(options, table);
+  require_numbers(table, use);
+  if (use.dates && std::ranges::count(form.kept, *use.x) == 0) {  // dates that begin below the first rows
+    form.kept.push_back(*use.x);
+    table = parse_table(text, options.name(), form);
+  }
+  result.kept = form.kept;
+  if (!use.left_out.empty()) result.remarks.push_back(remark_on_text(table, use.left_out, !options.by.empty()));
+  if (use.numbered)
+    result.remarks.emplace_back("the first column has no name, counts the rows, and is left out (--x 1 takes it)");
+  if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
+    result.remarks.emplace_back(
+        "the positions are the column without a name, as of row numbers (--x COLUMN takes another)");
+  return result;
 }
 
 }  // namespace
@@ -236,31 +266,21 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
     fail(ErrorKind::data, "{}: expected a table; found a volume (--grid smooths it)", options.name());
   if (text.starts_with("ply\n") || text.starts_with("ply\r"))
     fail(ErrorKind::data, "{}: expected a table; found a mesh (subcert refine takes it)", options.name());
-  TableForm form = options.form();
-  form.kept = columns_as_written(options, text);
-  Table table = parse_table(text, options.name(), form);
-  const ColumnUse use = find_columns(options, table);
-  require_numbers(table, use);
-  if (use.dates && std::ranges::count(form.kept, *use.x) == 0) {  // dates that begin below the first rows
-    form.kept.push_back(*use.x);
-    table = parse_table(text, options.name(), form);
-  }
+  SampleTable read = options.series == "rows" ? read_row_series(options, text) : read_columns(options, text);
+  Table& table = read.table;
+  const ColumnUse& use = read.use;
+  const std::vector<std::size_t>& kept = read.kept;
+  std::vector<std::string>& remarks = read.remarks;
   std::optional<DateForm> dates;
-  if (use.dates) dates = read_dates(options, table, fields_of(table, form.kept, *use.x), *use.x);
-  std::vector<std::string> remarks;
+  if (use.dates) dates = read_dates(options, table, fields_of(table, kept, *use.x), *use.x);
   if (use.x && !use.dates && table.contents[*use.x].numbers > 0 && read_number_dates(table, *use.x)) {
     dates.emplace().date = "%Y%m%d";
     remarks.push_back(column_name(table, *use.x) + " holds dates as YYYYMMDD, and is taken in days");
   }
-  if (!use.left_out.empty()) remarks.push_back(remark_on_text(table, use.left_out, !options.by.empty()));
-  if (use.numbered)
-    remarks.emplace_back("the first column has no name, counts the rows, and is left out (--x 1 takes it)");
-  if (options.x.empty() && use.x && !table.header.empty() && column_name(table, *use.x).empty())
-    remarks.emplace_back("the positions are the column without a name, as of row numbers (--x COLUMN takes another)");
   std::vector<NamedSamples> result;
   const auto samples_or_why = [&](Table rows) {
     try {
-      return samples_of(options, std::move(rows), use, form.kept);
+      return samples_of(options, std::move(rows), use, kept);
     } catch (const Error& error) {
       if (!use.by || error.kind() != ErrorKind::data) throw;
       NamedSamples none;
@@ -278,7 +298,7 @@ std::vector<NamedSamples> read_samples(const SampleOptions& options) {
   if (!use.by)
     add("", std::move(table));
   else
-    for (const auto& [name, rows] : groups_of(fields_of(table, form.kept, *use.by))) add(name, selected(table, rows));
+    for (const auto& [name, rows] : groups_of(fields_of(table, kept, *use.by))) add(name, selected(table, rows));
   return result;
 }
 

@@ -25,8 +25,9 @@ struct SampleOptions {
   std::string decimal = ".";
   std::string header = "auto";  ///< or yes, no
   std::string missing = "raise";
-  bool any_positions = false;  ///< also those that are not uniform, and several data at one
-  std::string spacing;         ///< of the outputs where positions are irregular; empty: the mean
+  std::string series = "columns";  ///< or rows: each row is one, named by the column `by`
+  bool any_positions = false;      ///< also those that are not uniform, and several data at one
+  std::string spacing;             ///< of the outputs where positions are irregular; empty: the mean
 
   /// What errors call the file.
   std::string name() const;

@@ -66,7 +66,8 @@ std::size_t find_column(const Table& table, const std::string& option, const std
 }
 
 std::string place(const SampleOptions& options, const Table& table, std::size_t row, std::size_t column) {
-  return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " + std::to_string(column + 1);
+  return options.name() + ", line " + std::to_string(table.lines[row]) + ", column " +
+         std::to_string(table.places.empty() ? column + 1 : table.places[row]);
 }
 
 std::optional<Rational> given_spacing(const SampleOptions& options) {

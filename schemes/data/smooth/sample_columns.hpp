@@ -17,6 +17,19 @@ struct ColumnUse {
   bool numbered = false;              ///< the first column counts the rows, and is left out
 };
 
+/// A table of samples, and what its columns hold.
+struct SampleTable {
+  Table table;
+  ColumnUse use;
+  std::vector<std::size_t> kept;     ///< columns whose fields the table has as they are written
+  std::vector<std::string> remarks;  ///< what was done that the options do not say, a line each
+};
+
+/// Each row of the text as a series, with the names of its columns for positions: a table of names, positions and
+/// values. Errors: a usage error without names, or for options of columns; a data error where fewer than two columns
+/// have a position for a name.
+SampleTable read_row_series(const SampleOptions& options, const std::string& text);
+
 std::string column_name(const Table& table, std::size_t column);
 
 /// By its name, or its number from 1. Errors: a usage error that names the option.

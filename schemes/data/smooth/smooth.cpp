@@ -179,22 +179,9 @@ SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<Noise
   return result;
 }
 
-namespace {
-
-/// Errors: throws a data error for columns whose squares, of which the noise is made, leave the range of doubles.
-void require_squares(const Samples& samples) {
-  constexpr double least = 1e-140, most = 1e150;
-  for (const auto& column : samples.columns) {
-    double largest = 0;
-    for (const double value : column) largest = std::max(largest, std::abs(value));
-    if (largest > most || (largest > 0 && largest < least))
-      fail(ErrorKind::data,
-           "expected numbers whose squares are within double precision; the largest modulus is {:g} (take other units)",
-           largest);
-  }
+bool takes_any_positions(std::string_view specification) {
+  return specification.empty() || is_local_specification(specification);
 }
-
-}  // namespace
 
 SmoothedSamples smooth(const Samples& samples, std::string_view specification, const SmoothingOptions& options,
                        int threads) {

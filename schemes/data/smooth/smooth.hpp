@@ -48,6 +48,10 @@ struct SmoothedSamples {
   BandMethod band_method = BandMethod::linear;
 };
 
+/// Whether positions that are not uniform are taken as they are where nobody says so: by local polynomials, which are
+/// made for them, and where the method is chosen.
+bool takes_any_positions(std::string_view specification);
+
 /// Smooths by a method; derivatives are with respect to the positions of the samples. Domain: for data-dependent
 /// schemes as L1Smoother. Errors: throws NoLimit where convergence, or the smoothness that a derivative needs, has no
 /// proof; a domain error that says what needs a linear method; a data error for too few samples; else as the smoothers

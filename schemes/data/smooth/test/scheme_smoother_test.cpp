@@ -133,7 +133,7 @@ TEST_CASE("derivatives are those of the limit") {
   }
 }
 
-TEST_CASE("equal prior weights change nothing; missing data leave polynomials alone") {
+TEST_CASE("equal prior weights change nothing, missing data leave polynomials alone") {
   for (const char* text : {"primal:n=3", "dual:n=2", "primal:n=4,d=3", "ary:a=3,points=5,d=1"}) {
     const Scheme scheme = make_scheme(text);
     const std::size_t count = 18;

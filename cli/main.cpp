@@ -4,6 +4,7 @@
 
 #include <subcert/analysis/symbol/numbers/flint.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fcntl.h>
 #include <gmp.h>
@@ -13,6 +14,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string_view>
@@ -28,6 +30,15 @@ int complain(const std::string& message, cli::ExitCode code) {
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   std::cerr << "subcert: " << visible(line) << "\n";
   return static_cast<int>(code);
+}
+
+/// For a file that was given in the place of a scheme.
+std::string about_file(const Error& error) {
+  const auto* refused = dynamic_cast<const SpecificationError*>(&error);
+  std::error_code none;
+  if (!refused || refused->position() != 1 || !std::filesystem::is_regular_file(refused->token(), none)) return "";
+  return "; it is a file: 'subcert sweep FILE' takes one with a scheme a line, and \"$(cat FILE)\" stands for one with "
+         "a mask";
 }
 
 /// No file that is opened comes to stand for a standard stream that was closed.
@@ -91,7 +102,7 @@ int main(int argc, char** argv) {
   } catch (const cli::ReaderLeft&) {
     return static_cast<int>(cli::missing_file);
   } catch (const Error& error) {
-    return complain(error.what(), cli::exit_code(error));
+    return complain(std::string(error.what()) + about_file(error), cli::exit_code(error));
   } catch (const std::bad_alloc&) {
     return complain("out of memory", cli::internal);
   } catch (const std::exception& error) {

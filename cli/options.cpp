@@ -265,11 +265,14 @@ std::string see_also(const char* beginning, const std::vector<std::string>& name
   return text;
 }
 
-/// For a word that is near no command: those whose names begin as it does, or whose meanings speak of it.
+/// For a word that is near no command: those whose names begin as it does, or whose meanings speak of it; or what lists
+/// schemes.
 std::string commands_about(const CLI::App& app, const std::string& word) {
   constexpr std::size_t shortest = 3, most = 5;
   std::vector<std::string> found;
   const std::string wanted = CLI::detail::to_lower(word);
+  if (wanted == "list" || wanted.starts_with("scheme") || wanted == "families")
+    return "; 'subcert mask --help' lists the schemes";
   for (const CLI::App* command : app.get_subcommands({})) {
     const std::string name = command->get_name(), meaning = CLI::detail::to_lower(command->get_description());
     const bool near = name.starts_with(wanted) || wanted.starts_with(name) || meaning.find(wanted) != std::string::npos;

@@ -46,6 +46,11 @@ if(TARGET subcert_python)
   subcert_bring_libraries(MODULES subcert_python python subcert/lib)
 endif()
 install(FILES LICENSE CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT libraries EXCLUDE_FROM_ALL)
+# What README names stands beside it, so that its links and commands hold in an archive.
+install(FILES README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURITY.md DESTINATION .
+  COMPONENT libraries EXCLUDE_FROM_ALL)
+install(DIRECTORY docs DESTINATION . COMPONENT libraries EXCLUDE_FROM_ALL
+  FILES_MATCHING REGEX "\\.(md|png|svg|csv|toml|yml|json)$" PATTERN site EXCLUDE)
 
 # cpack -G TGZ: an archive that runs where it is unpacked. cpack -G DEB: subcert, with the program, the checker, pages
 # and completions; libsubcert-dev, with the libraries.

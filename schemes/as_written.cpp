@@ -1,15 +1,20 @@
 #include "as_written.hpp"
 
+#include "frequency_symbol.hpp"
 #include "plain_text.hpp"
 #include "refinement_rules.hpp"
+#include "specification.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/expression.hpp>
 #include <subcert/analysis/symbol/support/utf8.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -95,6 +100,27 @@ std::string in_rows(std::string list) {
   std::string rows = "[";
   for (const char c : list) rows += c == ';' ? "],[" : std::string(1, c);
   return rows + "]";
+}
+
+/// The lines of a list as its rows: ; or a blank for the ends of lines inside of brackets.
+std::string with_lines(std::string_view text) {
+  std::string result;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (depth <= 0 || (c != '\n' && c != '\r')) {
+      result += c;
+      continue;
+    }
+    const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", i), text.size());
+    const std::size_t last = result.find_last_not_of(" \t");
+    const bool parted = next == text.size() || std::string_view("],;").find(text[next]) != std::string_view::npos ||
+                        std::string_view("[,;").find(result[last]) != std::string_view::npos;
+    result += parted || (result[last] == ']' && text[next] == '[') ? ' ' : ';';
+    i = next - 1;
+  }
+  return result;
 }
 
 std::size_t depth_of(std::string_view list) {
@@ -188,14 +214,83 @@ std::string in_brackets(std::string text) {
   return text;
 }
 
-/// `1/4, 3/4, 3/4, 1/4` in brackets: numbers with commas or blanks between them.
+/// `1/4, 3/4, 3/4, 1/4` in brackets: numbers with commas, blanks or ends of lines between them.
 std::string in_list(std::string text) {
   const bool numbers = std::ranges::all_of(text, [](char c) {
-    return is_digit(c) || is_blank(c) || std::string_view(",.+-*/^()").find(c) != std::string_view::npos;
+    return is_digit(c) || is_blank(c) || std::string_view(",.+-*/^()\r\n").find(c) != std::string_view::npos;
   });
-  std::string list = "[" + text + "]";
-  if (!numbers || without_blanks(list, text.find(',') == std::string::npos).find(',') == std::string::npos) return text;
+  std::string list = with_lines("[" + text + "]");
+  const bool parts = text.find(',') == std::string::npos;
+  if (!numbers || without_blanks(list, parts).find_first_of(",;") == std::string::npos) return text;
   return list;
+}
+
+/// Of a name with an index and an =, as `A_[-1] =`, `A_0 =` or `A(1) =`, that begins here: the index, and its end.
+std::optional<std::pair<long, std::size_t>> name_with_index(std::string_view text, std::size_t at) {
+  const std::size_t begin = at;
+  while (at < text.size() && is_letter(text[at])) ++at;
+  if (at == begin) return std::nullopt;
+  if (at < text.size() && text[at] == '_') ++at;
+  const bool brackets = at < text.size() && (text[at] == '[' || text[at] == '(');
+  if (brackets) ++at;
+  const std::size_t end = std::min(text.find_first_not_of("-0123456789", at), text.size());
+  const auto index = parse_rational(text.substr(at, end - at));
+  const std::size_t equal = text.find_first_not_of(" \t", std::min(end + (brackets ? 1 : 0), text.size()));
+  if (!index || abs(*index) > 1000 || equal == std::string_view::npos || text[equal] != '=') return std::nullopt;
+  return std::pair(numerator(*index).convert_to<long>(), equal + 1);
+}
+
+/// Lists that begin one behind the other, with a name and its index each or without, and where they end.
+struct Lists {
+  std::map<long, std::string> by_index;
+  std::size_t end = 0;
+};
+Lists lists_of(std::string_view text, bool named, std::size_t origin = 0) {
+  Lists lists;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto name = named ? name_with_index(text, at) : std::pair(static_cast<long>(lists.by_index.size()), at);
+    const std::size_t begin = name ? text.find_first_not_of(" \t", name->second) : std::string_view::npos;
+    if (begin == std::string_view::npos || text[begin] != '[') break;
+    const std::size_t size = end_of_list(text.substr(begin));
+    if (!lists.by_index.emplace(name->first, text.substr(begin, size)).second)
+      throw SpecificationError(text.substr(at, begin + size - at), origin + at + 1, "one matrix for each index");
+    lists.end = begin + size;
+    at = std::min(text.find_first_not_of(" \t\r\n,;", lists.end), text.size());
+  }
+  return lists;
+}
+
+/// The innermost lists of one with their rows in brackets.
+std::string with_rows(std::string_view list) {
+  std::string result;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t next = list[at] == '[' ? list.find_first_of("[]", at + 1) : std::string_view::npos;
+    const bool innermost = next != std::string_view::npos && list[next] == ']';
+    const std::string_view piece = list.substr(at, innermost ? next + 1 - at : 1);
+    const bool parts = piece.find(',') == std::string_view::npos;
+    result += innermost ? in_rows(without_blanks(piece, parts)) : std::string(piece);
+    at += piece.size();
+  }
+  return result;
+}
+
+/// The body of `refinable:`, `vector:` or `hermite:` as a list of lists of rows: matrices with rows as in MATLAB,
+/// without brackets about all of them, or with a name and its index each, as `A_[-1] = [1 0;0 1]`.
+/// `at`: where it begins.
+std::string matrices_as_written(std::string body, std::size_t at) {
+  const bool named = !body.empty() && is_letter(body.front());
+  const Lists lists = lists_of(body, named, at);
+  if (lists.by_index.empty()) return body;
+  const auto& [first, list] = *lists.by_index.begin();
+  const std::string rest = body.substr(lists.end);
+  if (!named && lists.by_index.size() == 1) return with_rows(list) + rest;
+  std::string matrices;
+  long index = first;
+  for (const auto& [k, matrix] : lists.by_index) {
+    if (k != index++) throw SpecificationError(body, at + 1, fmt::format("a matrix for the index {}", index - 1));
+    matrices += (matrices.empty() ? "" : ",") + with_rows(matrix);
+  }
+  return "[" + matrices + "]" + (named ? "@" + std::to_string(first) : "") + rest;
 }
 
 /// Without the name of a mask or a symbol and its equality sign: `a = [1,3,3,1]/4`, `a(z) = (1+z)^3/4`.
@@ -260,8 +355,12 @@ bool is_symbol(std::string_view text) {
 
 std::string specification_as_written(std::string_view text) {
   if (const auto rules = rules_as_written(text)) return *rules;
-  const std::string right = without_left_side(trimmed(plain_text(text)));
-  const std::string written = in_list(in_brackets(without_array(right)));
+  if (const auto symbol = frequency_symbol_as_written(trimmed(text))) return *symbol;
+  const std::string plain = trimmed(plain_text(text));
+  if (lists_of(plain, true).by_index.size() > 1)
+    throw SpecificationError(text.substr(0, text.find('=')), 1, "refinable:, vector: or hermite: before the matrices");
+  const std::string right = without_left_side(plain);
+  const std::string written = with_lines(in_list(in_brackets(without_array(right))));
   const std::size_t colon = written.starts_with('[') ? std::string::npos : written.find(':');
   if (colon == std::string::npos) {
     if (std::string mask = mask_as_written(written); !mask.empty()) return mask;
@@ -278,6 +377,8 @@ std::string specification_as_written(std::string_view text) {
   if (colon == std::string::npos) return name;
   if (name == "mask" || name == "mask2" || name == "mask3")
     if (std::string mask = mask_as_written(body, name); !mask.empty()) return mask;
+  if (name == "refinable" || name == "vector" || name == "hermite")
+    return name + ":" + matrices_as_written(body, colon + 1);
   if (name == "symbol") {
     body = in_own_letters(body);
     name = symbol_family(body);

@@ -20,7 +20,7 @@ constexpr long max_digit = 1'000'000;
 std::vector<LatticePoint> read_lattice_points(const Piece& piece, const std::string& name, std::size_t variables,
                                               long bound) {
   std::vector<LatticePoint> points;
-  for (const Piece& entry : read_list(piece, ';')) {
+  for (const Piece& entry : read_rows(piece)) {
     points.emplace_back();
     for (const Piece& number : split(entry, ',')) points.back().push_back(read_integer(number, name, -bound, bound));
     if (points.back().size() != variables) fail(entry, fmt::format("{} numbers, one for each variable", variables));
@@ -214,7 +214,7 @@ Scheme make_box(const Piece& family, const Piece& body, const std::string& usage
   std::vector<Piece> rest = split(body, ',');
   const Piece list = rest.front();
   rest.erase(rest.begin());
-  const std::size_t variables = split(read_list(list, ';').front(), ',').size();
+  const std::size_t variables = split(read_rows(list).front(), ',').size();
   if (variables < 2 || variables > 3) fail(list, "directions of two or three variables, as [1,0;0,1;1,1]");
   const std::vector<LatticePoint> directions = read_lattice_points(list, "a coordinate", variables, max_entry);
   Fields fields(family, rest, usage);

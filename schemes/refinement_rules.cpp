@@ -197,6 +197,7 @@ class RightSide {
     Part result = factor();
     for (;;) {
       const char c = here();
+      const bool parted = text_[at_ - 1] == ' ';
       const bool divides = c == '/';
       if (divides || c == '*')
         ++at_;
@@ -206,8 +207,8 @@ class RightSide {
       if (next.has_datum && (divides || result.has_datum)) refuse_();
       if (divides || c == '*')
         result.text += c;
-      else if (next.has_datum)
-        result.text += '*';
+      else
+        result.text += next.has_datum ? "*" : parted ? " " : "";
       result.text += next.text;
       result.has_datum = result.has_datum || next.has_datum;
     }

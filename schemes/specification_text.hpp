@@ -69,6 +69,17 @@ inline std::vector<Piece> read_list(const Piece& piece, char separator) {
   return split({piece.text.substr(1, piece.text.size() - 2), piece.at + 1}, separator);
 }
 
+/// The rows of `[1,1;1,-1]` or `[[1,1],[1,-1]]`, without their brackets.
+inline std::vector<Piece> read_rows(const Piece& piece) {
+  if (!piece.text.starts_with("[[")) return read_list(piece, ';');
+  std::vector<Piece> rows = read_list(piece, ',');
+  for (Piece& row : rows) {
+    (void)read_list(row, ',');
+    row = trimmed({row.text.substr(1, row.text.size() - 2), row.at + 1});
+  }
+  return rows;
+}
+
 inline Rational read_rational(const Piece& piece) {
   const auto value = parse_constant(piece.text);
   if (!value) fail(piece, "an exact number p, p/q with q > 0, a decimal, or a sum of such (for example 1/16)");

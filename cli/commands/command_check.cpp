@@ -67,9 +67,9 @@ void add_questions(const std::string& file, const std::vector<SchemeOfFile>& sch
 
 std::vector<SchemeOfFile> read_expected(const std::string& file) {
   try {
-    return properties::read_schemes(read_file(file));
+    return properties::read_schemes(read_input(file));
   } catch (const properties::FileError& error) {
-    fail(ErrorKind::data, "{}, {}", file, error.what());
+    fail(ErrorKind::data, "{}, {}", input_name(file), error.what());
   }
 }
 
@@ -199,7 +199,7 @@ ExitCode run(const CheckOptions& options) {
   std::vector<std::vector<SchemeOfFile>> files;
   for (const std::string& file : options.files) files.push_back(read_expected(file));
   std::vector<Question> questions;
-  for (std::size_t i = 0; i < files.size(); ++i) add_questions(options.files[i], files[i], questions);
+  for (std::size_t i = 0; i < files.size(); ++i) add_questions(input_name(options.files[i]), files[i], questions);
   std::vector<Answer> answers(questions.size());
   const bool at_once = !options.json && (options.out.empty() || options.out == standard_stream);
   Lines lines(questions, answers);
@@ -228,7 +228,7 @@ void add_check(Command& app) {
   auto options = std::make_shared<CheckOptions>();
   Command command = add_command(app, "check", "Checks expected properties of schemes, given in TOML files",
                                 "subcert check my-schemes.toml", options, [=] { return run(*options); });
-  command.option("FILE", options->files, "TOML files with schemes and properties").required();
+  command.option("FILE", options->files, "TOML files with schemes and properties; - is standard input").required();
   command.option("--junit", options->junit, "Write the answers there, too, as a report of JUnit");
   command.option("--certificate", options->certificate,
                  "Write certificates of what is proved of vector and Hermite schemes themselves into this folder");

@@ -190,7 +190,7 @@ ExitCode run_least(const JsrOptions& options, const MatricesFile& file, const Wa
 ExitCode run(const JsrOptions& options) {
   require_one_form(options, options.form);
   require_place(options.certificate);
-  const MatricesFile file = parse_matrices(read_file(options.file), options.file);
+  const MatricesFile file = parse_matrices(read_input(options.file), input_name(options.file));
   const WantedWidth wanted = wanted_width(options);
   if (options.least) return run_least(options, file, wanted);
   if (options.power > 0) return run_averaged(options, file, wanted);

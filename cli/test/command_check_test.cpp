@@ -30,6 +30,19 @@ TEST_CASE("expected properties as a gate") {
   CHECK(run("check").code == 64);
 }
 
+TEST_CASE("properties from standard input, and files in the place of schemes") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml", "mask = 'dd:n=2'\nreproduces = 5\n");
+  const Run piped = run("check - < " + file);
+  CHECK(piped.code == 1);
+  CHECK(piped.out.starts_with("FAILS      standard input:2: dd:n=2: reproduces 5 (it is 3)"));
+  std::ofstream(file) << "mask = 'dd:n=2'\nreproduces = three\n";
+  CHECK(run("check - < " + file).err.starts_with("subcert: standard input, line 2, column "));
+  const std::string list = folder.write("masks.txt", "1 3 3 1\n");
+  CHECK(run("mask " + list).err.find("it is a file: 'subcert sweep FILE' takes one") != std::string::npos);
+  CHECK(run("mask nothing.txt").err.find("it is a file") == std::string::npos);
+}
+
 TEST_CASE("one question that cannot be answered leaves the others alone") {
   const Folder folder;
   const std::string file = folder.write(

@@ -126,6 +126,13 @@ TEST_CASE("surfaces and volumes are refined") {
   CHECK(code("grid:points=2x2 " + matrix + " --levels 90") == 64);
 }
 
+TEST_CASE("schemes that turn the grid have no data on it") {
+  const Folder folder;
+  const std::string heights = folder.write("heights.csv", "1,2,3,4\n2,3,4,5\n3,4,5,6\n4,5,6,7\n");
+  check_fails(run("refine sqrt3 " + heights), 64,
+              "refine: need a scheme that makes a grid finer along its axes, not one with the dilation [1,2;-2,-1]");
+}
+
 TEST_CASE("data are refined by l1 regression") {
   const Folder folder;
   const std::string data = folder / "data.csv";

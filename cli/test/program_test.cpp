@@ -171,6 +171,8 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("reproduce dyn2015").err, "did you mean 'dyn-2015'?"));
   CHECK(contains(run("experiment fig33").err, "did you mean 'fig3'?"));
   CHECK(contains(run("statement list").err, "did you mean 'statements'?"));
+  for (const char* word : {"list", "schemes", "families"})
+    CHECK(contains(run(word).err, "'; 'subcert mask --help' lists the schemes; see 'subcert --help'"));
   CHECK(contains(run("exponent chaikin").err, "there is no command 'exponent'; did you mean one of 'regularity', "));
   CHECK(contains(run("regularity chaikin --juntt x").err, "there is no option '--juntt'; see 'subcert regularity"));
   CHECK(contains(run("regularity chaikin --junit x").err, "there is no option '--junit'; it is one of 'check'; see"));

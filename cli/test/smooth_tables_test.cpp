@@ -2,6 +2,25 @@
 
 using namespace subcert::testing;
 
+TEST_CASE("tables of other programs: the line sep=, empty lines below a header, units below names") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " --quiet --bands 0 --scheme primal:n=1 " + arguments);
+  };
+  const Run plain = with("x;y\n0;1,5\n1;2,5\n2;3,5\n", "--decimal ,");
+  REQUIRE(plain.code == 0);
+  CHECK(with("sep=;\r\nx;y\r\n0;1,5\r\n1;2,5\r\n2;3,5\r\n", "--decimal ,").out == plain.out);
+  CHECK(with("\xef\xbb\xbfsep=;\nx;y\n\n0;1,5\n1;2,5\n2;3,5\n", "--decimal ,").out == plain.out);
+  // The separator of the first line is taken where another would be guessed; an option is over it.
+  CHECK(with("sep=|\nx|y\n0|1\n1|2\n2|3\n", "").code == 0);
+  CHECK(with("sep=,\nx;y\n0;1,5\n1;2,5\n2;3,5\n", "--delimiter ';' --decimal ,").out == plain.out);
+  check_fails(with("t;y\n;mm\n2024-01-01;1,5\n2024-01-02;2,5\n2024-01-03;3,5\n", "--missing drop"), 65,
+              data + ": expected a column of values; found none (" + data +
+                  ", line 2, column 2: expected a number; found 'mm')");
+}
+
 TEST_CASE("positions come as they are: several data at one, falling, in no order, missing") {
   const Folder folder;
   const std::string data = folder / "data.csv";

@@ -14,7 +14,8 @@ top=$(cd "$work/root" && echo subcert-*)
 # Where it stands is not where it was made for.
 mv "$work/root/$top" "$work/root/elsewhere"
 program=$work/root/elsewhere/bin/subcert
-for file in share/man/man1/subcert.1 share/doc/subcert/LICENSE lib/subcert/libgmp10.copyright; do
+for file in README.md docs/commands.md docs/images/chaikin.png share/man/man1/subcert.1 \
+  share/doc/subcert/LICENSE lib/subcert/libgmp10.copyright; do
   [ -s "$work/root/elsewhere/$file" ] || { echo "$file is not in the archive"; exit 1; }
 done
 # All that lies outside of it belongs to the C library.
@@ -36,6 +37,7 @@ inside() {
 check "subcert $(sed -n 's/^set(CPACK_PACKAGE_VERSION "\(.*\)")/\1/p' "$build/CPackConfig.cmake")" subcert --version
 check "[-1,0,9,16,9,0,-1]/16@-3" subcert mask four-point:w=1/16
 check "exponent     1.9901439593863" subcert regularity primal:n=5 --certificate /tmp/s5.cert
+check "6,1" subcert refine chaikin /elsewhere/docs/tutorials/points.csv --levels 0
 check VERIFIED subcert verify /tmp/s5.cert
 check "usage: subcert-check" subcert-check --help
 awk 'BEGIN { srand(1); for (i = 0; i < 200; i++) print sin(i / 20) + rand() / 5 }' >"$work/root/tmp/data.csv"

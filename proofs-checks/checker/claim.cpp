@@ -48,6 +48,7 @@ const char* const usage =
     "with\n"
     "                     --attains)\n"
     "a mask and no bounds: its integer shifts are stable\n"
+    "what is claimed is said here, not in FILE; 'subcert verify FILE' takes it from there\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
 

@@ -4,6 +4,7 @@
 #include "casters.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/reports/formats/paper_text.hpp>
 #include <subcert/reports/formats/provenance.hpp>
 
 #include <exception>
@@ -40,6 +41,7 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(&translate);
   module.attr("version") = subcert::formats::version();
   module.def("enclosure_text", &subcert::enclosure_text);
+  module.def("latex_formula", [](const std::string& text) { return subcert::formats::latex_formula(text); });
   add_schemes(module);
   add_regularity(module);
   add_limits(module);

@@ -187,6 +187,8 @@ def smooth(
         raise UsageError(f"missing: expected raise or drop, got {missing!r}")
     if data is None:
         data, y = y, None
+    if data is None:
+        raise UsageError("smooth: expected samples, as an array or a table; got none")
     if _frames.is_table(data):
         for name in ("data", "x", "y", "by", "keep"):
             del options[name]

@@ -95,11 +95,12 @@ class PropertyRange:
 
     def to_latex(self) -> str:
         """A tabular of the pieces."""
+        name = _core.latex_formula(self.parameter)
         lines = ["\\begin{tabular}{rcll}", "\\toprule"]
         for p in self.pieces:
             low, high = _ends_text(p)
             signs = ["\\le" if included else "<" for included in (p.low_included, p.high_included)]
-            values = f"{low} & ${signs[0]}\\;{self.parameter}\\;{signs[1]}$ & {high}"
+            values = f"{low} & ${signs[0]}\\;{name}\\;{signs[1]}$ & {high}"
             lines.append(f"{values} & {_verdict(p.holds)} \\\\")
         return "\n".join([*lines, "\\bottomrule", "\\end{tabular}"])
 

@@ -615,7 +615,11 @@ def scheme(specification: Union[str, Named]) -> Any:
     if isinstance(specification, Named):
         return specification
     if not isinstance(specification, str):
-        raise TypeError(f"scheme: expected a text, as 'primal:n=3', or a scheme, got {type(specification).__name__}")
+        coefficients = hasattr(specification, "__len__")
+        raise TypeError(
+            f"scheme: expected a text, as 'primal:n=3', or a scheme, got {type(specification).__name__}"
+            + ("; subcert.mask takes coefficients" if coefficients else "")
+        )
     core = _core.make_any_scheme(specification)
     if isinstance(core, _core.DataDependentScheme):
         return DataDependentScheme(core)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import html
 from fractions import Fraction
-from typing import Any, Union
+from typing import Any, Sequence, Union
 
 from ._errors import UsageError
 from ._exact import Enclosure
@@ -89,8 +89,8 @@ def latex_text(text: str) -> str:
     return "".join(special.get(c, "\\" + c if c in "&%$#_{}" else c) for c in text)
 
 
-def compare(*schemes: Union[str, Named], budget: float = 5) -> SchemeTable:
-    """Schemes side by side. `budget`: seconds of processor time for each exponent.
+def compare(*schemes: Union[str, Named, Sequence[Union[str, Named]]], budget: float = 5) -> SchemeTable:
+    """Schemes side by side, one by one or in a list. `budget`: seconds of processor time for each exponent.
 
     >>> import subcert
     >>> table = subcert.compare("dd:n=2", "chaikin")
@@ -99,7 +99,9 @@ def compare(*schemes: Union[str, Named], budget: float = 5) -> SchemeTable:
     >>> print(table.to_markdown().splitlines()[0])
     | scheme | sum rules | generates | reproduces | converges | Hölder exponent | exact | Sobolev exponent |
     """
-    found = [scheme(one) for one in schemes]
+    found = [scheme(one) for given in schemes for one in (given if isinstance(given, (list, tuple)) else [given])]
+    if not found:
+        raise UsageError("compare: expected one scheme or more")
     for one in found:
         if not isinstance(one, LinearScheme):
             raise UsageError(f"compare: expected linear schemes, got {one}")

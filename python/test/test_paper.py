@@ -24,6 +24,11 @@ def test_tables():
         subcert.compare("dd:n=2", "l1:points=6")
     with pytest.raises(subcert.UsageError, match="specification"):
         subcert.compare("nothing")
+    both = subcert.compare("dd:n=2", "chaikin").to_dict()
+    assert subcert.compare(["dd:n=2", subcert.scheme("chaikin")]).to_dict() == both
+    for none in ((), ([],)):
+        with pytest.raises(subcert.UsageError, match="one scheme or more"):
+            subcert.compare(*none)
 
 
 def test_latex():
@@ -33,7 +38,7 @@ def test_latex():
     assert subcert.Enclosure(None, Fraction(3)).to_latex() == "\\le 3"
     assert subcert.scheme("bspline:degree=1").to_latex() == "\\frac{1}{2}\\left[1,\\,2,\\,1\\right]"
     found = subcert.family("four-point:mu").range("C1", 0, "1/4")
-    assert found.to_latex().count("\\;mu\\;") == len(found.pieces) and found.parameter == "mu"
+    assert found.to_latex().count("\\;\\mu\\;") == len(found.pieces) and found.parameter == "mu"
 
 
 def test_printed_pieces_are_true():

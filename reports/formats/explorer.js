@@ -15,6 +15,14 @@
   };
   const ends = numbers => numbers.reduce(([low, high], one) => [Math.min(low, one), Math.max(high, one)], [0, 0]);
 
+  // Multiples of 1, 2 or 5 times a power of ten, and how they are written, as in the pictures of other pages.
+  function* ticks(low, high) {
+    const rough = (high - low) / 5 || 1, unit = 10 ** Math.floor(Math.log10(rough)), share = rough / unit;
+    const step = unit * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+    const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+    for (let k = Math.ceil(low / step); k * step <= high; ++k) yield [k * step, (k * step + 0).toFixed(places)];
+  }
+
   // One frame for all values, so that what moves is the curve.
   class Picture {
     constructor(name, [left, right], [low, high]) {
@@ -25,14 +33,17 @@
     y(value) { return (BOTTOM - (value - this.low) / (this.high - this.low) * (BOTTOM - TOP)).toFixed(1); }
     clear() {
       this.svg.replaceChildren();
-      const axes = element('g', {class: 'axes'}), ticks = element('g', {class: 'ticks'});
-      for (const share of [0, 1, 2, 3, 4]) {
-        const x = this.left + share / 4 * (this.right - this.left), y = this.low + share / 4 * (this.high - this.low);
-        axes.append(element('path', {class: 'grid', d: `M${this.x(x)},${TOP}V${BOTTOM}M${LEFT},${this.y(y)}H${RIGHT}`}));
-        ticks.append(element('text', {x: this.x(x), y: BOTTOM + 18}, +x.toPrecision(3)),
-                     element('text', {class: 'y', x: LEFT - 5, y: +this.y(y) + 4}, +y.toPrecision(2)));
+      const axes = element('g', {class: 'axes'}), labels = element('g', {class: 'ticks'});
+      let grid = '';
+      for (const [x, text] of ticks(this.left, this.right)) {
+        grid += `M${this.x(x)},${TOP}V${BOTTOM}`;
+        labels.append(element('text', {x: this.x(x), y: BOTTOM + 18}, text));
       }
-      axes.append(ticks);
+      for (const [y, text] of ticks(this.low, this.high)) {
+        grid += `M${LEFT},${this.y(y)}H${RIGHT}`;
+        labels.append(element('text', {class: 'y', x: LEFT - 5, y: +this.y(y) + 4}, text));
+      }
+      axes.append(element('path', {class: 'grid', d: grid}), labels);
       this.svg.append(axes);
     }
     line(points, colour, dashes = '') {

@@ -15,7 +15,7 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c =
 constexpr std::pair<std::string_view, std::string_view> words[] = {
     {"Hoelder", "Hölder"}, {"psi", "<i>ψ</i>"}, {"phi", "<i>φ</i>"}};
 constexpr std::pair<std::string_view, std::string_view> signs[] = {
-    {"&gt;= ", "≥ "}, {"&lt;= ", "≤ "}, {" ... ", " … "}};
+    {"&gt;= ", "≥ "}, {"&lt;= ", "≤ "}, {" ... ", " … "}, {" %", "&nbsp;%"}};
 constexpr std::string_view untouched[] = {"script", "style", "math", "svg", "pre", "option", "title", "textarea"};
 
 /// Of what stands behind `^`, as `-2`, `0.5`, `k`, `(2)` or `(1 - log2(N)/2)`: how long it is; 0 where it is no
@@ -58,6 +58,14 @@ std::pair<std::size_t, std::string> with_index(std::string_view rest) {
   return {0, ""};
 }
 
+void add(std::string& result, std::string_view text, bool code);
+
+/// Whether no word goes on at this place; a factor of digits may stand before, as in `2q_n`.
+bool begins_word(std::string_view text, std::size_t at) {
+  while (at > 0 && is_digit(text[at - 1])) --at;
+  return at == 0 || !is_word(text[at - 1]);
+}
+
 /// What stands in `text` from `at` on, as it is printed, and how long it was; length 0 where nothing is to be changed.
 std::pair<std::size_t, std::string> printed(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
@@ -67,13 +75,16 @@ std::pair<std::size_t, std::string> printed(std::string_view text, std::size_t a
   for (const auto& [from, to] : words)
     if (!is_word(before) && rest.starts_with(from) && (rest.size() == from.size() || !is_word(rest[from.size()])))
       return {from.size(), std::string(to)};
-  if (const auto [length, base] = with_index(rest); length > 0 && !is_word(before))
+  if (const auto [length, base] = with_index(rest); length > 0 && begins_word(text, at))
     if (const std::size_t index = index_length(rest.substr(length + 1)); index > 0)
       return {length + 1 + index, base + "<sub>" + std::string(rest.substr(length + 1, index)) + "</sub>"};
   if (!is_word(before) && rest.starts_with("log2(")) return {4, "log<sub>2</sub>"};
   if (rest[0] == '^' && (is_word(before) || before == ')' || before == '|'))
-    if (const std::size_t length = exponent_length(rest.substr(1)); length > 0)
-      return {length + 1, "<sup>" + std::string(rest.substr(1, length)) + "</sup>"};
+    if (const std::size_t length = exponent_length(rest.substr(1)); length > 0) {
+      std::string exponent;
+      add(exponent, rest.substr(1, length), false);
+      return {length + 1, "<sup>" + exponent + "</sup>"};
+    }
   return {0, ""};
 }
 

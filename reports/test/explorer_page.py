@@ -30,7 +30,8 @@ for (let i = 0; i <= +slider.max; ++i) {
              limit: curves('limit'), variance: curves('variance'), curve: curves('curve').length,
              marker: curves('curve').at(-1)});
 }
-return {seen, faults, wide: document.documentElement.scrollWidth > innerWidth,
+const ticks = [...document.querySelectorAll('[data-shows=curve] .ticks text')].map(tick => tick.textContent);
+return {seen, ticks, faults, wide: document.documentElement.scrollWidth > innerWidth,
         requests: performance.getEntriesByType('resource').length};
 """
 
@@ -41,6 +42,7 @@ with tempfile.TemporaryDirectory() as work:
         answer = answers_of(browser, page, SCRIPT, size=size)
         assert answer and "failed" not in answer, answer
         assert not answer["faults"] and not answer["wide"] and answer["requests"] == 0, answer["faults"]
+assert answer["ticks"] == ["-0.6", "-0.4", "-0.2", "0.0", "0.2", "0.4", "0.0", "0.5", "1.0", "1.5", "2.0"], answer["ticks"]
 seen = {one["w"]: one for one in answer["seen"]}
 assert len(seen) >= 61 and len({one["marker"] for one in seen.values()}) == len(seen)
 assert seen["1/16"]["exponent"] == "2", seen["1/16"]["exponent"]

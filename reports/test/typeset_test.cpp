@@ -13,34 +13,18 @@ TEST_CASE("pages: words, signs and powers as they are printed") {
         "<i>φ</i>(x)<sup>2</sup>");
   CHECK(typeset("S_n and dual S_12, f_j, psi_n(x), log_2(3), log2(3), N^(1 - log2(N)/2)") ==
         "S<sub>n</sub> and dual S<sub>12</sub>, f<sub>j</sub>, <i>ψ</i><sub>n</sub>(x), log<sub>2</sub>(3), "
-        "log<sub>2</sub>(3), N<sup>(1 - log2(N)/2)</sup>");
+        "log<sub>2</sub>(3), N<sup>(1 - log<sub>2</sub>(N)/2)</sup>");
+  CHECK(typeset("2q_n, 12psi_n, 1.5 % of 3") == "2q<sub>n</sub>, 12<i>ψ</i><sub>n</sub>, 1.5&nbsp;% of 3");
   CHECK(typeset("<p>psi</p>") == "<p><i>ψ</i></p>");
 }
 
 TEST_CASE("pages: what is no word or power stays") {
-  for (const char* text : {"psi_max",
-                           "x_sd",
-                           "f_",
-                           "_n",
-                           "a_b_c",
-                           "n_max",
-                           "S_n2",
-                           "xS_n",
-                           "log2",
-                           "epsilon",
-                           "graphic",
-                           "phi2",
-                           "^2",
-                           "a ^ b",
-                           "2^",
-                           "x^^2",
-                           "x^word",
-                           "a^((k-1)",
-                           "a^(a sum that is too long for a power)",
-                           "",
-                           "...",
-                           "&lt;=",
-                           "a <b title=\"psi^2 ... phi\">b</b>"})
+  for (const char* text : {"psi_max", "x_sd",   "f_",       "_n",
+                           "a_b_c",   "n_max",  "S_n2",     "xS_n",
+                           "x2S_n",   "log2",   "epsilon",  "graphic",
+                           "phi2",    "^2",     "a ^ b",    "2^",
+                           "x^^2",    "x^word", "a^((k-1)", "a^(a sum that is too long for a power)",
+                           "",        "...",    "&lt;=",    "a <b title=\"psi^2 ... phi\">b</b>"})
     CHECK(typeset(text) == text);
 }
 

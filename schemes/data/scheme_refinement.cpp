@@ -126,7 +126,11 @@ std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundar
   }
   if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))
     return fewest_points(levels->masks.at(0), boundary);
-  return fewest_points(std::get<Scheme>(scheme).mask, boundary);
+  const LatticeMask& mask = std::get<Scheme>(scheme).mask;
+  require(mask.has_factors() || mask.dilation().factor().value_or(0) > 0,
+          "refine: need a scheme that makes a grid finer along its axes, not one with the dilation {}",
+          mask.dilation().to_text());
+  return fewest_points(mask, boundary);
 }
 
 }  // namespace subcert::data

@@ -131,6 +131,38 @@ TEST_CASE("random masks in every notation read back") {
   }
 }
 
+TEST_CASE("tables of several lines are lists of rows") {
+  const std::string rows[] = {"0 1 2 1 0", "1 6 10 6 1", "2 10 16 10 2", "1 6 10 6 1", "0 1 2 1 0"};
+  const std::string expected =
+      make_linear_scheme("[[0,1,2,1,0],[1,6,10,6,1],[2,10,16,10,2],[1,6,10,6,1],[0,1,2,1,0]]/24").specification;
+  const auto table = [&](const std::string& begin, const std::string& end, const std::string& blank) {
+    std::string text;
+    for (const std::string& row : rows) {
+      std::string line;
+      for (const char c : row) line += c == ' ' ? blank : std::string(1, c);
+      text += (text.empty() ? "" : end + "\n" + begin) + line;
+    }
+    return text;
+  };
+  for (const std::string& text :
+       {"[" + table("", "", " ") + "]/24", "[\n" + table("", "", "\t") + "\n]/24", "[" + table("", ";", " ") + "]/24",
+        "[" + table("", "\r", ", ") + "]/24", "[[" + table(" [", "]", "  ") + "]]/24",
+        "[[" + table(" [", "],", ", ") + "]]/24", "mask2:[" + table("", "", " ") + "]/24"}) {
+    CAPTURE(text, specification_as_written(text));
+    CHECK(make_linear_scheme(text).specification == expected);
+  }
+  CHECK(make_linear_scheme("1/4 1/2 1/4\n1/2 1 1/2\n1/4 1/2 1/4").specification ==
+        make_linear_scheme("[1,2,1;2,4,2;1,2,1]/4").specification);
+  CHECK(make_linear_scheme("1/4\n3/4\n3/4\n1/4").specification == make_linear_scheme("[1,3,3,1]/4").specification);
+  for (const char* dilation : {"[1,1;1,-1]", "[[1,1],[1,-1]]", "[ [1, 1], [1, -1] ]"})
+    CHECK(
+        make_linear_scheme("mask2:[0,1,0;1,4,1;0,1,0]/4,dilation=" + std::string(dilation)).mask.dilation().to_text() ==
+        "[1,1;1,-1]");
+  CHECK(make_linear_scheme("box:[[1,0],[0,1],[1,1]]").specification == "box:[1,0;0,1;1,1]");
+  for (const char* bad : {"box:[[1,0],0,1]", "box:[[1,0],[0,1]", "mask2:[0,1,0;1,4,1;0,1,0]/4,dilation=[[1,1]]"})
+    CHECK_THROWS_AS(make_linear_scheme(bad), SpecificationError);
+}
+
 TEST_CASE("random families with names of several letters are those with one") {
   Draw draw;
   for (int trial = 0; trial < 500; ++trial) {

@@ -107,6 +107,9 @@ TEST_CASE("the rules of papers") {
       "\\mu(f_{i-1}^k+f_{i+2}^k) \\end{aligned}");
   CHECK(family.name == "mu");
   CHECK(family.mask == make_parametric_scheme("four-point:w").mask);
+  CHECK(symbol_of("f_2i = 3/4 f_i + 1/4 f_{i-1}, f_{2i+1} = 1/4 (3f_i + f_{i+1})") == symbol_of("[1,3,3,1]/4@-1"));
+  CHECK(make_parametric_scheme("f_{2i} = f_i, f_{2i+1} = (1/2 + 1/4 mu)(f_i + f_{i+1}) - 1/4 mu (f_{i-1} + f_{i+2})")
+            .mask == make_parametric_scheme("[-m/4,0,1/2+m/4,1,1/2+m/4,0,-m/4]").mask);
   CHECK(has_parameter("f_{2i} = f_i, f_{2i+1} = w f_i + (1-w) f_{i+1}"));
 }
 

@@ -473,3 +473,32 @@ TEST_CASE("names of vectors of functions that cannot be read") {
   CHECK_THROWS(hermite_interpolation_mask(0, 2));
   CHECK_THROWS(vector_tensor_product({geronimo_hardin_massopust_mask()}));
 }
+
+TEST_CASE("matrices as papers and programs print them") {
+  const std::string typed = "hermite:[[[4,-1],[6,-1]],[[8,0],[0,4]],[[4,1],[-6,-1]]]/8@-1";
+  REQUIRE(make_refinable_scheme(typed).specification == typed);
+  for (const char* body :
+       {"[1/2,-1/8;3/4,-1/8],[1,0;0,1/2],[1/2,1/8;-3/4,-1/8]", "[1/2 -1/8;3/4 -1/8] [1 0;0 1/2]\n[1/2 1/8;-3/4 -1/8]",
+        "[[1/2,-1/8;3/4,-1/8],[1,0;0,1/2],[1/2,1/8;-3/4,-1/8]]", "[[4,-1;6,-1],[8,0;0,4],[4,1;-6,-1]]/8",
+        "[[1/2 -1/8\n3/4 -1/8],[1 0\n0 1/2],[1/2 1/8\n-3/4 -1/8]]",
+        "A_{-1}=[1/2,-1/8;3/4,-1/8], A_0 = [1,0;0,1/2], A_{1} = [1/2,1/8;-3/4,-1/8]",
+        "A_1 = [[1/2,1/8],[-3/4,-1/8]]; A_0=[[1,0],[0,1/2]]; A_{-1}=[[1/2,-1/8],[3/4,-1/8]]",
+        "A(-1)=[1/2 -1/8;3/4 -1/8]\nA(0)=[1 0;0 1/2]\nA(1)=[1/2 1/8;-3/4 -1/8]",
+        "A_{-1} = \\begin{pmatrix} 1/2 & -1/8 \\\\ \\frac34 & -1/8 \\end{pmatrix}, "
+        "A_0 = \\begin{bmatrix} 1 & 0 \\\\ 0 & \\frac{1}{2} \\end{bmatrix}, A_1 = [1/2,1/8;-3/4,-1/8]"}) {
+    CAPTURE(body);
+    CHECK(make_refinable_scheme("hermite:" + std::string(body)).specification == typed);
+  }
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      make_refinable_scheme(text);
+      return "accepted";
+    } catch (const SpecificationError& error) {
+      return error.expected();
+    }
+  };
+  CHECK(refusal("hermite:A_0=[1,0;0,1],A_2=[1,0;0,1]") == "a matrix for the index 1");
+  CHECK(refusal("hermite:A_0=[1,0;0,1],A_0=[1,0;0,1]") == "one matrix for each index");
+  CHECK(refusal("A_0=[1,0;0,1],A_1=[1,0;0,1]") == "refinable:, vector: or hermite: before the matrices");
+  CHECK(refusal("hermite:[1,0;0,1,[1,0;0,1]") != "accepted");
+}

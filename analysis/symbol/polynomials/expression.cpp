@@ -26,7 +26,6 @@ class Reader {
   }
 
   MultivariatePolynomial polynomial() {
-    negative_powers_ = true;
     const auto terms = terms_of(expression());
     if (!terms) fail(0, "no quotients by sums");
     return {variables(), *terms};
@@ -72,7 +71,7 @@ class Reader {
     for (;;) {
       const std::size_t begin = at_;
       if (takes('/')) {
-        const LetterFunction below = divisor(begin, in_parentheses);
+        const LetterFunction below = divisor(begin, in_parentheses, is_number(result));
         if (below.is_zero()) fail(begin + 1, "a divisor that is not zero");
         result = times(result, {below.denominator(), below.numerator()});
         in_parentheses = false;
@@ -85,10 +84,17 @@ class Reader {
     }
   }
 
-  /// What stands under a quotient, as papers write it: `(1+z)^4/16z^3` has 16 z^3 there. Where it could be taken in two
-  /// ways, as in 1/2w, a sign or parentheses are asked for.
-  LetterFunction divisor(std::size_t begin, bool in_parentheses) {
+  static bool is_number(const LetterFunction& value) {
+    const auto is_free = [](long exponent) { return exponent == 0; };
+    return value.is_polynomial() && value.numerator().count() == 1 &&
+           std::ranges::all_of(value.numerator().terms().front().exponents, is_free);
+  }
+
+  /// What stands under a quotient, as papers write it: `(1+z)^4/16z^3` has 16 z^3 there, and a fraction of numbers ends
+  /// before a blank, `1/6 w`. Where it could be taken in two ways, as in 1/2w, a sign or parentheses are asked for.
+  LetterFunction divisor(std::size_t begin, bool in_parentheses, bool number_above) {
     LetterFunction result = power();
+    if (number_above && is_number(result) && text_[at_ - 1] == ' ') return result;
     while (in_parentheses && next_is_letter()) {
       const std::size_t letter = at_;
       result = times(result, power());
@@ -108,7 +114,7 @@ class Reader {
   LetterFunction power() {
     LetterFunction base = atom();
     if (!takes('^')) return base;
-    const bool negative = negative_powers_ && takes('-');
+    const bool negative = takes('-');
     const std::size_t begin = at_;
     const std::optional<Rational> exponent = digits();
     auto terms = base.is_polynomial() && base.numerator().count() == 1 ? base.numerator().terms()
@@ -196,7 +202,6 @@ class Reader {
   const char* subject_;
   std::string_view text_, letters_;
   long degree_;
-  bool negative_powers_ = false;
   std::size_t at_ = 0;
   long depth_ = 0;
   std::size_t made_ = 0;  // terms

@@ -68,6 +68,15 @@ std::string root_hint(std::string_view text) {
                   : "";
 }
 
+/// The one that begins so, where there is no other.
+std::string only_longer_word(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t shortest = 3;  // letters, behind the signs of an option
+  const auto begins_so = [&](const std::string& candidate) { return candidate.starts_with(word); };
+  const std::size_t signs = std::min(word.find_first_not_of('-'), word.size());
+  if (word.size() < signs + shortest || std::ranges::count_if(known, begins_so) != 1) return "";
+  return *std::ranges::find_if(known, begins_so);
+}
+
 }  // namespace
 
 std::string visible(std::string_view text) { return visible(text, std::string_view::npos); }
@@ -101,7 +110,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-  const std::string nearest = nearest_word(word, known);
+  std::string nearest = nearest_word(word, known);
+  if (nearest.empty()) nearest = only_longer_word(word, known);
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 

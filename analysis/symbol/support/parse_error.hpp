@@ -41,7 +41,7 @@ class ParseError : public Error {
 /// lengths for each word.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
-/// `; did you mean 'primal'?`, or nothing.
+/// `; did you mean 'primal'?`, the nearest word or else the only one that begins so; or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
 /// `'pirmal'; expected primal, dual; did you mean 'primal'?`

@@ -37,6 +37,10 @@ TEST_CASE("the word that is meant") {
   CHECK(nearest_word(std::string(1000000, 'a'), words).empty());
   CHECK(did_you_mean("pimal", words) == "; did you mean 'primal'?");
   CHECK(did_you_mean("x", words).empty());
+  const std::vector<std::string> options{"--levels", "--level-of-detail", "--property"};
+  CHECK(did_you_mean("--prop", options) == "; did you mean '--property'?");
+  CHECK(did_you_mean("--pr", options).empty());
+  CHECK(did_you_mean("--lev", options).empty());
   CHECK(expected_one_of({"primal", "dual"}, "dul") == "'dul'; expected primal, dual; did you mean 'dual'?");
   CHECK(expected_one_of({"primal", "dual"}, "x") == "'x'; expected primal, dual");
 }

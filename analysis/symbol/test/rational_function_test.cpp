@@ -26,11 +26,18 @@ TEST_CASE("expressions in a parameter") {
   CHECK(read("0.25*w-.5") == read("w/4-1/2"));
   CHECK(read("w-w").to_text('w') == "0");
   CHECK(read("2^3*w^0") == RationalFunction(8));
+  CHECK(read("2^-3*w^-1+(1+w)^-2") == read("1/(8*w)+1/(1+w)^2"));
   // Without stars: behind a divisor only where it can be meant in one way.
   CHECK(read("2w(1-w)w^2") == read("2*w*(1-w)*w^2"));
   CHECK(read("(1+w)/2w") == read("(1+w)/(2*w)"));
   CHECK(read("3*(1+w)/2w*w") == read("3*(1+w)/2"));
-  for (const char* bad : {"1/2(1+w)", "(1+w)/2(1-w)", "w/2w", "1/w w", "(1+w)/(2)w/w(2)"}) {
+  // A blank ends a fraction of numbers.
+  CHECK(read("1-1/6 w") == read("1-w/6"));
+  CHECK(read("3*2/(5) w^2/7") == read("6*w^2/35"));
+  CHECK(read("1/2 (1+w)^2") == read("(1+w)^2/2"));
+  CHECK(read("1/2 /w") == read("1/(2*w)"));
+  for (const char* bad :
+       {"1/2(1+w)", "(1+w)/2(1-w)", "w/2w", "w/2 w", "1/w w", "(1+w)/(2)w/w(2)", "1/2 3", "(1+w)/2 (1-w)"}) {
     CAPTURE(bad);
     CHECK_THROWS_AS(read(bad), ParseError);
   }
@@ -38,9 +45,9 @@ TEST_CASE("expressions in a parameter") {
 
 TEST_CASE("what is no expression") {
   for (const char* bad :
-       {"",      " ",    "w+",  "(w",   "w)",      "w 2",           "1/2w",
-        "v",     "w^-1", "w^w", "w^65", "1/(w-w)", "1/0",           "--w",
-        "w^1.5", "1..5", "1e3", "*w",   "()",      "(w^40)*(w^40)", "((99999999999999999999)^64)^64"}) {
+       {"",      " ",     "w+",  "(w",   "w)",      "w 2",           "1/2w",
+        "v",     "w^--1", "w^w", "w^65", "1/(w-w)", "1/0",           "--w",
+        "w^1.5", "1..5",  "1e3", "*w",   "()",      "(w^40)*(w^40)", "((99999999999999999999)^64)^64"}) {
     CAPTURE(bad);
     CHECK_THROWS_AS(read(bad), ParseError);
   }

@@ -104,7 +104,7 @@ class TableReader::Lines {
     while (next_line()) {
       if (line_.find('\0') != std::string_view::npos) fail(0, "a text file; found a zero byte");
       if (trimmed(line_).empty()) {
-        if (empty_line_ == 0 && started_) empty_line_ = number_;
+        if (empty_line_ == 0 && rows_ > 0) empty_line_ = number_;
         continue;
       }
       if (line_.front() == '#') continue;
@@ -112,6 +112,7 @@ class TableReader::Lines {
         number_ = empty_line_;
         fail(0, "a row; found an empty line between rows");
       }
+      if (!started_ && takes_separator()) continue;
       if (!started_) find_separator();
       split();
       if (!started_ && is_header()) {
@@ -163,6 +164,14 @@ class TableReader::Lines {
       text_.remove_prefix(end + 1);
     }
     ++number_;
+    return true;
+  }
+
+  /// `sep=;`, which Excel reads in the first line.
+  bool takes_separator() {
+    const std::string_view line = trimmed(line_);
+    if (number_ != 1 || line.size() != 5 || !line.starts_with("sep=")) return false;
+    if (form_.separator == 0) form_.separator = line.back();
     return true;
   }
 

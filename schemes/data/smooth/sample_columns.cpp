@@ -164,7 +164,11 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   if (use.values.empty()) std::ranges::copy_if(left, std::back_inserter(use.left_out), dates);
   std::erase_if(left, dates);
   if (use.values.empty()) use.values = left;
-  if (use.values.empty()) fail(ErrorKind::data, "{}: expected a column of values; found none", options.name());
+  if (use.values.empty()) {
+    const auto spoiled = std::ranges::find_if(use.left_out, [&](std::size_t c) { return !dates(c); });
+    fail(ErrorKind::data, "{}: expected a column of values; found none{}", options.name(),
+         spoiled == use.left_out.end() ? "" : " (" + table.contents[*spoiled].why + ")");
+  }
   for (const std::size_t c : use.values)
     if (c == use.weights || c == use.x || c == use.by) fail(ErrorKind::usage, "--y: column {} has another use", c + 1);
   use.dates = use.x && holds_dates(table, *use.x);

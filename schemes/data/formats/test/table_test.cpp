@@ -39,6 +39,9 @@ TEST_CASE("separators, headers, comments, quotes and line ends") {
   CHECK(to_text(table) == "x,\"the \"\"y\"\", m\"\n1,2\n");
   CHECK(parse_table("-1e-3\n", "f").values == std::vector<double>{-0.001});
   CHECK(parse_table("t\n5", "f").rows() == 1);
+  CHECK(parse_table("t\n\n \n5", "f").lines.front() == 4);
+  CHECK(parse_table("sep=;\n1;2", "f").columns == 2);
+  CHECK(error_of("1\nsep=;\n") == "f, line 2, column 1: expected a number; found 'sep=;'");
 }
 
 TEST_CASE("errors name file, line and column") {

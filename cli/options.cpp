@@ -52,7 +52,7 @@ CLI::Validator whole() {
 void require_different_files(const CLI::App& app) {
   std::map<std::filesystem::path, std::string> taken;
   for (const std::string name :
-       {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal", "--junit"}) {
+       {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal", "--junit", "--sarif"}) {
     const CLI::Option* option = app.get_option_no_throw(name);
     if (!option || option->count() == 0) continue;
     const std::string& file = option->results().front();

@@ -7,17 +7,20 @@
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/reports/formats/html.hpp>
+#include <subcert/reports/formats/provenance.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <mutex>
 #include <new>
 #include <set>
+#include <string_view>
 #include <variant>
 
 namespace subcert::cli {
@@ -25,7 +28,7 @@ namespace {
 
 struct CheckOptions : CommonOptions {
   std::vector<std::string> files;
-  std::string junit;
+  std::string junit, sarif;
   std::string certificate;
   double budget = 20;
 };
@@ -157,6 +160,47 @@ std::string junit_text(const std::vector<Question>& questions, const std::vector
       answers.size(), failures, static_cast<long>(answers.size()) - failures - right, tests);
 }
 
+/// As a reference of a file in a report: what is no letter, digit or one of -._~/ by its bytes.
+std::string uri(const std::string& file) {
+  std::string result = file.starts_with('/') ? "file://" : "";
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x80 && (std::isalnum(byte) || std::string_view("-._~/").find(c) != std::string_view::npos)
+                  ? std::string(1, c)
+                  : fmt::format("%{:02X}", byte);
+  }
+  return result;
+}
+
+/// The report in SARIF 2.1.0, which servers show at the lines of the file: what does not hold, each with its property.
+std::string sarif_text(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
+  Json rules = Json::array(), results = Json::array();
+  for (const auto& property : properties::known_properties())
+    rules.push_back({{"id", property.name}, {"shortDescription", {{"text", property.meaning}}}});
+  rules.push_back({{"id", "scheme"}, {"shortDescription", {{"text", "can be read, with its properties"}}}});
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const Question& question = questions[i];
+    const Answer& answer = answers[i];
+    if (answer.is(Truth::yes)) continue;
+    const bool open = !answer.error && !answer.is(Truth::no);
+    const Json region{{"startLine", question.place.line}, {"startColumn", std::max(1U, question.place.column)}};
+    results.push_back(
+        {{"ruleId", question.unreadable ? "scheme" : question.property},
+         {"kind", open ? "open" : "fail"},
+         {"level", open ? "none" : "error"},
+         {"message",
+          {{"text", visible(question.claim() + (open ? " is undecided: " : ": ") + answer.decision.reason)}}},
+         {"locations",
+          {{{"physicalLocation", {{"artifactLocation", {{"uri", uri(question.file)}}}, {"region", region}}}}}}});
+  }
+  const Json driver{{"name", "subcert"}, {"version", formats::version()}, {"rules", std::move(rules)}};
+  return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+              {"version", "2.1.0"},
+              {"runs", {{{"tool", {{"driver", driver}}}, {"results", std::move(results)}}}}}
+             .dump(1) +
+         "\n";
+}
+
 /// `\n3 properties: 2 hold, 0 fail, 1 undecided.`
 std::string counts_text(const std::vector<Answer>& answers) {
   const auto count = [&](Truth truth) {
@@ -214,6 +258,7 @@ ExitCode run(const CheckOptions& options) {
     if (!at_once) text += answer_line(questions[i], answers[i]);
   }
   if (!options.junit.empty()) runtime::write_file(options.junit, junit_text(questions, answers));
+  if (!options.sarif.empty()) runtime::write_file(options.sarif, sarif_text(questions, answers));
   const WrittenCertificates written = write_certificates_of_schemes(questions, answers, options, json);
   options.answer(json, text + counts_text(answers) + written.text);
   written.failure.raise();
@@ -230,6 +275,7 @@ void add_check(Command& app) {
                                 "subcert check my-schemes.toml", options, [=] { return run(*options); });
   command.option("FILE", options->files, "TOML files with schemes and properties; - is standard input").required();
   command.option("--junit", options->junit, "Write the answers there, too, as a report of JUnit");
+  command.option("--sarif", options->sarif, "Write what does not hold there, too, as a report in SARIF");
   command.option("--certificate", options->certificate,
                  "Write certificates of what is proved of vector and Hermite schemes themselves into this folder");
   command.option("--budget", options->budget, "Seconds of processor time for each search")

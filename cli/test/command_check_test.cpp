@@ -1,5 +1,8 @@
 #include "program.hpp"
 
+#include <array>
+#include <set>
+
 using namespace subcert::testing;
 
 TEST_CASE("expected properties as a gate") {
@@ -178,6 +181,38 @@ TEST_CASE("answers as a report of JUnit") {
   CHECK(contains(text, "name=\"a &lt;b&gt; &amp; &quot;c&quot;: reproduces 3\" file=\"" + file + "\" line=\"4\"/>\n"));
   CHECK(contains(text, "line=\"7\"><failure message=\"it is 3\"/></testcase>\n"));
   CHECK(contains(text, "line=\"10\"><error message=\"undecided: "));
+}
+
+TEST_CASE("what does not hold as a report in SARIF") {
+  const Folder folder;
+  const std::string file = folder.write("a b.toml",
+                                        "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\n"
+                                        "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 5\n"
+                                        "[[scheme]]\nmask = 'primal:n=20,d=5'\nholder = '>= 4'\n"
+                                        "[[scheme]]\nmask = 'primmal:n=2'\nholder = '>= 1'\n");
+  const std::string report = folder / "report.sarif";
+  CHECK(run("check '" + file + "' --budget 0.001 --sarif " + report).code == 1);
+  const auto json = nlohmann::json::parse(content(report));
+  CHECK(json.at("version") == "2.1.0");
+  const auto& one = json.at("runs").at(0);
+  CHECK(one.at("tool").at("driver").at("name") == "subcert");
+  std::set<std::string> rules;
+  for (const auto& rule : one.at("tool").at("driver").at("rules")) CHECK(rules.insert(rule.at("id")).second);
+  const auto& results = one.at("results");
+  REQUIRE(results.size() == 3);
+  const std::vector<std::array<std::string, 3>> wanted{
+      {"reproduces", "fail", "error"}, {"holder", "open", "none"}, {"scheme", "fail", "error"}};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    CAPTURE(results[i].dump());
+    CHECK(results[i].at("ruleId") == wanted[i][0]);
+    CHECK(rules.contains(wanted[i][0]));
+    CHECK(results[i].at("kind") == wanted[i][1]);
+    CHECK(results[i].at("level") == wanted[i][2]);
+    const auto& place = results[i].at("locations").at(0).at("physicalLocation");
+    CHECK(place.at("artifactLocation").at("uri").get<std::string>().ends_with("/a%20b.toml"));
+    CHECK(place.at("region").at("startLine") == std::vector{6, 9, 11}[i]);
+  }
+  CHECK(results[0].at("message").at("text") == "dd:n=2: reproduces 5: it is 3");
 }
 
 TEST_CASE("check: masks that change from level to level, with a report") {

@@ -17,13 +17,13 @@ from pathlib import Path
 
 program, checker = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 # those that name something to be written
-OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html", "--junit"}
+OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html", "--junit", "--sarif"}
 MAP = "map mask:[-w,0,1/2+w,1,1/2+w,0,-w] --over w=0..1/5 --over t=0..1 --property convergent --resolution 2"
 # a command, and what it can write: of files the ending is given where it matters, folders end with a slash
 COMMANDS = [
     ("mask primal:n=2", ["--out"]), ("completion bash", ["--out"]), ("limit primal:n=1 --level 2", ["--out"]),
     ("variance primal:n=1", ["--out"]), ("theorem list", ["--out"]), ("statements list", ["--out"]),
-    ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit"]),
+    ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit", "--sarif"]),
     ("conjecture 7 --n 1..2 --d 1", ["--out", "--journal"]),
     ("sweep primal:n=1..2", ["--out", "--journal"]), ("merge journal", ["--out"]),
     ("smooth data.csv --scheme primal:n=2", ["--out"]), ("smooth data.csv --scheme primal:n=2 --stream", ["--out"]),

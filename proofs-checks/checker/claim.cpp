@@ -108,8 +108,10 @@ void read_masks_claim(const std::string& masks, const std::string& arity, const 
   const std::vector<std::size_t>& period = claim.list->period;
   if (!period.empty()) {
     Arithmetic arithmetic;
+    std::size_t points = 1;
+    for (const std::size_t k : period) points = claim.arity * (points - 1) + claim.list->masks[k].points();
+    require(points <= 1000, "the masks of a period have more than 1000 coefficients together");
     claim.mask = masks_in_one(*claim.list, period, arithmetic);
-    require(claim.mask->points() <= 1000, "the masks of a period have more than 1000 coefficients together");
     claim.arity = static_cast<unsigned>(power(claim.arity, period.size()).get_num().get_ui());
   }
   claim.head = "lists " + masks + " " + arity + " " + order;

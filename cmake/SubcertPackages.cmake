@@ -51,6 +51,15 @@ install(FILES README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md SECURI
   COMPONENT libraries EXCLUDE_FROM_ALL)
 install(DIRECTORY docs DESTINATION . COMPONENT libraries EXCLUDE_FROM_ALL
   FILES_MATCHING REGEX "\\.(md|png|svg|csv|toml|yml|json)$" PATTERN site EXCLUDE)
+foreach(part .github/workflows cmake/test/consumer proofs-checks/certificates/SPEC.md proofs-checks/checker-js
+    python/notebooks)
+  get_filename_component(beside ${part} DIRECTORY)
+  if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/${part}")
+    install(DIRECTORY ${part} DESTINATION ${beside} COMPONENT libraries EXCLUDE_FROM_ALL PATTERN test EXCLUDE)
+  else()
+    install(FILES ${part} DESTINATION ${beside} COMPONENT libraries EXCLUDE_FROM_ALL)
+  endif()
+endforeach()
 
 # cpack -G TGZ: an archive that runs where it is unpacked. cpack -G DEB: subcert, with the program, the checker, pages
 # and completions; libsubcert-dev, with the libraries.

@@ -36,7 +36,7 @@ COMMANDS = [
     ("analyze primal:n=1", ["--out", "--plot.svg", "--plot.png"]),
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),
     ("smooth data.csv --scheme primal:n=2", ["--plot.svg"]), ("refine primal:n=2 data.csv", ["--plot.svg"]),
-    ("analyze primal:n=1", ["--html"]), ("compare primal:n=1 dual:n=1", ["--out", "--html"]),
+    ("check vectors.toml", ["--certificate/"]), ("analyze primal:n=1", ["--html"]), ("compare primal:n=1 dual:n=1", ["--out", "--html"]),
     ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
     ("experiment fig3 --runs 2", ["--out/"]), ("reproduce dyn-2015 --only masks,fig1", ["--out/"]),
 ]
@@ -232,6 +232,7 @@ with tempfile.TemporaryDirectory() as name:
     work = Path(name)
     (work / "data.csv").write_text("x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
     (work / "pair.json").write_text('{"matrices": [[["1","1"],["0","1"]], [["1","0"],["1","1"]]]}\n')
+    (work / "vectors.toml").write_text("mask = 'merrien:lambda=-1/8,mu=1/2'\nHC = '>= 1'\n")
     (work / "properties.toml").write_text("mask = 'dd:n=2'\nreproduces = 3\n")
     for words in ("conjecture 7 --n 1..3 --d 1 --journal journal", "regularity primal:n=1 --certificate s1.cert"):
         assert run(words.split()).returncode in (0, 2)

@@ -18,6 +18,10 @@ for file in README.md docs/commands.md docs/images/chaikin.png share/man/man1/su
   share/doc/subcert/LICENSE lib/subcert/libgmp10.copyright; do
   [ -s "$work/root/elsewhere/$file" ] || { echo "$file is not in the archive"; exit 1; }
 done
+# What README names is there.
+grep -o '](\([^)#:]*\))' "$work/root/elsewhere/README.md" | sed 's/](\(.*\))/\1/' | while read -r file; do
+  [ -e "$work/root/elsewhere/$file" ] || { echo "README names $file, which is not in the archive"; exit 1; }
+done
 # All that lies outside of it belongs to the C library.
 outside=$(ldd "$program" | grep -o '/[^ ]*' | grep -v "^$work/") || true
 for library in $outside; do

@@ -3046,8 +3046,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${claim.values}${claim.levels ? ' levels' : ''}${claim.following}`;
     } else if (options.masks !== undefined) {
       claim.list = read_list(options.masks, small(options.arity, 2, 16), options.order);
+      const {masks, arity, period} = claim.list, points = period.reduce((length, k) => arity * (length - 1) + masks[k].a.length, 1);
+      demand(points <= 1000, 'the masks of a period have more than 1000 coefficients together');
       if (kind === check_curve) claim.curve = masks_in_one(claim.list);
-      demand(kind !== check_curve || claim.curve.a.length <= 1000, 'the masks of a period have more than 1000 coefficients together');
       claim.head = `lists ${options.masks} ${options.arity} ${options.order}`;
     } else if (kind === check_curve) {
       const arity = small(options.arity, 2, 16);

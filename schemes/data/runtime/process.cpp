@@ -81,10 +81,11 @@ std::filesystem::path own_program() {
 }
 
 ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments, double most_seconds) {
-  Pipe output, errors;
+  Pipe nothing, output, errors;  // where nothing is mounted there is no /dev/null
+  nothing.close_writer();
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, nothing.reader(), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output.writer(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors.writer(), STDERR_FILENO);
   std::vector<char*> argv{const_cast<char*>(program.c_str())};

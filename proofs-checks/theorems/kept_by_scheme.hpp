@@ -7,27 +7,35 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace subcert::theorems {
 
-/// What was found for a key, kept for the next call, at a place that stays. One thread computes at a time; where that
-/// throws nothing is kept.
+/// What was found for a key, kept for the next call, at a place that stays. One thread computes for a key, others wait
+/// for it; where it throws nothing is kept.
 template <class Key, class Value>
 class Kept {
  public:
   template <class Compute>
   const Value& operator()(const Key& key, const Compute& compute) {
-    const std::lock_guard lock(mutex_);
-    const auto found = known_.find(key);
-    return found != known_.end() ? found->second : known_.emplace(key, compute()).first->second;
+    Slot& slot = [&]() -> Slot& {
+      const std::lock_guard lock(mutex_);
+      return known_[key];
+    }();
+    std::call_once(slot.once, [&] { slot.value.emplace(compute()); });
+    return *slot.value;
   }
 
  private:
+  struct Slot {
+    std::once_flag once;
+    std::optional<Value> value;
+  };
+
   std::mutex mutex_;
-  std::map<Key, Value> known_;
+  std::map<Key, Slot> known_;
 };
 
 /// What a function says of specifications, kept for the next call. Several threads may ask.
@@ -37,14 +45,10 @@ class KeptByScheme {
   explicit KeptByScheme(Value (*compute)(const std::string&)) : compute_(compute) {}
 
   const Value& operator()(const std::string& scheme) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (const auto found = known_.find(scheme); found != known_.end()) return found->second;
-    }
-    next_step(scheme);
-    Value value = compute_(scheme);
-    const std::lock_guard lock(mutex_);
-    return known_.try_emplace(scheme, std::move(value)).first->second;
+    return known_(scheme, [&] {
+      next_step(scheme);
+      return compute_(scheme);
+    });
   }
 
   /// Asks for all of them, the last ones, which cost most, first.
@@ -58,8 +62,7 @@ class KeptByScheme {
 
  private:
   Value (*compute_)(const std::string&);
-  std::mutex mutex_;
-  std::map<std::string, Value> known_;
+  Kept<std::string, Value> known_;
 };
 
 }  // namespace subcert::theorems

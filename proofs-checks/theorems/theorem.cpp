@@ -1,6 +1,7 @@
 #include "theorem.hpp"
 
 #include "describe.hpp"
+#include "kept_by_scheme.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -300,18 +299,8 @@ Theorem prove(const std::string& id, int degree, const Constants& constants, int
 }
 
 const Theorem& proved(const std::string& id, int degree, const std::string& family, int threads) {
-  struct Slot {
-    std::once_flag once;
-    Theorem theorem;
-  };
-  static std::mutex mutex;
-  static std::map<std::tuple<std::string, int, std::string>, Slot> known;
-  Slot& slot = [&]() -> Slot& {
-    const std::lock_guard lock(mutex);
-    return known[{id, degree, family}];
-  }();
-  std::call_once(slot.once, [&] { slot.theorem = theorem_of(id, degree, nullptr, family, threads); });
-  return slot.theorem;
+  static Kept<std::tuple<std::string, int, std::string>, Theorem> known;
+  return known({id, degree, family}, [&] { return theorem_of(id, degree, nullptr, family, threads); });
 }
 
 Theorem prove_in_time(const std::string& id, int degree, const std::string& family, int threads,

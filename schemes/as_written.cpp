@@ -57,14 +57,10 @@ std::string name_of(std::string_view text) {
   return name;
 }
 
-/// Where the bracket that opens first is closed, or the end.
+/// Behind the list that the text begins with, or the end.
 std::size_t end_of_list(std::string_view text) {
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '[') ++depth;
-    if (text[i] == ']' && --depth == 0) return i + 1;
-  }
-  return text.size();
+  const std::size_t last = closing_bracket(text, 0);
+  return last == std::string_view::npos ? text.size() : last + 1;
 }
 
 /// Blanks go, or stand for commas where they part the entries of a row. Between two operands of a list with commas, or

@@ -76,12 +76,9 @@ class Symbol {
 
   /// Behind the bracket that opens at `at`.
   std::size_t closing(std::size_t at) const {
-    int depth = 0;
-    for (std::size_t i = at; i < text_.size(); ++i) {
-      depth += text_[i] == '(' || text_[i] == '{' ? 1 : text_[i] == ')' || text_[i] == '}' ? -1 : 0;
-      if (depth == 0) return i + 1;
-    }
-    fail(at, text_.size(), "a bracket that closes");
+    const std::size_t end = closing_bracket(text_, at);
+    if (end == string_view::npos) fail(at, text_.size(), "a bracket that closes");
+    return end + 1;
   }
   bool opens(std::size_t at) const { return at < text_.size() && (text_[at] == '(' || text_[at] == '{'); }
 

@@ -274,6 +274,16 @@ class Plain {
 
 }  // namespace
 
+std::size_t closing_bracket(string_view text, std::size_t begin) {
+  const char open = text[begin], close = open == '{' ? '}' : open == '[' ? ']' : ')';
+  int depth = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    depth += text[i] == open ? 1 : text[i] == close ? -1 : 0;
+    if (depth == 0) return i;
+  }
+  return string_view::npos;
+}
+
 bool is_greek(string_view word) {
   return !word.empty() && (std::ranges::find(greek, word) != greek.end() ||
                            std::ranges::find(capital_greek, word) != capital_greek.end());

@@ -70,21 +70,10 @@ struct Datum {
   Index index;
 };
 
-/// Where the bracket at `begin` is closed, or none.
-std::size_t closing(string_view text, std::size_t begin) {
-  const char open = text[begin], close = open == '{' ? '}' : open == '[' ? ']' : ')';
-  int depth = 0;
-  for (std::size_t i = begin; i < text.size(); ++i) {
-    depth += text[i] == open ? 1 : text[i] == close ? -1 : 0;
-    if (depth == 0) return i;
-  }
-  return string_view::npos;
-}
-
 /// What stands at `at` as a script, `{2i}`, `(k)`, `2i` or one character, and its end.
 std::pair<string_view, std::size_t> script(string_view text, std::size_t at) {
   if (at < text.size() && (text[at] == '{' || text[at] == '(' || text[at] == '['))
-    if (const std::size_t end = closing(text, at); end != string_view::npos)
+    if (const std::size_t end = closing_bracket(text, at); end != string_view::npos)
       return {text.substr(at + 1, end - at - 1), end + 1};
   std::size_t end = at;
   while (end < text.size() && is_digit(text[end])) ++end;
@@ -128,7 +117,8 @@ std::string without_alignment(string_view written) {
   for (const string_view name : {"\\begin", "\\end"})
     for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) {
       const std::size_t brace = at + name.size();
-      const std::size_t end = brace < text.size() && text[brace] == '{' ? closing(text, brace) : std::string::npos;
+      const std::size_t end = brace < text.size() && text[brace] == '{' ? closing_bracket(text, brace)
+                                                                        : std::string::npos;
       blank(at, end == std::string::npos ? name.size() : end + 1 - at, ' ');
     }
   for (const auto& [sign, meaning] : {std::pair<string_view, char>{"\\left\\{", ' '},

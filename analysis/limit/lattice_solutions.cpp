@@ -107,14 +107,6 @@ std::vector<LatticePoint> inner_points(const LatticeMask& mask) {
   return result;
 }
 
-/// The matrix whose columns are these vectors, of which there is at least one.
-RationalMatrix from_columns(const std::vector<std::vector<Rational>>& columns) {
-  RationalMatrix result(columns.front().size(), columns.size());
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    for (std::size_t r = 0; r < result.rows(); ++r) result(r, c) = columns[c][r];
-  return result;
-}
-
 }  // namespace
 
 std::size_t limits::digit_zero(const Dilation& dilation) {
@@ -125,9 +117,10 @@ std::optional<std::vector<Rational>> limits::component_in_kernel(const RationalM
                                                                  const std::vector<Rational>& x) {
   const auto right = kernel(matrix), left = kernel(transposed(matrix));
   if (right.empty()) return std::nullopt;
-  const RationalMatrix basis = from_columns(right), dual = transposed(from_columns(left)), pairing = dual * basis;
+  const RationalMatrix basis = from_columns(right, matrix.columns()),
+                       dual = transposed(from_columns(left, matrix.rows())), pairing = dual * basis;
   if (!kernel(pairing).empty()) return std::nullopt;
-  const RationalMatrix combination = solve(pairing, from_columns({dual * x}));
+  const RationalMatrix combination = solve(pairing, from_columns({dual * x}, dual.rows()));
   std::vector<Rational> weights;
   for (std::size_t r = 0; r < combination.rows(); ++r) weights.push_back(combination(r, 0));
   return basis * weights;

@@ -11,13 +11,6 @@ constexpr std::size_t largest_mirrored = 80;  // rational dimension
 
 using Matrices = std::vector<RationalMatrix>;
 
-RationalMatrix of_columns(const std::vector<std::vector<Rational>>& columns, std::size_t size) {
-  RationalMatrix result(size, columns.size());
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    for (std::size_t r = 0; r < size; ++r) result(r, c) = columns[c][r];
-  return result;
-}
-
 /// a + factor b
 RationalMatrix plus_multiple(const RationalMatrix& a, const RationalMatrix& b, const Rational& factor) {
   RationalMatrix result = a;
@@ -44,7 +37,7 @@ std::optional<RationalMatrix> intertwiner(const Matrices& first, const Matrices&
     basis.push_back(first[steps[k].letter] * basis[steps[k].parent]);
     words.push_back(second[steps[k].letter] * words[steps[k].parent]);
   }
-  const RationalMatrix columns = of_columns(basis, size);
+  const RationalMatrix columns = from_columns(basis, size);
   std::vector<std::vector<Rational>> starts = kernel(RationalMatrix(1, size));  // the x that are left
   for (std::size_t t = 0; t < first.size() && starts.size() > 2; ++t) {
     const RationalMatrix images = solve(columns, first[t] * columns);
@@ -54,7 +47,7 @@ std::optional<RationalMatrix> intertwiner(const Matrices& first, const Matrices&
       for (std::size_t j = 0; j < size; ++j)
         if (images(j, k) != 0) condition = plus_multiple(condition, words[j], -images(j, k));
       if (!binary_exponent(condition)) continue;
-      const RationalMatrix left = of_columns(starts, size);
+      const RationalMatrix left = from_columns(starts, size);
       std::vector<std::vector<Rational>> next;
       for (const std::vector<Rational>& combination : kernel(condition * left)) next.push_back(left * combination);
       starts = std::move(next);
@@ -63,7 +56,7 @@ std::optional<RationalMatrix> intertwiner(const Matrices& first, const Matrices&
   if (starts.size() != 2) return std::nullopt;
   std::vector<std::vector<Rational>> images;
   for (const RationalMatrix& word : words) images.push_back(word * starts.front());
-  const RationalMatrix result = transposed(solve(transposed(columns), transposed(of_columns(images, size))));
+  const RationalMatrix result = transposed(solve(transposed(columns), transposed(from_columns(images, size))));
   for (std::size_t t = 0; t < first.size(); ++t)
     if (!(result * first[t] == second[t] * result)) return std::nullopt;
   return result;
@@ -139,7 +132,7 @@ std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline
   if (!mirror) return std::nullopt;
   const auto eigenvectors = [&](long eigenvalue) {
     const RationalMatrix shifted = plus_multiple(*mirror, RationalMatrix::identity(size), -eigenvalue);
-    return basis_of_pairs(of_columns(kernel(shifted), size), *operators.root);
+    return basis_of_pairs(from_columns(kernel(shifted), size), *operators.root);
   };
   RationalMatrix even = eigenvectors(1), odd = eigenvectors(-1);
   if (odd.columns() > even.columns()) std::swap(even, odd);  // the negative of the mirror is one, too

@@ -1,5 +1,6 @@
 #include <subcert/analysis/family/named_exponent.hpp>
 #include <subcert/analysis/radii/joint/named_radius.hpp>
+#include <subcert/analysis/test/matrices.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -9,19 +10,9 @@
 using namespace subcert;
 using subcert::testing::Random;
 using subcert::testing::rounds;
+using subcert::testing::square_matrix;
 
 namespace {
-
-RationalMatrix square_matrix(std::initializer_list<std::initializer_list<Rational>> rows) {
-  RationalMatrix result(rows.size(), rows.size());
-  std::size_t i = 0;
-  for (const auto& row : rows) {
-    std::size_t j = 0;
-    for (const Rational& entry : row) result(i, j++) = entry;
-    ++i;
-  }
-  return result;
-}
 
 /// Of one matrix, whose spectral radius is enclosed by other means.
 std::optional<AttainedNumber> named(const RationalMatrix& one, long degree = 10) {

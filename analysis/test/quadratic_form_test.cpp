@@ -7,6 +7,7 @@
 #include <subcert/analysis/radii/polytope_search/decompositions.hpp>
 #include <subcert/analysis/radii/quadratic/context_forms.hpp>
 #include <subcert/analysis/radii/quadratic/product_tree.hpp>
+#include <subcert/analysis/test/matrices.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -17,19 +18,9 @@
 
 using namespace subcert;
 using subcert::testing::Random;
+using subcert::testing::square_matrix;
 
 namespace {
-
-RationalMatrix matrix(std::initializer_list<std::initializer_list<Rational>> rows) {
-  RationalMatrix result(rows.size(), rows.size());
-  std::size_t i = 0;
-  for (const auto& row : rows) {
-    std::size_t j = 0;
-    for (const Rational& entry : row) result(i, j++) = entry;
-    ++i;
-  }
-  return result;
-}
 
 /// Whether each infinite sequence of letters begins with exactly one word from every state.
 bool is_complete(const GraphProof& proof, std::size_t letters) {
@@ -53,7 +44,7 @@ const Rational thousandth = power(Rational(10), -3);
 }  // namespace
 
 TEST_CASE("a quadratic form bounds the radius of the golden pair") {
-  const MatrixFamily golden{matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})};
+  const MatrixFamily golden{square_matrix({{1, 1}, {0, 1}}), square_matrix({{1, 0}, {1, 1}})};
   // The radius is (1 + sqrt 5) / 2.
   const auto proof = prove_by_quadratic_forms(golden, Rational(1618, 1000), {Deadline::in(2)});
   REQUIRE(proof);
@@ -90,7 +81,7 @@ TEST_CASE("a quadratic form bounds the radius of the golden pair") {
 }
 
 TEST_CASE("letters are kept only by the best product") {
-  const MatrixFamily golden{matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})};
+  const MatrixFamily golden{square_matrix({{1, 1}, {0, 1}}), square_matrix({{1, 0}, {1, 1}})};
   // 001 has the radius 1.55..., and 0 the radius 1 with a Jordan block.
   for (const std::vector<int>& word : {std::vector<int>{0, 0, 1}, std::vector<int>{0}}) {
     const ProductEvidence product = prove_product(golden, word);
@@ -117,17 +108,17 @@ TEST_CASE("the search for a form ends at its target") {
 }
 
 TEST_CASE("quadratic forms of families at the edge") {
-  const RationalMatrix shift = matrix({{0, 1}, {0, 0}}), zero(2, 2);
+  const RationalMatrix shift = square_matrix({{0, 1}, {0, 0}}), zero(2, 2);
   CHECK_FALSE(prove_by_quadratic_forms({zero, zero}, 0, {Deadline::in(1)}));
   CHECK_FALSE(prove_by_quadratic_forms({shift}, 0, {Deadline::in(1)}));
   // A Jordan block: the infimum over the forms is not attained.
-  const auto jordan = prove_by_quadratic_forms({matrix({{1, 1}, {0, 1}})}, 0, {Deadline::in(2)});
+  const auto jordan = prove_by_quadratic_forms({square_matrix({{1, 1}, {0, 1}})}, 0, {Deadline::in(2)});
   REQUIRE(jordan);
   CHECK(jordan->bound > 1);
   CHECK(jordan->bound < 1 + 30 * thousandth);
   // Scaled far from 1, with a matrix twice.
   const Rational huge = power(Rational(10), 60);
-  const RationalMatrix up = matrix({{huge, huge}, {0, huge}}), down = matrix({{huge, 0}, {huge, huge}});
+  const RationalMatrix up = square_matrix({{huge, huge}, {0, huge}}), down = square_matrix({{huge, 0}, {huge, huge}});
   const auto twice = radius::quadratic_bound({up, down, up}, 0, {Deadline::in(1)});
   REQUIRE(twice);
   CHECK(power(2 * twice->bound / huge - 1, 2) >= 5);
@@ -138,8 +129,8 @@ TEST_CASE("quadratic forms of families at the edge") {
 TEST_CASE("forms that doubles do not hold") {
   // Nearly a common eigenvector, in coordinates of very different lengths: the radius is above 1 by about 10^-12.
   const Rational far = power(Rational(10), 8), near = power(Rational(10), -20), half(1, 2);
-  const auto proof = prove_by_quadratic_forms({matrix({{1, far}, {0, half}}), matrix({{1, 0}, {near, half}})}, 0,
-                                              {Deadline::in(10)});
+  const auto proof = prove_by_quadratic_forms(
+      {square_matrix({{1, far}, {0, half}}), square_matrix({{1, 0}, {near, half}})}, 0, {Deadline::in(10)});
   REQUIRE(proof);
   CHECK(proof->bound > 1);
   CHECK(proof->bound < 1 + power(Rational(10), -8));
@@ -180,10 +171,12 @@ TEST_CASE("the longest images and runs of a letter name the product") {
     return found.front();
   };
   const polytope::Candidate images = best(
-      {matrix({{-1, 1, -1}, {-1, -1, 1}, {0, 1, 1}}), matrix({{-1, 1, -1}, {-1, -1, 0}, {0, 1, 1}})}, {0});
+      {square_matrix({{-1, 1, -1}, {-1, -1, 1}, {0, 1, 1}}), square_matrix({{-1, 1, -1}, {-1, -1, 0}, {0, 1, 1}})},
+      {0});
   CHECK(images.word.size() == 41);
   CHECK(images.radius > 1.684185282);
-  const polytope::Candidate run = best({matrix({{1, 1}, {0, 1}}), matrix({{0, 0}, {Rational(1, 100), 0}})}, {0});
+  const polytope::Candidate run = best(
+      {square_matrix({{1, 1}, {0, 1}}), square_matrix({{0, 0}, {Rational(1, 100), 0}})}, {0});
   CHECK(run.word.size() == 274);
   CHECK(run.radius > 1.003672059);
 }

@@ -142,11 +142,8 @@ std::vector<Values> other_data(const Samples& samples, int arity, std::size_t mo
     for (const std::vector<Values>& candidate : candidates)
       columns.push_back(
           samples.defects([&](long j) { return value_of(candidate, l, j); }, factor, points_for(l, arity)));
-    RationalMatrix equations(columns.front().size(), columns.size());
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      for (std::size_t r = 0; r < columns[c].size(); ++r) equations(r, c) = columns[c][r];
     solutions.clear();
-    for (const Values& weights : kernel(equations)) {
+    for (const Values& weights : kernel(from_columns(columns, columns.front().size()))) {
       std::vector<Values>& sum = solutions.emplace_back(l + 1, Values(components));
       for (std::size_t k = 0; k < weights.size(); ++k)
         for (std::size_t s = 0; s <= l; ++s)

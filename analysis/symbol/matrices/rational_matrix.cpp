@@ -136,6 +136,13 @@ ComplexVector operator*(const RationalMatrix& matrix, const ComplexVector& vecto
   return result;
 }
 
+RationalMatrix from_columns(const std::vector<std::vector<Rational>>& columns, std::size_t rows) {
+  RationalMatrix result(rows, columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (std::size_t r = 0; r < rows; ++r) result(r, c) = columns[c][r];
+  return result;
+}
+
 RationalMatrix transposed(const RationalMatrix& matrix) {
   RationalMatrix result(matrix.columns(), matrix.rows());
   for (std::size_t i = 0; i < matrix.rows(); ++i)

@@ -39,6 +39,9 @@ RationalMatrix operator*(const Rational& factor, RationalMatrix matrix);
 std::vector<Rational> operator*(const RationalMatrix& matrix, const std::vector<Rational>& vector);
 ComplexVector operator*(const RationalMatrix& matrix, const ComplexVector& vector);
 
+/// The matrix with these columns. Domain: each with `rows` entries.
+RationalMatrix from_columns(const std::vector<std::vector<Rational>>& columns, std::size_t rows);
+
 RationalMatrix transposed(const RationalMatrix& matrix);
 
 /// Domain: square, exponent >= 0. Cost: a logarithmic number of products.

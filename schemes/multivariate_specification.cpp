@@ -366,7 +366,7 @@ const std::vector<FamilyHelp>& multivariate_families() {
 }
 
 text::MaskText mask_text_parts(const LatticeMask& mask) {
-  const std::vector<LatticeMask::Term> terms = mask.terms();
+  const std::vector<LatticeMask::Term>& terms = mask.terms();
   LatticePoint lowest = terms.front().exponents, highest = lowest;
   for (const LatticeMask::Term& term : terms)
     for (std::size_t v = 0; v < lowest.size(); ++v) {

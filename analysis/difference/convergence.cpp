@@ -20,6 +20,7 @@ namespace {
 
 constexpr long largest_refuted_size = 200;  // beyond this, characteristic polynomials take too long
 constexpr double most_terms = 1e6;          // of powers of symbols of several variables
+constexpr double few_terms = 1e4;           // such powers are looked at in any time, so that more time never tells less
 
 /// Whether a power of the difference scheme S_q contracts, q = a / (1 + ... + z^(arity-1)).
 Decision contracts(const Mask& mask, const ProofLimits& limits) {
@@ -143,8 +144,8 @@ Decision power_contracts(const MultivariatePolynomial& quotient, int arity, cons
     if (norm < 1)
       return {Truth::yes, "||" + name + (level == 1 ? "" : "^" + std::to_string(level)) + "|| = " + short_text(norm)};
     smallest = level == 1 ? norm : std::min(smallest, norm);
-    if (level >= limits.levels || limits.deadline.expired() || next_terms(power, quotient, dilation) > most_terms)
-      break;
+    const double terms = next_terms(power, quotient, dilation);
+    if (level >= limits.levels || terms > (limits.deadline.expired() ? few_terms : most_terms)) break;
     power = power * quotient.dilated(dilation);
   }
   return {Truth::unknown, "no power of " + name + " up to level " + std::to_string(level) +

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon();  // twice the unit roundoff
 constexpr double tiny = 1e-280;                                  // covers whatever underflow loses
+constexpr std::size_t work_in_any_time = 200'000;                // of exact sums: so that more time never tells less
 
 double round_up(const Rational& value) {
   const double nearest = value.convert_to<double>();
@@ -66,12 +67,13 @@ class ExactSums {
     path_.front().front() = 1;
   }
 
-  /// Nothing once the deadline has passed: no later sum is right.
+  /// Nothing once the deadline has passed, but for the first few: no later sum is right.
   std::optional<Rational> sum(const std::vector<int>& digits, const Deadline& deadline) {
     std::size_t common = 0;
     while (common < last_.size() && last_[common] == digits[common]) ++common;
     for (std::size_t k = common; k < digits.size(); ++k) {
-      if (deadline.expired()) return std::nullopt;
+      work_ += tree_.width() * tree_.width();
+      if (work_ > work_in_any_time && deadline.expired()) return std::nullopt;
       tree_.step(path_[k], digits[k], path_[k + 1]);
     }
     last_ = digits;
@@ -84,6 +86,7 @@ class ExactSums {
   const PowerTree& tree_;
   std::vector<std::vector<Integer>> path_;
   std::vector<int> last_;
+  std::size_t work_ = 0;  // products of coefficients
 };
 
 /// The norm of one level: the largest sum over a coset modulo arity^levels.

@@ -192,3 +192,10 @@ TEST_CASE("extremes that are known") {
   CHECK(!small.complete);
   CHECK(*small.maximum.lower == 1);
 }
+
+TEST_CASE("surfaces converge by a short look at powers in any time") {
+  for (const char* scheme : {"grid:points=6x7,d=2", "butterfly:w=1/16", "grid:points=3x3,d=1", "loop:"}) {
+    CAPTURE(scheme);
+    CHECK(converges(surface(scheme).mask, {16, Deadline::in(0)}).is_yes());
+  }
+}

@@ -6,6 +6,7 @@
 #include <subcert/analysis/limit/limit_values.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -150,4 +151,25 @@ TEST_CASE("two variables: products by their factors and as a whole") {
     CHECK(limit_values(product, 1) == limit_values(whole, 1));
   }
   CHECK(converging > 0);
+}
+
+TEST_CASE("more time never tells less: of masks with a factor that takes the stability, and of random ones") {
+  const auto is_narrower = [](const Enclosure& late, const Enclosure& early) {
+    return (!early.lower || (late.lower && *late.lower >= *early.lower)) &&
+           (!early.upper || (late.upper && *late.upper <= *early.upper));
+  };
+  std::vector<LatticeMask> masks;  // those of data that are fitted by constants
+  for (const int n : {9, 17, 29})
+    masks.emplace_back(Mask(LaurentPolynomial::all_ones(2 * n) * LaurentPolynomial(Rational(1, n)), 2));
+  Random random;
+  for ([[maybe_unused]] const auto& round : rounds(8)) masks.emplace_back(mask_of_curve(random));
+  for (const LatticeMask& mask : masks) {
+    CAPTURE(mask.symbol().to_text());
+    Enclosure before;
+    for (const double seconds : {0.0, 0.03, 0.1}) {
+      const Enclosure now = regularity_of(mask, {Deadline::in(seconds)}).exponent();
+      CHECK(is_narrower(now, before));
+      before = now;
+    }
+  }
 }

@@ -74,14 +74,11 @@ LatticeMask::LatticeMask(std::vector<MultivariatePolynomial> entries, Dilation d
   for (const MultivariatePolynomial& entry : entries_)
     require(static_cast<int>(dilation_.variables()) == entry.variables(),
             "mask: need a dilation of {} rows, as many as variables, got {}", entry.variables(), dilation_.variables());
-}
-
-std::vector<LatticeMask::Term> LatticeMask::terms() const {
-  std::vector<Term> result;
+  std::vector<Term> terms;
   for (std::size_t at = 0; at < entries_.size(); ++at)
     for (Monomial& term : entries_[at].terms())
-      result.push_back({std::move(term.exponents), at / components_, at % components_, std::move(term.coefficient)});
-  return result;
+      terms.push_back({std::move(term.exponents), at / components_, at % components_, std::move(term.coefficient)});
+  terms_ = std::make_shared<const std::vector<Term>>(std::move(terms));
 }
 
 const MultivariatePolynomial& LatticeMask::symbol() const {
@@ -164,7 +161,7 @@ std::vector<Interval> limit_support(const LatticeMask& mask) {
   // the first round, divided by its entries, or, where there is none, smaller than a part of a box around them.
   constexpr int longest_period = 24;
   const RationalMatrix inverse = inverse_of(mask.dilation());
-  const std::vector<LatticeMask::Term> terms = mask.terms();
+  const std::vector<LatticeMask::Term>& terms = mask.terms();
   std::vector<Interval> sums(inverse.rows(), Interval::exactly(0));
   RationalMatrix power = RationalMatrix::identity(inverse.rows());
   for (int n = 1;; ++n) {

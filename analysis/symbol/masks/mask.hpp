@@ -6,6 +6,8 @@
 #include <subcert/analysis/symbol/polynomials/multivariate_polynomial.hpp>
 #include "dilation.hpp"
 
+#include <memory>
+
 namespace subcert {
 
 /// The mask of a linear, stationary subdivision scheme: f'_i = sum over j of a_{i - arity*j} f_j, with the coefficients
@@ -59,7 +61,9 @@ class LatticeMask {
   /// r; 1 where the coefficients are numbers.
   std::size_t components() const { return components_; }
   const std::vector<MultivariatePolynomial>& entries() const { return entries_; }
-  std::vector<Term> terms() const;
+  /// Row by row of the matrices, those of an entry in the order of its polynomial. Cost: made once, shared by copies.
+  const std::vector<Term>& terms() const& { return *terms_; }
+  std::vector<Term> terms() && { return *terms_; }
   /// Of numbers. Errors: throws Error for more than one component.
   const MultivariatePolynomial& symbol() const;
   const Dilation& dilation() const { return dilation_; }
@@ -87,6 +91,7 @@ class LatticeMask {
   std::vector<MultivariatePolynomial> entries_;
   std::size_t components_;
   Dilation dilation_;
+  std::shared_ptr<const std::vector<Term>> terms_;
   std::vector<Mask> factors_;
 };
 

@@ -114,7 +114,7 @@ SectorRules loop_rules(const LatticeMask& mask, long n) {
 }
 
 SectorRules catmull_clark_rules(const LatticeMask& mask, long n) {
-  SectorRules result{n, SectorLattice::quads, mask.without_factors()};
+  SectorRules result{n, SectorLattice::quads, mask};
   SectorRule& vertex = add(result.rules[centre], centre, Rational(1 - over(7, 4 * n)));
   add_ring(vertex, ray, 0, over(3, 2 * n));
   add_ring(vertex, diagonal, 0, over(1, 4 * n));

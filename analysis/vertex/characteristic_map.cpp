@@ -41,8 +41,13 @@ std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Bal
 
 CellForms::CellForms(const LatticeMask& of) : mask(of), window(window_of(of)), shift(parameter_shift(of)) {
   for (std::size_t axis = 0; axis < 2; ++axis)
-    if (const auto derivative = positive_derivative(mask, axis)) derivative_windows.push_back(window_of(*derivative));
-  if (!by_hulls()) bounds = sum_bounds(mask, window);
+    if (const auto derivative = derivative_mask(mask, axis); derivative && vertex::is_positive(*derivative))
+      derivative_windows.push_back(window_of(*derivative));
+  if (by_hulls()) return;
+  const auto value = sum_bound(mask, window);
+  for (std::size_t axis = 0; value && axis < 2; ++axis)
+    if (const auto derivative = derivative_bound(mask, window, axis)) derivative_bounds.push_back(*derivative);
+  if (derivative_bounds.size() == 2) value_bound = *value;
 }
 
 std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rules, const ClosedSet& set,
@@ -163,7 +168,7 @@ Truth CharacteristicMap::sign_of_jacobian(const Cell& cell) const {
   const Fit fit = fit_on(cell);
   Point derivatives[2] = {fit.slopes[0], fit.slopes[1]};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Ball bound(forms_.bounds->derivatives[axis], field_.bits());
+    const Ball bound(forms_.derivative_bounds[axis], field_.bits());
     derivatives[axis] = {derivatives[axis].x.widened(bound * fit.rest_x),
                          derivatives[axis].y.widened(bound * fit.rest_y)};
   }
@@ -189,13 +194,13 @@ Ball CharacteristicMap::values_on(const Cell& cell, const Rational& a, const Rat
   for (std::size_t v = 0; v < 2; ++v)
     sum += Ball(Rational(Rational(corner[v]) + Rational(1) / 2 - forms_.shift[v]), bits).widened(half) *
            form(fit.slopes[v]);
-  return sum.widened(Ball(forms_.bounds->value, bits) *
+  return sum.widened(Ball(*forms_.value_bound, bits) *
                      (Ball(abs(a), bits) * fit.rest_x + Ball(abs(b), bits) * fit.rest_y));
 }
 
 MapProof CharacteristicMap::prove(int most_levels) const {
   MapProof proof;
-  if (!forms_.by_hulls() && !forms_.bounds) {
+  if (!forms_.by_hulls() && !forms_.value_bound) {
     proof.regular.reason = "no bound of the derivatives of the basic limit function was found";
     return proof;
   }
@@ -235,6 +240,7 @@ MapProof CharacteristicMap::prove(int most_levels) const {
 }
 
 bool CharacteristicMap::winds(int most_levels) const {
+  if (!forms_.by_hulls() && !forms_.value_bound) return false;
   // Along the squares of one radius: those of the ring with x = m r - 1, and their mirror images.
   const long x = rules_.mask.arity() * radius() - 1;
   std::deque<Cell> open;

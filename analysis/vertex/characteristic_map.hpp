@@ -19,8 +19,10 @@ struct CellForms {
   std::vector<LatticePoint> window;
   /// Windows of the derivatives along x and y, of differences in hulls; empty where these are not positive.
   std::vector<std::vector<LatticePoint>> derivative_windows;
-  /// Of affine fits; nothing where the hulls do, or where no bound was found.
-  std::optional<SumBounds> bounds;
+  /// Of affine fits: of the sums of |phi(x - k)| and of its derivatives. Nothing where the hulls do, or where none was
+  /// found.
+  std::optional<Rational> value_bound;
+  std::vector<Rational> derivative_bounds;
   std::vector<Rational> shift;
 
   bool by_hulls() const { return derivative_windows.size() == 2; }

@@ -1,5 +1,6 @@
 #include "cosine_field.hpp"
 
+#include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <utility>
@@ -146,10 +147,22 @@ FieldPolynomial quotient(FieldPolynomial a, const FieldPolynomial& b, const Cosi
   return result;
 }
 
-Ball value_at(const FieldPolynomial& p, const Ball& x, const BallField& balls) {
-  Ball value(0, x.bits());
+FieldPolynomial derivative(const FieldPolynomial& p, const CosineField& field) {
+  FieldPolynomial result;
+  for (std::size_t i = 1; i < p.size(); ++i) result.push_back(field.number(static_cast<long>(i)) * p[i]);
+  return result;
+}
+
+ComplexBall value_at(const FieldPolynomial& p, const ComplexBall& x, const BallField& balls) {
+  ComplexBall value(Ball(0, x.bits()));
   for (std::size_t i = p.size(); i-- > 0;) value = value * x + balls.number(p[i].polynomial());
   return value;
+}
+
+std::optional<std::vector<ComplexBall>> zeros(const FieldPolynomial& p, const BallField& balls) {
+  std::vector<Ball> coefficients;
+  for (const CosineField::Number& entry : p) coefficients.push_back(balls.number(entry.polynomial()));
+  return complex_roots(coefficients);
 }
 
 }  // namespace subcert::vertex

@@ -5,6 +5,7 @@
 #include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace subcert::vertex {
@@ -77,6 +78,9 @@ FieldPolynomial gcd(FieldPolynomial a, FieldPolynomial b);
 FieldPolynomial in_squares(const FieldPolynomial& p, const CosineField& field);
 /// Domain: b not zero.
 FieldPolynomial quotient(FieldPolynomial a, const FieldPolynomial& b, const CosineField& field);
-Ball value_at(const FieldPolynomial& p, const Ball& x, const BallField& balls);
+FieldPolynomial derivative(const FieldPolynomial& p, const CosineField& field);
+ComplexBall value_at(const FieldPolynomial& p, const ComplexBall& x, const BallField& balls);
+/// All zeros, in disjoint balls; nothing where the bits do not do. Domain: no multiple zeros, a degree >= 1.
+std::optional<std::vector<ComplexBall>> zeros(const FieldPolynomial& p, const BallField& balls);
 
 }  // namespace subcert::vertex

@@ -42,11 +42,13 @@ class CellOperators {
   }
 
   std::size_t letters() const { return columns_.size(); }
-  /// Of products of so many letters the sums of entries that are formed here fit in a long, where this is true.
-  bool fits(int letters, std::size_t size) const {
-    Rational bound(static_cast<long>(4 * size * size));
-    for (int i = 0; i < letters; ++i) bound *= largest_ * Rational(static_cast<long>(widest_));
-    return bound < power(Rational(2), 62);
+  /// Whether the entries of its products with an operator, and sums over a row and a column of 64 times these, fit.
+  bool fits(const Matrix& matrix) const {
+    long entry = 0;
+    for (const std::vector<long>& row : matrix)
+      for (const long value : row) entry = std::max(entry, std::abs(value));
+    const Rational sum = Rational(entry) * largest_ * Rational(static_cast<long>(widest_ * matrix.size()));
+    return 64 * sum < power(Rational(2), 63);
   }
   Matrix times(const Matrix& matrix, std::size_t letter) const {
     Matrix result(matrix.size(), std::vector<long>(matrix.size(), 0));
@@ -71,16 +73,16 @@ class Contraction {
   Contraction(const CellOperators& operators, long factor, std::vector<std::vector<long>> rest)
       : operators_(operators), factor_(factor), rest_(std::move(rest)) {}
 
-  std::optional<Rational> bound(const std::vector<std::vector<long>>& bases) {
-    const std::size_t size = bases.front().size();
+  std::optional<Rational> bound(const std::vector<long>& base) {
+    const std::size_t size = base.size();
     CellOperators::Matrix identity(size, std::vector<long>(size, 0));
     for (std::size_t i = 0; i < size; ++i) identity[i][i] = 1;
     largest_ = 0;
-    return visit(identity, Rational(1), bases, 0) ? std::optional(largest_) : std::nullopt;
+    return visit(identity, Rational(1), base, 0) ? std::optional(largest_) : std::nullopt;
   }
 
  private:
-  static constexpr int most_letters = 8;
+  static constexpr int most_letters = 12;
 
   static Rational norm(const CellOperators::Matrix& product, const std::vector<long>& vector) {
     long sum = 0;
@@ -92,19 +94,17 @@ class Contraction {
     return Rational(sum);
   }
 
-  bool visit(const CellOperators::Matrix& product, const Rational& scale, const std::vector<std::vector<long>>& bases,
-             int depth) {
+  bool visit(const CellOperators::Matrix& product, const Rational& scale, const std::vector<long>& base, int depth) {
     Rational rate = 0;
     for (const std::vector<long>& vector : rest_) rate = std::max(rate, Rational(scale * norm(product, vector)));
-    if (2 * rate <= 1) {
-      for (const std::vector<long>& base : bases)
-        largest_ = std::max(largest_, Rational(scale * norm(product, base) / (1 - rate)));
+    if (4 * rate <= 3) {
+      largest_ = std::max(largest_, Rational(scale * norm(product, base) / (1 - rate)));
       return true;
     }
-    if (depth == most_letters || !operators_.fits(depth + 1, product.size())) return false;
+    if (depth == most_letters || !operators_.fits(product)) return false;
     const Rational next = scale * Rational(factor_) / operators_.denominator_of_entries();
     for (std::size_t letter = 0; letter < operators_.letters(); ++letter)
-      if (!visit(operators_.times(product, letter), next, bases, depth + 1)) return false;
+      if (!visit(operators_.times(product, letter), next, base, depth + 1)) return false;
     return true;
   }
 
@@ -113,6 +113,12 @@ class Contraction {
   std::vector<std::vector<long>> rest_;
   Rational largest_ = 0;
 };
+
+std::vector<long> unit(std::size_t at, std::size_t size) {
+  std::vector<long> result(size, 0);
+  result[at] = 1;
+  return result;
+}
 
 }  // namespace
 
@@ -145,54 +151,52 @@ bool is_positive(const LatticeMask& mask) {
   return std::all_of(terms.begin(), terms.end(), [](const Monomial& term) { return term.coefficient > 0; });
 }
 
-std::optional<LatticeMask> positive_derivative(const LatticeMask& mask, std::size_t axis) {
+std::optional<LatticeMask> derivative_mask(const LatticeMask& mask, std::size_t axis) {
   const int m = mask.arity();
   const auto quotient = mask.symbol().exact_quotient(ones_along(axis, m));
   if (!quotient) return std::nullopt;
   const LatticeMask result(*quotient * MultivariatePolynomial(2, Rational(m)), m);
   const std::vector<Rational> sums = coset_sums(result);
   const bool is_affine = std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; });
-  return is_affine && is_positive(result) ? std::optional(result) : std::nullopt;
+  return is_affine ? std::optional(result) : std::nullopt;
 }
 
-std::optional<SumBounds> sum_bounds(const LatticeMask& mask, const std::vector<LatticePoint>& window) {
-  const CellOperators operators(mask, window);
+std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window) {
+  if (is_positive(mask)) return Rational(1);
+  const std::size_t o = window.size() / 2;
+  std::vector<std::vector<long>> rest;
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    rest.push_back(unit(k, window.size()));
+    rest.back()[o] -= 1;
+  }
+  return Contraction(CellOperators(mask, window), 1, rest).bound(unit(o, window.size()));
+}
+
+std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window,
+                                         std::size_t axis) {
+  if (const auto derivative = derivative_mask(mask, axis)) {
+    const auto bound = sum_bound(*derivative, window_of(*derivative));
+    return bound ? std::optional<Rational>(2 * *bound) : std::nullopt;
+  }
+  // Three points o, o + e_1, o + e_2 of the window, about its middle.
+  const std::size_t size = window.size();
+  const LatticePoint corner = window[size / 2];
   const auto index_of = [&](const LatticePoint& point) {
     return static_cast<std::size_t>(std::find(window.begin(), window.end(), point) - window.begin());
   };
-  // Three points o, o + e_1, o + e_2 of the window, about its middle.
-  const LatticePoint corner = window[window.size() / 2];
   const std::size_t o = index_of(corner), along[] = {index_of(corner + LatticePoint{1, 0}),
                                                      index_of(corner + LatticePoint{0, 1})};
-  if (std::max(along[0], along[1]) >= window.size()) return std::nullopt;
-  const auto unit = [&](std::size_t at) {
-    std::vector<long> result(window.size(), 0);
-    result[at] = 1;
-    return result;
-  };
-  std::vector<std::vector<long>> first, second;
-  for (std::size_t k = 0; k < window.size(); ++k) {
+  if (std::max(along[0], along[1]) >= size) return std::nullopt;
+  std::vector<std::vector<long>> rest;
+  for (std::size_t k = 0; k < size; ++k) {
     const LatticePoint step = window[k] - corner;
-    first.push_back(unit(k));
-    first.back()[o] -= 1;
-    second.push_back(unit(k));
-    second.back()[o] -= 1 - step[0] - step[1];
-    for (std::size_t v = 0; v < 2; ++v) second.back()[along[v]] -= step[v];
+    rest.push_back(unit(k, size));
+    rest.back()[o] -= 1 - step[0] - step[1];
+    for (std::size_t v = 0; v < 2; ++v) rest.back()[along[v]] -= step[v];
   }
-  SumBounds result{1, {}};
-  if (!is_positive(mask)) {
-    const auto bound = Contraction(operators, 1, first).bound({unit(o)});
-    if (!bound) return std::nullopt;
-    result.value = *bound;
-  }
-  for (const std::size_t at : along) {
-    std::vector<long> base = unit(at);
-    base[o] -= 1;
-    const auto bound = Contraction(operators, mask.arity(), second).bound({base});
-    if (!bound) return std::nullopt;
-    result.derivatives.push_back(*bound);
-  }
-  return result;
+  std::vector<long> base = unit(along[axis], size);
+  base[o] -= 1;
+  return Contraction(CellOperators(mask, window), mask.arity(), rest).bound(base);
 }
 
 std::vector<Rational> parameter_shift(const LatticeMask& mask) {

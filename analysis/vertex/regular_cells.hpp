@@ -13,20 +13,18 @@ namespace subcert::vertex {
 std::vector<LatticePoint> window_of(const LatticeMask& mask);
 
 /// The mask of the derivative by x or y: D phi(x) = phi_e(x) - phi_e(x - e), phi_e by m a(z) / (1 + z^e + ... +
-/// z^((m-1)e)). Nothing where the quotient is none, or has a negative coefficient, or coset sums other than 1.
-std::optional<LatticeMask> positive_derivative(const LatticeMask& mask, std::size_t axis);
+/// z^((m-1)e)). Nothing where the quotient is none, or has coset sums other than 1.
+std::optional<LatticeMask> derivative_mask(const LatticeMask& mask, std::size_t axis);
 
 /// No coefficient is negative.
 bool is_positive(const LatticeMask& mask);
 
-/// Bounds of the sums over k of |phi(x - k)|, and of |D phi(x - k)| along x and y; nothing where no products of
-/// reasonable length show one. Domain: phi differentiable, sum rules of order 2. Cost: products of matrices of the size
-/// of the window, in whole numbers. Proof: docs/vertices.md.
-struct SumBounds {
-  Rational value;
-  std::vector<Rational> derivatives;
-};
-std::optional<SumBounds> sum_bounds(const LatticeMask& mask, const std::vector<LatticePoint>& window);
+/// Bounds of the sum over k of |phi(x - k)|, and of |D phi(x - k)| along x or y; nothing where no products of
+/// reasonable length show one. Domain: phi differentiable, sum rules of order 2, its window. Cost: products of matrices
+/// of the size of the window, in whole numbers. Proof: docs/vertices.md.
+std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window);
+std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window,
+                                         std::size_t axis);
 
 /// The t with sum over k of k phi(x - k) = x - t. Domain: sum rules of order 2.
 std::vector<Rational> parameter_shift(const LatticeMask& mask);

@@ -88,7 +88,8 @@ Enclosure exponent_at(const Ball& lambda, const Ball& mu, bool is_square, const 
 class VertexProof {
  public:
   VertexProof(const SectorRules& rules, const RegularPart& regular)
-      : rules_(rules), regular_(regular), set_(smallest_closed_set(rules)), result_{rules.valence, {}} {
+      : rules_(rules), regular_(regular), set_(smallest_closed_set(rules)) {
+    result_.valence = rules.valence;
     require(regular.mask == rules.mask, "smoothness at a vertex: need the regular part of the same mask");
     require(is_symmetric(rules, set_), "smoothness at a vertex: need rules that are their own mirror images");
     require(reproduces_constants(set_, CosineField(rules.valence)), "smoothness at a vertex: need weights of sum 1");

@@ -31,7 +31,7 @@ std::string to_text(CurvatureLimit limit);
 
 /// Of the surfaces of all initial data but a set of measure zero.
 struct VertexSmoothness {
-  long valence;
+  long valence = 0;
   /// Whether such a surface is C1 at the vertex: near it a graph, without overlap, over its tangent plane.
   Decision c1;
   long frequency = 0;                                 ///< that of the subdominant eigenvalue

@@ -10,11 +10,12 @@
 
 namespace subcert::vertex {
 
-/// Eigenvalues of the frequency k, and for 0 < k < n/2 as many of n - k.
+/// Eigenvalues of a diagonal block of the frequency k, for 0 < k < n/2 as many of n - k.
 struct FrequencyGroup {
   long frequency;
+  std::vector<std::size_t> block;  ///< its unknowns, which depend on each other
   ComplexBall value;
-  std::size_t count;  ///< with multiplicity
+  std::size_t count;  ///< in this block, with multiplicity; 2 stands for 2 or more
 };
 
 /// The eigenvalue 1 of the constants left out. Sorted by upper bounds of the moduli, the largest first.
@@ -26,12 +27,11 @@ struct VertexSpectrum {
 };
 
 /// Domain: symmetric rules that reproduce constants. Nothing where `bits` bits do not separate the eigenvalues, or 1 is
-/// not proved to be simple. Cost: a QR iteration for each frequency.
+/// not proved to be simple. Cost: a QR iteration for each diagonal block of each frequency.
 std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const ClosedSet& set, slong bits);
 
-/// Whether an eigenvalue of frequency k in a ball is exactly the square of a simple eigenvalue of frequency 1 in
-/// another. Domain: each ball holds one of its frequency, apart from all others of it, that of `root` positive. Cost: two
-/// characteristic polynomials over Q(c) and their gcd.
+/// Whether `square` is exactly the square of `root`. Domain: groups of one eigenvalue, that of `root` real and positive.
+/// Cost: two characteristic polynomials over Q(c) and their gcd.
 bool is_square_of(const FrequencyGroup& square, const FrequencyGroup& root, const SectorRules& rules,
                   const ClosedSet& set);
 

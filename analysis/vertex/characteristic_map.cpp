@@ -1,5 +1,6 @@
 #include "characteristic_map.hpp"
 
+#include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 
 #include <algorithm>
@@ -39,15 +40,38 @@ std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Bal
 
 }  // namespace
 
-CellForms::CellForms(const LatticeMask& of) : mask(of), window(window_of(of)), shift(parameter_shift(of)) {
+CellForm::CellForm(const LatticeMask& mask, std::vector<LatticePoint> points)
+    : window(std::move(points)),
+      positive(vertex::is_positive(mask)),
+      bound(sum_bound(mask, window)),
+      slopes(window.size(), {Rational(0), Rational(0)}) {
+  const PolynomialReproduction found = polynomial_reproduction(mask);
+  affine = found.sum_rules >= 2;
+  shift = found.parametrization;
+  // The coordinates of the window about their means have these moments.
+  const Rational count(static_cast<long>(window.size()));
+  Rational mean[2] = {0, 0}, moments[2][2] = {{0, 0}, {0, 0}};
+  for (const LatticePoint& k : window)
+    for (std::size_t v = 0; v < 2; ++v) mean[v] += Rational(k[v]) / count;
+  for (const LatticePoint& k : window)
+    for (std::size_t v = 0; v < 2; ++v)
+      for (std::size_t w = 0; w < 2; ++w) moments[v][w] += (Rational(k[v]) - mean[v]) * (Rational(k[w]) - mean[w]);
+  const Rational det = moments[0][0] * moments[1][1] - moments[0][1] * moments[1][0];
+  if (!affine || det == 0) return;
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const Rational s = Rational(window[i][0]) - mean[0], t = Rational(window[i][1]) - mean[1];
+    slopes[i] = {(moments[1][1] * s - moments[0][1] * t) / det, (moments[0][0] * t - moments[1][0] * s) / det};
+  }
+}
+
+CellForms::CellForms(const LatticeMask& of) : mask(of), values(of, window_of(of)) {
   for (std::size_t axis = 0; axis < 2; ++axis)
-    if (const auto derivative = derivative_mask(mask, axis); derivative && vertex::is_positive(*derivative))
-      derivative_windows.push_back(window_of(*derivative));
-  if (by_hulls()) return;
-  const auto value = sum_bound(mask, window);
-  for (std::size_t axis = 0; value && axis < 2; ++axis)
-    if (const auto derivative = derivative_bound(mask, window, axis)) derivative_bounds.push_back(*derivative);
-  if (derivative_bounds.size() == 2) value_bound = *value;
+    if (const auto derivative = derivative_mask(mask, axis))
+      derivatives.emplace_back(*derivative, window_of(*derivative));
+  if (derivatives.size() == 2 && derivatives[0].bound && derivatives[1].bound) return;
+  derivatives.clear();
+  for (std::size_t axis = 0; values.affine && axis < 2; ++axis)
+    if (const auto bound = derivative_bound(mask, values.window, axis)) derivative_bounds.push_back(*bound);
 }
 
 std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rules, const ClosedSet& set,
@@ -82,7 +106,7 @@ long CharacteristicMap::radius() const {
   long reach = 0, offset = 0, own = 0;
   for (const Monomial& term : rules_.mask.symbol().terms())
     for (const long e : term.exponents) reach = std::max(reach, std::abs(e));
-  for (const LatticePoint& point : forms_.window)
+  for (const LatticePoint& point : forms_.values.window)
     for (const long e : point) offset = std::max(offset, std::abs(e));
   for (const auto& [point, rule] : rules_.rules) own = std::max(own, point[0] + point[1]);
   return reach + offset + own + 1;
@@ -105,56 +129,63 @@ std::vector<CharacteristicMap::Cell> CharacteristicMap::children(const Cell& cel
   return result;
 }
 
-/// z_k = constant + slope . k + a rest, of which |x| and |y| are at most these.
+std::vector<Point> CharacteristicMap::data_on(const Cell& cell, const CellForm& form, const LatticePoint& step) const {
+  std::vector<Point> data;
+  for (const LatticePoint& k : form.window) {
+    const LatticePoint at{cell.x + k[0], cell.y + k[1]};
+    data.push_back(step == LatticePoint{0, 0} ? data_at(at) : data_at(at) - data_at(at - step));
+  }
+  return data;
+}
+
+/// d_k = constant + slopes . k + a rest, k relative to the corner of the cell, of which |x| and |y| are at most these.
 struct CharacteristicMap::Fit {
   Point constant, slopes[2];
   Ball rest_x, rest_y;
 };
 
-CharacteristicMap::Fit CharacteristicMap::fit_on(const Cell& cell) const {
-  // Any slopes will do; these are least squares. The window's coordinates about their means have the moments m_vw.
-  const auto& window = forms_.window;
-  const Rational count(static_cast<long>(window.size()));
-  Rational mean[2] = {0, 0}, moments[2][2] = {{0, 0}, {0, 0}};
-  for (const LatticePoint& k : window)
-    for (std::size_t v = 0; v < 2; ++v) mean[v] += Rational(k[v]) / count;
-  for (const LatticePoint& k : window)
-    for (std::size_t v = 0; v < 2; ++v)
-      for (std::size_t w = 0; w < 2; ++w) moments[v][w] += (Rational(k[v]) - mean[v]) * (Rational(k[w]) - mean[w]);
-  const Rational det = moments[0][0] * moments[1][1] - moments[0][1] * moments[1][0];
+/// Any slopes will do; these are least squares.
+CharacteristicMap::Fit CharacteristicMap::fitted(const CellForm& form, const std::vector<Point>& data) const {
   const slong bits = field_.bits();
   const Ball zero(0, bits);
   Fit fit{{zero, zero}, {{zero, zero}, {zero, zero}}, zero, zero};
-  std::vector<Point> data;
-  for (const LatticePoint& k : window) {
-    data.push_back(data_at({cell.x + k[0], cell.y + k[1]}));
-    const Rational s = Rational(k[0]) - mean[0], t = Rational(k[1]) - mean[1];
-    fit.slopes[0] = fit.slopes[0] + Ball(Rational((moments[1][1] * s - moments[0][1] * t) / det), bits) * data.back();
-    fit.slopes[1] = fit.slopes[1] + Ball(Rational((moments[0][0] * t - moments[1][0] * s) / det), bits) * data.back();
-    fit.constant = fit.constant + Ball(Rational(1 / count), bits) * data.back();
+  const auto with_slopes = [&](std::size_t i) {
+    Point rest = data[i];
+    for (std::size_t v = 0; v < 2; ++v) rest = rest - Ball(form.window[i][v], bits) * fit.slopes[v];
+    return rest;
+  };
+  for (std::size_t i = 0; form.affine && i < data.size(); ++i)
+    for (std::size_t v = 0; v < 2; ++v)
+      fit.slopes[v] = fit.slopes[v] + Ball(form.slopes[i][v], bits) * data[i];
+  Point low = with_slopes(0), high = low;
+  for (std::size_t i = 1; i < data.size(); ++i) {
+    const Point rest = with_slopes(i);
+    low = {min(low.x, rest.x), min(low.y, rest.y)};
+    high = {max(high.x, rest.x), max(high.y, rest.y)};
   }
-  fit.constant = fit.constant - Ball(Rational(mean[0] + cell.x), bits) * fit.slopes[0] -
-                 Ball(Rational(mean[1] + cell.y), bits) * fit.slopes[1];
-  for (std::size_t i = 0; i < window.size(); ++i) {
-    const Point rest = data[i] - fit.constant - Ball(cell.x + window[i][0], bits) * fit.slopes[0] -
-                       Ball(cell.y + window[i][1], bits) * fit.slopes[1];
-    fit.rest_x = max(fit.rest_x, abs(rest.x));
-    fit.rest_y = max(fit.rest_y, abs(rest.y));
-  }
+  const Ball half(Rational(1) / 2, bits);
+  fit.constant = half * (low + high);
+  fit.rest_x = half * (high.x - low.x);
+  fit.rest_y = half * (high.y - low.y);
   return fit;
 }
 
+Turning<Ball> CharacteristicMap::enclosed(const CellForm& form, const std::vector<Point>& data) const {
+  const slong bits = field_.bits();
+  const Fit fit = fitted(form, data);
+  Point sum = fit.constant;
+  const Ball half(Rational(1) / 2, bits), bound(*form.bound, bits);
+  for (std::size_t v = 0; form.affine && v < 2; ++v)
+    sum = sum + Ball(Rational(Rational(1) / 2 - form.shift[v]), bits).widened(half) * fit.slopes[v];
+  return {sum.x.widened(bound * fit.rest_x), sum.y.widened(bound * fit.rest_y)};
+}
+
 Truth CharacteristicMap::jacobian_by_hulls(const Cell& cell) const {
-  std::vector<Point> differences[2];
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    for (const LatticePoint& k : forms_.derivative_windows[axis]) {
-      const LatticePoint at{cell.x + k[0], cell.y + k[1]},
-          before = at - (axis == 0 ? LatticePoint{1, 0} : LatticePoint{0, 1});
-      differences[axis].push_back(data_at(at) - data_at(before));
-    }
+  const std::vector<Point> along_x = data_on(cell, forms_.derivatives[0], {1, 0}),
+                           along_y = data_on(cell, forms_.derivatives[1], {0, 1});
   bool positive = true, negative = true;
-  for (const Point& u : differences[0])
-    for (const Point& v : differences[1]) {
+  for (const Point& u : along_x)
+    for (const Point& v : along_y) {
       const Ball determinant = determinant_of(u, v);
       positive = positive && is_positive(determinant);
       negative = negative && is_positive(-determinant);
@@ -164,13 +195,19 @@ Truth CharacteristicMap::jacobian_by_hulls(const Cell& cell) const {
 }
 
 Truth CharacteristicMap::sign_of_jacobian(const Cell& cell) const {
-  if (forms_.by_hulls()) return jacobian_by_hulls(cell);
-  const Fit fit = fit_on(cell);
-  Point derivatives[2] = {fit.slopes[0], fit.slopes[1]};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Ball bound(forms_.derivative_bounds[axis], field_.bits());
-    derivatives[axis] = {derivatives[axis].x.widened(bound * fit.rest_x),
-                         derivatives[axis].y.widened(bound * fit.rest_y)};
+  std::vector<Point> derivatives;
+  if (!forms_.derivatives.empty()) {
+    if (forms_.derivatives[0].positive && forms_.derivatives[1].positive)
+      if (const Truth sign = jacobian_by_hulls(cell); sign != Truth::unknown) return sign;
+    derivatives.push_back(enclosed(forms_.derivatives[0], data_on(cell, forms_.derivatives[0], {1, 0})));
+    derivatives.push_back(enclosed(forms_.derivatives[1], data_on(cell, forms_.derivatives[1], {0, 1})));
+  } else {
+    const Fit fit = fitted(forms_.values, data_on(cell, forms_.values, {0, 0}));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Ball bound(forms_.derivative_bounds[axis], field_.bits());
+      derivatives.push_back(
+          {fit.slopes[axis].x.widened(bound * fit.rest_x), fit.slopes[axis].y.widened(bound * fit.rest_y)});
+    }
   }
   const Ball determinant = determinant_of(derivatives[0], derivatives[1]);
   return is_positive(determinant) ? Truth::yes : is_positive(-determinant) ? Truth::no : Truth::unknown;
@@ -179,28 +216,16 @@ Truth CharacteristicMap::sign_of_jacobian(const Cell& cell) const {
 Ball CharacteristicMap::values_on(const Cell& cell, const Rational& a, const Rational& b) const {
   const slong bits = field_.bits();
   const auto form = [&](const Point& at) { return Ball(a, bits) * at.x + Ball(b, bits) * at.y; };
-  if (vertex::is_positive(forms_.mask)) {
-    std::optional<Ball> hull;
-    for (const LatticePoint& k : forms_.window) {
-      const Ball value = form(data_at({cell.x + k[0], cell.y + k[1]}));
-      hull = hull ? join(*hull, value) : value;
-    }
-    return *hull;
-  }
-  const Fit fit = fit_on(cell);
-  Ball sum = form(fit.constant);
-  const long corner[] = {cell.x, cell.y};
-  const Ball half(Rational(1) / 2, bits);
-  for (std::size_t v = 0; v < 2; ++v)
-    sum += Ball(Rational(Rational(corner[v]) + Rational(1) / 2 - forms_.shift[v]), bits).widened(half) *
-           form(fit.slopes[v]);
-  return sum.widened(Ball(*forms_.value_bound, bits) *
-                     (Ball(abs(a), bits) * fit.rest_x + Ball(abs(b), bits) * fit.rest_y));
+  const std::vector<Point> data = data_on(cell, forms_.values, {0, 0});
+  if (!forms_.values.positive) return form(enclosed(forms_.values, data));
+  Ball hull = form(data.front());
+  for (const Point& value : data) hull = join(hull, form(value));
+  return hull;
 }
 
 MapProof CharacteristicMap::prove(int most_levels) const {
   MapProof proof;
-  if (!forms_.by_hulls() && !forms_.value_bound) {
+  if (!forms_.are_known()) {
     proof.regular.reason = "no bound of the derivatives of the basic limit function was found";
     return proof;
   }
@@ -240,7 +265,7 @@ MapProof CharacteristicMap::prove(int most_levels) const {
 }
 
 bool CharacteristicMap::winds(int most_levels) const {
-  if (!forms_.by_hulls() && !forms_.value_bound) return false;
+  if (!forms_.values.bound) return false;
   // Along the squares of one radius: those of the ring with x = m r - 1, and their mirror images.
   const long x = rules_.mask.arity() * radius() - 1;
   std::deque<Cell> open;

@@ -6,26 +6,37 @@
 #include "regular_cells.hpp"
 #include "sector_block.hpp"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace subcert::vertex {
+
+/// A function sum over k of d_k psi(x - k) of data d on the unit squares: psi sums to 1, and its affine sums are x + shift.
+struct CellForm {
+  CellForm(const LatticeMask& mask, std::vector<LatticePoint> points);
+
+  std::vector<LatticePoint> window;
+  std::vector<Rational> shift;
+  bool affine;                    ///< whether affine data give affine functions
+  bool positive;                  ///< whether psi >= 0
+  std::optional<Rational> bound;  ///< of the sum of |psi(x - k)|
+  /// Of the least squares slopes of data on the window: [k][axis] is the factor of d_k.
+  std::vector<std::array<Rational, 2>> slopes;
+};
 
 /// What is asked of the regular part of a scheme, once for all vertices.
 struct CellForms {
   explicit CellForms(const LatticeMask& mask);
 
   LatticeMask mask;
-  std::vector<LatticePoint> window;
-  /// Windows of the derivatives along x and y, of differences in hulls; empty where these are not positive.
-  std::vector<std::vector<LatticePoint>> derivative_windows;
-  /// Of affine fits: of the sums of |phi(x - k)| and of its derivatives. Nothing where the hulls do, or where none was
-  /// found.
-  std::optional<Rational> value_bound;
+  CellForm values;
+  /// Of the derivatives along x and y as functions of differences; empty where the mask has no such factors.
+  std::vector<CellForm> derivatives;
+  /// Else, of the sums of the |D phi(x - k)|.
   std::vector<Rational> derivative_bounds;
-  std::vector<Rational> shift;
 
-  bool by_hulls() const { return derivative_windows.size() == 2; }
+  bool are_known() const { return values.bound && (derivatives.size() == 2 || derivative_bounds.size() == 2); }
 };
 
 /// What was proved of F on the ring of squares that all others come from by F(mx) = F(x)/lambda.
@@ -65,10 +76,14 @@ class CharacteristicMap {
   std::vector<Cell> children(const Cell& cell) const;
   Truth sign_of_jacobian(const Cell& cell) const;
   Truth jacobian_by_hulls(const Cell& cell) const;
+  /// The data of a form, or the differences along an axis that its derivative is a function of.
+  std::vector<Turning<Ball>> data_on(const Cell& cell, const CellForm& form, const LatticePoint& step) const;
+  struct Fit;
+  Fit fitted(const CellForm& form, const std::vector<Turning<Ball>>& data) const;
+  /// Encloses the function on the cell of the data.
+  Turning<Ball> enclosed(const CellForm& form, const std::vector<Turning<Ball>>& data) const;
   /// The values of a linear form a x + b y of F on the cell.
   Ball values_on(const Cell& cell, const Rational& a, const Rational& b) const;
-  struct Fit;
-  Fit fit_on(const Cell& cell) const;
 
   SectorRules rules_;
   const CellForms& forms_;

@@ -73,17 +73,20 @@ class Contraction {
   Contraction(const CellOperators& operators, long factor, std::vector<std::vector<long>> rest)
       : operators_(operators), factor_(factor), rest_(std::move(rest)) {}
 
+  /// With the smallest rates that few words reach.
   std::optional<Rational> bound(const std::vector<long>& base) {
     const std::size_t size = base.size();
     CellOperators::Matrix identity(size, std::vector<long>(size, 0));
     for (std::size_t i = 0; i < size; ++i) identity[i][i] = 1;
-    largest_ = 0;
-    return visit(identity, Rational(1), base, 0) ? std::optional(largest_) : std::nullopt;
+    for (const Rational& rate : {Rational(1) / 16, Rational(1) / 4, Rational(3) / 4}) {
+      largest_ = 0;
+      words_ = 0;
+      if (visit(identity, Rational(1), base, rate)) return largest_;
+    }
+    return std::nullopt;
   }
 
  private:
-  static constexpr int most_letters = 12;
-
   static Rational norm(const CellOperators::Matrix& product, const std::vector<long>& vector) {
     long sum = 0;
     for (const std::vector<long>& row : product) {
@@ -94,24 +97,27 @@ class Contraction {
     return Rational(sum);
   }
 
-  bool visit(const CellOperators::Matrix& product, const Rational& scale, const std::vector<long>& base, int depth) {
+  bool visit(const CellOperators::Matrix& product, const Rational& scale, const std::vector<long>& base,
+             const Rational& wanted) {
     Rational rate = 0;
     for (const std::vector<long>& vector : rest_) rate = std::max(rate, Rational(scale * norm(product, vector)));
-    if (4 * rate <= 3) {
+    if (rate <= wanted) {
       largest_ = std::max(largest_, Rational(scale * norm(product, base) / (1 - rate)));
       return true;
     }
-    if (depth == most_letters || !operators_.fits(product)) return false;
+    if (++words_ > most_words || !operators_.fits(product)) return false;
     const Rational next = scale * Rational(factor_) / operators_.denominator_of_entries();
     for (std::size_t letter = 0; letter < operators_.letters(); ++letter)
-      if (!visit(operators_.times(product, letter), next, base, depth + 1)) return false;
+      if (!visit(operators_.times(product, letter), next, base, wanted)) return false;
     return true;
   }
 
+  static constexpr long most_words = 10'000;
   const CellOperators& operators_;
   long factor_;
   std::vector<std::vector<long>> rest_;
   Rational largest_ = 0;
+  long words_ = 0;
 };
 
 std::vector<long> unit(std::size_t at, std::size_t size) {
@@ -174,10 +180,6 @@ std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<Lat
 
 std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window,
                                          std::size_t axis) {
-  if (const auto derivative = derivative_mask(mask, axis)) {
-    const auto bound = sum_bound(*derivative, window_of(*derivative));
-    return bound ? std::optional<Rational>(2 * *bound) : std::nullopt;
-  }
   // Three points o, o + e_1, o + e_2 of the window, about its middle.
   const std::size_t size = window.size();
   const LatticePoint corner = window[size / 2];
@@ -197,15 +199,6 @@ std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vec
   std::vector<long> base = unit(along[axis], size);
   base[o] -= 1;
   return Contraction(CellOperators(mask, window), mask.arity(), rest).bound(base);
-}
-
-std::vector<Rational> parameter_shift(const LatticeMask& mask) {
-  const long m = mask.arity();
-  std::vector<Rational> result(2, 0);
-  for (const Monomial& term : mask.symbol().terms())
-    for (std::size_t v = 0; v < 2; ++v) result[v] += term.coefficient * Rational(term.exponents[v]);
-  for (Rational& shift : result) shift /= Rational(m * m * (m - 1));
-  return result;
 }
 
 }  // namespace subcert::vertex

@@ -26,7 +26,4 @@ std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<Lat
 std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window,
                                          std::size_t axis);
 
-/// The t with sum over k of k phi(x - k) = x - t. Domain: sum rules of order 2.
-std::vector<Rational> parameter_shift(const LatticeMask& mask);
-
 }  // namespace subcert::vertex

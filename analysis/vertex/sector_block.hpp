@@ -57,7 +57,10 @@ class SectorBlock {
 
   /// Domain: 0 <= k <= n/2; rules that are symmetric. The field gives number(weight) and cosine(k).
   SectorBlock(const SectorRules& rules, const ClosedSet& set, long frequency, const Field& field)
-      : rules_(rules), frequency_(frequency), field_(field), twice_cosine_(field.number(2) * field.cosine(frequency)) {
+      : rules_(rules),
+        frequency_(frequency),
+        field_(field),
+        twice_cosine_(field.number(2) * field.cosine(frequency)) {
     name_unknowns(set);
     for (const auto& [point, place] : first_) {
       const std::vector<Turning<Number>> image = image_of(set.rules.at(point));
@@ -158,9 +161,9 @@ class SectorBlock {
     return row;
   }
 
-  const SectorRules& rules_;
+  SectorRules rules_;
   long frequency_;
-  const Field& field_;
+  Field field_;
   Number twice_cosine_;
   std::size_t unknowns_ = 0;
   std::vector<std::pair<LatticePoint, Place>> first_;

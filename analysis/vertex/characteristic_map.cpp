@@ -155,8 +155,7 @@ CharacteristicMap::Fit CharacteristicMap::fitted(const CellForm& form, const std
     return rest;
   };
   for (std::size_t i = 0; form.affine && i < data.size(); ++i)
-    for (std::size_t v = 0; v < 2; ++v)
-      fit.slopes[v] = fit.slopes[v] + Ball(form.slopes[i][v], bits) * data[i];
+    for (std::size_t v = 0; v < 2; ++v) fit.slopes[v] = fit.slopes[v] + Ball(form.slopes[i][v], bits) * data[i];
   Point low = with_slopes(0), high = low;
   for (std::size_t i = 1; i < data.size(); ++i) {
     const Point rest = with_slopes(i);

@@ -12,7 +12,8 @@
 
 namespace subcert::vertex {
 
-/// A function sum over k of d_k psi(x - k) of data d on the unit squares: psi sums to 1, and its affine sums are x + shift.
+/// A function sum over k of d_k psi(x - k) of data d on the unit squares: psi sums to 1, and its affine sums are x +
+/// shift.
 struct CellForm {
   CellForm(const LatticeMask& mask, std::vector<LatticePoint> points);
 

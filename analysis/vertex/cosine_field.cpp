@@ -72,7 +72,8 @@ Ball BallField::cosine_of(long k) const {
 }
 
 CosineField::CosineField(long valence) {
-  // Of z + 1/z = 2c from the cyclotomic polynomial, whose coefficients are symmetric. Those of order 1 and 2 never come.
+  // Of z + 1/z = 2c from the cyclotomic polynomial, whose coefficients are symmetric. Those of order 1 and 2 never
+  // come.
   const LaurentPolynomial phi = cyclotomic(valence);
   const long half = phi.highest() / 2;
   LaurentPolynomial p = phi.coefficient(half);
@@ -116,7 +117,8 @@ FieldPolynomial characteristic_polynomial(const std::vector<std::vector<CosineFi
       for (std::size_t c = 0; c < n; ++c) {
         next[r][c] = field.number(0);
         for (std::size_t k = 0; k < n; ++k)
-          if (!matrix[r][k].is_zero() && !product[k][c].is_zero()) next[r][c] = next[r][c] + matrix[r][k] * product[k][c];
+          if (!matrix[r][k].is_zero() && !product[k][c].is_zero())
+            next[r][c] = next[r][c] + matrix[r][k] * product[k][c];
       }
     product = std::move(next);
   }

@@ -186,8 +186,8 @@ std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vec
   const auto index_of = [&](const LatticePoint& point) {
     return static_cast<std::size_t>(std::find(window.begin(), window.end(), point) - window.begin());
   };
-  const std::size_t o = index_of(corner), along[] = {index_of(corner + LatticePoint{1, 0}),
-                                                     index_of(corner + LatticePoint{0, 1})};
+  const std::size_t o = index_of(corner),
+                    along[] = {index_of(corner + LatticePoint{1, 0}), index_of(corner + LatticePoint{0, 1})};
   if (std::max(along[0], along[1]) >= size) return std::nullopt;
   std::vector<std::vector<long>> rest;
   for (std::size_t k = 0; k < size; ++k) {

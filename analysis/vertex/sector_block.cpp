@@ -71,7 +71,8 @@ bool is_symmetric(const SectorRules& rules, const ClosedSet& set) {
       mirrored[{at.point, -1 - ring.frequency}] += ring.weight;
     }
     for (const RingTerm& ring : other.rings) expected[{ring.point, -1 - ring.frequency}] += ring.weight;
-    for (Sum* sum : {&mirrored, &expected}) std::erase_if(*sum, [](const auto& entry) { return entry.second.is_zero(); });
+    for (Sum* sum : {&mirrored, &expected})
+      std::erase_if(*sum, [](const auto& entry) { return entry.second.is_zero(); });
     if (mirrored != expected) return false;
   }
   return true;

@@ -57,10 +57,7 @@ class SectorBlock {
 
   /// Domain: 0 <= k <= n/2; rules that are symmetric. The field gives number(weight) and cosine(k).
   SectorBlock(const SectorRules& rules, const ClosedSet& set, long frequency, const Field& field)
-      : rules_(rules),
-        frequency_(frequency),
-        field_(field),
-        twice_cosine_(field.number(2) * field.cosine(frequency)) {
+      : rules_(rules), frequency_(frequency), field_(field), twice_cosine_(field.number(2) * field.cosine(frequency)) {
     name_unknowns(set);
     for (const auto& [point, place] : first_) {
       const std::vector<Turning<Number>> image = image_of(set.rules.at(point));
@@ -154,10 +151,7 @@ class SectorBlock {
   std::vector<Number> part(const Form& image, bool first) const {
     std::vector<Number> row;
     for (const Turning<Number>& entry : image)
-      row.push_back(!first        ? entry.y
-                    : !is_real()  ? entry.x
-                    : frequency_ == 0 ? entry.x + entry.y
-                                      : entry.x - entry.y);
+      row.push_back(!first ? entry.y : !is_real() ? entry.x : frequency_ == 0 ? entry.x + entry.y : entry.x - entry.y);
     return row;
   }
 

@@ -51,6 +51,16 @@ bool is_regular_vertex(const SectorRules& rules) {
   return true;
 }
 
+/// Whether both have the same limits: the dilation M of the step has M^2 = m or -m, the mask m for its dilation, and
+/// where it is -m the symbol is even.
+bool is_of_two_steps(const LatticeMask& mask, const LatticeMask& step) {
+  const long m = mask.arity();
+  const std::vector<LatticePoint> square = times(step.dilation().rows(), step.dilation().rows());
+  const bool turns = square == std::vector<LatticePoint>{{-m, 0}, {0, -m}};
+  return (turns || square == std::vector<LatticePoint>{{m, 0}, {0, m}}) && two_step_symbol(step) == mask.symbol() &&
+         (!turns || mask.symbol().reversed() == mask.symbol());
+}
+
 std::string about(const FrequencyGroup& group) {
   return fmt::format("{:.6f} of frequency {}", abs(group.value).middle(), group.frequency);
 }
@@ -80,8 +90,8 @@ Enclosure minimum(const Enclosure& a, const Enclosure& b) {
 Enclosure exponent_at(const Ball& lambda, const Ball& mu, bool is_square, const Enclosure& regular) {
   const Enclosure ratio = is_square ? Enclosure::exactly(2) : (log(mu) / log(lambda)).enclosure();
   if (!ratio.is_bounded()) return {std::nullopt, regular.upper};
-  const bool may_be_whole =
-      to_integer(*ratio.lower, subcert::Rounding::up) <= to_integer(*ratio.upper, subcert::Rounding::down);
+  const bool may_be_whole = to_integer(*ratio.lower, subcert::Rounding::up) <=
+                            to_integer(*ratio.upper, subcert::Rounding::down);
   return minimum(regular, may_be_whole ? Enclosure::at_least(*ratio.lower) : ratio);
 }
 
@@ -137,7 +147,8 @@ class VertexProof {
     result_.levels = proof.levels;
     result_.squares = proof.squares;
     const Decision& deciding = proof.regular.is_yes() ? proof.half_plane : proof.regular;
-    result_.c1 = {deciding.truth, deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
+    result_.c1 = {deciding.truth,
+                  deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
     if (result_.c1.is_yes()) look_behind(leader);
   }
 
@@ -184,16 +195,18 @@ std::string to_text(CurvatureLimit limit) {
   return limit == CurvatureLimit::zero ? "zero" : limit == CurvatureLimit::bounded ? "bounded" : "unbounded";
 }
 
-RegularPart regular_part(const LatticeMask& mask, const Budget& budget) {
+RegularPart regular_part(const SectorRules& rules, const Budget& budget) {
+  require(!rules.step || is_of_two_steps(rules.mask, *rules.step), "regular part: need the mask of two steps");
+  const LatticeMask& mask = rules.step ? *rules.step : rules.mask;
   ProofLimits limits;
   limits.deadline = budget.deadline;
-  RegularPart result{mask, {Truth::yes, ""}, {}, nullptr};
+  RegularPart result{rules.mask, {Truth::yes, "the limits have continuous first derivatives"}, {}, nullptr};
   for (const LatticePoint& orders : std::vector<LatticePoint>{{1, 0}, {0, 1}}) {
     const Decision decision = has_derivative(mask, orders, limits).decision;
     if (!decision.is_yes()) result.c1 = decision;
   }
   result.exponent = regularity_of(mask, budget).exponent();
-  result.forms = std::make_shared<const CellForms>(mask);
+  result.forms = std::make_shared<const CellForms>(rules.mask);
   return result;
 }
 

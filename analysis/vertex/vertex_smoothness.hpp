@@ -21,8 +21,9 @@ struct RegularPart {
   std::shared_ptr<const vertex::CellForms> forms;
 };
 
-/// Domain: a mask of numbers in two variables, its dilation a multiple of the identity. Cost: that of regularity_of().
-RegularPart regular_part(const LatticeMask& mask, const Budget& budget);
+/// Of the mask of rules, by their `step` where they have one. Errors: throws Error for a step that is none. Cost: that
+/// of regularity_of().
+RegularPart regular_part(const SectorRules& rules, const Budget& budget);
 
 /// How the curvature at the points x/m^k, x fixed, tends where the surface has one: |mu| below, equal to or above
 /// lambda^2.
@@ -34,13 +35,13 @@ struct VertexSmoothness {
   long valence = 0;
   /// Whether such a surface is C1 at the vertex: near it a graph, without overlap, over its tangent plane.
   Decision c1;
-  long frequency = 0;                                 ///< that of the subdominant eigenvalue
-  Enclosure subdominant;                              ///< lambda, where it is one number, real and positive
-  Enclosure next;                                     ///< |mu|, the largest of the other moduli
-  Enclosure exponent;                                 ///< of Hoelder at the vertex, where c1 is yes
-  std::optional<CurvatureLimit> curvature;            ///< where c1 is yes and |mu| is told from lambda^2
-  int levels = 0;                                     ///< how often squares were cut
-  long squares = 0;                                   ///< that the proofs looked at
+  long frequency = 0;                       ///< that of the subdominant eigenvalue
+  Enclosure subdominant;                    ///< lambda, where it is one number, real and positive
+  Enclosure next;                           ///< |mu|, the largest of the other moduli
+  Enclosure exponent;                       ///< of Hoelder at the vertex, where c1 is yes
+  std::optional<CurvatureLimit> curvature;  ///< where c1 is yes and |mu| is told from lambda^2
+  int levels = 0;                           ///< how often squares were cut
+  long squares = 0;                         ///< that the proofs looked at
 };
 
 /// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not their own mirror images

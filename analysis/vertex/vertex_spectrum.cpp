@@ -47,8 +47,8 @@ std::vector<std::vector<Number>> restricted(const std::vector<std::vector<Number
 std::optional<std::vector<EigenvalueGroup>> exact_eigenvalues(const SectorRules& rules, const ClosedSet& set, long k,
                                                               const Unknowns& block, slong bits) {
   const CosineField field(rules.valence);
-  const FieldPolynomial p =
-      characteristic_polynomial(restricted(SectorBlock<CosineField>(rules, set, k, field).matrix(), block), field);
+  const FieldPolynomial p = characteristic_polynomial(
+      restricted(SectorBlock<CosineField>(rules, set, k, field).matrix(), block), field);
   const FieldPolynomial multiple = gcd(p, derivative(p, field));
   const BallField balls(rules.valence, bits);
   const auto values = zeros(quotient(p, multiple, field), balls);

@@ -30,8 +30,8 @@ struct VertexSpectrum {
 /// not proved to be simple. Cost: a QR iteration for each diagonal block of each frequency.
 std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const ClosedSet& set, slong bits);
 
-/// Whether `square` is exactly the square of `root`. Domain: groups of one eigenvalue, that of `root` real and positive.
-/// Cost: two characteristic polynomials over Q(c) and their gcd.
+/// Whether `square` is exactly the square of `root`. Domain: groups of one eigenvalue, that of `root` real and
+/// positive. Cost: two characteristic polynomials over Q(c) and their gcd.
 bool is_square_of(const FrequencyGroup& square, const FrequencyGroup& root, const SectorRules& rules,
                   const ClosedSet& set);
 

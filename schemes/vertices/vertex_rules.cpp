@@ -39,13 +39,6 @@ LatticeMask with_dual_middle(const LatticeMask& mask) {
   });
 }
 
-/// Of two steps of a mask that is its own image under the dilation's turn: the dilation is `arity` times the identity.
-LatticeMask two_steps(const LatticeMask& mask, int arity) {
-  const MultivariatePolynomial& once = mask.symbol();
-  const LatticeMask coarse = placed(once, arity, [&](const LatticePoint& at) { return mask.dilation() * at; });
-  return {once * coarse.symbol(), arity};
-}
-
 SectorRule& add(SectorRule& rule, const LatticePoint& point, const LaurentPolynomial& weight, long turn = 0) {
   rule.terms.push_back({{point, turn}, weight});
   return rule;
@@ -152,8 +145,9 @@ SectorRules modified_butterfly_rules(const LatticeMask& mask, long n) {
 }
 
 SectorRules two_step_sqrt3_rules(const LatticeMask& mask, long n) {
-  SectorRules result{n, SectorLattice::triangles, two_steps(mask, 3)};
+  SectorRules result{n, SectorLattice::triangles, {two_step_symbol(mask), 3}};
   result.rules = sqrt3_rules(result);
+  result.step = mask;
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <subcert/proofs-checks/checker/check.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/proofs-checks/sweeps/journal.hpp>
-#include <subcert/schemes/data/formats/quad_mesh.hpp>
+#include <subcert/schemes/data/formats/mesh_file.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/formats/volume.hpp>
 #include <subcert/schemes/parametric_specification.hpp>

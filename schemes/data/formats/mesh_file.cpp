@@ -55,28 +55,11 @@ struct HashOfNumbers {
   }
 };
 
-void require_face(const MeshFile& mesh, std::size_t f) {
-  const auto face = mesh.mesh.face(f);
-  if (face.size() < 3)
-    fail(ErrorKind::data, "{}: expected a face of three or more vertices; found {}", mesh.place(f), face.size());
-  for (std::size_t i = 1; i < face.size(); ++i)
-    if (face[i] == face[i - 1] || (face.size() <= 8 && std::find(face.begin(), face.begin() + i, face[i]) !=
-                                                           face.begin() + static_cast<std::ptrdiff_t>(i)))
-      fail(ErrorKind::data, "{}: expected a face of different vertices; found one of them twice", mesh.place(f));
-  if (face.size() <= 8) return;
-  std::vector<std::uint32_t> sorted(face.begin(), face.end());
-  std::ranges::sort(sorted);
-  if (std::ranges::adjacent_find(sorted) != sorted.end())
-    fail(ErrorKind::data, "{}: expected a face of different vertices; found one of them twice", mesh.place(f));
+void require_faces(const MeshFile& file) {
+  require_faces(file.mesh, [&](std::size_t face) { return file.place(face); });
 }
 
 }  // namespace
-
-bool PolygonMesh::is_canonical() const {
-  return dimension >= 1 && values.size() % dimension == 0 && !first.empty() && first.front() == 0 &&
-         first.back() == corners.size() && std::ranges::is_sorted(first) &&
-         std::ranges::all_of(corners, [&](std::uint32_t vertex) { return vertex < vertices(); });
-}
 
 std::string MeshFile::place(std::size_t face) const {
   if (face < lines.rows()) return file + ", line " + std::to_string(lines.at(face));
@@ -110,7 +93,6 @@ void end_face(MeshFile& mesh, std::size_t line) {
     fail(ErrorKind::data, "{}: expected at most 4000000000 corners of faces", mesh.file);
   mesh.mesh.end_face();
   if (line > 0) mesh.lines.add(line);
-  require_face(mesh, mesh.mesh.faces() - 1);
 }
 
 void join_equal_vertices(MeshFile& file) {
@@ -129,12 +111,13 @@ void join_equal_vertices(MeshFile& file) {
   if (numbers.size() == vertices) return;
   numbers.clear();
   renumber(mesh, number, kept);
-  for (std::size_t f = 0; f < mesh.faces(); ++f) require_face(file, f);
+  require_faces(file);
 }
 
 MeshFile finished(MeshFile mesh, std::vector<std::string> left_out, const TextLines& lines) {
   if (mesh.mesh.faces() == 0)
     lines.fail_file("vertices and faces; found " + std::to_string(mesh.mesh.vertices()) + " vertices and no faces");
+  require_faces(mesh);
   if (const std::size_t unused = drop_unused(mesh.mesh); unused > 0)
     left_out.push_back("vertices without faces (" + std::to_string(unused) + ")");
   std::vector<std::string> beside;

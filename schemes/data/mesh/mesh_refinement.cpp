@@ -92,7 +92,9 @@ std::vector<double> with_normals(const std::vector<double>& values, const std::v
 PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshOptions& options,
                         const FacePlace& place) {
   MeshRules rules(scheme);
-  require(mesh.is_canonical() && mesh.faces() > 0, "refine: need a canonical mesh with faces");
+  require(mesh.is_canonical(), "refine: need a canonical mesh");
+  if (mesh.faces() == 0) fail(ErrorKind::data, "refine: expected a mesh with faces; found no faces");
+  require_faces(mesh, place);
   std::optional<Topology> topology(std::in_place, mesh, place);
   if (mesh.dimension >= 2) require_no_seams(mesh, *topology, std::min<std::size_t>(mesh.dimension, 3), place);
   require_options(mesh, *topology, rules, options);

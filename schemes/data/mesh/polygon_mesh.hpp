@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace subcert::data {
@@ -32,5 +34,11 @@ struct PolygonMesh {
   }
   bool is_canonical() const;
 };
+
+/// Where a face stands, for errors.
+using FacePlace = std::function<std::string(std::size_t face)>;
+
+/// Throws a data error for a face with less than three vertices, or with one of them twice.
+void require_faces(const PolygonMesh& mesh, const FacePlace& place);
 
 }  // namespace subcert::data

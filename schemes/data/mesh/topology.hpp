@@ -3,13 +3,7 @@
 
 #include "polygon_mesh.hpp"
 
-#include <functional>
-#include <string>
-
 namespace subcert::data {
-
-/// Where a face stands, for errors.
-using FacePlace = std::function<std::string(std::size_t face)>;
 
 /// The corners of a mesh as half-edges: corner h is the edge from its vertex to that of next(h), with its face on the
 /// left. Canonical: an edge is in one face, on the boundary, or in two, which have it in opposite directions; the faces

@@ -18,9 +18,9 @@ enum class DataKind { curve, matrix, mesh, volume };
 struct DataFile {
   DataKind kind;
   data::GridData<double> data;
-  data::Table table = {};    ///< header and separator of a CSV file
-  data::MeshFile mesh = {};  ///< properties, format and encoding of a mesh, without its numbers
-  data::Volume volume = {};  ///< arrays, title, origin, spacing and encoding of a VTK file, without its numbers
+  data::Table table = {};     ///< header and separator of a CSV file
+  data::MeshFile mesh = {};   ///< properties, format and encoding of a mesh, without its numbers
+  data::Volume volume = {};   ///< arrays, title, origin, spacing and encoding of a VTK file, without its numbers
   data::RowLines lines = {};  ///< of the rows of a CSV file
 
   /// What the numbers of a point are called; empty where they have no names.

@@ -123,7 +123,8 @@ std::array<bool, 3> closed_directions(const RefineCommand& options, std::size_t 
 using ListWriter = std::function<void(std::ostream&)>;
 
 /// The answer as JSON, its long lists piece by piece, after all other fields.
-void answer_json(const RefineCommand& options, Json json, const std::vector<std::pair<const char*, ListWriter>>& lists) {
+void answer_json(const RefineCommand& options, Json json,
+                 const std::vector<std::pair<const char*, ListWriter>>& lists) {
   for (const auto& [name, write] : lists) json[name] = std::string("(") + name + ")";
   const std::string text = json_text(std::move(json));
   options.answer([&](std::ostream& stream) {
@@ -153,7 +154,8 @@ void require_mesh_options(const RefineCommand& options, const std::string& schem
     refuse("--boundary", "a mesh has the boundary rules of the scheme");
   if (options.closed || std::ranges::count(options.closed_directions, true) > 0)
     refuse("--closed", "the faces of a mesh say where it is closed");
-  if (!options.plot.empty()) refuse("--plot", "meshes that are no grids are not drawn; --out writes .obj, .ply, .off, .stl");
+  if (!options.plot.empty())
+    refuse("--plot", "meshes that are no grids are not drawn; --out writes .obj, .ply, .off, .stl");
 }
 
 ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
@@ -169,15 +171,15 @@ ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
     for (const char* name : {"nx", "ny", "nz"}) file.properties.push_back({name});
   if (!options.json) {
     if (file.format == data::MeshFormat::stl && !refined.has_only(3))
-      fail(ErrorKind::usage, "--out: an STL file holds triangles; {} makes other faces: write .obj, .ply or .off", scheme);
+      fail(ErrorKind::usage, "--out: an STL file holds triangles; {} makes other faces: write .obj, .ply or .off",
+           scheme);
     options.answer([&](std::ostream& stream) { write_mesh(stream, file, refined); });
     return done;
   }
   Json json{{"scheme", scheme}, {"levels", options.levels}, {"limit", options.limit}, {"columns", Json::array()}};
   for (const data::VertexProperty& property : file.properties) json["columns"].push_back(property.name);
   const auto points = [&](std::ostream& stream) {
-    write_points(stream, refined.dimension,
-                 [&](const auto& take) { take(refined.values.data(), refined.vertices()); });
+    write_points(stream, refined.dimension, [&](const auto& take) { take(refined.values.data(), refined.vertices()); });
   };
   const auto faces = [&](std::ostream& stream) {
     ListOfLists list(stream);

@@ -143,8 +143,8 @@ TEST_CASE("meshes of any topology are refined") {
     CHECK(refined.err.empty());
     return content(path);
   };
-  CHECK(written("a.ply", "loop: " + tetrahedron + " --levels 2 --limit").starts_with(
-      "ply\nformat ascii 1.0\nelement vertex 34\nproperty double x\n"));
+  CHECK(written("a.ply", "loop: " + tetrahedron + " --levels 2 --limit")
+            .starts_with("ply\nformat ascii 1.0\nelement vertex 34\nproperty double x\n"));
   CHECK(written("a.off", "doo-sabin " + tetrahedron + " --levels 1").starts_with("OFF\n12 14 0\n"));
   CHECK(written("a.stl", "sqrt3 " + tetrahedron + " --levels 1").starts_with("solid mesh\nfacet normal "));
   CHECK(written("b.obj", "catmull-clark " + folder / "a.off" + " --levels 1 --normals").find("vn ") !=
@@ -166,11 +166,15 @@ TEST_CASE("meshes of any topology are refined") {
                     seam = file("d.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nv 1 1 0\nf 1 2 3\nf 5 6 4\n");
   fails("loop " + square, 65, square + ", line 5: expected triangles for loop; found a face of 4 vertices");
   fails("loop " + turned, 65,
-        turned + ", line 5: expected faces that go around alike, so that two have their edge in opposite directions; "
-                 "found one in the same direction; " + turned + ", line 6 has it, too");
+        turned +
+            ", line 5: expected faces that go around alike, so that two have their edge in opposite directions; "
+            "found one in the same direction; " +
+            turned + ", line 6 has it, too");
   fails("loop " + seam, 65,
-        seam + ", line 7: expected each vertex once; found an edge of the boundary whose ends are at the same places as "
-               "those of another one (--join makes one vertex of equal ones); " + seam + ", line 8 has it, too");
+        seam +
+            ", line 7: expected each vertex once; found an edge of the boundary whose ends are at the same places as "
+            "those of another one (--join makes one vertex of equal ones); " +
+            seam + ", line 8 has it, too");
   CHECK(run("refine loop " + seam + " --join --levels 1").out.find("f 1 ") != std::string::npos);
   fails("catmull-clark " + square + " --boundary shrink", 64,
         "--boundary: catmull-clark: a mesh has the boundary rules of the scheme");
@@ -182,9 +186,10 @@ TEST_CASE("meshes of any topology are refined") {
         "--out: an STL file holds triangles; catmull-clark makes other faces: write .obj, .ply or .off");
   fails("loop " + tetrahedron + " --normals --out " + folder / "x.stl", 64,
         "--normals: an STL file has none at vertices; write .obj, .ply or .off");
-  fails("'tensor:(primal:n=1)x(primal:n=1)' " + square + " --normals", 64,
-        "--normals: of a mesh and one of butterfly, catmull-clark, doo-sabin, loop, midedge, modified-butterfly, sqrt3; "
-        "tensor:(primal:n=1)x(primal:n=1) refines grids");
+  fails(
+      "'tensor:(primal:n=1)x(primal:n=1)' " + square + " --normals", 64,
+      "--normals: of a mesh and one of butterfly, catmull-clark, doo-sabin, loop, midedge, modified-butterfly, sqrt3; "
+      "tensor:(primal:n=1)x(primal:n=1) refines grids");
   CHECK(run("refine loop " + tetrahedron + " --levels 30").code == 64);
   CHECK(run("refine loop " + folder / "nowhere.off").code == 66);
 }

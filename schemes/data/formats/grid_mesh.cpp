@@ -61,10 +61,11 @@ GridData<double> take_grid(MeshFile& file) {
   }
   const auto axes = find_axes(mesh.vertices(), faces);
   if (!axes)
-    fail(ErrorKind::data,
-         "{}: expected faces that make a grid of columns and rows with vertices numbered row by row; the {} faces on {} "
-         "vertices do not",
-         file.file, faces.size(), mesh.vertices());
+    fail(
+        ErrorKind::data,
+        "{}: expected faces that make a grid of columns and rows with vertices numbered row by row; the {} faces on {} "
+        "vertices do not",
+        file.file, faces.size(), mesh.vertices());
   GridData<double> data{std::move(mesh.values), mesh.dimension, *axes};
   mesh = {};
   return data;

@@ -103,8 +103,8 @@ void join_equal_vertices(MeshFile& file) {
   std::unordered_map<VertexNumbers, std::uint32_t, HashOfNumbers> numbers;
   numbers.reserve(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
-    const auto [found, is_new] =
-        numbers.emplace(VertexNumbers{mesh.values.data() + v * size, size}, static_cast<std::uint32_t>(numbers.size()));
+    const auto [found, is_new] = numbers.emplace(VertexNumbers{mesh.values.data() + v * size, size},
+                                                 static_cast<std::uint32_t>(numbers.size()));
     number[v] = found->second;
     kept[v] = is_new;
   }

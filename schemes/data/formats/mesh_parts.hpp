@@ -16,8 +16,8 @@ std::string ply_name(const NumberType& type);
 
 bool is_normal(const std::string& name);
 
-/// Ends a face of the corners added since the last one. Errors: throws a data error for too many corners in all. `line`:
-/// 0 in bytes.
+/// Ends a face of the corners added since the last one. Errors: throws a data error for too many corners in all.
+/// `line`: 0 in bytes.
 void end_face(MeshFile& mesh, std::size_t line);
 
 /// What was read, complete: drops vertices that no face has, and makes the remarks. Errors: throws a data error where

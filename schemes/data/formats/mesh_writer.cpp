@@ -54,7 +54,9 @@ void append(double value, const NumberType& type, Encoding encoding, std::string
 
 void end_line(std::string& text) { text.back() = '\n'; }
 
-bool has_normals(const MeshFile& form) { return std::ranges::any_of(form.properties, is_normal, &VertexProperty::name); }
+bool has_normals(const MeshFile& form) {
+  return std::ranges::any_of(form.properties, is_normal, &VertexProperty::name);
+}
 
 /// Whether a format has a place for a property.
 bool holds(MeshFormat format, const std::string& name) {
@@ -183,8 +185,8 @@ void write_vertices(std::ostream& stream, const MeshFile& form, const double* va
   }
 }
 
-void write_faces(std::ostream& stream, const MeshFile& form, std::span<const std::uint32_t> corners,
-                 std::size_t sides, std::size_t most_sides) {
+void write_faces(std::ostream& stream, const MeshFile& form, std::span<const std::uint32_t> corners, std::size_t sides,
+                 std::size_t most_sides) {
   const bool obj = form.format == MeshFormat::obj, in_bytes = form.encoding != Encoding::text;
   const bool normals = obj && has_normals(form);
   Blocks out(stream);

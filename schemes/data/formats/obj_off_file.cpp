@@ -8,8 +8,7 @@ namespace {
 
 /// For one vertex more.
 void need_room(const MeshFile& mesh, const TextLines& lines) {
-  if (mesh.mesh.vertices() >= most_vertices)
-    lines.fail_file("at most " + std::to_string(most_vertices) + " vertices");
+  if (mesh.mesh.vertices() >= most_vertices) lines.fail_file("at most " + std::to_string(most_vertices) + " vertices");
 }
 
 /// The vertex of `7`, `7/1`, `7//3` or, counted from the end, `-1`.
@@ -95,8 +94,8 @@ bool read_off_faces(TextLines& lines, std::size_t count, MeshFile& mesh) {
     if (!lines.next()) lines.fail_file(std::to_string(count) + " faces; found " + std::to_string(f));
     const std::size_t sides = lines.count(0, 0, most_vertices, "the number of vertices of a face");
     for (std::size_t i = 1; i <= sides; ++i)
-      mesh.mesh.corners.push_back(static_cast<std::uint32_t>(
-          lines.count(i, 0, vertices == 0 ? 0 : vertices - 1, "the number of a vertex")));
+      mesh.mesh.corners.push_back(
+          static_cast<std::uint32_t>(lines.count(i, 0, vertices == 0 ? 0 : vertices - 1, "the number of a vertex")));
     colours = colours || lines.words().size() > sides + 1;
     end_face(mesh, lines.line());
   }

@@ -179,11 +179,11 @@ void read_ply_faces(PlyNumbers& numbers, const PlyElement& face, std::size_t ver
     numbers.begin(face, f);
     for (const PlyProperty& property : face.properties) {
       if (is_vertex_list(property)) {
-        const std::size_t sides =
-            numbers.take(*property.length, 0, static_cast<double>(most_vertices), "the number of vertices of a face");
+        const std::size_t sides = numbers.take(*property.length, 0, static_cast<double>(most_vertices),
+                                               "the number of vertices of a face");
         for (std::size_t i = 0; i < sides; ++i)
-          mesh.mesh.corners.push_back(static_cast<std::uint32_t>(
-              numbers.take(property.type, 0, static_cast<double>(vertices) - 1, expected)));
+          mesh.mesh.corners.push_back(
+              static_cast<std::uint32_t>(numbers.take(property.type, 0, static_cast<double>(vertices) - 1, expected)));
       } else if (property.length) {
         pass(numbers, property);
       } else {

@@ -67,10 +67,10 @@ MeshFile parse_stl(std::string_view text, const std::string& file) {
   MeshFile mesh{.properties = {{"x"}, {"y"}, {"z"}}, .format = MeshFormat::stl, .file = file};
   std::vector<std::string> left_out;
   // Files in bytes may begin with `solid`, too; these have the length that they say.
-  const bool complete =
-      text.size() >= header_bytes + 4 &&
-      static_cast<double>(text.size() - header_bytes - 4) ==
-          static_cast<double>(facet_bytes) * read_number(text.data() + header_bytes, whole, Encoding::little_endian);
+  const bool complete = text.size() >= header_bytes + 4 &&
+                        static_cast<double>(text.size() - header_bytes - 4) ==
+                            static_cast<double>(facet_bytes) *
+                                read_number(text.data() + header_bytes, whole, Encoding::little_endian);
   if (complete || !text.substr(0, std::min<std::size_t>(text.size(), 1024)).starts_with("solid")) {
     if (text.size() < header_bytes + 4) lines.fail_file("an STL file: the line solid, or a header of 80 bytes");
     mesh.encoding = Encoding::little_endian;

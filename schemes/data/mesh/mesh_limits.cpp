@@ -99,7 +99,8 @@ std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topol
     const CornersAround around(mesh, topology, rules);
     for (std::size_t v = 0; v < mesh.vertices(); ++v) {
       const double share = 1 / static_cast<double>(topology.faces_at(v));
-      around.add(v, [&](std::size_t) { return share; }, points.at(v), mesh.dimension);
+      around.add(
+          v, [&](std::size_t) { return share; }, points.at(v), mesh.dimension);
     }
     return std::move(points.values);
   }
@@ -108,9 +109,8 @@ std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topol
     const double* const sum = neighbours.values.data() + v * mesh.dimension;
     const bool boundary = topology.on_boundary(v);
     const double n = boundary ? 1 : topology.faces_at(v);
-    const VertexWeights weights = boundary
-                                      ? VertexWeights{rules.boundary().limit, rules.boundary().limit_neighbour}
-                                      : rules.vertex_limit(topology.faces_at(v));
+    const VertexWeights weights = boundary ? VertexWeights{rules.boundary().limit, rules.boundary().limit_neighbour}
+                                           : rules.vertex_limit(topology.faces_at(v));
     points.add(v, weights.itself, vertex_at(mesh, v));
     points.add(v, weights.neighbours / n, sum);
   }
@@ -136,8 +136,10 @@ std::vector<double> vertex_normals(const PolygonMesh& mesh, const Topology& topo
     }
     const double angle = 2 * std::numbers::pi / static_cast<double>(topology.faces_at(v));
     Tangents tangents;
-    around.add(v, [&](std::size_t t) { return std::cos(angle * static_cast<double>(t)); }, tangents.first.numbers, 3);
-    around.add(v, [&](std::size_t t) { return std::sin(angle * static_cast<double>(t)); }, tangents.second.numbers, 3);
+    around.add(
+        v, [&](std::size_t t) { return std::cos(angle * static_cast<double>(t)); }, tangents.first.numbers, 3);
+    around.add(
+        v, [&](std::size_t t) { return std::sin(angle * static_cast<double>(t)); }, tangents.second.numbers, 3);
     tangents.add_normal(normals);
   }
   return normals;

@@ -43,7 +43,8 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   const std::string& scheme = rules.specification();
   if (options.normals && (mesh.dimension < 3 || (rules.split() != MeshSplit::corners && !rules.tangents(1))))
-    fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made", scheme);
+    fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made",
+         scheme);
   if ((!options.limit && !options.normals) || !topology.has_boundary()) return;
   if (rules.split() == MeshSplit::corners)
     fail(ErrorKind::domain, "{}: limits and normals are those of closed meshes; the surface does not reach a boundary",

@@ -50,9 +50,7 @@ SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
   return split == MeshSplit::middles ? sqrt3_vertex_rule() : rules.rule_at(centre);
 }
 
-long regular_valence(MeshSplit split) {
-  return split == MeshSplit::triangles || split == MeshSplit::middles ? 6 : 4;
-}
+long regular_valence(MeshSplit split) { return split == MeshSplit::triangles || split == MeshSplit::middles ? 6 : 4; }
 
 Rational over(long numerator, long denominator) { return {Integer(numerator), Integer(denominator)}; }
 
@@ -107,9 +105,7 @@ void MeshRules::make_boundary() {
   const Mask mask(make_linear_scheme("bspline:degree=3" + arity).mask.factors().front());
   const auto weight = [&](long at) { return mask.symbol().coefficient(at).convert_to<double>(); };
   const LimitValues limits = limit_values(mask, 0);
-  const auto limit = [&](long at) {
-    return limits.at(at).convert_to<double>();
-  };
+  const auto limit = [&](long at) { return limits.at(at).convert_to<double>(); };
   // Symmetric about 0, with a new point at each old one.
   const long a = mask.arity();
   boundary_ = {weight(0), weight(a), {weight(1 + a), weight(1), weight(1 - a), weight(1 - 2 * a)}, limit(0), limit(1)};
@@ -168,8 +164,7 @@ std::optional<TangentWeights> MeshRules::tangents(double angle) const {
   if (split_ != MeshSplit::polygons) return TangentWeights{own, 0};
   // (x - own) (x - quarter) = 2 quarter spoke_face (1 + cos), the larger root
   const double quarter = 0.25, half = (own + quarter) / 2, difference = (own - quarter) / 2;
-  const double radius =
-      half + std::sqrt(difference * difference + 2 * quarter * spoke_face_ * (1 + cosine));
+  const double radius = half + std::sqrt(difference * difference + 2 * quarter * spoke_face_ * (1 + cosine));
   return TangentWeights{radius, spoke_face_ / (radius - quarter)};
 }
 

@@ -215,7 +215,8 @@ namespace {
 class Middles {
  public:
   Middles(const PolygonMesh& mesh, const Topology& topology, bool trisected)
-      : topology_(topology), first_(static_cast<std::uint32_t>(mesh.vertices())),
+      : topology_(topology),
+        first_(static_cast<std::uint32_t>(mesh.vertices())),
         count_(first_ + static_cast<std::uint32_t>(mesh.faces())) {
     if (!trisected || !topology.has_boundary()) return;
     cut_.assign(mesh.faces(), Topology::none);

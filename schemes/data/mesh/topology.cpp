@@ -51,7 +51,7 @@ void Topology::join_opposites(const PolygonMesh& mesh, const FacePlace& place) {
   for (std::size_t v = 0; v < mesh.vertices(); ++v) {
     const auto end = list.begin() + begin[v + 1];
     std::sort(list.begin() + begin[v], end,
-                     [&](std::uint32_t a, std::uint32_t b) { return std::pair(high(a), a) < std::pair(high(b), b); });
+              [&](std::uint32_t a, std::uint32_t b) { return std::pair(high(a), a) < std::pair(high(b), b); });
     for (auto at = list.begin() + begin[v]; at != end;) {
       const std::uint32_t h = *at++;
       ++edges_;

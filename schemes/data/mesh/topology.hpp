@@ -58,7 +58,8 @@ class Topology {
 };
 
 /// Throws a data error where two edges on the boundary lie at the same place, the first `coordinates` numbers of their
-/// ends being equal: vertices that a file has twice, so that the surface would open there. Cost: linear in the boundary.
+/// ends being equal: vertices that a file has twice, so that the surface would open there. Cost: linear in the
+/// boundary.
 void require_no_seams(const PolygonMesh& mesh, const Topology& topology, std::size_t coordinates,
                       const FacePlace& place);
 

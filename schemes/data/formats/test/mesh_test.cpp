@@ -67,11 +67,10 @@ TEST_CASE("meshes are written and read back, open and closed") {
         }
       }
   // Other orders, orientations, texture and normal numbers, vertices counted from the end.
-  const GridData<double> back =
-      obj_grid(
-          "o s # name\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nv 0 2 0\nv 1 2 0\ns off\n"
-          "f -1 -2 3//1 4/2/1\nf 3 1 2 4\n",
-          "f");
+  const GridData<double> back = obj_grid(
+      "o s # name\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nv 0 2 0\nv 1 2 0\ns off\n"
+      "f -1 -2 3//1 4/2/1\nf 3 1 2 4\n",
+      "f");
   CHECK(back.axes[0].count == 2);
   CHECK(back.axes[1].count == 3);
 }
@@ -135,22 +134,21 @@ TEST_CASE("polygons are read and written in every form") {
   CHECK(to_text(mesh) == replaced(obj, "f -3 -1 -2", "f 3 5 4"));
 
   const MeshFile colours = parse_off(
-      "CNOFF # with normals\n3 1 0\n0 0 0 0 0 1 1 0 0 0.5\n1 0 0 0 0 1 0 1 0 1\n0 1 0 0 0 1 0 0 1 1\n3 0 1 2 255 0 0\n", "f");
+      "CNOFF # with normals\n3 1 0\n0 0 0 0 0 1 1 0 0 0.5\n1 0 0 0 0 1 0 1 0 1\n0 1 0 0 0 1 0 0 1 1\n3 0 1 2 255 0 0\n",
+      "f");
   CHECK(colours.remarks == std::vector<std::string>{"refined as x, y, z are: red, green, blue, alpha",
                                                     "left out: normals, what faces have beside their vertices"});
   CHECK(to_text(colours) == "COFF\n3 1 0\n0 0 0 1 0 0 0.5\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n");
   MeshFile plain = colours;
   change_format(plain, MeshFormat::obj);
   CHECK(to_text(plain) == "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  CHECK(plain.remarks.back() ==
-        "left out, as the file that is written has no place for it: red, green, blue, alpha");
+  CHECK(plain.remarks.back() == "left out, as the file that is written has no place for it: red, green, blue, alpha");
   MeshFile with_normals = colours;
   with_normals.properties = {{"x"}, {"y"}, {"z"}, {"red"}, {"nx"}, {"ny"}, {"nz"}};
   with_normals.mesh = {{0, 0, 0, .5, 0, 0, 1, 1, 0, 0, .5, 0, 0, 1, 0, 1, 0, .5, 0, 0, 1}, 7, {0, 1, 2}, {0, 3}};
   CHECK(to_text(with_normals).starts_with("CNOFF\n3 1 0\n0 0 0 0 0 1 0.5\n"));
   change_format(with_normals, MeshFormat::obj);
-  CHECK(to_text(with_normals) ==
-        "v 0 0 0\nvn 0 0 1\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3//3\n");
+  CHECK(to_text(with_normals) == "v 0 0 0\nvn 0 0 1\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3//3\n");
 }
 
 TEST_CASE("facets of STL files are joined where their corners are equal") {
@@ -158,8 +156,8 @@ TEST_CASE("facets of STL files are joined where their corners are equal") {
     return "  facet normal 0 0 1\n    outer loop\n      vertex " + a + "\n      vertex " + b + "\n      vertex " + c +
            "\n    endloop\n  endfacet\n";
   };
-  const std::string text =
-      "solid two parts\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 -0", "1 1 0", "0 1 0") + "endsolid two parts\n";
+  const std::string text = "solid two parts\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 -0", "1 1 0", "0 1 0") +
+                           "endsolid two parts\n";
   const MeshFile mesh = parse_stl(text, "f");
   CHECK(mesh.mesh.vertices() == 4);
   CHECK(mesh.mesh.corners == std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2});

@@ -57,7 +57,8 @@ double farthest(const std::vector<double>& points, const std::vector<double>& ot
 /// The first vertices of both, in all their numbers.
 double difference(const PolygonMesh& a, const PolygonMesh& b, std::size_t vertices) {
   double result = 0;
-  for (std::size_t i = 0; i < vertices * a.dimension; ++i) result = std::max(result, std::abs(a.values[i] - b.values[i]));
+  for (std::size_t i = 0; i < vertices * a.dimension; ++i)
+    result = std::max(result, std::abs(a.values[i] - b.values[i]));
   return result;
 }
 
@@ -99,8 +100,12 @@ TEST_CASE("closed regular meshes are refined as grids are, exactly") {
 }
 
 TEST_CASE("connections are those of the classical splits, and the Euler characteristic stays") {
-  for (const auto& [mesh, characteristic] : {std::pair(tetrahedron(), 2L), {octahedron(), 2}, {icosahedron(), 2},
-                                             {torus_of_triangles(4, 3), 0}, {disc(5), 1}, {bipyramid(3), 2}}) {
+  for (const auto& [mesh, characteristic] : {std::pair(tetrahedron(), 2L),
+                                             {octahedron(), 2},
+                                             {icosahedron(), 2},
+                                             {torus_of_triangles(4, 3), 0},
+                                             {disc(5), 1},
+                                             {bipyramid(3), 2}}) {
     CHECK(euler_characteristic(mesh) == characteristic);
     for (const std::vector<std::string>& schemes : {triangle_schemes, polygon_schemes})
       for (const std::string& scheme : schemes) {
@@ -137,8 +142,7 @@ TEST_CASE("first steps of tetrahedron and cube are the known ones") {
     CHECK(std::sqrt(square) == Approx(1));
   }
   // A square: cubic B-splines along the boundary.
-  const PolygonMesh square =
-      refined(mesh_of({0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0}, {{0, 1, 2, 3}}), "catmull-clark", 1);
+  const PolygonMesh square = refined(mesh_of({0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0}, {{0, 1, 2, 3}}), "catmull-clark", 1);
   CHECK(std::vector<double>(square.values.begin(), square.values.begin() + 3) == std::vector<double>{1, 1, 0});
   CHECK(std::vector<double>(square.values.begin() + 12, square.values.begin() + 15) == std::vector<double>{4, 0, 0});
 }
@@ -147,7 +151,7 @@ TEST_CASE("affine maps go through") {
   const auto image = [](const PolygonMesh& mesh) {
     PolygonMesh result = mesh;
     for (std::size_t i = 0; i < mesh.values.size(); i += 3) {
-      const double *p = &mesh.values[i];
+      const double* p = &mesh.values[i];
       result.values[i] = 2 * p[0] - p[1] + 0.5 * p[2] + 3;
       result.values[i + 1] = p[0] + p[2] - 1;
       result.values[i + 2] = p[1] - 4 * p[2] + 0.25;
@@ -204,7 +208,8 @@ TEST_CASE("normals are unit vectors that point outwards") {
     for (std::size_t v = 0; v < sphere.vertices(); ++v) {
       const double *point = &sphere.values[6 * v], *normal = point + 3;
       CHECK(std::hypot(normal[0], normal[1], normal[2]) == Approx(1));
-      CHECK((point[0] * normal[0] + point[1] * normal[1] + point[2] * normal[2]) / std::hypot(point[0], point[1], point[2]) >
+      CHECK((point[0] * normal[0] + point[1] * normal[1] + point[2] * normal[2]) /
+                std::hypot(point[0], point[1], point[2]) >
             0.97);
     }
   }

@@ -91,8 +91,8 @@ TEST_CASE("corners know their neighbours") {
     }
     const std::vector<std::uint32_t> numbers = topology.edge_numbers();
     CHECK(*std::ranges::max_element(numbers) + 1 == topology.edges());
-    CHECK(euler_characteristic(mesh) == static_cast<long>(mesh.vertices() + mesh.faces()) -
-                                            static_cast<long>(topology.edges()));
+    CHECK(euler_characteristic(mesh) ==
+          static_cast<long>(mesh.vertices() + mesh.faces()) - static_cast<long>(topology.edges()));
   }
   CHECK(Topology(disc(5), place).has_boundary());
   CHECK_FALSE(Topology(cube(), place).has_boundary());
@@ -118,10 +118,11 @@ TEST_CASE("what is no surface is refused with its places") {
   }
   CHECK(error_of(mesh_of(values, band)).find("go around alike") != std::string::npos);
   // Two squares whose common edge has four vertices.
-  CHECK(error_of(mesh_of({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0},
-                         {{0, 1, 2, 3}, {4, 5, 6, 7}})) ==
-        "face 0: expected each vertex once; found an edge of the boundary whose ends are at the same places as those of "
-        "another one (--join makes one vertex of equal ones); face 1 has it, too");
+  CHECK(
+      error_of(mesh_of({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0},
+                       {{0, 1, 2, 3}, {4, 5, 6, 7}})) ==
+      "face 0: expected each vertex once; found an edge of the boundary whose ends are at the same places as those of "
+      "another one (--join makes one vertex of equal ones); face 1 has it, too");
   CHECK(error_of(mesh_of(square, {{0, 1, 2, 3}}), "loop") ==
         "face 0: expected triangles for loop; found a face of 4 vertices");
   CHECK(error_of(mesh_of(square, {{0, 1, 2, 3}}), "sqrt3").find("expected triangles") != std::string::npos);

@@ -189,7 +189,7 @@ TEST_CASE("meshes of any topology are refined") {
   fails(
       "'tensor:(primal:n=1)x(primal:n=1)' " + square + " --normals", 64,
       "--normals: of a mesh and one of butterfly, catmull-clark, doo-sabin, loop, midedge, modified-butterfly, sqrt3; "
-      "tensor:(primal:n=1)x(primal:n=1) refines grids");
+      "tensor:(primal:n=1,d=1)x(primal:n=1,d=1) refines grids");
   CHECK(run("refine loop " + tetrahedron + " --levels 30").code == 64);
   CHECK(run("refine loop " + folder / "nowhere.off").code == 66);
 }

@@ -182,14 +182,15 @@ TEST_CASE("limits and normals are the same from level to level, and those of man
   };
   for (const PolygonMesh& mesh : {tetrahedron(), deformed(icosahedron()), deformed(torus_of_triangles(4, 3)),
                                   deformed(disc(3)), deformed(disc(4)), deformed(disc(9)), deformed(bipyramid(12)),
-                                  mesh_of({0, 0, 0, 1, 0, 0, 0, 1, 0}, {{0, 1, 2}})})
+                                  mesh_of({1, 2, 3, 2, 2, 4, 1, 3, 5}, {{0, 1, 2}})})
     for (const std::string& scheme : triangle_schemes) {
       const bool open = Topology(mesh, place).has_boundary();
       check(mesh, scheme, scheme == "sqrt3" && open ? 2 : 1, scheme == "loop" || (scheme == "sqrt3" && !open));
     }
   const PolygonMesh open_quads = refined(deformed(disc(5)), "catmull-clark", 1);
   for (const PolygonMesh& mesh : {deformed(cube()), refined(deformed(prism(9)), "catmull-clark", 1), open_quads,
-                                  refined(deformed(tetrahedron()), "catmull-clark", 1)})
+                                  refined(deformed(tetrahedron()), "catmull-clark", 1),
+                                  mesh_of({1, 2, 3, 2, 2, 4, 2, 3, 3, 1, 3, 5}, {{0, 1, 2, 3}})})
     check(mesh, "catmull-clark", 1, true);
   for (const char* scheme : {"doo-sabin", "midedge"}) {
     const PolygonMesh mesh = deformed(cube());

@@ -3,6 +3,7 @@
 #include <subcert/schemes/data/formats/grid_mesh.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/formats/volume.hpp>
+#include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 
 #include <random>
 
@@ -210,8 +211,8 @@ TEST_CASE("damaged OFF files and faces are refused with their place") {
   CHECK(twice.mesh.corners == std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2});
 }
 
-TEST_CASE("whatever is changed in a mesh, it is read or refused") {
-  MeshFile mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3\nf 1 3 4\n", "f");
+TEST_CASE("whatever is changed in a mesh, it is refined or refused") {
+  MeshFile mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nv 3 3 1\nf 1 2 3\nf 1 3 4\nf 4 3 5\nf 5 3 2\n", "f");
   std::mt19937 engine(11);
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl})
     for (const Encoding encoding : {Encoding::text, Encoding::little_endian}) {
@@ -233,6 +234,9 @@ TEST_CASE("whatever is changed in a mesh, it is read or refused") {
         const auto parse = [&](const std::string& edited, const char* file) {
           const MeshFile read = parse_mesh(format, edited, file);
           CHECK(read.mesh.is_canonical());
+          const PolygonMesh finer = refine_mesh(read.mesh, "catmull-clark", {1, true, true},
+                                                [&](std::size_t face) { return read.place(face); });
+          CHECK(finer.is_canonical());
         };
         error_of(parse, text);
       }

@@ -11,7 +11,7 @@ True
 
 from ._certificates import Certificate, Verification, verify
 from ._core import version as __version__
-from ._data import Smoothed, refine, smooth
+from ._data import Smoothed, refine, refine_mesh, smooth
 from ._errors import (
     CertificateError,
     DataError,

@@ -59,6 +59,47 @@ def refine(
     return (refined, axes) if parameters else refined
 
 
+def refine_mesh(
+    scheme: Any,
+    vertices: Any,
+    faces: Any,
+    levels: int = 1,
+    *,
+    limit: bool = False,
+    normals: bool = False,
+    progress: Progress = None,
+) -> Any:
+    """Refines a mesh of any topology, `levels` times, by loop, catmull-clark, doo-sabin, midedge, butterfly,
+    modified-butterfly or sqrt3; gives the pair (vertices, faces), with `normals` also the unit normals of the limit
+    surface at the vertices.
+
+    `vertices`: shape (n, numbers), of any numbers that are refined as coordinates are; `faces`: shape (m, sides) of
+    numbers of vertices from 0 on, or a list of lists where the faces have different numbers of sides. So are those of
+    the result. `limit`: the vertices are moved to the limit surface. Raises DataError where the faces make no oriented
+    surface and for numbers that are not finite, DomainError for another scheme.
+
+    >>> import numpy, subcert
+    >>> corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
+    >>> points, faces = subcert.refine_mesh("loop", corners, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], 2)
+    >>> points.shape, faces.shape
+    ((34, 3), (64, 3))
+    """
+    import numpy
+
+    array = numpy.ascontiguousarray(vertices, dtype=numpy.float64)
+    lists = [numpy.asarray(face) for face in faces]
+    if any(face.ndim != 1 or (face.size > 0 and face.dtype.kind not in "iu") for face in lists):
+        raise DomainError("faces: need lists of the numbers of vertices")
+    corners = numpy.concatenate(lists) if lists else numpy.zeros(0, numpy.int64)
+    counts = numpy.array([len(face) for face in lists], numpy.int64)
+    points, corners, sides = _core.refine_mesh(str(scheme), array, corners, counts, levels, limit, normals, progress)
+    if len(set(sides)) == 1:
+        made = corners.reshape(-1, sides[0])
+    else:
+        made = numpy.split(corners, numpy.cumsum(sides)[:-1])
+    return (points[:, :-3], made, points[:, -3:]) if normals else (points, made)
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Smoothed:
     """The limit of a scheme from samples, at the positions x; of heights and volumes x has the positions along each

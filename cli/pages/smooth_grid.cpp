@@ -24,7 +24,7 @@ void refuse_options_of_columns(const SmoothOptions& options) {
   if (samples.missing != "raise")
     fail(ErrorKind::usage, "--grid and --missing {}: expected one of the two; grids have no gaps: fill them first",
          samples.missing);
-  if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.by.empty() ||
+  if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.errors.empty() || !samples.by.empty() ||
       !samples.keep.empty() || options.irregular != "auto" || options.stream || !samples.spacing.empty() ||
       samples.series != "columns" || options.derivative != 0 || options.select != "risk")
     fail(ErrorKind::usage,

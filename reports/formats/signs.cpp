@@ -42,6 +42,17 @@ bool ends_term(std::string_view text) {
          before.ends_with("ps") || before.ends_with("ph");
 }
 
+/// Whether `text` ends with a letter alone or behind digits, as `2n`, and `after` begins with a number alone, as in
+/// `2n-1`.
+bool is_difference(std::string_view text, std::string_view after) {
+  if (text.empty() || text.back() < 'a' || text.back() > 'z') return false;
+  text.remove_suffix(1);
+  while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
+  const std::size_t length = word_length(after);
+  return (text.empty() || !(is_of_word(text.back()) || text.back() == '-')) && length > 0 &&
+         std::ranges::all_of(after.substr(0, length), is_digit) && (length == after.size() || after[length] != '-');
+}
+
 /// Whether `text` ends within a specification: a name with a colon before what has no space.
 bool within_specification(std::string_view text) {
   const std::string_view token = text.substr(std::min(text.find_last_of(" \n;") + 1, text.size()));
@@ -58,12 +69,12 @@ bool is_minus(std::string_view text, std::size_t at) {
   const char last = before.empty() ? '^' : before.back();
   if (last == ' ' && after.starts_with(' '))
     return ends_term(before.substr(0, before.size() - 1)) && begins_term(after.substr(1));
-  if (is_one_of(last, "([{^,=") && begins_term(after)) return true;
-  if (last == ' ' && before.size() > 1 && is_one_of(before[before.size() - 2], ",;=<>") && begins_term(after))
-    return true;
+  if (is_one_of(last, "([{^,=@") && begins_term(after)) return true;
+  for (const std::string_view opening : {", ", "; ", "= ", "< ", "> ", "... ", "from ", "to "})
+    if (before.ends_with(opening) && begins_term(after)) return true;
   if (is_one_of(last, " \n<>;/*:+") || static_cast<unsigned char>(last) >= 0x80) return begins_number(after);
   if (last == 'e' && before.size() > 1 && is_digit(before[before.size() - 2])) return begins_number(after);
-  return ends_term(before) && is_one_of(last, ")|") && begins_term(after);
+  return is_difference(before, after) || (is_one_of(last, ")|") && begins_term(after));
 }
 
 std::string with_minus(std::string_view text, std::string_view sign) {

@@ -16,7 +16,7 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c =
 
 constexpr std::pair<std::string_view, std::string_view> words[] = {
     {"Hoelder", "Hölder"}, {"psi", "<i>ψ</i>"}, {"phi", "<i>φ</i>"}};
-constexpr std::pair<std::string_view, std::string_view> signs[] = {{" ... ", " … "}, {" %", "&nbsp;%"}};
+constexpr std::pair<std::string_view, std::string_view> signs[] = {{" ... ", " … "}, {" %", "&nbsp;%"}, {"+-", "±"}};
 constexpr std::pair<std::string_view, std::string_view> relations[] = {  // with a space behind them
     {"&gt;=", "≥"}, {"&lt;=", "≤"}, {"=", "="}, {"&lt;", "&lt;"}, {"&gt;", "&gt;"}, {"-", "-"}, {"+", "+"}};
 constexpr std::string_view numbered[] = {"Table",       "Figure",  "Theorem", "Section", "Corollary", "Conjecture",

@@ -15,6 +15,7 @@ TEST_CASE("pages: words, signs and powers as they are printed") {
   CHECK(typeset("S_n and dual S_12, f_j, psi_n(x), log_2(3), log2(3), N^(1 - log2(N)/2)") ==
         "S<sub>n</sub> and dual S<sub>12</sub>, f<sub>j</sub>, <i>ψ</i><sub>n</sub>(x), log<sub>2</sub>(3), "
         "log<sub>2</sub>(3), N<sup>(1&nbsp;− log<sub>2</sub>(N)/2)</sup>");
+  CHECK(typeset("0, +-2, +-(a - 1)") == "0, ±2, ±(a&nbsp;−&nbsp;1)");
   CHECK(typeset("2q_n, 12psi_n, 1.5 % of 3") == "2q<sub>n</sub>, 12<i>ψ</i><sub>n</sub>, 1.5&nbsp;% of 3");
   CHECK(typeset("<p>psi</p>") == "<p><i>ψ</i></p>");
 }
@@ -24,7 +25,7 @@ TEST_CASE("pages: what is no word or power stays") {
                            "a_b_c",   "n_max",  "S_n2",     "xS_n",
                            "x2S_n",   "log2",   "epsilon",  "graphic",
                            "phi2",    "^2",     "a ^ b",    "2^",
-                           "x^^2",    "x^word", "a^((k-1)", "a^(a sum that is too long for a power)",
+                           "x^^2",    "x^word", "a^((k+1)", "a^(a sum that is too long for a power)",
                            "",        "...",    "&lt;=",    "a <b title=\"psi^2 ... phi\">b</b>"})
     CHECK(typeset(text) == text);
 }
@@ -42,14 +43,35 @@ TEST_CASE("signs: a hyphen is a minus before a number and between terms") {
   for (const char* text : {"-1/16",     "(-1/16)", "= -2",      "from -1 to -.5", "[-1,-w,-2]/16",
                            "1e-8",      "1/-2",    "n - 1",     "|x| - 2",        "(k + 1) - log2(3)",
                            "psi - phi", "x, -w",   "2w - 3",    "f' - g",         "&lt; -w",
-                           "<b>-1",     "2^-k",    "y_n - y_m", "a|-|b|",         "…-1"}) {
+                           "<b>-1",     "2^-k",    "y_n - y_m", "a|-|b|",         "…-1",
+                           "2n-1]",     "n-1 and", "[1,2]@-7",  "from -n to n",   "... -n+1"}) {
     CAPTURE(text);
     CHECK(with_minus(text).find('-') == std::string::npos);
     CHECK(with_minus(text, "-") == text);
   }
-  for (const char* text : {"2026-11-27", "dyn-2015", "6-point", "pages 1-10", "--jobs 2", "use -j", "-", "a -", "- b",
-                           "two - or so", "well-known", "n-th", "four-point:w=-1/16", "mask:[-1,0,-1]/2", "C-1", "-x-y",
-                           "tensor:(mask:[-1,1])x(four-point:w=-1)", "Table 1 - proved", "-."}) {
+  for (const char* text : {"2026-11-27",
+                           "dyn-2015",
+                           "6-point",
+                           "pages 1-10",
+                           "--jobs 2",
+                           "use -j",
+                           "-",
+                           "a -",
+                           "- b",
+                           "two - or so",
+                           "well-known",
+                           "n-th",
+                           "four-point:w=-1/16",
+                           "mask:[-1,0,-1]/2",
+                           "C-1",
+                           "use n-1-2",
+                           "xn-1",
+                           "n-1a",
+                           "n-gon",
+                           "-x-y",
+                           "tensor:(mask:[-1,1])x(four-point:w=-1)",
+                           "Table 1 - proved",
+                           "-."}) {
     CAPTURE(text);
     CHECK(with_minus(text) == text);
   }

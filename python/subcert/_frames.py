@@ -277,9 +277,9 @@ def smoothed(
         if not isinstance(column, (str, int)):
             raise UsageError(f"{name}: expected the name of a column; got {type(column).__name__}")
         prior = table.numbers(table.name(name, column))
-    if "errors" in given:
-        prior.numbers = weights_of(prior.numbers)
-        options["noise"] = 1.0 if options["noise"] is None else options["noise"]
+        if name == "errors":
+            prior.numbers = weights_of(prior.numbers)
+            options["noise"] = 1.0 if options["noise"] is None else options["noise"]
     names = [] if keep is None else [keep] if isinstance(keep, (str, int)) else list(keep)
     if names and options["at"] != "data":
         raise UsageError("keep needs at='data': other rows have no fields of the table")

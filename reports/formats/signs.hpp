@@ -11,9 +11,9 @@ namespace subcert::formats {
 inline constexpr std::string_view minus_sign = "\u2212";
 
 /// Whether the hyphen at this place is a minus: before a number, as in `(-1/16`, `1e-8` and `[-w,`, and between terms:
-/// with spaces about it, as in `n - 1`, or behind a letter, `2n-1`. Not in dates, ranges, options, words, nor in what is a scheme's specification,
-/// `four-point:w=-1/16`, which readers copy. Where a text begins, a number may. Domain: text[at] is a hyphen; the text
-/// may be HTML.
+/// with spaces about it, as in `n - 1`, or behind a letter, `2n-1`. Not in dates, ranges, options, words, nor in what
+/// is a scheme's specification, `four-point:w=-1/16`, which readers copy. Where a text begins, a number may. Domain:
+/// text[at] is a hyphen; the text may be HTML.
 bool is_minus(std::string_view text, std::size_t at);
 
 /// The text with this sign for each minus.

@@ -56,11 +56,11 @@ install_missing() {
     return
   }
   missing=$(missing_packages)
-  [ -n "$missing" ] || return 0
   if [ "${1:-}" = list ]; then
-    echo "missing packages:" $missing
+    echo "missing packages:" ${missing:-none}
     return 0
   fi
+  [ -n "$missing" ] || return 0
   as_root apt-get update -qq
   wanted=
   for package in $missing; do

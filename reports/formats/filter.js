@@ -7,7 +7,7 @@
   const rows = [...document.querySelectorAll('table.results tbody tr')];
   const texts = rows.map(row => {
     const text = row.textContent.toLowerCase();
-    return text + ' ' + text.replaceAll('\u03c8', 'psi').replaceAll('\u03c6', 'phi').replaceAll('\u00f6', 'oe');
+    return text + ' ' + asTyped(text);
   });
 
   const asked_by_link = () => location.hash.slice(1) || location.search.slice(1);

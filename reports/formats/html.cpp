@@ -32,7 +32,8 @@ struct PageScript {
 constexpr const char* check_button = "class=check";
 constexpr PageScript page_scripts[] = {
     {"load", check_button},        {"load", "class=turn"},           {"check_here", check_button},
-    {"surface", "class=turn"},     {"surface", "data-surface="},     {"plot", "<svg class=\"picture"},
+    {"surface", "class=turn"},     {"surface", "data-surface="},     {"signs", "<svg class=\"picture"},
+    {"signs", "id=\"details\""},   {"signs", "<form class="},        {"plot", "<svg class=\"picture"},
     {"details", "id=\"details\""}, {"filter", "<form class=filter"}, {"explorer", "<form class=explorer"}};
 
 /// The checker runs in a worker, which gets it as a text.

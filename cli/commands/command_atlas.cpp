@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/sweep_lines.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
 #include <subcert/proofs-checks/atlas/atlas.hpp>
@@ -139,7 +140,21 @@ Json entry_of_scheme(const LookUpOptions& options, const std::string& id) {
   return *options.atlas(false).find(id);
 }
 
+/// The certificate where it is asked for; what stands in the way of the file, or that there is none.
+WriteFailure write_kept_certificate(const LookUpOptions& options, const std::string& id) {
+  if (options.certificate.empty()) return {};
+  const auto text = options.atlas(false).certificate(id);
+  if (!text) return {Error(ErrorKind::undecided, fmt::format("atlas: there is no certificate of {}", id))};
+  try {
+    runtime::write_file(options.certificate, *text);
+    return {};
+  } catch (const Error& error) {
+    return {error};
+  }
+}
+
 ExitCode look_up(const LookUpOptions& options) {
+  require_place(options.certificate);
   if (options.members) return print_members(options);
   if (options.scheme.empty())
     fail(ErrorKind::usage, "atlas: a scheme is missing, or one of query, build; see 'subcert atlas --help'");
@@ -151,12 +166,12 @@ ExitCode look_up(const LookUpOptions& options) {
   const Facts list = entry_facts(entry);
   Json json = page_json(list);
   if (!is_id) json = Json{{"scheme", make_linear_scheme(options.scheme).specification}}, json.update(page_json(list));
-  options.answer(json, page_text(list, 21));
-  if (!options.certificate.empty()) {
-    const auto text = options.atlas(false).certificate(id);
-    if (!text) fail(ErrorKind::undecided, "atlas: there is no certificate of {}", id);
-    runtime::write_file(options.certificate, *text);
-  }
+  const WriteFailure failure = write_kept_certificate(options, id);
+  const std::string more = failure.error
+                               ? facts::wrapped("certificate  not written: " + reason_text(*failure.error), 13) + "\n"
+                               : "";
+  options.answer(json, page_text(list, 21) + more);
+  failure.raise();
   return atlas::is_open(entry) ? undecided : done;
 }
 

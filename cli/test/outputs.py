@@ -26,6 +26,7 @@ COMMANDS = [
     ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit", "--sarif"]),
     ("conjecture 7 --n 1..2 --d 1", ["--out", "--journal"]),
     ("sweep primal:n=1..2", ["--out", "--journal"]), ("merge journal", ["--out"]),
+    ("atlas primal:n=1 --atlas made.sqlite", ["--out", "--certificate"]),
     ("smooth data.csv --scheme primal:n=2", ["--out"]), ("smooth data.csv --scheme primal:n=2 --stream", ["--out"]),
     ("refine primal:n=2 data.csv", ["--out"]), ("verify s1.cert", ["--out"]),
     ("regularity bspline:degree=3", ["--out", "--certificate"]), ("jsr pair.json", ["--out", "--certificate"]),
@@ -40,7 +41,7 @@ COMMANDS = [
     ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
     ("experiment fig3 --runs 2", ["--out/"]), ("reproduce dyn-2015 --only masks,fig1", ["--out/"]),
 ]
-PRINTED = 16
+PRINTED = 17
 REASONS = ("Not a directory", "Is a directory", "No space left on device", "Read-only file system", "File too large",
            "gnuplot did not draw it to its end", "No such file or directory", "expected a folder",
            "expected a file in a folder")

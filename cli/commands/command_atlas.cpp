@@ -1,12 +1,13 @@
 // subcert atlas SCHEME: what is known of a mask, looked up or computed and added
 
-#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/pages/sweep_lines.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
 #include <subcert/proofs-checks/atlas/atlas.hpp>
 #include <subcert/proofs-checks/atlas/canonical_mask.hpp>
+#include <subcert/reports/atlas/atlas_site.hpp>
+#include <subcert/reports/atlas/entry_facts.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
@@ -55,6 +56,10 @@ struct QueryOptions : AtlasOptions {
   std::vector<std::string> columns;
 };
 
+struct SiteOptions : AtlasOptions {
+  std::string where;
+};
+
 struct BuildOptions : AtlasOptions, SweepArguments {
   std::vector<std::string> schemes;
   std::optional<double> budget;
@@ -67,52 +72,6 @@ void add_atlas_file(Command& command, std::string& file) {
       "--atlas", file,
       "The file of the atlas; if none, subcert/atlas.sqlite among the user's data and the one that came with "
       "the program");
-}
-
-std::string value_text(const Json& value) {
-  if (value.is_null()) return "";
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_float()) return fmt::format("{:g}", value.get<double>());
-  if (value.is_array()) {
-    std::vector<std::string> texts;
-    for (const Json& one : value) texts.push_back(value_text(one));
-    return fmt::format("{}", fmt::join(texts, ", "));
-  }
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-std::string enclosure_text(const Json& value) {
-  const auto end = [&](const char* name) { return parse_number(value.at(name).get<std::string>()); };
-  return subcert::enclosure_text({end("lower"), end("upper")});
-}
-
-/// `power 1, by the growth of ...`
-std::string logarithm_text(const Json& value) {
-  const std::string least = value_text(value.at("at_least")), most = value_text(value.at("at_most"));
-  return fmt::format("power {}, {}",
-                     least == most  ? least
-                     : most.empty() ? "at least " + least
-                                    : fmt::format("{} to {}", least, most),
-                     value_text(value.at("reason")));
-}
-
-std::string member_text(const Json& value) {
-  if (!value.is_object()) return value_text(value);
-  return value.contains("reason") ? logarithm_text(value) : enclosure_text(value);
-}
-
-std::string label_of(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
-
-Facts entry_facts(const Json& entry) {
-  Facts list;
-  for (const atlas::Member& member : atlas::entry_members()) {
-    const std::string text = member_text(entry.at(member.name));
-    list.push_back({member.name, text.empty() ? "" : label_of(member.name), text, "", entry.at(member.name)});
-  }
-  return list;
 }
 
 ExitCode print_members(const LookUpOptions& options) {
@@ -157,7 +116,7 @@ ExitCode look_up(const LookUpOptions& options) {
   require_place(options.certificate);
   if (options.members) return print_members(options);
   if (options.scheme.empty())
-    fail(ErrorKind::usage, "atlas: a scheme is missing, or one of query, build; see 'subcert atlas --help'");
+    fail(ErrorKind::usage, "atlas: a scheme is missing, or one of build, query, site; see 'subcert atlas --help'");
   const bool is_id = atlas::is_entry_id(options.scheme);
   const std::string id = is_id ? options.scheme
                                : atlas::entry_id(atlas::mask_of_entry(make_linear_scheme(options.scheme)));
@@ -191,7 +150,7 @@ ExitCode query(const QueryOptions& options) {
     ++count;
     if (options.json) return found.push_back(entry);
     Json line = entry;
-    line["scheme"] = entry.at("names").empty() ? entry.at("mask") : entry.at("names").front();
+    line["scheme"] = facts::title_of_entry(entry);
     text += lines.line(line);
   });
   const std::size_t left_open = open.size();
@@ -230,6 +189,32 @@ ExitCode build(const BuildOptions& options) {
                  fmt::format("{}: {} schemes, {} masks, {} added; {} entries\n", options.own().string(),
                              report->schemes, report->masks, report->added, entries));
   return report->failed.empty() ? done : undecided;
+}
+
+ExitCode site(const SiteOptions& options) {
+  if (options.out.empty() || options.out == standard_stream)
+    fail(ErrorKind::usage, "atlas site: need --out FOLDER, got {}", options.out.empty() ? "none" : options.out);
+  std::optional<sweeps::Condition> where;
+  if (!options.where.empty()) where = atlas::parse_query(options.where);
+  const std::size_t entries = reports::write_atlas_site(
+      options.atlas(false), [&](const Json& entry) { return !where || atlas::meets(entry, *where) == Truth::yes; },
+      options.out, options.threads());
+  const std::string page = (std::filesystem::path(options.out) / "index.html").string();
+  if (options.json)
+    print_json({{"page", page}, {"entries", entries}});
+  else
+    std::cout << page << ": " << entries << (entries == 1 ? " entry\n" : " entries\n");
+  return done;
+}
+
+void add_site(Command& group) {
+  auto options = std::make_shared<SiteOptions>();
+  Command command = add_command(group, "site", "Pages of all entries, to be read and searched without a network",
+                                "subcert atlas site --out pages --atlas dd.sqlite", options,
+                                [=] { return site(*options); });
+  command.existing("--out").describe("The folder of the pages, which begin with index.html");
+  command.option("--where", options->where, "Only entries that meet this condition, as for 'subcert atlas query'");
+  add_atlas_file(command, options->file);
 }
 
 void add_query(Command& group) {
@@ -282,6 +267,7 @@ void add_atlas(Command& app) {
   group.flag("--members", options->members, "What entries have, and what it means");
   add_build(group);
   add_query(group);
+  add_site(group);
 }
 
 }  // namespace subcert::cli

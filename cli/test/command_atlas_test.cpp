@@ -95,6 +95,28 @@ TEST_CASE("atlas: shards, joined, are the whole") {
   CHECK(whole.size() > 500);
 }
 
+TEST_CASE("atlas: pages") {
+  const Atlas atlas;
+  CHECK(atlas("build 'dd:n=1..4' 'mask:[1,0,0,1]' 'mask:[1,2,1]/2'", "--certificates").code == 0);
+  const std::string pages = atlas.folder / "pages", index = pages + "/index.html";
+  CHECK(atlas("site --out " + pages, "--where interpolatory").out == index + ": 5 entries\n");
+  const std::string table = content(index);
+  for (const char* row :
+       {"4.html#4e12bc63ac43\">4e12bc63ac43</a>", "<td>dd:n=4<br>", "interpolatory, symmetric, stable"})
+    CHECK(contains(table, row));
+  const std::string page = content(pages + "/4.html"), certificate = pages + "/certificates/4e12bc63ac43.cert";
+  CHECK(contains(page, "<article class=plate id=\"4e12bc63ac43\">"));
+  CHECK(contains(page, "<svg class=\"picture"));
+  CHECK(contains(page, "data-certificate=\"certificates/4e12bc63ac43.cert.js\""));
+  CHECK(run("verify " + certificate).code == 0);
+  CHECK(content(certificate + ".js").starts_with("subcert_file(\"certificates/4e12bc63ac43.cert.js\", {"));
+  const std::string divergent = content(pages + "/6.html");  // no picture, no proof
+  CHECK_FALSE(contains(divergent, "<svg class=\"picture"));
+  CHECK_FALSE(contains(divergent, "data-certificate"));
+  CHECK(atlas("site").code == 64);
+  CHECK(atlas("site --out " + (atlas.folder / "two"), "--where 'dimension == 2'").code == 64);
+}
+
 TEST_CASE("atlas: what cannot be read or written is one line") {
   const Atlas atlas;
   const auto refused = [&](int code, const std::string& words) {

@@ -1,10 +1,10 @@
-// The list of all results: rows that are not asked for are hidden. What is asked for stands in the link, behind ? where a
-// link leads here, behind # where a reader has chosen.
+// A list of results or entries: rows that are not asked for are hidden. What is asked for stands in the link, behind ?
+// where a link leads here, behind # where a reader has chosen.
 'use strict';
 
 (() => {
   const form = document.querySelector('form.filter'), count = form.querySelector('output');
-  const rows = [...document.querySelectorAll('table.results tbody tr')];
+  const rows = [...document.querySelectorAll('table.results tbody tr, table.entries tbody tr')];
   const texts = rows.map(row => {
     const text = row.textContent.toLowerCase();
     return text + ' ' + asTyped(text);

@@ -21,14 +21,10 @@ namespace {
 using atlas::Json;
 using formats::html;
 
-constexpr std::size_t entries_of_page = 125, longest = 200;  // characters of a text on the first page
+constexpr std::size_t entries_of_page = 125, longest = 200;  // bytes of a text
 constexpr const char* certificates = "certificates";
 
 std::string text_of(const Json& entry, const char* name) { return entry.at(name).get<std::string>(); }
-
-std::string shortened(const std::string& text) {
-  return html(text.size() <= longest ? text : text.substr(0, longest) + " ...");
-}
 
 /// What a reader may search for beside numbers.
 std::string words_of(const Json& entry) {
@@ -48,7 +44,8 @@ std::string row(const Json& entry, const std::string& page) {
   const std::string id = text_of(entry, "id"), title = facts::title_of_entry(entry), mask = text_of(entry, "mask");
   return fmt::format(
       "<tr><td><a href=\"{}.html#{}\">{}</a></td><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      page, id, id, shortened(title), title == mask ? "" : "<br><small>" + shortened(mask) + "</small>",
+      page, id, id, formats::shortened_html(title, longest),
+      title == mask ? "" : "<br><small>" + formats::shortened_html(mask, longest) + "</small>",
       holder ? html(holder->text) : "none", entry.at("sum_rules").dump(), html(text_of(entry, "support")),
       words_of(entry));
 }
@@ -84,7 +81,7 @@ std::string article(const Json& entry, const formats::RowProof& proof) {
   return fmt::format(
       "<article class=plate id=\"{0}\">\n<h2><a href=\"#{0}\">{0}</a></h2>\n<p class=subtitle>{1}</p>\n<dl>\n"
       "{2}</dl>\n{3}</article>\n",
-      id, shortened(facts::title_of_entry(entry)), known, picture(entry));
+      id, formats::shortened_html(facts::title_of_entry(entry), longest), known, picture(entry));
 }
 
 /// The entries of a page, and the files of their proofs.

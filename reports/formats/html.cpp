@@ -70,6 +70,13 @@ std::string html(const std::string& text) {
   return result;
 }
 
+std::string shortened_html(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return html(text);
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a character
+  return html(text.substr(0, end)) + " ...";
+}
+
 std::string slug(const std::string& text) {
   constexpr std::size_t longest = 60;
   std::string result;

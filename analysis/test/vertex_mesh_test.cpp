@@ -6,7 +6,9 @@
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -76,6 +78,8 @@ struct Mesh {
   }
 };
 
+double share(Random& random) { return static_cast<double>(random.integer(-1000, 1000)) / 1000; }
+
 /// n sectors of triangles or quads with random data of this frequency.
 Mesh fan(long n, bool triangles, long frequency, Random& random) {
   constexpr long size = 6;
@@ -88,10 +92,11 @@ Mesh fan(long n, bool triangles, long frequency, Random& random) {
     at = turned(at, turn, lattice, n);
     const auto [entry, is_new] = number.try_emplace(at, mesh.values.size());
     if (is_new) {
-      const auto [wave, unknown] = waves.try_emplace(at.point, random.real(-1, 1), random.real(-1, 1));
+      const auto [wave, unknown] = waves.try_emplace(at.point, share(random), share(random));
       const double angle = 2 * std::numbers::pi * static_cast<double>(frequency * at.turn) / static_cast<double>(n);
       const bool constant = at.point == LatticePoint{0, 0} && frequency != 0;
-      mesh.values.push_back(constant ? 0 : wave->second.first * std::cos(angle) + wave->second.second * std::sin(angle));
+      mesh.values.push_back(constant ? 0
+                                     : wave->second.first * std::cos(angle) + wave->second.second * std::sin(angle));
     }
     return entry->second;
   };

@@ -33,6 +33,7 @@ struct RefineCommand : CommonOptions {
   bool limit = false;
   bool normals = false;
   bool join = false;
+  double crease = 180;
   LevelOptions level_options;
 };
 
@@ -165,7 +166,8 @@ ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
     fail(ErrorKind::usage, "--normals: an STL file has none at vertices; write .obj, .ply or .off");
   for (const std::string& line : file.remarks) options.remark(input_name(options.data) + ": " + line);
   const data::PolygonMesh refined = refine_mesh(std::exchange(file.mesh, {}), scheme,
-                                                {options.levels, options.limit, options.normals},
+                                                {options.levels, options.limit, options.normals,
+                                                 options.crease < 180 ? std::optional(options.crease) : std::nullopt},
                                                 [&](std::size_t face) { return file.place(face); });
   if (options.normals)
     for (const char* name : {"nx", "ny", "nz"}) file.properties.push_back({name});
@@ -195,8 +197,11 @@ ExitCode run(const RefineCommand& options) {
   const AnyScheme scheme = make_scheme_for_data(options);
   const std::string& name = specification_of(scheme);
   if (is_mesh_scheme(options, scheme)) return run_mesh(options, name);
-  if (options.normals || options.join)
-    fail(ErrorKind::usage, "{}: of a mesh and one of {}; {} refines grids", options.normals ? "--normals" : "--join",
+  if (options.normals || options.join || options.crease < 180)
+    fail(ErrorKind::usage, "{}: of a mesh and one of {}; {} refines grids",
+         options.normals ? "--normals"
+         : options.join  ? "--join"
+                         : "--crease",
          fmt::join(schemes_with_vertex_rules(), ", "), name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
@@ -258,6 +263,11 @@ void add_refine(Command& app) {
   command.flag("--limit", options->limit, "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
   command.flag("--normals", options->normals, "Of a mesh: the normals of the limit surface at its vertices, too");
   command.flag("--join", options->join, "Of a mesh: vertices all of whose numbers are equal are made one");
+  command
+      .option("--crease", options->crease,
+              "Of a mesh: edges stay sharp where the normals of their faces differ by more degrees")
+      .within(0, 180)
+      .with_default();
   command.flag("--closed", options->closed, "The first point follows the last, in every direction");
   command.flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
   command.flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");

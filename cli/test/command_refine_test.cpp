@@ -154,6 +154,11 @@ TEST_CASE("meshes of any topology are refined") {
   CHECK(json.at("columns") == nlohmann::json({"x", "y", "z", "nx", "ny", "nz"}));
   CHECK(json.at("faces").size() == 48);
   CHECK(json.at("points").at(0).size() == 6);
+  // All edges of a tetrahedron are sharp: its corners stay.
+  CHECK(run("refine loop " + tetrahedron + " --levels 2 --limit --crease 60 --quiet")
+            .out.starts_with("v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\n"));
+  check_fails(run("refine loop " + tetrahedron + " --crease 60 --normals --quiet"), 64,
+              "crease: loop: creases are made by loop and catmull-clark, in space and without normals");
   const std::string text = run("refine loop " + tetrahedron + " --levels 1 --json --quiet").out;
   CHECK(text == nlohmann::ordered_json::parse(text).dump(2) + "\n");
 

@@ -183,6 +183,7 @@ def refine_mesh(
     levels: int,
     limit: bool,
     normals: bool,
+    crease: Optional[float],
     progress: _Progress,
 ) -> tuple[_Array, _Array, _Array]: ...
 def smooth(

@@ -79,6 +79,8 @@ def test_meshes():
     points, faces, normals = subcert.refine_mesh("catmull-clark", *CUBE, 2, limit=True, normals=True)
     assert points.shape == normals.shape == (98, 3)
     assert numpy.allclose((normals**2).sum(axis=1), 1) and (((points - 0.5) * normals).sum(axis=1) > 0.2).all()
+    block, _ = subcert.refine_mesh("catmull-clark", *CUBE, crease=45, limit=True)
+    assert numpy.array_equal(block[:8], CUBE[0])
     one, _ = subcert.refine_mesh("loop", [[1.0], [2], [3]], numpy.array([[0, 1, 2]]))
     assert numpy.array_equal(one[:, 0], [1.375, 2, 2.625, 1.5, 2.5, 2])
 

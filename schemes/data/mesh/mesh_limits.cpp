@@ -92,7 +92,8 @@ Tangents tangents_of(const PolygonMesh& mesh, const Topology& topology, const Me
 
 }  // namespace
 
-std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules) {
+std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                                  MeshRules& rules) {
   if (rules.interpolates()) return mesh.values;
   VertexSums points(mesh.vertices(), mesh.dimension);
   if (rules.split() == MeshSplit::corners) {
@@ -104,10 +105,14 @@ std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topol
     }
     return std::move(points.values);
   }
-  const VertexSums neighbours = neighbour_sums(mesh, topology);
+  const VertexSums neighbours = neighbour_sums(mesh, topology, creases);
   for (std::size_t v = 0; v < mesh.vertices(); ++v) {
     const double* const sum = neighbours.values.data() + v * mesh.dimension;
-    const bool boundary = topology.on_boundary(v);
+    if (creases.kind(v) == VertexKind::corner) {
+      points.add(v, 1, vertex_at(mesh, v));
+      continue;
+    }
+    const bool boundary = creases.kind(v) == VertexKind::crease;
     const double n = boundary ? 1 : topology.faces_at(v);
     const VertexWeights weights = boundary ? VertexWeights{rules.boundary().limit, rules.boundary().limit_neighbour}
                                            : rules.vertex_limit(topology.faces_at(v));
@@ -117,7 +122,7 @@ std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topol
   if (rules.split() == MeshSplit::polygons)
     for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) {
       const std::uint32_t v = mesh.corners[h];
-      if (topology.on_boundary(v)) continue;
+      if (creases.kind(v) != VertexKind::smooth) continue;
       const std::size_t n = topology.faces_at(v);
       points.add(v, rules.vertex_limit(n).faces / static_cast<double>(n),
                  vertex_at(mesh, mesh.corners[topology.next(topology.next(h))]));

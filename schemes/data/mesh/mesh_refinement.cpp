@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace subcert::data {
 namespace {
@@ -42,6 +43,15 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
                      const MeshOptions& options) {
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   const std::string& scheme = rules.specification();
+  if (options.crease) {
+    const bool takes = rules.split() == MeshSplit::polygons ||
+                       (rules.split() == MeshSplit::triangles && !rules.interpolates());
+    if (!takes || options.normals || mesh.dimension < 3)
+      fail(ErrorKind::domain, "crease: {}: creases are made by loop and catmull-clark, in space and without normals",
+           scheme);
+    require(*options.crease >= 0 && *options.crease <= 180, "crease: need an angle from 0 to 180 degrees, got {}",
+            *options.crease);
+  }
   if (options.normals && (mesh.dimension < 3 || (rules.split() != MeshSplit::corners && !rules.tangents(1))))
     fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made",
          scheme);
@@ -65,10 +75,11 @@ void require_size(const PolygonMesh& mesh, const MeshRules& rules, int levels) {
          levels, numbers * growth, numbers, most_numbers);
 }
 
-PolygonMesh one_step(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, int level) {
+PolygonMesh one_step(const PolygonMesh& mesh, const Topology& topology, const Creases& creases, MeshRules& rules,
+                     int level) {
   switch (rules.split()) {
-    case MeshSplit::triangles: return split_triangles(mesh, topology, rules);
-    case MeshSplit::polygons: return split_polygons(mesh, topology, rules);
+    case MeshSplit::triangles: return split_triangles(mesh, topology, creases, rules);
+    case MeshSplit::polygons: return split_polygons(mesh, topology, creases, rules);
     case MeshSplit::corners: return split_corners(mesh, topology, rules);
     default: return split_by_middles(mesh, topology, rules, level % 2 == 1);
   }
@@ -103,8 +114,12 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
   require_fit(mesh, *topology, rules, options, place);
   const FacePlace refined = [&](std::size_t face) { return rules.specification() + ", face " + std::to_string(face); };
   const bool at_limits = options.limit || options.normals;
+  std::vector<bool> sharp;
+  if (options.crease) sharp = edges_sharper_than(*options.crease, mesh, *topology);
   for (int level = 0; level < options.levels; ++level) {
-    mesh = one_step(mesh, *topology, rules, level);
+    const Creases creases(mesh, *topology, std::exchange(sharp, {}));
+    sharp = split_creases(mesh, *topology, creases, rules.split());
+    mesh = one_step(mesh, *topology, creases, rules, level);
     topology.reset();
     if (mesh.faces() == 0)
       fail(ErrorKind::data, "{}: expected faces that are left of the mesh after {} levels", scheme, level + 1);
@@ -113,7 +128,13 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
   if (!at_limits) return mesh;
   std::vector<double> normals;
   if (options.normals) normals = vertex_normals(mesh, *topology, rules);
-  if (options.limit) mesh.values = vertex_limits(mesh, *topology, rules);
+  if (options.limit) {
+    const Creases creases(mesh, *topology, std::move(sharp));
+    if (creases.has_ends())
+      fail(ErrorKind::domain,
+           "{}: limits where a crease ends inside are not made; refine without limits, or change the angle", scheme);
+    mesh.values = vertex_limits(mesh, *topology, creases, rules);
+  }
   if (options.normals) {
     mesh.values = with_normals(mesh.values, normals, mesh.dimension);
     mesh.dimension += 3;

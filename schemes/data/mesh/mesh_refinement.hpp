@@ -4,12 +4,16 @@
 #include "mesh_rules.hpp"
 #include "topology.hpp"
 
+#include <optional>
+
 namespace subcert::data {
 
 struct MeshOptions {
   int levels = 1;
   bool limit = false;    ///< vertices are moved to their limits
   bool normals = false;  ///< nx, ny, nz of the limit surface follow the numbers of each vertex
+  /// Degrees: edges inside stay sharp where the normals of their faces differ by more.
+  std::optional<double> crease = std::nullopt;
 };
 
 /// Applies a scheme `levels` times; docs/meshes.md has its rules, also those of boundaries. Vertices come first that

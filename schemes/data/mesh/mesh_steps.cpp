@@ -18,15 +18,17 @@ std::uint32_t boundary_after(const PolygonMesh& mesh, const Topology& topology, 
   return topology.corner_at(mesh.corners[topology.next(h)]);
 }
 
-/// New points of the old vertices: by their valence, on the boundary by its rule.
-void move_vertices(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, const VertexSums& neighbours,
+/// New points of the old vertices: by their valence, on creases by their rule.
+void move_vertices(const PolygonMesh& mesh, const Topology& topology, const Creases& creases, MeshRules& rules,
                    bool keep_boundary, VertexSums& points) {
   const BoundaryWeights& boundary = rules.boundary();
+  const VertexSums neighbours = neighbour_sums(mesh, topology, creases);
   for (std::size_t v = 0; v < mesh.vertices(); ++v) {
     const double* const sum = neighbours.values.data() + v * neighbours.size;
-    if (topology.on_boundary(v)) {
-      points.add(v, keep_boundary ? 1 : boundary.vertex, vertex_at(mesh, v));
-      if (!keep_boundary) points.add(v, boundary.vertex_neighbour, sum);
+    if (const VertexKind kind = creases.kind(v); kind != VertexKind::smooth) {
+      const bool stays = keep_boundary || kind == VertexKind::corner;
+      points.add(v, stays ? 1 : boundary.vertex, vertex_at(mesh, v));
+      if (!stays) points.add(v, boundary.vertex_neighbour, sum);
       continue;
     }
     const std::size_t n = topology.faces_at(v);
@@ -94,6 +96,13 @@ void add_boundary_edge(const PolygonMesh& mesh, const Topology& topology, const 
       points.add(point, weight, vertex_at(mesh, mesh.corners[corners[k]]));
 }
 
+/// The same inside, where the rule takes the two ends alone.
+void add_crease_edge(const PolygonMesh& mesh, const Topology& topology, const MeshRules& rules, std::uint32_t h,
+                     std::size_t point, VertexSums& points) {
+  points.add(point, rules.boundary().edge[1], vertex_at(mesh, mesh.corners[h]));
+  points.add(point, rules.boundary().edge[2], vertex_at(mesh, mesh.corners[topology.next(h)]));
+}
+
 void add_mean(const PolygonMesh& mesh, std::size_t f, std::size_t point, VertexSums& points) {
   const auto face = mesh.face(f);
   for (const std::uint32_t v : face) points.add(point, 1 / static_cast<double>(face.size()), vertex_at(mesh, v));
@@ -106,32 +115,33 @@ void add_face(PolygonMesh& mesh, std::initializer_list<std::uint32_t> corners) {
 
 }  // namespace
 
-VertexSums neighbour_sums(const PolygonMesh& mesh, const Topology& topology) {
+VertexSums neighbour_sums(const PolygonMesh& mesh, const Topology& topology, const Creases& creases) {
   VertexSums sums(mesh.vertices(), mesh.dimension);
   for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) {
     const std::uint32_t v = mesh.corners[h], w = mesh.corners[topology.next(h)];
-    if (topology.is_boundary(h)) {
-      sums.add(v, 1, vertex_at(mesh, w));
-      sums.add(w, 1, vertex_at(mesh, v));
-    } else if (!topology.on_boundary(v)) {
-      sums.add(v, 1, vertex_at(mesh, w));
-    }
+    if (creases.is_sharp(h) || creases.kind(v) == VertexKind::smooth) sums.add(v, 1, vertex_at(mesh, w));
+    if (topology.is_boundary(h)) sums.add(w, 1, vertex_at(mesh, v));
   }
   return sums;
 }
 
-PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules) {
+PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                            MeshRules& rules) {
   const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
   const std::vector<std::uint32_t> edge = topology.edge_numbers();
   VertexSums points(vertices + topology.edges(), mesh.dimension);
   if (rules.interpolates())
     std::ranges::copy(mesh.values, points.values.begin());
   else
-    move_vertices(mesh, topology, rules, neighbour_sums(mesh, topology), false, points);
+    move_vertices(mesh, topology, creases, rules, false, points);
   for (std::uint32_t h = 0; h < mesh.corners.size(); ++h)
     if (topology.is_boundary(h))
       add_boundary_edge(mesh, topology, rules, h, false, vertices + edge[h], points);
-    else if (h < topology.opposite(h))
+    else if (h > topology.opposite(h))
+      continue;
+    else if (creases.is_sharp(h))
+      add_crease_edge(mesh, topology, rules, h, vertices + edge[h], points);
+    else
       add_inner_edge(mesh, topology, rules, h, vertices + edge[h], points);
   PolygonMesh result{std::move(points.values), mesh.dimension, {}, {0}};
   result.corners.reserve(4 * mesh.corners.size());
@@ -146,13 +156,14 @@ PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, M
   return result;
 }
 
-PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules) {
+PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                           MeshRules& rules) {
   const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
   const auto in_faces = static_cast<std::uint32_t>(vertices + topology.edges());
   const std::vector<std::uint32_t> edge = topology.edge_numbers();
   VertexSums points(in_faces + mesh.faces(), mesh.dimension);
   for (std::size_t f = 0; f < mesh.faces(); ++f) add_mean(mesh, f, in_faces + f, points);
-  move_vertices(mesh, topology, rules, neighbour_sums(mesh, topology), false, points);
+  move_vertices(mesh, topology, creases, rules, false, points);
   const EdgeWeights& weights = rules.edge();
   for (std::size_t f = 0; f < mesh.faces(); ++f)
     for (std::uint32_t h = mesh.first[f]; h < mesh.first[f + 1]; ++h) {
@@ -160,11 +171,13 @@ PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, Me
       const double* const in_face = points.at(in_faces + f);
       if (topology.is_boundary(h)) {
         add_boundary_edge(mesh, topology, rules, h, false, point, points);
+      } else if (creases.is_sharp(h)) {
+        if (h < topology.opposite(h)) add_crease_edge(mesh, topology, rules, h, point, points);
       } else {  // one end and one face here, the others from the opposite corner
         points.add(point, weights.end, vertex_at(mesh, v));
         points.add(point, weights.opposite, in_face);
       }
-      if (!topology.on_boundary(v))
+      if (creases.kind(v) == VertexKind::smooth)
         points.add(v, rules.vertex(topology.faces_at(v)).faces / static_cast<double>(topology.faces_at(v)), in_face);
     }
   PolygonMesh result{std::move(points.values), mesh.dimension, {}, {0}};
@@ -175,6 +188,21 @@ PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, Me
       add_face(result, {mesh.corners[h], vertices + edge[h], static_cast<std::uint32_t>(in_faces + f),
                         vertices + edge[topology.previous(h)]});
   return result;
+}
+
+std::vector<bool> split_creases(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                                MeshSplit split) {
+  if (!creases.has_marks()) return {};
+  // The halves of an edge of each corner, as split_triangles() and split_polygons() number their corners.
+  std::vector<bool> sharp(4 * mesh.corners.size(), false);
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) {
+    const std::uint32_t next = topology.next(h);
+    const bool triangles = split == MeshSplit::triangles;
+    const std::uint32_t face = h - h % 3;
+    sharp[triangles ? 4 * face + 3 * (h % 3) : 4 * h] = creases.is_sharp(h);
+    sharp[triangles ? 4 * face + 3 * (next % 3) + 2 : 4 * next + 3] = creases.is_sharp(h);
+  }
+  return sharp;
 }
 
 PolygonMesh split_corners(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules) {
@@ -252,7 +280,7 @@ class Middles {
 PolygonMesh split_by_middles(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, bool trisected) {
   const Middles middles(mesh, topology, trisected);
   VertexSums points(middles.count(), mesh.dimension);
-  move_vertices(mesh, topology, rules, neighbour_sums(mesh, topology), !trisected, points);
+  move_vertices(mesh, topology, Creases(topology), rules, !trisected, points);
   for (std::uint32_t f = 0; f < mesh.faces(); ++f) {
     if (middles.is_cut(f)) {
       const std::uint32_t h = middles.boundary_corner(f);

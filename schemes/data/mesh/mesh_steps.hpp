@@ -1,6 +1,7 @@
 #pragma once
 // One step of each split, and the limits of vertices.
 
+#include "creases.hpp"
 #include "mesh_rules.hpp"
 #include "topology.hpp"
 
@@ -23,18 +24,23 @@ inline const double* vertex_at(const PolygonMesh& mesh, std::size_t vertex) {
   return mesh.values.data() + vertex * mesh.dimension;
 }
 
-/// Sums over the neighbours of each vertex; on the boundary over the two neighbours there.
-VertexSums neighbour_sums(const PolygonMesh& mesh, const Topology& topology);
+/// Sums over the neighbours of each vertex; on creases over the two neighbours there.
+VertexSums neighbour_sums(const PolygonMesh& mesh, const Topology& topology, const Creases& creases);
 
-PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules);
-PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules);
+PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                            MeshRules& rules);
+PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, const Creases& creases, MeshRules& rules);
+/// The sharp edges after these; none where only the boundary is.
+std::vector<bool> split_creases(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                                MeshSplit split);
 PolygonMesh split_corners(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules);
 /// `trisected`: edges on the boundary are cut in three, as in every second step. Domain: then at most one of them in a
 /// triangle, opposite of a vertex inside, as the step before leaves it.
 PolygonMesh split_by_middles(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, bool trisected);
 
 /// The limits of all vertices. Domain: of splits by corners no boundary.
-std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules);
+std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                                  MeshRules& rules);
 /// Three coordinates for each vertex: the unit normal of the limit surface there, 0 where the tangents are parallel.
 std::vector<double> vertex_normals(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules);
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 
 using namespace subcert;
 using namespace subcert::data;
@@ -199,6 +200,50 @@ TEST_CASE("limits and normals are the same from level to level, and those of man
     CHECK(farthest(limits.values, many.values) < 0.02);
     CHECK(farthest(refined(mesh, scheme, 2, true).values, many.values) < 0.02);
   }
+}
+
+TEST_CASE("creases are boundaries of both sides") {
+  const auto creased = [](const PolygonMesh& mesh, const std::string& scheme, double degrees, bool limit) {
+    return refine_mesh(mesh, scheme, {2, limit, false, degrees}, place);
+  };
+  // A prism without its two ends, and the upper half of a bipyramid.
+  const PolygonMesh whole = prism(7), both = bipyramid(12);
+  PolygonMesh side{whole.values, 3, {}, {0}}, half{both.values, 3, {}, {0}};
+  for (std::size_t f = 2; f < whole.faces(); ++f) {
+    side.corners.insert(side.corners.end(), whole.face(f).begin(), whole.face(f).end());
+    side.end_face();
+  }
+  for (std::size_t f = 0; f < both.faces(); f += 2) {
+    for (const std::uint32_t v : both.face(f)) half.corners.push_back(v == 0 ? 0 : v - 1);
+    half.end_face();
+  }
+  half.values.erase(half.values.begin() + 3, half.values.begin() + 6);
+  for (const bool limit : {false, true}) {
+    CHECK(farthest(refined(side, "catmull-clark", 2, limit).values, creased(whole, "catmull-clark", 80, limit).values) <
+          1e-14);
+    CHECK(farthest(refined(half, "loop", 2, limit).values, creased(both, "loop", 60, limit).values) < 1e-14);
+  }
+  CHECK(creased(whole, "catmull-clark", 180, true).values == refined(whole, "catmull-clark", 2, true).values);
+  CHECK(creased(both, "loop", 180, true).values == refined(both, "loop", 2, true).values);
+  // All edges of a cube: it stays one.
+  const PolygonMesh block = creased(cube(), "catmull-clark", 45, true);
+  for (std::size_t v = 0; v < block.vertices(); ++v) {
+    double nearest = 1;
+    for (std::size_t c = 0; c < 3; ++c)
+      nearest = std::min({nearest, std::abs(block.values[3 * v + c]), std::abs(1 - block.values[3 * v + c])});
+    CHECK(nearest < 1e-15);
+  }
+  CHECK(std::ranges::equal(std::span(block.values).first(24), cube().values));
+  // An edge that alone is sharp: a crease that ends at both of its vertices.
+  const PolygonMesh roof = mesh_of(
+      {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, .5, .25, 1, .5, .75, 1, -2, -2, -3, 3, -2, -3, -2, 3, -3, 3, 3, -3},
+      {{0, 1, 4}, {2, 5, 3}, {1, 3, 5, 4}, {0, 4, 5, 2}, {6, 7, 1, 0}, {7, 9, 3, 1}, {9, 8, 2, 3}, {8, 6, 0, 2}});
+  CHECK_NOTHROW(refine_mesh(roof, "catmull-clark", {2, false, false, 85.0}, place));
+  for (const MeshOptions& options :
+       {MeshOptions{1, false, true, 30.0}, {1, false, false, -1.0}, {1, false, false, 181.0}})
+    CHECK_THROWS_AS(refine_mesh(cube(), "catmull-clark", options, place), Error);
+  CHECK_THROWS_AS(refine_mesh(cube(), "doo-sabin", {1, false, false, 30.0}, place), Error);
+  CHECK_THROWS_AS(refine_mesh(tetrahedron(), "butterfly:w=1/16", {1, false, false, 30.0}, place), Error);
 }
 
 TEST_CASE("normals are unit vectors that point outwards") {

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <sstream>
 
 namespace subcert::cli {
@@ -370,6 +371,14 @@ void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& 
   }
 }
 
+/// What CLI11 says of an option that is given more than once, as this program says it.
+std::string in_our_words(const std::string& message) {
+  static const std::regex too_often("^(--[a-z-]+): At Most 1 required but received ([0-9]+)$");
+  std::smatch found;
+  if (!std::regex_match(message, found, too_often)) return message;
+  return fmt::format("{}: expected once; found {} values", found[1].str(), found[2].str());
+}
+
 }  // namespace
 
 bool is_scheme(const std::string& word) {
@@ -401,7 +410,7 @@ int run_program(const std::string& description, const std::string& footer,
     return left.get_exit_code();
   } catch (const CLI::ParseError& error) {
     refuse_unknown_option(app, arguments);
-    fail(ErrorKind::usage, "{}; see 'subcert {}--help'", error.what(), helped(app, arguments));
+    fail(ErrorKind::usage, "{}; see 'subcert {}--help'", in_our_words(error.what()), helped(app, arguments));
   }
 }
 

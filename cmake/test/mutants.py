@@ -126,7 +126,7 @@ class Room:
         words = list(command)
         for flag, value in (("-c", source), ("-o", object_file), ("-MF", folder / "mutant.d")):
             words[words.index(flag) + 1] = str(value)
-        words[1:1] = ["-w", "-iquote", str(path.parent)]
+        words += ["-w", "-iquote", str(path.parent)]  # at the end: a launcher of the compiler may come first
         if subprocess.run(words, cwd=self.build, capture_output=True).returncode:
             return "does not compile"
         program = self.linked([object_file], folder)
@@ -173,7 +173,7 @@ def main():
         print(f"{found}: {name}:{number + 1}\n  - {line.strip()}\n  + {changed.strip()}"
               + (f"\n  known: {reason}" if reason else ""), flush=True)
     print(", ".join(f"{count} {found}" for found, count in counts.items()) + f"; {failures} survivors without a reason")
-    return 1 if failures else 0
+    return 1 if failures or not counts.get("killed") else 0
 
 
 if __name__ == "__main__":

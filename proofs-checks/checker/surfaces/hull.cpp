@@ -48,8 +48,7 @@ std::set<Point> LatticeMask::window() const {
     std::set<Point> next;
     for (const Point& p : window)
       for (const auto& [k, value] : coefficients)
-        if (const Point l{ceiling_of(p[0] - k[0], arity), ceiling_of(p[1] - k[1], arity), 0}; window.contains(l))
-          next.insert(l);
+        next.insert({ceiling_of(p[0] - k[0], arity), ceiling_of(p[1] - k[1], arity), 0});
     if (next == window) return window;
     window = std::move(next);
   }

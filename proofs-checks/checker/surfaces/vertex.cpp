@@ -9,7 +9,7 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t max_points = 64, max_level = 8, max_squarings = 12;
+constexpr std::size_t max_points = 64, max_level = 8, max_squarings = 24;
 
 /// The map z of the data that turn by w = exp(2 pi i/n) and are lambda times themselves, and what it proves.
 class Vertex {

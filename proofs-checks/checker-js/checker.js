@@ -2932,8 +2932,8 @@ var check_certificate = (() => {
       if (!matrix.length) return;
       const [, scale] = real.of(fraction(this.scale, this.lambda - this.radius));
       matrix = matrix.map(row => row.map(x => turns.scaled([scale, scale], x)));
-      for (let squarings = 0; turns.norm(matrix) >= this.W; ++squarings) {
-        demand(squarings < 24, `eigenvalues of frequency ${k} may not be below lambda`);
+      for (let squarings = 0, norm = turns.norm(matrix); norm >= this.W; norm = turns.norm(matrix)) {
+        demand(++squarings <= 24 && norm < this.W * this.W, `eigenvalues of frequency ${k} may not be below lambda`);
         matrix = turns.product(matrix, matrix);
       }
     }

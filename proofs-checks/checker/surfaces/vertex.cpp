@@ -157,8 +157,9 @@ class Vertex {
     const Interval scale = intervals_.number(1 / (lambda_ - radius_));
     for (std::vector<Turning>& row : matrix)
       for (Turning& x : row) x = frequency.scaled({scale.high, scale.high}, x);
-    for (std::size_t squarings = 0; row_norm(matrix) >= intervals_.one(); ++squarings) {
-      require(squarings < max_squarings, "eigenvalues of frequency " + std::to_string(k) + " may not be below lambda");
+    const mpz_class one = intervals_.one();
+    for (auto [squarings, norm] = std::pair(std::size_t{0}, row_norm(matrix)); norm >= one; norm = row_norm(matrix)) {
+      require(++squarings <= max_squarings && norm < one * one, "eigenvalues of frequency " + std::to_string(k) + " may not be below lambda");
       matrix = product(matrix, matrix, frequency);
     }
   }

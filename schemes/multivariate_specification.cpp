@@ -311,6 +311,7 @@ const std::vector<Family>& multivariate_table() {
         "box spline by its directions in two or three variables; optional keys as of mask2"},
        make_box},
       {{"butterfly", "butterfly:w=1/16", "butterfly scheme with tension w"}, from_fields(make_butterfly)},
+      named("modified-butterfly", "Zorin, Schröder and Sweldens' modified butterfly scheme", "butterfly:w=1/16"),
       named("loop", "Loop's scheme, three-directional quartic box spline", "box:[1,0;1,0;0,1;0,1;1,1;1,1]"),
       named("catmull-clark", "Catmull and Clark's scheme, bicubic B-spline",
             "tensor:(bspline:degree=3)x(bspline:degree=3)"),

@@ -1,0 +1,130 @@
+#include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/vertices/vertex_rules.hpp>
+
+#include <subcert/analysis/symbol/support/error.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace subcert;
+
+namespace {
+
+SectorRules rules_of(const std::string& name, long valence) {
+  return vertex_rules(name == "butterfly" ? "butterfly:w=1/16" : name, valence);
+}
+
+using Weights = std::map<SectorPoint, double>;
+
+Weights weights_of(const SectorRules& rules, const LatticePoint& point) {
+  Weights result;
+  for (const auto& [at, weight] : weights_at(rules.rule_at(point), rules.lattice, rules.valence)) {
+    const double low = weight.lower->convert_to<double>(), high = weight.upper->convert_to<double>();
+    CHECK(high - low < 1e-15);
+    if (std::abs(low) > 1e-15) result[at] = low;
+  }
+  return result;
+}
+
+std::vector<LatticePoint> first_points(const SectorRules& rules, long size) {
+  const long least = rules.lattice == SectorLattice::dual ? 0 : 1;
+  std::vector<LatticePoint> points = points_of_box({least, 0}, {size, size});
+  if (least == 1) points.push_back({0, 0});
+  return points;
+}
+
+SectorPoint mirrored(const SectorPoint& at, const SectorRules& rules) {
+  const auto point = in_sector({at.point[1], at.point[0]}, rules.lattice, rules.valence);
+  return turned(*point, -at.turn, rules.lattice, rules.valence);
+}
+
+void check_equal(const Weights& a, const Weights& b) {
+  REQUIRE(a.size() == b.size());
+  for (const auto& [at, weight] : a) {
+    REQUIRE(b.count(at) == 1);
+    CHECK(std::abs(b.at(at) - weight) < 1e-15);
+  }
+}
+
+double cosine(long multiple, long n) {
+  return std::cos(2 * std::numbers::pi * static_cast<double>(multiple) / static_cast<double>(n));
+}
+
+}  // namespace
+
+TEST_CASE("rules at vertices sum to 1 and are their own mirror images") {
+  for (const std::string& name : schemes_with_vertex_rules())
+    for (const long n : {3L, 4L, 5L, 6L, 7L, 8L, 13L, 50L, 1000L}) {
+      CAPTURE(name, n);
+      const SectorRules rules = rules_of(name, n);
+      CHECK(rules.valence == n);
+      for (const LatticePoint& point : first_points(rules, n > 50 ? 2 : 7)) {
+        CAPTURE(point);
+        const Weights weights = weights_of(rules, point);
+        double sum = 0;
+        Weights mirror;
+        for (const auto& [at, weight] : weights) {
+          sum += weight;
+          mirror[mirrored(at, rules)] = weight;
+        }
+        CHECK(std::abs(sum - 1) < 1e-12);
+        const SectorPoint image = *in_sector({point[1], point[0]}, rules.lattice, n);
+        Weights other;
+        for (const auto& [at, weight] : weights_of(rules, image.point))
+          other[turned(at, image.turn, rules.lattice, n)] = weight;
+        check_equal(other, mirror);
+      }
+    }
+}
+
+TEST_CASE("rules at vertices of the regular valence are the mask") {
+  for (const std::string& name : schemes_with_vertex_rules()) {
+    CAPTURE(name);
+    const bool triangles = rules_of(name, 3).lattice == SectorLattice::triangles;
+    const SectorRules rules = rules_of(name, triangles ? 6 : 4);
+    for (const LatticePoint& point : first_points(rules, 5)) {
+      Weights expected;
+      const long m = rules.mask.arity();
+      for (const Monomial& term : rules.mask.symbol().terms()) {
+        const long x = point[0] - term.exponents[0], y = point[1] - term.exponents[1];
+        if (x % m == 0 && y % m == 0)
+          expected[*in_sector({x / m, y / m}, rules.lattice, rules.valence)] += term.coefficient.convert_to<double>();
+      }
+      CAPTURE(point);
+      check_equal(weights_of(rules, point), expected);
+    }
+  }
+}
+
+TEST_CASE("rules at vertices have the weights that are printed") {
+  for (const long n : {3L, 4L, 5L, 7L, 12L, 101L}) {
+    CAPTURE(n);
+    const double valence = static_cast<double>(n);
+    const Weights loop = weights_of(vertex_rules("loop", n), {0, 0});
+    const double inner = 3.0 / 8 + cosine(1, n) / 4;
+    CHECK(loop.at({{1, 0}, n - 1}) == Approx((5.0 / 8 - inner * inner) / valence).epsilon(1e-13));
+    const Weights quads = weights_of(vertex_rules("catmull-clark", n), {0, 0});
+    CHECK(quads.at({{1, 0}, 0}) == Approx(3 / (2 * valence * valence)).epsilon(1e-13));
+    CHECK(quads.at({{1, 1}, 0}) == Approx(1 / (4 * valence * valence)).epsilon(1e-13));
+    const Weights dual = weights_of(vertex_rules("doo-sabin", n), {0, 0});
+    const Weights edge = weights_of(vertex_rules("modified-butterfly", n), {1, 0});
+    for (long t = 0; t < n; ++t) {
+      CHECK(dual.at({{0, 0}, t}) ==
+            Approx((3 + 2 * cosine(t, n)) / (4 * valence) + (t == 0 ? 0.25 : 0)).epsilon(1e-12));
+      if (n < 5 || edge.count({{1, 0}, t}) == 0) continue;
+      CHECK(edge.at({{1, 0}, t}) ==
+            Approx((0.25 + cosine(t, n) + cosine(2 * t, n) / 2) / valence).epsilon(1e-11).margin(1e-15));
+    }
+  }
+  check_equal(weights_of(vertex_rules("modified-butterfly", 3), {1, 0}),
+              {{{{0, 0}, 0}, 0.75}, {{{1, 0}, 0}, 5.0 / 12}, {{{1, 0}, 1}, -1.0 / 12}, {{{1, 0}, 2}, -1.0 / 12}});
+  check_equal(weights_of(vertex_rules("modified-butterfly", 4), {1, 0}),
+              {{{{0, 0}, 0}, 0.75}, {{{1, 0}, 0}, 3.0 / 8}, {{{1, 0}, 2}, -1.0 / 8}});
+}
+
+TEST_CASE("rules at vertices are refused where there are none") {
+  CHECK_THROWS_AS(vertex_rules("loop", 2), Error);
+  CHECK_THROWS_AS(vertex_rules("quincunx", 5), Error);
+  CHECK_THROWS_AS(vertex_rules("primal:n=3", 5), Error);
+  CHECK_THROWS_AS(vertex_rules("nothing", 5), Error);
+}

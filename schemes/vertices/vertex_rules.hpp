@@ -1,0 +1,31 @@
+#pragma once
+/// The rules of the classical surface schemes at vertices of any valence.
+
+#include <subcert/analysis/symbol/masks/sector_rules.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace subcert {
+
+/// The rules of a scheme at a vertex of valence n, those of a dual one at a face with n corners, c = cos(2 pi/n):
+///   loop                the vertex moves by 5/8 - (3/8 + c/4)^2 towards the mean of its neighbours [Loo87]
+///   catmull-clark       the vertex is 1 - 7/(4n) times itself, 3/2 and 1/4 over n^2 times its neighbours and those
+///                       across a face [CC78]
+///   doo-sabin           (3 + 2 cos(2 pi t/n)) / (4n), and 1/4 more for t = 0 [DS78]
+///   midedge             1/2, and 1/4 on both sides: two steps, each to the midpoints of the edges [PR97]
+///   butterfly           the mask along the edges as they are [DLG90]
+///   modified-butterfly  (1/4 + cos(2 pi t/n) + cos(4 pi t/n)/2) / n at the edges of vertices with n != 6 [ZSS96]
+///   sqrt3               two steps, each with the vertex moved by (4 - 2c)/9 towards the mean [Kob00]
+/// Two steps of the dilations that turn the lattice are one of 2 or 3 times the identity. Domain: valence >= 3. Errors:
+/// throws a SpecificationError for what is no scheme, a domain Error for one that has no rules here.
+SectorRules vertex_rules(std::string_view specification, long valence);
+
+/// The rule of one step of sqrt3 at a vertex of any valence; its other points are the middles of triangles.
+SectorRule sqrt3_vertex_rule();
+
+/// The schemes with such rules, as they may be written.
+std::vector<std::string> schemes_with_vertex_rules();
+
+}  // namespace subcert

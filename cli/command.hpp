@@ -131,6 +131,7 @@ void add_map(Command& app);
 void add_jsr(Command& app);
 void add_l1(Command& app);
 void add_verify(Command& app);
+void add_vertex(Command& app);
 void add_conjecture(Command& app);
 void add_merge(Command& app);
 void add_sweep(Command& app);

@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
          cli::add_limit,     cli::add_variance,   cli::add_refine,     cli::add_smooth,     cli::add_gallery,
          cli::add_compare,   cli::add_experiment, cli::add_conjecture, cli::add_merge,      cli::add_sweep,
          cli::add_theorem,   cli::add_statements, cli::add_check,      cli::add_completion, cli::add_manual,
-         cli::add_l1},
+         cli::add_l1,        cli::add_vertex},
         argc, argv);
     cli::require_output_written();
     return code;

@@ -1,7 +1,6 @@
 #include "vertex_rules.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include <fmt/ranges.h>
 
@@ -162,6 +161,10 @@ const std::map<std::string, Maker, std::less<>>& makers() {
   return table;
 }
 
+auto maker_of(const Scheme& scheme) {
+  return makers().find(scheme.specification.substr(0, scheme.specification.find(':')));
+}
+
 }  // namespace
 
 SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPolynomial(4) - 2 * c())); }
@@ -169,11 +172,13 @@ SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPo
 SectorRules vertex_rules(std::string_view specification, long valence) {
   require(valence >= 3, "rules at a vertex: need valence >= 3, got {}", valence);
   const Scheme scheme = make_linear_scheme(specification);
-  const auto maker = makers().find(scheme.specification.substr(0, scheme.specification.find(':')));
+  const auto maker = maker_of(scheme);
   require(maker != makers().end(), "rules at a vertex: need one of {}, got {}",
           fmt::join(schemes_with_vertex_rules(), ", "), scheme.specification);
   return maker->second(scheme.mask, valence);
 }
+
+bool has_vertex_rules(const Scheme& scheme) { return maker_of(scheme) != makers().end(); }
 
 std::vector<std::string> schemes_with_vertex_rules() {
   std::vector<std::string> names;

@@ -35,9 +35,8 @@ std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, cons
     else
       values.emplace_back(point, map.data_at(point));
   if (values.empty()) return nullptr;
-  const auto largest = std::max_element(values.begin(), values.end(), [](const auto& a, const auto& b) {
-    return size_of(a.second) < size_of(b.second);
-  });
+  const auto largest = std::max_element(
+      values.begin(), values.end(), [](const auto& a, const auto& b) { return size_of(a.second) < size_of(b.second); });
   std::iter_swap(values.begin(), largest);
   const std::size_t n = values.size();
   const Ball zero(0, field.bits()), scale = 1 / (abs(values[0].second.x) + abs(values[0].second.y));
@@ -52,8 +51,7 @@ std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, cons
       put(derivative, i, j, i == j ? entry - Point{lambda, zero} : entry, block.twice_cosine());
     }
   }
-  for (std::size_t i = 0; i < n; ++i)
-    put(derivative, i, 0, Point{zero, zero} - values[i].second, block.twice_cosine());
+  for (std::size_t i = 0; i < n; ++i) put(derivative, i, 0, Point{zero, zero} - values[i].second, block.twice_cosine());
   result.inverse.assign(n, std::vector<std::array<Rational, 2>>(n));
   for (std::size_t j = 0; j < n; ++j) {
     std::vector<Ball> unit(2 * n, zero);

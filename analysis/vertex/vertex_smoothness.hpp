@@ -47,13 +47,13 @@ struct VertexSmoothness {
   long valence = 0;
   /// Whether such a surface is C1 at the vertex: near it a graph, without overlap, over its tangent plane.
   Decision c1;
-  long frequency = 0;                       ///< that of the subdominant eigenvalue
-  Enclosure subdominant;                    ///< lambda, where it is one number, real and positive
-  Enclosure next;                           ///< |mu|, the largest of the other moduli
-  Enclosure exponent;                       ///< of Hoelder at the vertex, where c1 is yes
-  std::optional<CurvatureLimit> curvature;  ///< where c1 is yes and |mu| is told from lambda^2
-  int levels = 0;                           ///< how often squares were cut
-  long squares = 0;                         ///< that the proofs looked at
+  long frequency = 0;                              ///< that of the subdominant eigenvalue
+  Enclosure subdominant;                           ///< lambda, where it is one number, real and positive
+  Enclosure next;                                  ///< |mu|, the largest of the other moduli
+  Enclosure exponent;                              ///< of Hoelder at the vertex, where c1 is yes
+  std::optional<CurvatureLimit> curvature;         ///< where c1 is yes and |mu| is told from lambda^2
+  int levels = 0;                                  ///< how often squares were cut
+  long squares = 0;                                ///< that the proofs looked at
   std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes, by hulls
 };
 

@@ -36,8 +36,7 @@ std::string pairs_text(const std::vector<VertexEvidence::Pair>& pairs, int digit
   const Rational scale = power(Rational(2), digits);
   std::string text;
   for (const VertexEvidence::Pair& pair : pairs)
-    for (const Rational& number : pair)
-      text += " " + to_integer(Rational(number * scale), Rounding::nearest).str();
+    for (const Rational& number : pair) text += " " + to_integer(Rational(number * scale), Rounding::nearest).str();
   return text;
 }
 
@@ -51,7 +50,8 @@ std::string rules_text(const SectorRules& rules) {
       terms.push_back(
           fmt::format("{}@{},{}", polynomial_in_c(term.weight), fmt::join(term.at.point, ","), term.at.turn));
     for (const RingTerm& ring : rule.rings)
-      terms.push_back(fmt::format("{}@{}~{}", polynomial_in_c(ring.weight), fmt::join(ring.point, ","), ring.frequency));
+      terms.push_back(
+          fmt::format("{}@{}~{}", polynomial_in_c(ring.weight), fmt::join(ring.point, ","), ring.frequency));
     text += fmt::format(";{}={}", fmt::join(point, ","), fmt::join(terms, "|"));
   }
   return text;
@@ -69,12 +69,9 @@ Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegul
   std::get<SurfaceSubject>(certificate.claim.subject).vertex = rules_text(rules);
   const VertexEvidence& evidence = *smoothness.evidence;
   const Integer radius = to_integer(power(Rational(2), radius_bits), Rounding::nearest);
-  std::string text = fmt::format("vertex {} {} {} {} {}\npoints", bits, value_bits,
-                                 std::min(smoothness.levels + 1, most_levels),
-                                 to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)),
-                                            Rounding::nearest)
-                                     .str(),
-                                 radius.str());
+  std::string text = fmt::format(
+      "vertex {} {} {} {} {}\npoints", bits, value_bits, std::min(smoothness.levels + 1, most_levels),
+      to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(), radius.str());
   for (const LatticePoint& point : evidence.points) text += fmt::format(" {}", fmt::join(point, ","));
   text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), inverse_bits);
   for (std::size_t i = 0; i < evidence.inverse.size(); ++i)

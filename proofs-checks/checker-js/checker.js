@@ -2939,11 +2939,16 @@ var check_certificate = (() => {
     }
     value_at(point) {
       const {first} = this, {at, turn} = in_sector(this.sectors, point), key = String(at), zero = [this.real.zero, this.real.zero];
-      if (is_vertex(this.sectors, at)) return zero;
+      if (is_vertex(this.sectors, at)) {
+        demand(this.points.length > this.turning.length, 'the vertex is data, and none of the points');
+        return zero;
+      }
       if (!this.known.has(key)) {
         this.known.set(key, null);
-        const total = this.rule_at(at).filter(({ring}) => ring === null || ring === 1).reduce((all, term) =>
-          first.plus(all, first.scaled(this.weight_of(term), first.turned(this.value_at(term.at), term.turn))), zero);
+        const total = this.rule_at(at).reduce((all, term) => {
+          const value = first.scaled(this.weight_of(term), first.turned(this.value_at(term.at), term.turn));
+          return term.ring === null || term.ring === 1 ? first.plus(all, value) : all;
+        }, zero);
         this.known.set(key, first.times(this.of_lambda, total));
       }
       const known = this.known.get(key);

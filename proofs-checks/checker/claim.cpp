@@ -62,10 +62,10 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask",     "--arity",   "--for",     "--levels",   "--recurrence", "--start",    "--from",
-        "--masks",    "--order",   "--within",  "--surface",  "--refinable",  "--integral", "--component", "--vertex",
-        "--dilation", "--vectors", "--hermite", "--matrices", "--subradius",  "--l1",       "--contraction",
-        "--lower",    "--upper",   "--exact",   "--attains",  "--logarithm",  "FILE"})
+       {"--mask",        "--arity",    "--for",     "--levels",  "--recurrence", "--start",     "--from",
+        "--masks",       "--order",    "--within",  "--surface", "--refinable",  "--integral",  "--component",
+        "--vertex",      "--dilation", "--vectors", "--hermite", "--matrices",   "--subradius", "--l1",
+        "--contraction", "--lower",    "--upper",   "--exact",   "--attains",    "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -169,14 +169,14 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
              &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
              &refinable = given["--refinable"], &integral = given["--integral"], &component = given["--component"],
-             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &vertex = given["--vertex"], &radius = given["--matrices"],
-             &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
-             &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"], &order = given["--order"],
-             &recurrence = given["--recurrence"], &start = given["--start"], &from = given["--from"],
-             &one = mask ? mask : masks, &curve = one ? one : of_matrices, &matrices = subradius ? subradius : radius,
-             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"],
-             &attains = given["--attains"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
-             &contraction = given["--contraction"], &file = given["FILE"];
+             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &vertex = given["--vertex"],
+             &radius = given["--matrices"], &subradius = given["--subradius"], &vectors = given["--vectors"],
+             &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"],
+             &order = given["--order"], &recurrence = given["--recurrence"], &start = given["--start"],
+             &from = given["--from"], &one = mask ? mask : masks, &curve = one ? one : of_matrices,
+             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
+             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;

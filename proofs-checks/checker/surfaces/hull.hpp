@@ -2,8 +2,8 @@
 // ../../certificates/SPEC.md.
 #pragma once
 
-#include "dilation.hpp"
 #include "../scheme.hpp"
+#include "dilation.hpp"
 
 #include <map>
 #include <set>

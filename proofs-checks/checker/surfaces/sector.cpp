@@ -94,7 +94,8 @@ void check_own_rules(const SectorRules& rules) {
       sum.resize(std::max(sum.size(), term.weight.size()));
       for (std::size_t k = 0; k < term.weight.size(); ++k) sum[k] += term.weight[k];
     }
-    require(std::ranges::all_of(sum, [](const mpq_class& x) { return x == 0; }), "the weights of a rule do not sum to 1");
+    require(std::ranges::all_of(sum, [](const mpq_class& x) { return x == 0; }),
+            "the weights of a rule do not sum to 1");
   }
 }
 

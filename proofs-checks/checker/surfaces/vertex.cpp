@@ -159,7 +159,8 @@ class Vertex {
       for (Turning& x : row) x = frequency.scaled({scale.high, scale.high}, x);
     const mpz_class one = intervals_.one();
     for (auto [squarings, norm] = std::pair(std::size_t{0}, row_norm(matrix)); norm >= one; norm = row_norm(matrix)) {
-      require(++squarings <= max_squarings && norm < one * one, "eigenvalues of frequency " + std::to_string(k) + " may not be below lambda");
+      require(++squarings <= max_squarings && norm < one * one,
+              "eigenvalues of frequency " + std::to_string(k) + " may not be below lambda");
       matrix = product(matrix, matrix, frequency);
     }
   }
@@ -167,15 +168,17 @@ class Vertex {
   /// z at a point of the plane around sector 0, outwards from the given ones.
   Turning value_at(const Point& point) {
     const SectorPoint at = rules_.in_sector(point);
-    if (rules_.is_vertex(at.point)) return {};
+    if (rules_.is_vertex(at.point)) {
+      require(std::ranges::find(points_, at.point) != points_.end(), "the vertex is data, and none of the points");
+      return {};
+    }
     auto known = known_.find(at.point);
     if (known == known_.end()) {
       require(open_.insert(at.point).second, "a point depends on itself");
       Turning sum;
       for (const SectorTerm& term : rule_at(at.point)) {
-        if (term.frequency && *term.frequency != 1) continue;
-        const Turning value = first_.turned(value_at(term.at.point), term.at.turn);
-        sum = sum + first_.scaled(weight_of(term), value);
+        const Turning value = first_.turned(value_at(term.at.point), term.at.turn);  // of all data, whether they turn
+        if (!term.frequency || *term.frequency == 1) sum = sum + first_.scaled(weight_of(term), value);
       }
       known = known_.emplace(at.point, first_.times(of_lambda_, sum)).first;
     }
@@ -200,9 +203,8 @@ class Vertex {
     const std::vector<Turning> along_x = data_on(differences_[0], corner, {1, 0, 0}),
                                along_y = data_on(differences_[1], corner, {0, 1, 0});
     return std::ranges::all_of(along_x, [&](const Turning& u) {
-      return std::ranges::all_of(along_y, [&](const Turning& v) {
-        return (intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a)).low > 0;
-      });
+      return std::ranges::all_of(
+          along_y, [&](const Turning& v) { return (intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a)).low > 0; });
     });
   }
 

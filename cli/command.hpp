@@ -135,6 +135,7 @@ void add_vertex(Command& app);
 void add_conjecture(Command& app);
 void add_merge(Command& app);
 void add_sweep(Command& app);
+void add_atlas(Command& app);
 void add_theorem(Command& app);
 void add_refine(Command& app);
 void add_smooth(Command& app);

@@ -3,7 +3,6 @@
 #include "command.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/schemes/data/formats/quad_mesh.hpp>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +27,7 @@ std::size_t expected_numbers(const std::string& path, std::size_t bytes, std::si
 }
 
 /// The table, whose text need not be held.
-data::Table read_pieces(const std::string& path, RowLines& lines, const data::TableForm& form) {
+data::Table read_pieces(const std::string& path, data::RowLines& lines, const data::TableForm& form) {
   data::TableReader reader(input_name(path), form);
   runtime::LineInput input(path);
   std::optional<data::Table> all;
@@ -50,7 +49,7 @@ data::Table read_pieces(const std::string& path, RowLines& lines, const data::Ta
 
 DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
   if (variables > 2) fail(ErrorKind::usage, "{}: a scheme of three variables needs a volume in a .vtk file", path);
-  RowLines lines;
+  data::RowLines lines;
   data::TableForm form;
   form.gaps = variables == 1 ? " (subcert smooth fills gaps, with --missing drop)"
                              : " (grids have no gaps: fill them first)";
@@ -72,15 +71,14 @@ DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
 }
 
 DataFile read_any(const std::string& path, std::size_t variables, bool pieces = false) {
+  if (data::mesh_format(path)) {
+    data::MeshFile mesh = read_mesh_file(path, path, false);
+    data::GridData<double> data = take_grid(mesh);
+    return {DataKind::mesh, std::move(data), {}, std::move(mesh)};
+  }
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".obj" || ending == ".ply") {
-    const auto parse = ending == ".obj" ? data::parse_obj : data::parse_ply;
-    data::QuadMesh mesh = parse(read_input(path), input_name(path));
-    data::GridData<double> data = std::exchange(mesh.data, {});
-    return {DataKind::mesh, std::move(data), {}, std::move(mesh)};
-  }
   if (ending != ".vtk") return read_csv(path, variables, pieces);
   data::Volume volume = data::parse_vtk(read_input(path), input_name(path));
   data::GridData<double> data = std::move(volume.data);
@@ -103,6 +101,13 @@ bool repeats_first(const data::GridData<double>& data, std::size_t axis) {
 }
 
 }  // namespace
+
+data::MeshFile read_mesh_file(const std::string& path, const std::string& out, bool join) {
+  data::MeshFile mesh = data::parse_mesh(*data::mesh_format(path), read_input(path), input_name(path));
+  if (join) join_equal_vertices(mesh);
+  if (const auto format = data::mesh_format(out)) change_format(mesh, *format);
+  return mesh;
+}
 
 DataFile read_data_file(const std::string& path, std::size_t variables, const std::array<bool, 3>& closed,
                         bool pieces) {
@@ -151,17 +156,6 @@ void check_data(const DataFile& file, const std::string& path, const std::string
   }
 }
 
-void RowLines::add(std::size_t line) {
-  if (runs_.empty() || line != at(rows_)) runs_.emplace_back(rows_, line);
-  ++rows_;
-}
-
-std::size_t RowLines::at(std::size_t row) const {
-  const auto after = std::ranges::upper_bound(runs_, row, {}, &std::pair<std::size_t, std::size_t>::first);
-  const auto& [first, line] = *std::prev(after);
-  return line + row - first;
-}
-
 std::vector<std::string> DataFile::names() const {
   if (kind == DataKind::curve) return table.header;
   std::vector<std::string> names;
@@ -176,11 +170,11 @@ std::vector<std::string> DataFile::names() const {
 
 namespace {
 
-void write_mesh(std::ostream& stream, const data::QuadMesh& mesh, const std::vector<data::Axis>& axes,
+void write_grid(std::ostream& stream, const data::MeshFile& mesh, const std::vector<data::Axis>& axes,
                 const PointSource& source) {
-  write_mesh_begin(stream, mesh, axes);
+  write_grid_begin(stream, mesh, axes);
   source([&](const double* values, std::size_t points) { write_vertices(stream, mesh, values, points); });
-  write_mesh_end(stream, mesh, axes);
+  write_grid_end(stream, mesh, axes);
 }
 
 void write_volume(std::ostream& stream, const data::Volume& volume, const std::vector<data::Axis>& axes,
@@ -199,7 +193,7 @@ void write_volume(std::ostream& stream, const data::Volume& volume, const std::v
 
 void write_data(std::ostream& stream, const DataFile& file, const std::vector<data::Axis>& axes,
                 const PointSource& source, int threads) {
-  if (file.kind == DataKind::mesh) return write_mesh(stream, file.mesh, axes, source);
+  if (file.kind == DataKind::mesh) return write_grid(stream, file.mesh, axes, source);
   if (file.kind == DataKind::volume) return write_volume(stream, file.volume, axes, source);
   const std::size_t dimension = file.data.dimension, width = file.kind == DataKind::matrix ? axes[0].count : dimension;
   stream << data::header_text(file.table.header, file.table.separator);

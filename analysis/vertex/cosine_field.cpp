@@ -60,10 +60,7 @@ FieldPolynomial reduced(FieldPolynomial a, const FieldPolynomial& b, FieldPolyno
 
 Ball BallField::number(const LaurentPolynomial& p) const {
   Ball value(0, bits_);
-  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) {
-    if (k < (p.is_zero() ? 0 : p.highest())) value *= first_;
-    value += Ball(p.coefficient(k), bits_);
-  }
+  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * first_ + Ball(p.coefficient(k), bits_);
   return value;
 }
 

@@ -78,7 +78,7 @@ class Contraction {
     const std::size_t size = base.size();
     CellOperators::Matrix identity(size, std::vector<long>(size, 0));
     for (std::size_t i = 0; i < size; ++i) identity[i][i] = 1;
-    for (const Rational& rate : {Rational(1) / 16, Rational(1) / 4, Rational(3) / 4}) {
+    for (const Rational& rate : {Rational(1) / 2, Rational(3) / 4}) {
       largest_ = 0;
       words_ = 0;
       if (visit(identity, Rational(1), base, rate)) return largest_;
@@ -112,7 +112,7 @@ class Contraction {
     return true;
   }
 
-  static constexpr long most_words = 10'000;
+  static constexpr long most_words = 3000;
   const CellOperators& operators_;
   long factor_;
   std::vector<std::vector<long>> rest_;

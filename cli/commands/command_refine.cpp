@@ -8,10 +8,14 @@
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
+#include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 #include <subcert/schemes/data/refine/slab_refinement.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace subcert::cli {
@@ -27,6 +31,8 @@ struct RefineCommand : CommonOptions {
   double constant = 0;
   std::string plot;
   bool limit = false;
+  bool normals = false;
+  bool join = false;
   LevelOptions level_options;
 };
 
@@ -48,22 +54,34 @@ LatticeMask mask_with_limits(const AnyScheme& scheme) {
   return *mask;
 }
 
-/// The list of points as Json::dump(2) writes it in an object.
+/// Lists as Json::dump(2) writes them in an object, one for each point or face.
+class ListOfLists {
+ public:
+  explicit ListOfLists(std::ostream& stream) : stream_(stream) {}
+
+  template <class Numbers>
+  void add(const Numbers& numbers) {
+    text_ += std::exchange(before_, ",\n");
+    text_ += "    [\n";
+    const char* between = "      ";
+    for (const auto number : numbers) text_ += std::exchange(between, ",\n      ") + Json(number).dump();
+    text_ += "\n    ]";
+    if (text_.size() > 65536) stream_ << std::exchange(text_, {});
+  }
+  void end() { stream_ << text_ << "\n  ]"; }
+
+ private:
+  std::ostream& stream_;
+  std::string text_;
+  const char* before_ = "[\n";
+};
+
 void write_points(std::ostream& stream, std::size_t dimension, const PointSource& source) {
-  const char* before = "[\n";
+  ListOfLists list(stream);
   source([&](const double* values, std::size_t points) {
-    std::string text;
-    for (std::size_t i = 0; i < points; ++i) {
-      text += before;
-      text += "    [\n";
-      for (std::size_t c = 0; c < dimension; ++c)
-        text += "      " + Json(values[i * dimension + c]).dump() + (c + 1 == dimension ? "\n" : ",\n");
-      text += "    ]";
-      before = ",\n";
-    }
-    stream << text;
+    for (std::size_t i = 0; i < points; ++i) list.add(std::span(values + i * dimension, dimension));
   });
-  stream << "\n  ]";
+  list.end();
 }
 
 Json axis_json(const data::Axis& axis) {
@@ -101,23 +119,85 @@ std::array<bool, 3> closed_directions(const RefineCommand& options, std::size_t 
   return closed;
 }
 
-/// The answer as JSON, point by point.
-void answer_json(const RefineCommand& options, Json json, std::size_t dimension, const PointSource& source) {
-  static const std::string points = "\"(points)\"";
-  json["points"] = "(points)";
+/// Whatever writes a list in the place of one of these fields.
+using ListWriter = std::function<void(std::ostream&)>;
+
+/// The answer as JSON, its long lists piece by piece, after all other fields.
+void answer_json(const RefineCommand& options, Json json,
+                 const std::vector<std::pair<const char*, ListWriter>>& lists) {
+  for (const auto& [name, write] : lists) json[name] = std::string("(") + name + ")";
   const std::string text = json_text(std::move(json));
-  const std::size_t at = text.find(points);
   options.answer([&](std::ostream& stream) {
-    stream << text.substr(0, at);
-    write_points(stream, dimension, source);
-    stream << text.substr(at + points.size());
+    std::size_t at = 0;
+    for (const auto& [name, write] : lists) {
+      const std::string mark = std::string("\"(") + name + ")\"";
+      const std::size_t found = text.find(mark);
+      stream << text.substr(at, found - at);
+      write(stream);
+      at = found + mark.size();
+    }
+    stream << text.substr(at);
   });
+}
+
+/// Whether the data are a mesh that the scheme refines whatever its topology.
+bool is_mesh_scheme(const RefineCommand& options, const AnyScheme& scheme) {
+  return data::mesh_format(options.data) && std::holds_alternative<Scheme>(scheme) &&
+         data::has_mesh_rules(specification_of(scheme));
+}
+
+void require_mesh_options(const RefineCommand& options, const std::string& scheme) {
+  const auto refuse = [&](const char* option, const char* why) {
+    fail(ErrorKind::usage, "{}: {}: {}", option, scheme, why);
+  };
+  if (options.boundary != data::refinement_boundary_names().front())
+    refuse("--boundary", "a mesh has the boundary rules of the scheme");
+  if (options.closed || std::ranges::count(options.closed_directions, true) > 0)
+    refuse("--closed", "the faces of a mesh say where it is closed");
+  if (!options.plot.empty())
+    refuse("--plot", "meshes that are no grids are not drawn; --out writes .obj, .ply, .off, .stl");
+}
+
+ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
+  require_mesh_options(options, scheme);
+  data::MeshFile file = read_mesh_file(options.data, options.out, options.join);
+  if (file.format == data::MeshFormat::stl && options.normals)
+    fail(ErrorKind::usage, "--normals: an STL file has none at vertices; write .obj, .ply or .off");
+  for (const std::string& line : file.remarks) options.remark(input_name(options.data) + ": " + line);
+  const data::PolygonMesh refined = refine_mesh(std::exchange(file.mesh, {}), scheme,
+                                                {options.levels, options.limit, options.normals},
+                                                [&](std::size_t face) { return file.place(face); });
+  if (options.normals)
+    for (const char* name : {"nx", "ny", "nz"}) file.properties.push_back({name});
+  if (!options.json) {
+    if (file.format == data::MeshFormat::stl && !refined.has_only(3))
+      fail(ErrorKind::usage, "--out: an STL file holds triangles; {} makes other faces: write .obj, .ply or .off",
+           scheme);
+    options.answer([&](std::ostream& stream) { write_mesh(stream, file, refined); });
+    return done;
+  }
+  Json json{{"scheme", scheme}, {"levels", options.levels}, {"limit", options.limit}, {"columns", Json::array()}};
+  for (const data::VertexProperty& property : file.properties) json["columns"].push_back(property.name);
+  const auto points = [&](std::ostream& stream) {
+    write_points(stream, refined.dimension, [&](const auto& take) { take(refined.values.data(), refined.vertices()); });
+  };
+  const auto faces = [&](std::ostream& stream) {
+    ListOfLists list(stream);
+    for (std::size_t f = 0; f < refined.faces(); ++f) list.add(refined.face(f));
+    list.end();
+  };
+  answer_json(options, std::move(json), {{"points", points}, {"faces", faces}});
+  return done;
 }
 
 ExitCode run(const RefineCommand& options) {
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const AnyScheme scheme = make_scheme_for_data(options);
   const std::string& name = specification_of(scheme);
+  if (is_mesh_scheme(options, scheme)) return run_mesh(options, name);
+  if (options.normals || options.join)
+    fail(ErrorKind::usage, "{}: of a mesh and one of {}; {} refines grids", options.normals ? "--normals" : "--join",
+         fmt::join(schemes_with_vertex_rules(), ", "), name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
   const std::array<bool, 3> closed = closed_directions(options, fewest.size(), boundary);
@@ -151,8 +231,9 @@ ExitCode run(const RefineCommand& options) {
                  without_derivatives(scheme, *whole));
   if (options.json) {
     const bool round = fewest.size() == 1 && file.data.axes[0].closed;
+    const auto points = [&](std::ostream& stream) { write_points(stream, file.data.dimension, source); };
     answer_json(options, result_json(options, name, file, round ? data::Boundary::periodic : boundary, axes),
-                file.data.dimension, source);
+                {{"points", points}});
   } else {
     options.answer([&](std::ostream& stream) { write_data(stream, file, axes, source, options.threads()); });
   }
@@ -170,11 +251,13 @@ void add_refine(Command& app) {
   command
       .option("DATA", options->data,
               "CSV: points in rows, for Hermite schemes values, then derivatives, also after one column of positions; "
-              "or a matrix of heights for a scheme of two variables; .obj, .ply: a mesh of "
-              "quadrilaterals; .vtk: a regular volume; - is standard input, read as CSV")
+              "or a matrix of heights for a scheme of two variables; .obj, .ply, .off, .stl: "
+              "a mesh; .vtk: a regular volume; - is standard input, read as CSV")
       .required();
   command.option("--levels", options->levels, "How often the scheme is applied").within(0, 1000000000).with_default();
   command.flag("--limit", options->limit, "Values of the limit at the parameters i / arity^LEVELS, at the data for 0");
+  command.flag("--normals", options->normals, "Of a mesh: the normals of the limit surface at its vertices, too");
+  command.flag("--join", options->join, "Of a mesh: vertices all of whose numbers are equal are made one");
   command.flag("--closed", options->closed, "The first point follows the last, in every direction");
   command.flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
   command.flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");

@@ -126,6 +126,74 @@ TEST_CASE("surfaces and volumes are refined") {
   CHECK(code("grid:points=2x2 " + matrix + " --levels 90") == 64);
 }
 
+TEST_CASE("meshes of any topology are refined") {
+  const Folder folder;
+  const auto file = [&](const char* name, const std::string& content) { return folder.write(name, content); };
+  const std::string tetrahedron = file("t.obj",
+                                       "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nvn 0 0 1\nf 1 2 3\nf 1 3 4\n"
+                                       "f 1 4 2\nf 2 4 3\n");
+  const Run once = run("refine loop " + tetrahedron + " --levels 1");
+  CHECK(once.out.starts_with("v 0.25 0.25 0.25\nv 0.25 -0.25 -0.25\n"));
+  CHECK(once.err == "subcert: note: " + tetrahedron + ": left out: normals and texture coordinates\n");
+  // Another format by the name of the answer; limits stay from level to level.
+  const auto written = [&](const char* name, const std::string& arguments) {
+    const std::string path = folder / name;
+    const Run refined = run("refine " + arguments + " --quiet --out " + path);
+    CHECK(refined.code == 0);
+    CHECK(refined.err.empty());
+    return content(path);
+  };
+  CHECK(written("a.ply", "loop: " + tetrahedron + " --levels 2 --limit")
+            .starts_with("ply\nformat ascii 1.0\nelement vertex 34\nproperty double x\n"));
+  CHECK(written("a.off", "doo-sabin " + tetrahedron + " --levels 1").starts_with("OFF\n12 14 0\n"));
+  CHECK(written("a.stl", "sqrt3 " + tetrahedron + " --levels 1").starts_with("solid mesh\nfacet normal "));
+  CHECK(written("b.obj", "catmull-clark " + folder / "a.off" + " --levels 1 --normals").find("vn ") !=
+        std::string::npos);
+  CHECK(run("refine loop " + folder / "a.stl" + " --levels 1 --json --quiet").code == 0);
+  const auto json = run_json("refine catmull-clark " + folder / "b.obj" + " --levels 0 --limit --normals --quiet");
+  CHECK(json.at("columns") == nlohmann::json({"x", "y", "z", "nx", "ny", "nz"}));
+  CHECK(json.at("faces").size() == 48);
+  CHECK(json.at("points").at(0).size() == 6);
+  const std::string text = run("refine loop " + tetrahedron + " --levels 1 --json --quiet").out;
+  CHECK(text == nlohmann::ordered_json::parse(text).dump(2) + "\n");
+
+  const auto fails = [&](const std::string& arguments, int code, const std::string& message) {
+    CAPTURE(arguments);
+    check_fails(run("refine " + arguments + " --quiet"), code, message);
+  };
+  const std::string square = file("s.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"),
+                    turned = file("u.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 3 1 4\n"),
+                    seam = file("d.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nv 1 1 0\nf 1 2 3\nf 5 6 4\n");
+  fails("loop " + square, 65, square + ", line 5: expected triangles for loop; found a face of 4 vertices");
+  fails("loop " + turned, 65,
+        turned +
+            ", line 5: expected faces that go around alike, so that two have their edge in opposite directions; "
+            "found one in the same direction; " +
+            turned + ", line 6 has it, too");
+  fails("loop " + seam, 65,
+        seam +
+            ", line 7: expected each vertex once; found an edge of the boundary whose ends are at the same places as "
+            "those of another one (--join makes one vertex of equal ones); " +
+            seam + ", line 8 has it, too");
+  CHECK(run("refine loop " + seam + " --join --levels 1").out.find("f 1 ") != std::string::npos);
+  fails("catmull-clark " + square + " --boundary shrink", 64,
+        "--boundary: catmull-clark: a mesh has the boundary rules of the scheme");
+  fails("catmull-clark " + square + " --closed", 64,
+        "--closed: catmull-clark: the faces of a mesh say where it is closed");
+  fails("catmull-clark " + square + " --plot " + folder / "x.svg", 64,
+        "--plot: catmull-clark: meshes that are no grids are not drawn; --out writes .obj, .ply, .off, .stl");
+  fails("catmull-clark " + square + " --out " + folder / "x.stl", 64,
+        "--out: an STL file holds triangles; catmull-clark makes other faces: write .obj, .ply or .off");
+  fails("loop " + tetrahedron + " --normals --out " + folder / "x.stl", 64,
+        "--normals: an STL file has none at vertices; write .obj, .ply or .off");
+  fails(
+      "'tensor:(primal:n=1)x(primal:n=1)' " + square + " --normals", 64,
+      "--normals: of a mesh and one of butterfly, catmull-clark, doo-sabin, loop, midedge, modified-butterfly, sqrt3; "
+      "tensor:(primal:n=1,d=1)x(primal:n=1,d=1) refines grids");
+  CHECK(run("refine loop " + tetrahedron + " --levels 30").code == 64);
+  CHECK(run("refine loop " + folder / "nowhere.off").code == 66);
+}
+
 TEST_CASE("schemes that turn the grid have no data on it") {
   const Folder folder;
   const std::string heights = folder.write("heights.csv", "1,2,3,4\n2,3,4,5\n3,4,5,6\n4,5,6,7\n");

@@ -26,8 +26,10 @@ COMMANDS = [
     ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit", "--sarif"]),
     ("conjecture 7 --n 1..2 --d 1", ["--out", "--journal"]),
     ("sweep primal:n=1..2", ["--out", "--journal"]), ("merge journal", ["--out"]),
+    ("atlas primal:n=1 --atlas made.sqlite", ["--out", "--certificate"]),
     ("smooth data.csv --scheme primal:n=2", ["--out"]), ("smooth data.csv --scheme primal:n=2 --stream", ["--out"]),
     ("refine primal:n=2 data.csv", ["--out"]), ("verify s1.cert", ["--out"]),
+    ("refine loop mesh.obj --levels 1", ["--out", "--out.ply", "--out.off", "--out.stl"]),
     ("regularity bspline:degree=3", ["--out", "--certificate"]), ("jsr pair.json", ["--out", "--certificate"]),
     # not asked to print into what is full
     ("range four-point:w --over w=1/20..1/10 --property convergent", ["--out", "--certificate/"]),
@@ -40,7 +42,7 @@ COMMANDS = [
     ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
     ("experiment fig3 --runs 2", ["--out/"]), ("reproduce dyn-2015 --only masks,fig1", ["--out/"]),
 ]
-PRINTED = 16
+PRINTED = 17
 REASONS = ("Not a directory", "Is a directory", "No space left on device", "Read-only file system", "File too large",
            "gnuplot did not draw it to its end", "No such file or directory", "expected a folder",
            "expected a file in a folder")
@@ -230,6 +232,7 @@ if os.environ.get("SUBCERT_OWN_MOUNTS") is None:
             os.execvp("unshare", [*unshare, sys.executable, "-B", *sys.argv])
 with tempfile.TemporaryDirectory() as name:
     work = Path(name)
+    (work / "mesh.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     (work / "data.csv").write_text("x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
     (work / "pair.json").write_text('{"matrices": [[["1","1"],["0","1"]], [["1","0"],["1","1"]]]}\n')
     (work / "vectors.toml").write_text("mask = 'merrien:lambda=-1/8,mu=1/2'\nHC = '>= 1'\n")

@@ -6,7 +6,7 @@
 #include <subcert/proofs-checks/checker/check.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
 #include <subcert/proofs-checks/sweeps/journal.hpp>
-#include <subcert/schemes/data/formats/quad_mesh.hpp>
+#include <subcert/schemes/data/formats/mesh_file.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/formats/volume.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
@@ -58,7 +58,9 @@ const std::map<std::string_view, void (*)(const std::string&)> parsers{
     {"journal", [](const std::string& text) { subcert::sweeps::read_journal(file_of(text)); }},
     {"matrices", [](const std::string& text) { subcert::parse_matrices(text, "file"); }},
     {"obj", [](const std::string& text) { subcert::data::parse_obj(text, "file"); }},
+    {"off", [](const std::string& text) { subcert::data::parse_off(text, "file"); }},
     {"ply", [](const std::string& text) { subcert::data::parse_ply(text, "file"); }},
+    {"stl", [](const std::string& text) { subcert::data::parse_stl(text, "file"); }},
     {"table", [](const std::string& text) { subcert::data::parse_table(text, "file"); }},
     {"vtk", [](const std::string& text) { subcert::data::parse_vtk(text, "file"); }},
 };

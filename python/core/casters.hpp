@@ -116,6 +116,7 @@ void add_regularity(py::module_& module);
 void add_limits(py::module_& module);
 void add_families(py::module_& module);
 void add_data(py::module_& module);
+void add_meshes(py::module_& module);
 void add_proofs(py::module_& module);
 
 }  // namespace subcert::python

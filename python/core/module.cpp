@@ -47,5 +47,6 @@ PYBIND11_MODULE(_core, module) {
   add_limits(module);
   add_families(module);
   add_data(module);
+  add_meshes(module);
   add_proofs(module);
 }

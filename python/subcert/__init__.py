@@ -11,7 +11,7 @@ True
 
 from ._certificates import Certificate, Verification, verify
 from ._core import version as __version__
-from ._data import Smoothed, refine, smooth
+from ._data import Smoothed, refine, refine_mesh, smooth
 from ._errors import (
     CertificateError,
     DataError,
@@ -72,6 +72,7 @@ from ._schemes import (
     refinable,
     scheme,
 )
+from ._sweeps import Atlas, AtlasAnswers, AtlasEntry, SweepAnswer, sweep
 from ._tables import SchemeTable, compare
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -175,6 +175,16 @@ def refine(
     jobs: int,
     progress: _Progress,
 ) -> tuple[_Array, list[tuple[Fraction, Fraction]]]: ...
+def refine_mesh(
+    scheme: str,
+    vertices: _Array,
+    corners: _Array,
+    sides: _Array,
+    levels: int,
+    limit: bool,
+    normals: bool,
+    progress: _Progress,
+) -> tuple[_Array, _Array, _Array]: ...
 def smooth(
     y: _Array,
     x: Optional[_Array],

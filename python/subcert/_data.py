@@ -59,6 +59,47 @@ def refine(
     return (refined, axes) if parameters else refined
 
 
+def refine_mesh(
+    scheme: Any,
+    vertices: Any,
+    faces: Any,
+    levels: int = 1,
+    *,
+    limit: bool = False,
+    normals: bool = False,
+    progress: Progress = None,
+) -> Any:
+    """Refines a mesh of any topology, `levels` times, by loop, catmull-clark, doo-sabin, midedge, butterfly,
+    modified-butterfly or sqrt3; gives the pair (vertices, faces), with `normals` also the unit normals of the limit
+    surface at the vertices.
+
+    `vertices`: shape (n, numbers), of any numbers that are refined as coordinates are; `faces`: shape (m, sides) of
+    numbers of vertices from 0 on, or a list of lists where the faces have different numbers of sides. So are those of
+    the result. `limit`: the vertices are moved to the limit surface. Raises DataError where the faces make no oriented
+    surface and for numbers that are not finite, DomainError for another scheme.
+
+    >>> import numpy, subcert
+    >>> corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
+    >>> points, faces = subcert.refine_mesh("loop", corners, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], 2)
+    >>> points.shape, faces.shape
+    ((34, 3), (64, 3))
+    """
+    import numpy
+
+    array = numpy.ascontiguousarray(vertices, dtype=numpy.float64)
+    lists = [numpy.asarray(face) for face in faces]
+    if any(face.ndim != 1 or (face.size > 0 and face.dtype.kind not in "iu") for face in lists):
+        raise DomainError("faces: need lists of the numbers of vertices")
+    corners = numpy.concatenate(lists) if lists else numpy.zeros(0, numpy.int64)
+    counts = numpy.array([len(face) for face in lists], numpy.int64)
+    points, corners, sides = _core.refine_mesh(str(scheme), array, corners, counts, levels, limit, normals, progress)
+    if len(set(sides)) == 1:
+        made = corners.reshape(-1, sides[0])
+    else:
+        made = numpy.split(corners, numpy.cumsum(sides)[:-1])
+    return (points[:, :-3], made, points[:, -3:]) if normals else (points, made)
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Smoothed:
     """The limit of a scheme from samples, at the positions x; of heights and volumes x has the positions along each
@@ -127,6 +168,7 @@ def smooth(
     missing: str = "raise",
     scheme: Any = "",
     weights: Any = None,
+    errors: Any = None,
     bands: float = 0.95,
     kind: str = "pointwise",
     level: int = 0,
@@ -147,30 +189,31 @@ def smooth(
     """Smooths samples of a function by the limit of a scheme or by local polynomials.
 
     `data`: an array of shape (n,) for an answer of the kind Smoothed, or of heights (n, m), or a volume (n, m, k),
-    which are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or a
-    table: a frame of pandas, polars, pyarrow or others with the dataframe interchange protocol, a dict of arrays, a
-    structured array, or the name of a file (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of
-    the same kind. Of a table `x`, `y`, `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and
-    `keep` also lists. Without `x` the first of several columns of numbers or dates holds the positions ("none": 0, 1,
-    2, ...); an index of pandas that has a name or dates is a column before all others, and the index of the answer.
-    Without `y` all other columns of numbers are smoothed. `by`: each group of rows by itself. `keep`:
-    columns that the answer has, too, with at="data". The columns of the answer are those of the command: for v also
-    v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`: "raise", or "drop" for
-    samples that are NaN or missing and rows without a position.
+    which are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or
+    a table: a frame of pandas, polars, pyarrow or others with the dataframe interchange protocol, a dict of arrays,
+    a structured array, or the name of a file (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table
+    of the same kind. Of a table `x`, `y`, `weights`, `errors`, `by` and `keep` are names of columns, or numbers
+    from 1 on; `y` and `keep` also lists. Without `x` the first of several columns of numbers or dates holds the
+    positions ("none": 0, 1, 2, ...); an index of pandas that has a name or dates is a column before all others, and
+    the index of the answer. Without `y` all other columns of numbers are smoothed. `by`: each group of rows by
+    itself. `keep`: columns that the answer has, too, with at="data". The columns of the answer are those of the
+    command: for v also v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`:
+    "raise", or "drop" for samples that are NaN or missing and rows without a position.
 
-    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and `spacing`,
-    1 by default. With `irregular` other positions are taken as they are, also several data at one, and `spacing`, by
-    default the mean, is that of the answer; None does so where no scheme is named, or a local one. At the data the
-    answer has the order of `y`; on a grid it falls where `x` falls. `scheme`: a scheme or a specification, also
-    "local:points=21,d=1" and its like; by default the one with the smallest estimated error. `weights`: prior weights,
-    inverse to the variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`:
-    pointwise or simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at
-    the multiples of arity^-level of the spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard
-    deviation, where it is known. `select`: by what the method is chosen, its estimated error ("risk") or
-    cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no
-    bands. `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names
-    the method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
-    without proof of convergence.
+    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and
+    `spacing`, 1 by default. With `irregular` other positions are taken as they are, also several data at one, and
+    `spacing`, by default that of most neighbours or the mean, is that of the answer; None does so where no scheme
+    is named, or a local one. At the data the answer has the order of `y`; on a grid it falls where `x` falls.
+    `scheme`: a scheme or a specification, also "local:points=21,d=1" and its like; by default the one with the
+    smallest estimated error. `weights`: prior weights, inverse to the variance of the noise; 0: missing. `errors`:
+    in their place standard deviations of the noise, which are known with `noise` left out. `bands`: level of the
+    confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
+    prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this
+    grid, or at the data ("data"). `noise`: its standard deviation, where it is known. `select`: by what the method
+    is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the
+    residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where
+    outliers move a linear fit a UserWarning names the method that leaves them out. Raises DataError for samples
+    that cannot be smoothed, DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -193,6 +236,10 @@ def smooth(
         for name in ("data", "x", "y", "by", "keep"):
             del options[name]
         return _frames.smoothed(smooth, data, x, y, by, keep, options)
+    if errors is not None:
+        if weights is not None:
+            raise UsageError("smooth: weights and errors: expected one of the two")
+        weights, noise = _frames.weights_of(errors), 1.0 if noise is None else noise
     if y is not None or by is not None or keep is not None:
         raise UsageError("smooth: y, by and keep are columns of a table; got an array")
     array = numpy.ascontiguousarray(data, dtype=numpy.float64)

@@ -64,6 +64,44 @@ def test_bad_data(data, kind, text):
         subcert.scheme("primal:n=2").refine(data)
 
 
+CUBE = (
+    [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]],
+    [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
+)
+
+
+def test_meshes():
+    points, faces = subcert.refine_mesh("catmull-clark", *CUBE)
+    assert points.shape == (26, 3) and faces.shape == (24, 4)
+    assert numpy.allclose(points[0], 2 / 9, atol=1e-15) and numpy.allclose(points[20:].mean(axis=0), 0.5)
+    points, faces = subcert.refine_mesh("doo-sabin", *CUBE)
+    assert points.shape == (24, 3) and sorted(map(len, faces)) == [3] * 8 + [4] * 18
+    points, faces, normals = subcert.refine_mesh("catmull-clark", *CUBE, 2, limit=True, normals=True)
+    assert points.shape == normals.shape == (98, 3)
+    assert numpy.allclose((normals**2).sum(axis=1), 1) and (((points - 0.5) * normals).sum(axis=1) > 0.2).all()
+    one, _ = subcert.refine_mesh("loop", [[1.0], [2], [3]], numpy.array([[0, 1, 2]]))
+    assert numpy.array_equal(one[:, 0], [1.375, 2, 2.625, 1.5, 2.5, 2])
+
+
+@pytest.mark.parametrize(
+    "vertices, faces, kind, text",
+    [
+        (CUBE[0], [[0, 1, 8]], subcert.DataError, "face 0: expected the number of a vertex from 0 to 7; found 8"),
+        (CUBE[0], [[0, 1, -1]], subcert.DataError, "found -1"),
+        (CUBE[0], [[0, 1]], subcert.DataError, "three or more vertices; found 2"),
+        (CUBE[0], [[0, 1, 1]], subcert.DataError, "one of them twice"),
+        (CUBE[0], [[0, 1, 2], [0, 1, 3]], subcert.DataError, "in the same direction; face 1 has it, too"),
+        (CUBE[0], [], subcert.DataError, "no faces"),
+        (CUBE[0], [[0.5, 1, 2]], subcert.DomainError, "numbers of vertices"),
+        ([[0, 0, numpy.nan], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], subcert.DataError, "got nan at vertex 0"),
+        ([0, 1, 2], [[0, 1, 2]], subcert.DomainError, "two dimensions"),
+    ],
+)
+def test_bad_meshes(vertices, faces, kind, text):
+    with pytest.raises(kind, match=text):
+        subcert.refine_mesh("catmull-clark", vertices, faces)
+
+
 def test_bad_options():
     s, data = subcert.scheme("primal:n=2"), numpy.zeros(20)
     with pytest.raises(subcert.UsageError, match="boundary"):
@@ -99,6 +137,22 @@ def test_smoothing():
     weights[77] = 0
     gap = subcert.smooth(numpy.where(numpy.arange(200) == 77, 1e6, y), weights=weights, scheme="primal:n=4")
     assert abs(gap.values[77]) < 2
+
+
+def test_standard_deviations_of_the_noise():
+    y = numpy.sin(numpy.arange(60.0))
+    errors = numpy.where(numpy.arange(60) < 30, 0.5, 2.0)
+    weighed = subcert.smooth(y, weights=1 / errors**2, noise=1.0, scheme="primal:n=3")
+    found = subcert.smooth(y, errors=errors, scheme="primal:n=3")
+    assert (found.values == weighed.values).all() and (found.deviation == weighed.deviation).all()
+    frame = {"x": numpy.arange(60.0), "y": y, "s": errors}
+    table = subcert.smooth(frame, x="x", y="y", errors="s", scheme="primal:n=3")
+    assert (table["y"] == found.values).all() and (table["y_sd"] == found.deviation).all()
+    for data, more in ((y, {"weights": errors}), (frame, {"y": "y", "weights": "s"})):
+        with pytest.raises(subcert.UsageError, match="weights and errors"):
+            subcert.smooth(data, errors=errors if data is y else "s", **more)
+    with pytest.raises(subcert.DomainError, match="1e-75"):
+        subcert.smooth(y, errors=0 * y)
 
 
 def test_smoothing_at_scattered_positions():

@@ -1,8 +1,9 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cmake/catch.hpp>
-#include <subcert/schemes/data/formats/quad_mesh.hpp>
+#include <subcert/schemes/data/formats/grid_mesh.hpp>
 #include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/formats/volume.hpp>
+#include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 
 #include <random>
 
@@ -18,9 +19,13 @@ GridData<double> sample(std::size_t columns, std::size_t rows, bool closed_x, bo
   return data;
 }
 
-QuadMesh mesh_of(GridData<double> data, MeshFormat format, Encoding encoding = Encoding::text) {
-  return {std::move(data), {{"x"}, {"y"}, {"z"}}, format, encoding};
+MeshFile mesh_of(GridData<double> data, MeshFormat format, Encoding encoding = Encoding::text) {
+  return {mesh_of_grid(std::move(data)), {{"x"}, {"y"}, {"z"}}, format, encoding};
 }
+
+GridData<double> grid_of(MeshFile mesh) { return take_grid(mesh); }
+GridData<double> obj_grid(std::string_view text, const std::string& file) { return grid_of(parse_obj(text, file)); }
+GridData<double> ply_grid(std::string_view text, const std::string& file) { return grid_of(parse_ply(text, file)); }
 
 template <class Parse>
 std::string error_of(Parse parse, const std::string& text) {
@@ -50,9 +55,10 @@ TEST_CASE("meshes are written and read back, open and closed") {
         if ((closed_x && columns < 3) || (closed_y && rows < 3)) continue;
         const GridData<double> data = sample(columns, rows, closed_x, closed_y);
         CAPTURE(columns, rows, closed_x, closed_y);
-        std::vector<GridData<double>> all{parse_obj(to_text(mesh_of(data, MeshFormat::obj)), "f").data};
+        std::vector<GridData<double>> all{obj_grid(to_text(mesh_of(data, MeshFormat::obj)), "f")};
         for (const Encoding encoding : {Encoding::text, Encoding::little_endian, Encoding::big_endian})
-          all.push_back(parse_ply(to_text(mesh_of(data, MeshFormat::ply, encoding)), "f").data);
+          all.push_back(ply_grid(to_text(mesh_of(data, MeshFormat::ply, encoding)), "f"));
+        all.push_back(grid_of(parse_off(to_text(mesh_of(data, MeshFormat::off)), "f")));
         for (const GridData<double>& back : all) {
           CHECK(back.values == data.values);
           CHECK(back.axes[0].count == columns);
@@ -62,12 +68,10 @@ TEST_CASE("meshes are written and read back, open and closed") {
         }
       }
   // Other orders, orientations, texture and normal numbers, vertices counted from the end.
-  const GridData<double> back =
-      parse_obj(
-          "o s # name\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nv 0 2 0\nv 1 2 0\ns off\n"
-          "f -1 -2 3//1 4/2/1\nf 3 1 2 4\n",
-          "f")
-          .data;
+  const GridData<double> back = obj_grid(
+      "o s # name\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nv 0 2 0\nv 1 2 0\ns off\n"
+      "f -1 -2 3//1 4/2/1\nf 3 1 2 4\n",
+      "f");
   CHECK(back.axes[0].count == 2);
   CHECK(back.axes[1].count == 3);
 }
@@ -75,13 +79,13 @@ TEST_CASE("meshes are written and read back, open and closed") {
 TEST_CASE("what is no grid is refused with its place") {
   const std::string obj = to_text(mesh_of(sample(3, 3, false, false), MeshFormat::obj)),
                     ply = to_text(mesh_of(sample(3, 3, false, false), MeshFormat::ply));
-  CHECK(error_of(parse_obj, "").find("f: expected vertices and four-sided faces") == 0);
-  CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 5")) ==
-        "f, line 10, word 5: expected f and four vertices, as meshes are grids of quadrilaterals; found nothing");
+  CHECK(error_of(parse_obj, "") == "f: expected vertices and faces; found 0 vertices and no faces");
+  CHECK(error_of(obj_grid, replaced(obj, "f 1 2 5 4", "f 1 2 5")) ==
+        "f, line 10: expected a face of 4 vertices, as in a grid; found 3");
   CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 5 44")) ==
         "f, line 10, word 5: expected the number of one of the 9 vertices above; found '44'");
-  CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4", "f 1 2 6 4")).find("do not") != std::string::npos);
-  CHECK(error_of(parse_obj, replaced(obj, "f 1 2 5 4\n", "")).find("the 3 faces on 8 vertices do not") !=
+  CHECK(error_of(obj_grid, replaced(obj, "f 1 2 5 4", "f 1 2 6 4")).find("do not") != std::string::npos);
+  CHECK(error_of(obj_grid, replaced(obj, "f 1 2 5 4\n", "")).find("the 3 faces on 8 vertices do not") !=
         std::string::npos);
   CHECK(error_of(parse_obj, replaced(obj, "v ", "v x")).find("f, line 1, word 2: expected a finite number") == 0);
   CHECK(error_of(parse_obj, replaced(obj, "v ", "v nan ")) ==
@@ -91,7 +95,7 @@ TEST_CASE("what is no grid is refused with its place") {
   CHECK(error_of(parse_obj, "v 1 2 3\nv 1 2 3 4\n") ==
         "f, line 2, word 5: expected v and 3 numbers as in the first vertex; found '4'");
   CHECK(error_of(parse_obj, "curv 1\n") ==
-        "f, line 1, word 1: expected v, f, vn, vt, o, g, s, usemtl or mtllib; found 'curv'");
+        "f, line 1, word 1: expected v, f, vn, vt, l, p, o, g, s, usemtl or mtllib; found 'curv'");
   CHECK(error_of(parse_ply, "") == "f: expected a PLY file, which begins with the line 'ply'");
   CHECK(error_of(parse_ply, replaced(ply, "ascii", "binary")) ==
         "f, line 2, word 2: expected ascii, binary_little_endian or binary_big_endian; found 'binary'");
@@ -105,10 +109,138 @@ TEST_CASE("what is no grid is refused with its place") {
   CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4.5 3")) ==
         "f, line 19, word 4: expected the number of a vertex from 0 to 8; found '4.5'");
   CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "4 0 1 4 3 3")) ==
-        "f, line 19, word 6: expected 4 and four vertices; found '3'");
-  CHECK(error_of(parse_ply, replaced(ply, "4 0 1 4 3", "3 0 1 4"))
-            .find("word 1: expected faces of 4 vertices, as meshes are grids of quadrilaterals; found '3'") !=
+        "f, line 19, word 6: expected no more numbers for a face; found '3'");
+  CHECK(error_of(ply_grid, replaced(ply, "4 0 1 4 3", "3 0 1 4")) ==
+        "f, line 19: expected a face of 4 vertices, as in a grid; found 3");
+}
+
+TEST_CASE("polygons are read and written in every form") {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0.25\nf 1 2 3 4\nf -3 -1 -2\n";
+  const MeshFile mesh = parse_obj(obj, "f");
+  CHECK(mesh.mesh.corners == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 4, 3});
+  CHECK(mesh.mesh.first == std::vector<std::uint32_t>{0, 4, 7});
+  CHECK(mesh.place(1) == "f, line 7");
+  for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off})
+    for (const Encoding encoding : {Encoding::text, Encoding::little_endian, Encoding::big_endian}) {
+      MeshFile form = mesh;
+      form.encoding = encoding;
+      change_format(form, format);
+      const std::string text = to_text(form);
+      const MeshFile back = parse_mesh(format, text, "f");
+      CHECK(back.mesh.values == mesh.mesh.values);
+      CHECK(back.mesh.corners == mesh.mesh.corners);
+      CHECK(back.mesh.first == mesh.mesh.first);
+      CHECK(to_text(back) == text);
+    }
+  CHECK(to_text(mesh) == replaced(obj, "f -3 -1 -2", "f 3 5 4"));
+
+  const MeshFile colours = parse_off(
+      "CNOFF # with normals\n3 1 0\n0 0 0 0 0 1 1 0 0 0.5\n1 0 0 0 0 1 0 1 0 1\n0 1 0 0 0 1 0 0 1 1\n3 0 1 2 255 0 0\n",
+      "f");
+  CHECK(colours.remarks == std::vector<std::string>{"refined as x, y, z are: red, green, blue, alpha",
+                                                    "left out: normals, what faces have beside their vertices"});
+  CHECK(to_text(colours) == "COFF\n3 1 0\n0 0 0 1 0 0 0.5\n1 0 0 0 1 0 1\n0 1 0 0 0 1 1\n3 0 1 2\n");
+  MeshFile plain = colours;
+  change_format(plain, MeshFormat::obj);
+  CHECK(to_text(plain) == "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK(plain.remarks.back() == "left out, as the file that is written has no place for it: red, green, blue, alpha");
+  MeshFile with_normals = colours;
+  with_normals.properties = {{"x"}, {"y"}, {"z"}, {"red"}, {"nx"}, {"ny"}, {"nz"}};
+  with_normals.mesh = {{0, 0, 0, .5, 0, 0, 1, 1, 0, 0, .5, 0, 0, 1, 0, 1, 0, .5, 0, 0, 1}, 7, {0, 1, 2}, {0, 3}};
+  CHECK(to_text(with_normals).starts_with("CNOFF\n3 1 0\n0 0 0 0 0 1 0.5\n"));
+  change_format(with_normals, MeshFormat::obj);
+  CHECK(to_text(with_normals) == "v 0 0 0\nvn 0 0 1\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3//3\n");
+}
+
+TEST_CASE("facets of STL files are joined where their corners are equal") {
+  const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
+    return "  facet normal 0 0 1\n    outer loop\n      vertex " + a + "\n      vertex " + b + "\n      vertex " + c +
+           "\n    endloop\n  endfacet\n";
+  };
+  const std::string text = "solid two parts\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 -0", "1 1 0", "0 1 0") +
+                           "endsolid two parts\n";
+  const MeshFile mesh = parse_stl(text, "f");
+  CHECK(mesh.mesh.vertices() == 4);
+  CHECK(mesh.mesh.corners == std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2});
+  CHECK(mesh.place(1) == "f, line 9");
+  CHECK(parse_stl(to_text(mesh), "f").mesh.values == mesh.mesh.values);
+  CHECK(to_text(mesh).starts_with("solid mesh\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"));
+  MeshFile bytes = mesh;
+  bytes.encoding = Encoding::little_endian;
+  std::string content = to_text(bytes);
+  CHECK(content.size() == 84 + 2 * 50);
+  CHECK(parse_stl(content, "f").mesh.corners == mesh.mesh.corners);
+  std::string named = content;
+  named.replace(0, 5, "solid");
+  CHECK(parse_stl(named, "f").mesh.corners == mesh.mesh.corners);
+  for (std::size_t length = 0; length < content.size(); ++length)
+    CHECK_FALSE(error_of(parse_stl, content.substr(0, length)).empty());
+  CHECK(error_of(parse_stl, content.substr(0, 150)) == "f: expected 50 bytes of facet 1 after line 0; found 16");
+  CHECK(error_of(parse_stl, content + "x") == "f: expected the end of the file after the facets");
+  CHECK(error_of(parse_stl, "solid\n" + facet("0 0 0", "1 0 0", "1 0 0") + "endsolid\n") ==
+        "f, line 2: expected a face of different vertices; found one of them twice");
+  CHECK(error_of(parse_stl, replaced(text, "endfacet", "end")) == "f, line 8, word 1: expected ENDFACET; found 'end'");
+  CHECK(error_of(parse_stl, "solid\nendsolid\n") == "f: expected vertices and faces; found 0 vertices and no faces");
+}
+
+TEST_CASE("damaged OFF files and faces are refused with their place") {
+  const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  CHECK(parse_off(off, "f").mesh.faces() == 2);
+  CHECK(parse_off(replaced(off, "OFF\n4", "OFF 4"), "f").mesh.faces() == 2);
+  CHECK(error_of(parse_off, replaced(off, "OFF", "OFG")).find("f, line 1, word 1: expected an OFF file") == 0);
+  CHECK(error_of(parse_off, replaced(off, "4 2 0", "4 3 0")) == "f: expected 3 faces; found 2");
+  CHECK(error_of(parse_off, replaced(off, "4 2 0", "4 1 0")).find("expected the end of the file") != std::string::npos);
+  CHECK(error_of(parse_off, replaced(off, "4 2 0", "1000000000000000000 2 0")).find("from 0 to 100000000") !=
         std::string::npos);
+  CHECK(error_of(parse_off, replaced(off, "3 0 1 2", "3 0 1 4")) ==
+        "f, line 7, word 4: expected the number of a vertex from 0 to 3; found '4'");
+  CHECK(error_of(parse_off, replaced(off, "3 0 1 2", "3 0 1")) ==
+        "f, line 7, word 4: expected the number of a vertex from 0 to 3; found nothing");
+  CHECK(error_of(parse_off, replaced(off, "1 1 0", "1 inf 0")) ==
+        "f, line 5, word 2: expected a finite number; found 'inf'");
+  CHECK(error_of(parse_off, replaced(off, "3 0 1 2", "2 0 1")) ==
+        "f, line 7: expected a face of three or more vertices; found 2");
+  CHECK(error_of(parse_off, replaced(off, "3 0 1 2", "3 0 1 0")) ==
+        "f, line 7: expected a face of different vertices; found one of them twice");
+  CHECK(error_of(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n") ==
+        "f, line 4: expected a face of three or more vertices; found 2");
+  CHECK(error_of(parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 1\n") ==
+        "f, line 4: expected a face of different vertices; found one of them twice");
+  MeshFile twice = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 -0\nv 1 1 0\nf 1 2 3\nf 4 5 3\n", "f");
+  join_equal_vertices(twice);
+  CHECK(twice.mesh.corners == std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2});
+}
+
+TEST_CASE("whatever is changed in a mesh, it is refined or refused") {
+  MeshFile mesh = parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nv 3 3 1\nf 1 2 3\nf 1 3 4\nf 4 3 5\nf 5 3 2\n", "f");
+  std::mt19937 engine(11);
+  for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off, MeshFormat::stl})
+    for (const Encoding encoding : {Encoding::text, Encoding::little_endian}) {
+      MeshFile form = mesh;
+      form.encoding = encoding;
+      change_format(form, format);
+      const std::string whole = to_text(form);
+      for (int i = 0; i < 3000; ++i) {
+        std::string text = whole;
+        for (std::size_t edits = engine() % 4 + 1; edits-- > 0 && !text.empty();) {
+          const std::size_t at = engine() % text.size();
+          switch (engine() % 4) {
+            case 0: text[at] = static_cast<char>(engine()); break;
+            case 1: text.erase(at, engine() % 9); break;
+            case 2: text.insert(at, text.substr(engine() % text.size(), engine() % 9)); break;
+            default: text[at] = "0123456789 -.\n"[engine() % 14]; break;
+          }
+        }
+        const auto parse = [&](const std::string& edited, const char* file) {
+          const MeshFile read = parse_mesh(format, edited, file);
+          CHECK(read.mesh.is_canonical());
+          const PolygonMesh finer = refine_mesh(read.mesh, "catmull-clark", {1, true, true},
+                                                [&](std::size_t face) { return read.place(face); });
+          CHECK(finer.is_canonical());
+        };
+        error_of(parse, text);
+      }
+    }
 }
 
 TEST_CASE("volumes are read and written") {
@@ -152,11 +284,11 @@ TEST_CASE("damaged volumes are refused with their place") {
 
 TEST_CASE("what vertices have beside their place is read in every form") {
   // As MeshLab writes colours, with a weight, a byte order mark, a continued line, a vertex without faces.
-  const QuadMesh obj = parse_obj(
+  const MeshFile obj = parse_obj(
       "\xef\xbb\xbf# MeshLab\r\nv 0 0 0 1 0.5 0 0\r\nv 9 9 9 1 0 0 0\r\nv 1 0 0 1 \\\r\n 0.25 0 0\r\n"
       "vn 0 0 1\r\nv 0 1 0 1 0 1 0\r\nv 1 1 0 1 0 0 2\r\nf 1 3 \\\r\n5 4\r\n",
       "f");
-  CHECK(obj.data.values ==
+  CHECK(obj.mesh.values ==
         std::vector<double>{0, 0, 0, 1, .5, 0, 0, 1, 0, 0, 1, .25, 0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 1, 0, 1, 0, 0, 2});
   CHECK(obj.properties[3].name == "w");
   CHECK(obj.remarks ==
@@ -169,24 +301,24 @@ TEST_CASE("what vertices have beside their place is read in every form") {
       "property float z\nproperty list uchar int neighbours\nproperty float quality\nelement face 1\n"
       "property list uchar uint vertex_indices\nproperty double quality\nelement edge 1\nproperty int vertex1\n"
       "end_header\n";
-  const QuadMesh ascii = parse_ply("ply\nformat ascii 1.0\ncomment x\n" + header +
+  const MeshFile ascii = parse_ply("ply\nformat ascii 1.0\ncomment x\n" + header +
                                        "255 0 0 1 0 2 7 8 0.5\n0 1 0 1 0 0 0.5\n0 0 1 1 0 1 9 0.5\n9 1 1 1 4 0 0.5\n"
                                        "4 0 1 3 2 0.75\n17\n",
                                    "f");
-  CHECK(ascii.data.values == std::vector<double>{0, 0, 0, 255, .5, 1, 0, 0, 0, .5, 0, 1, 0, 0, .5, 1, 1, 4, 9, .5});
+  CHECK(ascii.mesh.values == std::vector<double>{0, 0, 0, 255, .5, 1, 0, 0, 0, .5, 0, 1, 0, 0, .5, 1, 1, 4, 9, .5});
   CHECK(ascii.remarks == std::vector<std::string>{"refined as x, y, z are: red, quality",
                                                   "left out: nx, neighbours of the vertices, what faces have beside "
                                                   "their vertices, elements edge"});
   CHECK(to_text(ascii).find("property uchar red\nproperty double quality\n") != std::string::npos);
-  QuadMesh bright = ascii;
-  bright.data.values[3] = 260.4;
+  MeshFile bright = ascii;
+  bright.mesh.values[3] = 260.4;
   CHECK(to_text(bright).find("\n0 0 0 255 0.5\n") != std::string::npos);
   for (const Encoding encoding : {Encoding::little_endian, Encoding::big_endian}) {
     std::string bytes;
     const auto add = [&](double value, const NumberType& type) { append_number(value, type, encoding, bytes); };
     const NumberType uchar{1, true, false}, real{4, false, true}, whole{4, true, true};
     for (std::size_t v = 0; v < 4; ++v) {
-      const double* const p = ascii.data.values.data() + 5 * v;
+      const double* const p = ascii.mesh.values.data() + 5 * v;
       add(p[3], uchar);
       add(p[0], real);
       add(p[1], real);
@@ -202,10 +334,10 @@ TEST_CASE("what vertices have beside their place is read in every form") {
     add(17, whole);
     const std::string name = encoding == Encoding::little_endian ? "little" : "big";
     const std::string file = "ply\r\nformat binary_" + name + "_endian 1.0\r\n" + header + bytes;
-    const QuadMesh back = parse_ply(file, "f");
-    CHECK(back.data.values == ascii.data.values);
+    const MeshFile back = parse_ply(file, "f");
+    CHECK(back.mesh.values == ascii.mesh.values);
     CHECK(back.encoding == encoding);
-    CHECK(parse_ply(to_text(back), "f").data.values == ascii.data.values);
+    CHECK(parse_ply(to_text(back), "f").mesh.values == ascii.mesh.values);
     for (std::size_t length = 0; length < file.size() - 4; ++length)
       CHECK_FALSE(error_of(parse_ply, file.substr(0, length)).empty());
     CHECK(error_of(parse_ply, file.substr(0, file.size() - 20)).find("bytes of face 0 after line ") !=

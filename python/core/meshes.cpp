@@ -1,0 +1,58 @@
+#include "arrays.hpp"
+#include "work.hpp"
+
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/data/mesh/mesh_refinement.hpp>
+
+#include <cmath>
+
+namespace subcert::python {
+namespace {
+
+using IndexArray = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+py::array_t<std::int64_t> indices_of(const std::vector<std::uint32_t>& numbers) {
+  py::array_t<std::int64_t> result(static_cast<py::ssize_t>(numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), result.mutable_data());
+  return result;
+}
+
+/// Vertices in rows; the corners of all faces, and how many of them each face has. The same of the result.
+py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, const IndexArray& corners,
+                      const IndexArray& sides, int levels, bool limit, bool normals, const py::object& progress) {
+  if (vertices.ndim() != 2 || vertices.shape(1) == 0)
+    fail(ErrorKind::domain, "vertices: need an array of two dimensions with a column or more");
+  data::PolygonMesh mesh{numbers_of(vertices), static_cast<std::size_t>(vertices.shape(1)), {}, {0}};
+  for (std::size_t i = 0; i < mesh.values.size(); ++i)
+    if (!std::isfinite(mesh.values[i]))
+      fail(ErrorKind::data, "refine: need finite numbers, got {} at vertex {}", mesh.values[i], i / mesh.dimension);
+  if (std::max<py::ssize_t>(vertices.shape(0), corners.size()) > 4'000'000'000)
+    fail(ErrorKind::size, "refine: need at most 4000000000 vertices and corners of faces");
+  py::ssize_t at = 0;
+  for (py::ssize_t f = 0; f < sides.size(); ++f) {
+    for (py::ssize_t end = at + sides.data()[f]; at < end; ++at) {
+      const std::int64_t vertex = corners.data()[at];
+      if (vertex < 0 || vertex >= vertices.shape(0))
+        fail(ErrorKind::data, "face {}: expected the number of a vertex from 0 to {}; found {}", f,
+             vertices.shape(0) - 1, vertex);
+      mesh.corners.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    mesh.end_face();
+  }
+  data::PolygonMesh refined = interruptible(progress, [&] {
+    return data::refine_mesh(std::move(mesh), scheme, {levels, limit, normals},
+                             [](std::size_t face) { return "face " + std::to_string(face); });
+  });
+  std::vector<std::uint32_t> counts;
+  for (std::size_t f = 0; f < refined.faces(); ++f)
+    counts.push_back(static_cast<std::uint32_t>(refined.face(f).size()));
+  const auto rows = static_cast<py::ssize_t>(refined.vertices()), columns = static_cast<py::ssize_t>(refined.dimension);
+  return py::make_tuple(array_of(std::move(refined.values)).reshape({rows, columns}), indices_of(refined.corners),
+                        indices_of(counts));
+}
+
+}  // namespace
+
+void add_meshes(py::module_& module) { module.def("refine_mesh", &refine_mesh); }
+
+}  // namespace subcert::python

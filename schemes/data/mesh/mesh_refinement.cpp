@@ -1,0 +1,124 @@
+#include "mesh_refinement.hpp"
+
+#include "mesh_steps.hpp"
+
+#include <subcert/analysis/symbol/support/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace subcert::data {
+namespace {
+
+constexpr double most_numbers = 1e8;
+
+void require_sides(const PolygonMesh& mesh, const std::string& scheme, std::size_t sides, const char* name,
+                   const FacePlace& place) {
+  for (std::size_t f = 0; f < mesh.faces(); ++f)
+    if (mesh.face(f).size() != sides)
+      fail(ErrorKind::data, "{}: expected {} for {}; found a face of {} vertices", place(f), name, scheme,
+           mesh.face(f).size());
+}
+
+/// What the first level needs; later ones have it.
+void require_fit(const PolygonMesh& mesh, const Topology& topology, const MeshRules& rules, const MeshOptions& options,
+                 const FacePlace& place) {
+  const std::string& scheme = rules.specification();
+  if (rules.split() == MeshSplit::triangles || rules.split() == MeshSplit::middles)
+    require_sides(mesh, scheme, 3, "triangles", place);
+  if (rules.split() == MeshSplit::polygons && options.levels == 0 && (options.limit || options.normals))
+    require_sides(mesh, scheme, 4, "quadrilaterals, or a level or more,", place);
+  for (std::size_t v = 0; v < mesh.vertices(); ++v)
+    if (!topology.on_boundary(v) && topology.faces_at(v) < 3)
+      fail(ErrorKind::data, "{}: expected three or more faces around each vertex inside; found one with {}",
+           place(static_cast<std::size_t>(std::ranges::upper_bound(mesh.first, topology.corner_at(v)) -
+                                          mesh.first.begin()) -
+                 1),
+           topology.faces_at(v));
+}
+
+void require_options(const PolygonMesh& mesh, const Topology& topology, const MeshRules& rules,
+                     const MeshOptions& options) {
+  require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
+  const std::string& scheme = rules.specification();
+  if (options.normals && (mesh.dimension < 3 || (rules.split() != MeshSplit::corners && !rules.tangents(1))))
+    fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made",
+         scheme);
+  if ((!options.limit && !options.normals) || !topology.has_boundary()) return;
+  if (rules.split() == MeshSplit::corners)
+    fail(ErrorKind::domain, "{}: limits and normals are those of closed meshes; the surface does not reach a boundary",
+         scheme);
+  if (rules.split() == MeshSplit::middles && options.levels % 2 != 0)
+    fail(ErrorKind::domain, "{}: limits and normals of a mesh with a boundary need an even number of levels, got {}",
+         scheme, options.levels);
+}
+
+double most_sides_growth(MeshSplit split) { return split == MeshSplit::middles ? 3 : 4; }
+
+/// About how large the result will be.
+void require_size(const PolygonMesh& mesh, const MeshRules& rules, int levels) {
+  const double growth = std::pow(most_sides_growth(rules.split()), levels);
+  const double numbers = std::max(static_cast<double>(mesh.values.size()), static_cast<double>(mesh.corners.size()));
+  if (numbers * growth > most_numbers)
+    fail(ErrorKind::size, "{} levels would make about {:.1e} numbers or corners of faces of {}; need at most {:.0e}",
+         levels, numbers * growth, numbers, most_numbers);
+}
+
+PolygonMesh one_step(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, int level) {
+  switch (rules.split()) {
+    case MeshSplit::triangles: return split_triangles(mesh, topology, rules);
+    case MeshSplit::polygons: return split_polygons(mesh, topology, rules);
+    case MeshSplit::corners: return split_corners(mesh, topology, rules);
+    default: return split_by_middles(mesh, topology, rules, level % 2 == 1);
+  }
+}
+
+/// The numbers of each vertex, the first ones from `limits` where there are any, then its normal.
+std::vector<double> with_normals(const std::vector<double>& values, const std::vector<double>& normals,
+                                 std::size_t dimension) {
+  std::vector<double> result;
+  result.reserve(values.size() + normals.size());
+  for (std::size_t v = 0; v < normals.size() / 3; ++v) {
+    result.insert(result.end(), values.begin() + static_cast<std::ptrdiff_t>(v * dimension),
+                  values.begin() + static_cast<std::ptrdiff_t>((v + 1) * dimension));
+    result.insert(result.end(), normals.begin() + static_cast<std::ptrdiff_t>(3 * v),
+                  normals.begin() + static_cast<std::ptrdiff_t>(3 * v + 3));
+  }
+  return result;
+}
+
+}  // namespace
+
+PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshOptions& options,
+                        const FacePlace& place) {
+  MeshRules rules(scheme);
+  require(mesh.is_canonical(), "refine: need a canonical mesh");
+  if (mesh.faces() == 0) fail(ErrorKind::data, "refine: expected a mesh with faces; found no faces");
+  require_faces(mesh, place);
+  std::optional<Topology> topology(std::in_place, mesh, place);
+  if (mesh.dimension >= 2) require_no_seams(mesh, *topology, std::min<std::size_t>(mesh.dimension, 3), place);
+  require_options(mesh, *topology, rules, options);
+  require_size(mesh, rules, options.levels);
+  require_fit(mesh, *topology, rules, options, place);
+  const FacePlace refined = [&](std::size_t face) { return rules.specification() + ", face " + std::to_string(face); };
+  const bool at_limits = options.limit || options.normals;
+  for (int level = 0; level < options.levels; ++level) {
+    mesh = one_step(mesh, *topology, rules, level);
+    topology.reset();
+    if (mesh.faces() == 0)
+      fail(ErrorKind::data, "{}: expected faces that are left of the mesh after {} levels", scheme, level + 1);
+    if (level + 1 < options.levels || at_limits) topology.emplace(mesh, refined);
+  }
+  if (!at_limits) return mesh;
+  std::vector<double> normals;
+  if (options.normals) normals = vertex_normals(mesh, *topology, rules);
+  if (options.limit) mesh.values = vertex_limits(mesh, *topology, rules);
+  if (options.normals) {
+    mesh.values = with_normals(mesh.values, normals, mesh.dimension);
+    mesh.dimension += 3;
+  }
+  return mesh;
+}
+
+}  // namespace subcert::data

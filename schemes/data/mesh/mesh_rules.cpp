@@ -1,0 +1,192 @@
+#include "mesh_rules.hpp"
+
+#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/numbers/interval.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace subcert::data {
+namespace {
+
+const LatticePoint centre{0, 0}, ray{1, 0}, diagonal{1, 1};
+
+double rounded(const Interval& value) { return ((value.lower + value.upper) / 2).convert_to<double>(); }
+
+/// The weights of a rule by their places.
+class RuleWeights {
+ public:
+  RuleWeights(const SectorRule& rule, const SectorRules& rules) : valence_(rules.valence) {
+    for (const auto& [at, weight] : weights_at(rule, rules.lattice, rules.valence))
+      weights_.emplace(at, Interval::of(weight));
+  }
+  Interval at(const LatticePoint& point, long turn = 0) const {
+    const auto found = weights_.find({point, point == centre && turn == 0 ? 0 : (turn + valence_) % valence_});
+    return found == weights_.end() ? Interval::exactly(0) : found->second;
+  }
+  /// Of all sectors.
+  Interval sum(const LatticePoint& point) const {
+    Interval result = Interval::exactly(0);
+    for (const auto& [at, weight] : weights_)
+      if (at.point == point) result = result + weight;
+    return result;
+  }
+  std::vector<double> ring(const LatticePoint& point) const {
+    std::vector<double> result;
+    for (long turn = 0; turn < valence_; ++turn) result.push_back(rounded(at(point, turn)));
+    return result;
+  }
+
+ private:
+  long valence_;
+  std::map<SectorPoint, Interval> weights_;
+};
+
+SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
+  return split == MeshSplit::middles ? sqrt3_vertex_rule() : rules.rule_at(centre);
+}
+
+long regular_valence(MeshSplit split) { return split == MeshSplit::triangles || split == MeshSplit::middles ? 6 : 4; }
+
+Rational over(long numerator, long denominator) { return {Integer(numerator), Integer(denominator)}; }
+
+}  // namespace
+
+bool has_mesh_rules(const std::string& specification) {
+  const std::vector<std::string> names = schemes_with_vertex_rules();
+  return std::ranges::find(names, specification.substr(0, specification.find(':'))) != names.end();
+}
+
+MeshRules::MeshRules(const std::string& specification)
+    : specification_(make_linear_scheme(specification).specification) {
+  const SectorRules rules = vertex_rules(specification_, 4);
+  if (specification_.starts_with("sqrt3"))
+    split_ = MeshSplit::middles;
+  else if (rules.lattice == SectorLattice::quads)
+    split_ = MeshSplit::polygons;
+  else if (rules.lattice == SectorLattice::dual)
+    split_ = MeshSplit::corners;
+  if (split_ == MeshSplit::corners) return;
+  make_regular();
+  make_boundary();
+}
+
+void MeshRules::make_regular() {
+  const SectorRules rules = vertex_rules(specification_, regular_valence(split_));
+  interpolates_ = RuleWeights(vertex_rule(rules, split_), rules).at(centre) == Interval::exactly(1);
+  if (split_ == MeshSplit::middles) {  // the middles of the triangles have a third of each corner
+    spoke_centre_ = spoke_ = spoke_beside_ = 1.0 / 3;
+    return;
+  }
+  const RuleWeights edge(rules.rule_at(ray), rules);
+  spoke_centre_ = rounded(edge.at(centre));
+  spoke_ = rounded(edge.at(ray));
+  spoke_beside_ = rounded(edge.at(ray, 1));
+  if (split_ == MeshSplit::triangles) {
+    edge_ = {spoke_centre_, spoke_beside_, rounded(edge.at(ray, 2))};
+  } else {
+    // A face has a quarter of each of its corners, those at the edge lie in two.
+    spoke_face_ = rounded(edge.at(diagonal));
+    edge_ = {spoke_centre_ - 2 * spoke_face_, 4 * spoke_face_};
+  }
+}
+
+void MeshRules::make_boundary() {
+  if (interpolates_) {  // the rule of four points
+    const double outer = edge_.wing, end = 0.5 - outer;
+    boundary_ = {1, 0, {outer, end, end, outer}, 1, 0};
+    return;
+  }
+  const std::string arity = split_ == MeshSplit::middles ? ",a=3" : "";
+  const Mask mask(make_linear_scheme("bspline:degree=3" + arity).mask.factors().front());
+  const auto weight = [&](long at) { return mask.symbol().coefficient(at).convert_to<double>(); };
+  const LimitValues limits = limit_values(mask, 0);
+  const auto limit = [&](long at) { return limits.at(at).convert_to<double>(); };
+  // Symmetric about 0, with a new point at each old one.
+  const long a = mask.arity();
+  boundary_ = {weight(0), weight(a), {weight(1 + a), weight(1), weight(1 - a), weight(1 - 2 * a)}, limit(0), limit(1)};
+}
+
+/// The left eigenvector of the eigenvalue 1 of vertex, mean of the neighbours, mean of those across faces.
+VertexWeights MeshRules::limit_of(const SectorRules& rules) const {
+  if (interpolates_) return {1, 0};
+  const RuleWeights vertex(vertex_rule(rules, split_), rules);
+  const Interval one = Interval::exactly(1), neighbours = vertex.sum(ray), faces = vertex.sum(diagonal);
+  if (split_ != MeshSplit::polygons) {
+    Interval own = Interval::exactly(over(2, 3));
+    if (split_ == MeshSplit::triangles) {
+      const RuleWeights edge(rules.rule_at(ray), rules);
+      own = edge.sum(ray);
+    }
+    const Interval y = neighbours / (one - own), total = one + y;
+    return {rounded(one / total), rounded(y / total)};
+  }
+  const RuleWeights edge(rules.rule_at(ray), rules), face(rules.rule_at(diagonal), rules);
+  const Interval a = one - edge.sum(ray), b = edge.sum(diagonal), c = face.sum(ray), d = one - face.sum(diagonal);
+  // a y - c z = neighbours, d z - b y = faces
+  const Interval determinant = a * d - b * c, y = (neighbours * d + faces * c) / determinant,
+                 z = (faces * a + neighbours * b) / determinant, total = one + y + z;
+  return {rounded(one / total), rounded(y / total), rounded(z / total)};
+}
+
+const MeshRules::Kept& MeshRules::kept(std::size_t n) {
+  if (n >= by_valence_.size()) by_valence_.resize(n + 1);
+  Kept& result = by_valence_[n];
+  if (result.is_made) return result;
+  const SectorRules rules = vertex_rules(specification_, static_cast<long>(n));
+  if (split_ == MeshSplit::corners) {
+    result.corner = RuleWeights(rules.rule_at(centre), rules).ring(centre);
+  } else {
+    const RuleWeights vertex(vertex_rule(rules, split_), rules);
+    const Interval itself = vertex.at(centre), across = vertex.sum(diagonal);
+    result.vertex = {rounded(itself), rounded(vertex.sum(ray))};
+    if (split_ == MeshSplit::polygons)  // in the points in the faces, which have quarters of their corners
+      result.vertex = {rounded(itself - across), rounded(vertex.sum(ray) - across * Rational(2)),
+                       rounded(across * Rational(4))};
+    result.limit = limit_of(rules);
+    if (has_edge_rules()) {
+      const RuleWeights edge(rules.rule_at(ray), rules);
+      result.edge = edge.ring(ray);
+      result.edge.insert(result.edge.begin(), rounded(edge.at(centre)));
+    }
+  }
+  result.is_made = true;
+  return result;
+}
+
+std::optional<TangentWeights> MeshRules::tangents(double angle) const {
+  if (interpolates_ || split_ == MeshSplit::corners) return std::nullopt;
+  const double cosine = std::cos(angle), own = spoke_ + 2 * spoke_beside_ * cosine;
+  if (split_ != MeshSplit::polygons) return TangentWeights{own, 0};
+  // (x - own) (x - quarter) = 2 quarter spoke_face (1 + cos), the larger root
+  const double quarter = 0.25, half = (own + quarter) / 2, difference = (own - quarter) / 2;
+  const double radius = half + std::sqrt(difference * difference + 2 * quarter * spoke_face_ * (1 + cosine));
+  return TangentWeights{radius, spoke_face_ / (radius - quarter)};
+}
+
+std::pair<double, double> MeshRules::across_boundary(std::size_t faces) const {
+  const double angle = std::numbers::pi / static_cast<double>(faces);
+  if (faces == 1) return {-2, 1};  // the eigenvalue 1/4 of the boundary, whose second difference points inwards
+  const TangentWeights inner = *tangents(angle);
+  // Columns of the two neighbours on the boundary and of the vertex itself in the equation of the left eigenvector.
+  double all_spokes = 0, all_faces = 0;
+  for (std::size_t i = 0; i < faces; ++i) {
+    const double here = std::sin(static_cast<double>(i) * angle), after = std::sin(static_cast<double>(i + 1) * angle);
+    all_spokes += here;
+    all_faces += inner.faces * (here + after);
+  }
+  const double quarter = split_ == MeshSplit::polygons ? 0.25 : 0;
+  const double ends = (spoke_beside_ + quarter * inner.faces) * std::sin(angle);
+  const double middle = spoke_centre_ * all_spokes + quarter * all_faces;
+  // (r - end) l_0 - vertex_neighbour l_c = ends, (r - vertex) l_c - 2 end l_0 = middle
+  const double a = inner.radius - boundary_.edge[1], d = inner.radius - boundary_.vertex,
+               determinant = a * d - 2 * boundary_.edge[1] * boundary_.vertex_neighbour;
+  return {(a * middle + 2 * boundary_.edge[1] * ends) / determinant,
+          (d * ends + boundary_.vertex_neighbour * middle) / determinant};
+}
+
+}  // namespace subcert::data

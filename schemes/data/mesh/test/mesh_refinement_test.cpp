@@ -1,0 +1,245 @@
+#include "shapes.hpp"
+
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/data/formats/grid_mesh.hpp>
+#include <subcert/schemes/data/mesh/mesh_refinement.hpp>
+#include <subcert/schemes/data/refine/refine.hpp>
+#include <subcert/schemes/specification.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace subcert;
+using namespace subcert::data;
+using namespace subcert::data::shapes;
+
+namespace {
+
+std::string place(std::size_t face) { return "face " + std::to_string(face); }
+
+PolygonMesh refined(const PolygonMesh& mesh, const std::string& scheme, int levels, bool limit = false,
+                    bool normals = false) {
+  return refine_mesh(mesh, scheme, {levels, limit, normals}, place);
+}
+
+const std::vector<std::string> triangle_schemes{"loop", "butterfly:w=1/16", "modified-butterfly", "sqrt3"},
+    polygon_schemes{"catmull-clark", "doo-sabin", "midedge"};
+
+/// Whole numbers, so that sums with dyadic weights are exact.
+GridData<double> whole_numbers(std::size_t columns, std::size_t rows) {
+  std::mt19937 engine(3);
+  GridData<double> data{{}, 3, {Axis::of(columns, true), Axis::of(rows, true)}};
+  for (std::size_t i = 0; i < 3 * data.points(); ++i) data.values.push_back(static_cast<double>(engine() % 1024));
+  return data;
+}
+
+std::vector<std::array<double, 3>> sorted_points(const std::vector<double>& values) {
+  std::vector<std::array<double, 3>> points;
+  for (std::size_t i = 0; i < values.size(); i += 3) points.push_back({values[i], values[i + 1], values[i + 2]});
+  std::ranges::sort(points);
+  return points;
+}
+
+double distance(const double* a, const double* b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+/// The largest distance of a point to the nearest of others.
+double farthest(const std::vector<double>& points, const std::vector<double>& others) {
+  double result = 0;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    double nearest = 1e300;
+    for (std::size_t j = 0; j < others.size(); j += 3) nearest = std::min(nearest, distance(&points[i], &others[j]));
+    result = std::max(result, nearest);
+  }
+  return result;
+}
+
+/// The first vertices of both, in all their numbers.
+double difference(const PolygonMesh& a, const PolygonMesh& b, std::size_t vertices) {
+  double result = 0;
+  for (std::size_t i = 0; i < vertices * a.dimension; ++i)
+    result = std::max(result, std::abs(a.values[i] - b.values[i]));
+  return result;
+}
+
+PolygonMesh deformed(PolygonMesh mesh) {
+  std::mt19937 engine(9);
+  for (double& value : mesh.values) value += static_cast<double>(engine() % 1000) / 4000;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("closed regular meshes are refined as grids are, exactly") {
+  const GridData<double> data = whole_numbers(5, 4);
+  PolygonMesh triangles = torus_of_triangles(5, 4);
+  triangles.values = data.values;
+  for (const char* scheme : {"loop", "butterfly:w=1/16", "modified-butterfly"}) {
+    CAPTURE(scheme);
+    const GridData<double> grid = refine(data, make_linear_scheme(scheme).mask, RefineOptions{2});
+    CHECK(sorted_points(refined(triangles, scheme, 2).values) == sorted_points(grid.values));
+  }
+  for (const char* scheme : {"catmull-clark", "doo-sabin"}) {
+    CAPTURE(scheme);
+    const GridData<double> grid = refine(data, make_linear_scheme(scheme).mask, RefineOptions{2});
+    CHECK(sorted_points(refined(mesh_of_grid(data), scheme, 2).values) == sorted_points(grid.values));
+  }
+  const GridData<double> mid = refine(data, vertex_rules("midedge", 4).mask, RefineOptions{1});
+  CHECK(sorted_points(refined(mesh_of_grid(data), "midedge", 1).values) == sorted_points(mid.values));
+  // Its mask has triangles along (1, -1): the columns are turned around.
+  GridData<double> mirrored = data;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < 5; ++i)
+      std::copy_n(data.values.begin() + static_cast<std::ptrdiff_t>(3 * (5 * j + (5 - i) % 5)), 3,
+                  mirrored.values.begin() + static_cast<std::ptrdiff_t>(3 * (5 * j + i)));
+  const GridData<double> root = refine(mirrored, vertex_rules("sqrt3", 6).mask, RefineOptions{1});
+  const PolygonMesh two_steps = refined(triangles, "sqrt3", 2);
+  CHECK(two_steps.values.size() == root.values.size());
+  CHECK(farthest(two_steps.values, root.values) < 1e-11);
+  CHECK(farthest(root.values, two_steps.values) < 1e-11);
+}
+
+TEST_CASE("connections are those of the classical splits, and the Euler characteristic stays") {
+  for (const auto& [mesh, characteristic] : {std::pair(tetrahedron(), 2L),
+                                             {octahedron(), 2},
+                                             {icosahedron(), 2},
+                                             {torus_of_triangles(4, 3), 0},
+                                             {disc(5), 1},
+                                             {bipyramid(3), 2}}) {
+    CHECK(euler_characteristic(mesh) == characteristic);
+    for (const std::vector<std::string>& schemes : {triangle_schemes, polygon_schemes})
+      for (const std::string& scheme : schemes) {
+        CAPTURE(scheme, mesh.vertices());
+        const PolygonMesh fine = refined(mesh, scheme, 2);
+        CHECK(fine.is_canonical());
+        CHECK(euler_characteristic(fine) == characteristic);
+        const Topology topology(fine, place);  // throws where it is none
+        CHECK(topology.has_boundary() == (characteristic == 1));
+      }
+  }
+  CHECK(refined(tetrahedron(), "loop", 3).faces() == 4 * 64);
+  CHECK(refined(tetrahedron(), "sqrt3", 3).faces() == 4 * 27);
+  CHECK(refined(prism(7), "catmull-clark", 2).faces() == 4 * (7 + 7 + 7 * 4));
+  CHECK(refined(cube(), "doo-sabin", 1).faces() == 6 + 12 + 8);
+  CHECK(refined(disc(6), "sqrt3", 2).faces() == 9 * disc(6).faces());
+  CHECK(refined(mesh_of({0, 0, 0, 1, 0, 0, 0, 1, 0}, {{0, 1, 2}}), "sqrt3", 2).faces() == 9);
+}
+
+TEST_CASE("first steps of tetrahedron and cube are the known ones") {
+  // Loop at valence 3: 7/16 and 3/16 of each neighbour. Catmull-Clark: 1/3, 1/3 and 1/3. Butterfly where each opposite
+  // vertex is two wings: 1/2 of the ends and 1/8 - 2/16 of the others.
+  const PolygonMesh mesh = tetrahedron();
+  const PolygonMesh loop = refined(mesh, "loop", 1);
+  for (std::size_t c = 0; c < 3; ++c) CHECK(loop.values[c] == Approx(7.0 / 16 - 3.0 / 16));
+  const PolygonMesh clark = refined(cube(), "catmull-clark", 1);
+  for (std::size_t c = 0; c < 3; ++c) CHECK(clark.values[c] == Approx((0 + 1.0 / 3 + 1.0 / 3) / 3));
+  const PolygonMesh root = refined(mesh, "sqrt3", 1);  // (4 - 2 cos(2 pi/3)) / 9 = 5/9 towards the mean
+  for (std::size_t c = 0; c < 3; ++c) CHECK(root.values[c] == Approx(4.0 / 9 - 5.0 / 27));
+  const PolygonMesh butterfly = refined(mesh, "butterfly:w=1/16", 1);
+  for (std::size_t v = 4; v < 10; ++v) {
+    double square = 0;
+    for (std::size_t c = 0; c < 3; ++c) square += std::pow(butterfly.values[3 * v + c], 2);
+    CHECK(std::sqrt(square) == Approx(1));
+  }
+  // A square: cubic B-splines along the boundary.
+  const PolygonMesh square = refined(mesh_of({0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0}, {{0, 1, 2, 3}}), "catmull-clark", 1);
+  CHECK(std::vector<double>(square.values.begin(), square.values.begin() + 3) == std::vector<double>{1, 1, 0});
+  CHECK(std::vector<double>(square.values.begin() + 12, square.values.begin() + 15) == std::vector<double>{4, 0, 0});
+}
+
+TEST_CASE("affine maps go through") {
+  const auto image = [](const PolygonMesh& mesh) {
+    PolygonMesh result = mesh;
+    for (std::size_t i = 0; i < mesh.values.size(); i += 3) {
+      const double* p = &mesh.values[i];
+      result.values[i] = 2 * p[0] - p[1] + 0.5 * p[2] + 3;
+      result.values[i + 1] = p[0] + p[2] - 1;
+      result.values[i + 2] = p[1] - 4 * p[2] + 0.25;
+    }
+    return result;
+  };
+  for (const PolygonMesh& mesh : {tetrahedron(), icosahedron(), disc(3), disc(7), disc(50)})
+    for (const std::vector<std::string>& schemes : {triangle_schemes, polygon_schemes})
+      for (const std::string& scheme : schemes)
+        for (const bool limit : {false, true}) {
+          if (limit && (scheme == "doo-sabin" || scheme == "midedge")) continue;
+          CAPTURE(scheme, mesh.vertices(), limit);
+          const PolygonMesh a = image(refined(mesh, scheme, 2, limit)), b = refined(image(mesh), scheme, 2, limit);
+          CHECK(difference(a, b, a.vertices()) < 1e-11);
+        }
+}
+
+TEST_CASE("limits and normals are the same from level to level, and those of many levels") {
+  const auto check = [](const PolygonMesh& mesh, const std::string& scheme, int step, bool normals) {
+    CAPTURE(scheme, mesh.vertices());
+    const PolygonMesh at_first = refined(mesh, scheme, 0, true, normals);
+    const PolygonMesh at_second = refined(mesh, scheme, step, true, normals);
+    const PolygonMesh at_third = refined(mesh, scheme, 2 * step, true, normals);
+    CHECK(difference(at_first, at_second, mesh.vertices()) < 1e-11);
+    CHECK(difference(at_second, at_third, at_second.vertices()) < 1e-11);
+    const PolygonMesh without = refined(mesh, scheme, 0, true), many = refined(mesh, scheme, 6);
+    CHECK(difference(without, many, mesh.vertices()) < 0.02);
+  };
+  for (const PolygonMesh& mesh : {tetrahedron(), deformed(icosahedron()), deformed(torus_of_triangles(4, 3)),
+                                  deformed(disc(3)), deformed(disc(4)), deformed(disc(9)), deformed(bipyramid(12)),
+                                  mesh_of({1, 2, 3, 2, 2, 4, 1, 3, 5}, {{0, 1, 2}})})
+    for (const std::string& scheme : triangle_schemes) {
+      const bool open = Topology(mesh, place).has_boundary();
+      check(mesh, scheme, scheme == "sqrt3" && open ? 2 : 1, scheme == "loop" || (scheme == "sqrt3" && !open));
+    }
+  const PolygonMesh open_quads = refined(deformed(disc(5)), "catmull-clark", 1);
+  for (const PolygonMesh& mesh : {deformed(cube()), refined(deformed(prism(9)), "catmull-clark", 1), open_quads,
+                                  refined(deformed(tetrahedron()), "catmull-clark", 1),
+                                  mesh_of({1, 2, 3, 2, 2, 4, 2, 3, 3, 1, 3, 5}, {{0, 1, 2, 3}})})
+    check(mesh, "catmull-clark", 1, true);
+  for (const char* scheme : {"doo-sabin", "midedge"}) {
+    const PolygonMesh mesh = deformed(cube());
+    const PolygonMesh limits = refined(mesh, scheme, 1, true), many = refined(mesh, scheme, 6);
+    CAPTURE(scheme);
+    CHECK(farthest(limits.values, many.values) < 0.02);
+    CHECK(farthest(refined(mesh, scheme, 2, true).values, many.values) < 0.02);
+  }
+}
+
+TEST_CASE("normals are unit vectors that point outwards") {
+  for (const char* scheme : {"loop", "sqrt3", "catmull-clark", "doo-sabin", "midedge"}) {
+    CAPTURE(scheme);
+    const PolygonMesh sphere = refined(icosahedron(), scheme, 2, true, true);
+    CHECK(sphere.dimension == 6);
+    for (std::size_t v = 0; v < sphere.vertices(); ++v) {
+      const double *point = &sphere.values[6 * v], *normal = point + 3;
+      CHECK(std::hypot(normal[0], normal[1], normal[2]) == Approx(1));
+      CHECK((point[0] * normal[0] + point[1] * normal[1] + point[2] * normal[2]) /
+                std::hypot(point[0], point[1], point[2]) >
+            0.97);
+    }
+  }
+  // At the rim of a disc that lies in a plane.
+  PolygonMesh flat = disc(7);
+  for (std::size_t v = 0; v < flat.vertices(); ++v) flat.values[3 * v + 2] = 0;
+  for (const char* scheme : {"loop", "catmull-clark"}) {
+    const PolygonMesh plane = refined(flat, scheme, 2, true, true);
+    for (std::size_t v = 0; v < plane.vertices(); ++v) CHECK(plane.values[6 * v + 5] == Approx(1));
+  }
+}
+
+TEST_CASE("large valences, many components, faces with many sides") {
+  const PolygonMesh star = refined(bipyramid(1000), "loop", 1);
+  CHECK(star.faces() == 8000);
+  CHECK(refined(bipyramid(1000), "modified-butterfly", 1).faces() == 8000);
+  CHECK(refined(prism(1000), "catmull-clark", 1, true, true).faces() == 6000);
+  CHECK(refined(prism(1000), "doo-sabin", 1, true).faces() == 1002 + 3000 + 2000);
+  PolygonMesh two = tetrahedron();
+  const PolygonMesh far = icosahedron();
+  for (const double value : far.values) two.values.push_back(value + 10);
+  for (std::size_t f = 0; f < far.faces(); ++f) {
+    for (const std::uint32_t v : far.face(f)) two.corners.push_back(v + 4);
+    two.end_face();
+  }
+  const PolygonMesh both = refined(two, "loop", 2);
+  CHECK(euler_characteristic(both) == 4);
+  CHECK(both.faces() == 16 * 24);
+  // One number at a vertex, and five.
+  PolygonMesh heights{{1, 2, 3}, 1, {0, 1, 2}, {0, 3}};
+  CHECK(refined(heights, "loop", 1).values == std::vector<double>{1.375, 2, 2.625, 1.5, 2.5, 2});
+}

@@ -1,6 +1,7 @@
 #include "vertex_smoothness.hpp"
 
 #include "characteristic_map.hpp"
+#include "vertex_evidence.hpp"
 #include "vertex_spectrum.hpp"
 
 #include <subcert/analysis/regularity/derivatives.hpp>
@@ -149,7 +150,11 @@ class VertexProof {
     const Decision& deciding = proof.regular.is_yes() ? proof.half_plane : proof.regular;
     result_.c1 = {deciding.truth,
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
-    if (result_.c1.is_yes()) look_behind(leader);
+    if (!result_.c1.is_yes()) return;
+    look_behind(leader);
+    const std::vector<CellForm>& derivatives = regular_.forms->derivatives;
+    if (derivatives.size() == 2 && derivatives[0].positive && derivatives[1].positive)
+      result_.evidence = evidence_of(rules_, set_, *map, leader.value.real(), BallField(rules_.valence, bits_));
   }
 
   void refute(const FrequencyGroup& leader) {

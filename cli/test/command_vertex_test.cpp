@@ -32,3 +32,19 @@ TEST_CASE("vertex: what is open for good, and wrong words") {
     CHECK(run("vertex " + words).code == 64);
   }
 }
+
+TEST_CASE("vertex: certificates of what is proved by hulls are written and verified") {
+  const Folder folder;
+  const std::string place = folder / "proofs";
+  const Run page = run("vertex midedge --valence 3..5 --certificate " + place);
+  CHECK(page.code == 3);
+  CHECK(joined(page.out).find("certificates 2 in " + place + ", verified: subcert verify " + place) != std::string::npos);
+  const Run verified = run("verify " + place);
+  CHECK(verified.code == 0);
+  CHECK(joined(verified.out).find("0005-vertex.cert: VERIFIED ") != std::string::npos);
+  CHECK(joined(verified.out).find("C^1 limits of almost all data around dual:5;0,0=1/2@0,0,0") != std::string::npos);
+  // Those of a run before that are not written again go.
+  const auto fits = run_json("vertex butterfly --valence 5 --certificate " + place);
+  CHECK(fits.at("certificates") == 0);
+  CHECK(run("verify " + place).code != 0);
+}

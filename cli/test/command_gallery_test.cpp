@@ -12,7 +12,7 @@ TEST_CASE("gallery: one page in one file") {
   CHECK(made.code == 1);  // one diverges
   CHECK(made.out == page + ": 3 schemes\n");
   const std::string text = content(page);
-  CHECK(text.find("[3,<wbr>4,<wbr>3,<wbr>4,<wbr>3,<wbr>4,<wbr>3]/12@-3") != std::string::npos);
+  CHECK(text.find("[3,<wbr>4,<wbr>3,<wbr>4,<wbr>3,<wbr>4,<wbr>3]/12@−3") != std::string::npos);
   CHECK(text.find("id=\"primal-n-2-d-1-limit\"") != std::string::npos);
   CHECK(text.find("id=\"loop-limit\"") != std::string::npos);
   // Nothing is drawn of what does not exist, and nothing is loaded.

@@ -180,8 +180,8 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("refine x --steps 2").err, "did you mean --levels?"));
   CHECK(contains(run("range x --over a=0..1 --over b=0..1 --property C1").err,
                  "--over: expected once; found 2 values; see 'subcert range --help'"));
-  CHECK(contains(run("mask x --steps 2").err, "there is no option '--steps'; see"));
-  CHECK(contains(run("vertex loop").err, "there is no command 'vertex'; see 'subcert --help'"));
+  CHECK(contains(run("mask x --paces 2").err, "there is no option '--paces'; see"));
+  CHECK(contains(run("polish loop").err, "there is no command 'polish'; see 'subcert --help'"));
   for (const char* root : {"mask:[sqrt2,1]/2", "mask:[sqrt(2),1]/2", "four-point:w=sqrt2/16", "mask:[√2,1]/2"})
     CHECK(contains(run("mask '" + std::string(root) + "'").err, ",where=t^2-3:1.7..1.8"));
   CHECK(contains(run("--nosuch").err, "there is no option '--nosuch' before a command"));

@@ -170,8 +170,8 @@ Json conjecture_json(const Conjecture8& answer, const ConjectureRange& range) {
 std::string conjecture_text(const Conjecture8& answer, const ConjectureRange& range) {
   std::string text;
   for (const ComparisonRow& row : answer.rows) {
-    text += padded(conjecture_verdict(row.holds.truth), 10) + "psi of " + row.pair.larger.specification() + " >= psi of " +
-            row.pair.smaller.specification();
+    text += padded(conjecture_verdict(row.holds.truth), 10) + "psi of " + row.pair.larger.specification() +
+            " >= psi of " + row.pair.smaller.specification();
     if (row.witness) text += ", false at x = " + to_text(*row.witness);
     if (row.holds.truth == Truth::unknown) text += " (" + row.holds.reason + ")";
     text += "\n";

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <span>
 #include <string_view>
 
 namespace {
@@ -33,10 +34,14 @@ int complain(const std::string& message, cli::ExitCode code) {
 }
 
 /// For a file that was given in the place of a scheme.
-std::string about_file(const Error& error) {
+std::string about_file(const Error& error, const std::span<char*> arguments) {
   const auto* refused = dynamic_cast<const SpecificationError*>(&error);
   std::error_code none;
   if (!refused || refused->position() != 1 || !std::filesystem::is_regular_file(refused->token(), none)) return "";
+  for (std::size_t i = 2; i < arguments.size(); ++i)  // behind the command
+    if (refused->token() == arguments[i] && i + 1 < arguments.size() && cli::is_scheme(arguments[i + 1]))
+      return std::string("; it is a file, and the scheme stands before it: 'subcert ") + arguments[1] + " " +
+             arguments[i + 1] + " " + arguments[i] + "'";
   return "; it is a file: 'subcert sweep FILE' takes one with a scheme a line, and \"$(cat FILE)\" stands for one with "
          "a mask";
 }
@@ -95,14 +100,15 @@ int main(int argc, char** argv) {
          cli::add_limit,     cli::add_variance,   cli::add_refine,     cli::add_smooth,     cli::add_gallery,
          cli::add_compare,   cli::add_experiment, cli::add_conjecture, cli::add_merge,      cli::add_sweep,
          cli::add_theorem,   cli::add_statements, cli::add_check,      cli::add_completion, cli::add_manual,
-         cli::add_l1},
+         cli::add_l1,        cli::add_vertex,     cli::add_atlas},
         argc, argv);
     cli::require_output_written();
     return code;
   } catch (const cli::ReaderLeft&) {
     return static_cast<int>(cli::missing_file);
   } catch (const Error& error) {
-    return complain(std::string(error.what()) + about_file(error), cli::exit_code(error));
+    return complain(std::string(error.what()) + about_file(error, {argv, static_cast<std::size_t>(argc)}),
+                    cli::exit_code(error));
   } catch (const std::bad_alloc&) {
     return complain("out of memory", cli::internal);
   } catch (const std::exception& error) {

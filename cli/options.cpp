@@ -10,10 +10,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <sstream>
 
 namespace subcert::cli {
@@ -281,6 +283,24 @@ std::string commands_about(const CLI::App& app, const std::string& word) {
   return found.size() > most ? "" : see_also("; did you mean one of ", found);
 }
 
+/// What stands for an option that other programs have; empty where nothing is known.
+std::string known_as(const std::string& option, const std::vector<std::string>& names) {
+  constexpr std::array<std::array<std::string_view, 3>, 9> elsewhere{{
+      {"--robust", "--scheme", "--scheme local:d=1,robust=3"},
+      {"--window", "--weights", "--scheme local:d=1,width=..., or points=..."},
+      {"--bandwidth", "--weights", "--scheme local:d=1,width=..."},
+      {"--span", "--weights", "--scheme local:d=1,width=..."},
+      {"--sigma", "--errors", "--errors COLUMN, or --noise for one number"},
+      {"--sd", "--errors", "--errors COLUMN, or --noise for one number"},
+      {"--se", "--errors", "--errors COLUMN, or --noise for one number"},
+      {"--iterations", "--levels", "--levels"},
+      {"--steps", "--levels", "--levels"},
+  }};
+  for (const auto& [word, needs, meaning] : elsewhere)
+    if (option == word && std::ranges::count(names, needs) > 0) return "; did you mean " + std::string(meaning) + "?";
+  return "";
+}
+
 /// Commands that have the option.
 std::string commands_with(const CLI::App& app, const std::string& option) {
   std::vector<std::string> found;
@@ -291,12 +311,7 @@ std::string commands_with(const CLI::App& app, const std::string& option) {
 
 /// For the first argument where it is a scheme.
 std::string command_for_scheme(const std::string& word) {
-  try {
-    make_any_scheme(word);
-    return "; it is a scheme, as in 'subcert analyze " + printable(word) + "'";
-  } catch (const Error&) {
-    return "";
-  }
+  return is_scheme(word) ? "; it is a scheme, as in 'subcert analyze " + printable(word) + "'" : "";
 }
 
 /// Refuses a first argument that is neither a command nor an option.
@@ -346,14 +361,34 @@ void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& 
       }
     const std::string name = argument.substr(0, argument.find('='));
     if (name.starts_with("--") && std::ranges::find(names, name) == names.end()) {
-      const std::string elsewhere = commands_with(app, name);
+      const std::string elsewhere = commands_with(app, name), known = known_as(name, names);
       fail(ErrorKind::usage, "there is no option {}{}; see 'subcert {}--help'", in_quotes(name),
-           elsewhere.empty() ? did_you_mean(name, names) : elsewhere, helped(app, arguments));
+           !known.empty()      ? known
+           : elsewhere.empty() ? did_you_mean(name, names)
+                               : elsewhere,
+           helped(app, arguments));
     }
   }
 }
 
+/// What CLI11 says of an option that is given more than once, as this program says it.
+std::string in_our_words(const std::string& message) {
+  static const std::regex too_often("^(--[a-z-]+): At Most 1 required but received ([0-9]+)$");
+  std::smatch found;
+  if (!std::regex_match(message, found, too_often)) return message;
+  return fmt::format("{}: expected once; found {} values", found[1].str(), found[2].str());
+}
+
 }  // namespace
+
+bool is_scheme(const std::string& word) {
+  try {
+    make_any_scheme(word);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
 
 int run_program(const std::string& description, const std::string& footer,
                 const std::vector<void (*)(Command&)>& add_commands, int argc, char** argv) {
@@ -375,7 +410,7 @@ int run_program(const std::string& description, const std::string& footer,
     return left.get_exit_code();
   } catch (const CLI::ParseError& error) {
     refuse_unknown_option(app, arguments);
-    fail(ErrorKind::usage, "{}; see 'subcert {}--help'", error.what(), helped(app, arguments));
+    fail(ErrorKind::usage, "{}; see 'subcert {}--help'", in_our_words(error.what()), helped(app, arguments));
   }
 }
 

@@ -99,6 +99,9 @@ class Command {
   CLI::App* app_;
 };
 
+/// Whether the word is a scheme that can be read.
+bool is_scheme(const std::string& word);
+
 /// Reads the command line, runs the command that it names and returns the exit code. Errors: throws a usage error for a
 /// command line that cannot be read, and whatever the command throws.
 int run_program(const std::string& description, const std::string& footer,

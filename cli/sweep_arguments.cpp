@@ -1,11 +1,62 @@
 #include "sweep_arguments.hpp"
 
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/proofs-checks/file_error.hpp>
 #include <subcert/proofs-checks/sweeps/ranks.hpp>
 #include <subcert/reports/formats/provenance.hpp>
 
+#include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace subcert::cli {
+
+namespace {
+
+/// The lines of a file, or of standard input, without empty ones and remarks.
+void add_lines(const std::string& file, std::vector<std::string>& schemes) {
+  std::istringstream lines(read_input(file));
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
+      schemes.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+}
+
+/// Whether the argument names a file of schemes.
+bool is_list(const std::string& text) {
+  return text == standard_stream || text.ends_with(".txt") || std::filesystem::is_regular_file(text);
+}
+
+}  // namespace
+
+sweeps::SweepPlan plan_of_texts(const std::vector<std::string>& texts, const std::string& command) {
+  sweeps::SweepPlan plan;
+  if (texts.size() == 1 && texts.front().ends_with(".toml")) {
+    const std::string& file = texts.front();
+    try {
+      plan = sweeps::read_sweep_plan(read_file(file));
+    } catch (const FileError& error) {
+      fail(ErrorKind::data, "{}, {}", file, error.what());
+    }
+  } else {
+    for (const std::string& text : texts) {
+      if (text.ends_with(".toml")) fail(ErrorKind::usage, "{}: need a plan alone, got others beside {}", command, text);
+      if (is_list(text))
+        add_lines(text, plan.schemes);
+      else
+        plan.schemes.push_back(text);
+    }
+  }
+  return plan;
+}
+
+void add_schemes_of_sweep(Command& command, std::vector<std::string>& schemes) {
+  command
+      .option("SCHEMES", schemes,
+              "Schemes with lists of values, as primal:n=1..60,d={1,3} or four-point:w=0..1/4 step 1/64; all masks, as "
+              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; a file with a scheme in each line, - for "
+              "standard input")
+      .required();
+}
 
 void add_sweep_arguments(Command& command, SweepArguments& arguments) {
   command.option("--journal", arguments.journal, "Keep finished cases there and go on from those it has");

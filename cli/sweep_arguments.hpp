@@ -3,11 +3,19 @@
 
 #include "command.hpp"
 
-#include <subcert/proofs-checks/sweeps/sweep.hpp>
+#include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
 
 #include <string>
+#include <vector>
 
 namespace subcert::cli {
+
+/// The positional argument SCHEMES.
+void add_schemes_of_sweep(Command& command, std::vector<std::string>& schemes);
+
+/// What it means: the plan that is given alone, or one of these schemes. Errors: throws a data error for a plan that
+/// cannot be read, a usage error for one beside other texts.
+sweeps::SweepPlan plan_of_texts(const std::vector<std::string>& texts, const std::string& command);
 
 /// --journal and --shard, as they stand on the command line.
 struct SweepArguments {

@@ -44,6 +44,7 @@ endfunction()
 subcert_bring_libraries(EXECUTABLES subcert libraries lib/subcert)
 if(TARGET subcert_python)
   subcert_bring_libraries(MODULES subcert_python python subcert/lib)
+  subcert_bring_libraries(EXECUTABLES subcert python subcert/lib)
 endif()
 install(FILES LICENSE CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT libraries EXCLUDE_FROM_ALL)
 # What README names stands beside it, so that its links and commands hold in an archive.

@@ -6,7 +6,7 @@ readonly build=build/release
 # What the program and its reports need, as Debian names it.
 readonly packages_to_run="g++ cmake ninja-build libboost-dev libboost-filesystem-dev libboost-iostreams-dev
   libboost-system-dev libeigen3-dev libgmp-dev libmpfr-dev libflint-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libtomlplusplus-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
+  libsqlite3-dev libtomlplusplus-dev libgnuplot-iostream-dev gnuplot-nox libopenmpi-dev openmpi-bin fonts-dejavu-core"
 # What tests and benchmarks need beside.
 readonly packages_to_check="catch2 libbenchmark-dev python3 python3-jsonschema python3-yaml git clang-format clang-tidy
   man-db pkg-config zsh fish pybind11-dev python3-dev python3-numpy python3-sympy python3-pytest python3-hypothesis mypy
@@ -56,11 +56,11 @@ install_missing() {
     return
   }
   missing=$(missing_packages)
-  [ -n "$missing" ] || return 0
   if [ "${1:-}" = list ]; then
-    echo "missing packages:" $missing
+    echo "missing packages:" ${missing:-none}
     return 0
   fi
+  [ -n "$missing" ] || return 0
   as_root apt-get update -qq
   wanted=
   for package in $missing; do

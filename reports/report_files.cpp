@@ -1,5 +1,6 @@
 #include "report_files.hpp"
 
+#include "documents.hpp"
 #include "formats/paper_text.hpp"
 #include "formats/section.hpp"
 #include "formats/surface_figure.hpp"
@@ -157,12 +158,16 @@ void write_reports(const Findings& findings, const std::filesystem::path& folder
     }
   }
   parallel_for_each(pictures.size(), jobs, [&](std::size_t i) { pictures[i](); });
+  const auto write_page = [&](const std::string& name, const std::string& page) {
+    runtime::write_file(folder / (name + ".html"), with_documents(page));
+  };
+  write_documents(folder);
   for (const Report& report : findings.reports)
-    runtime::write_file(folder / (report.paper + ".html"), report_page(report, results(report, findings.statements)));
-  if (!findings.statements.empty()) runtime::write_file(folder / "errata.html", errata_page(findings.statements, all));
+    write_page(report.paper, report_page(report, results(report, findings.statements)));
+  if (!findings.statements.empty()) write_page("errata", errata_page(findings.statements, all));
   runtime::write_file(folder / "results.json", results_json(all));
-  runtime::write_file(folder / "results.html", results_page(all));
-  runtime::write_file(folder / "index.html", front_page(findings));
+  write_page("results", results_page(all));
+  write_page("index", front_page(findings));
 }
 
 nlohmann::ordered_json reports_json(const std::vector<Report>& reports,

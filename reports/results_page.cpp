@@ -11,14 +11,8 @@ namespace {
 
 using formats::html;
 
-constexpr std::size_t longest_text = 400;  // of a cell; the rest stands where the link leads
-
-std::string shortened(const std::string& text) {
-  if (text.size() <= longest_text) return html(text);
-  std::size_t end = longest_text;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a character of UTF-8
-  return html(text.substr(0, end)) + " ...";
-}
+/// Of a cell; the rest stands where the link leads.
+std::string shortened(const std::string& text) { return formats::shortened_html(text, 400); }
 
 /// Statements are formulas in LaTeX.
 std::string object_html(const Result& result, const std::string& text) {

@@ -102,7 +102,7 @@ formats::Section theorem_section(const ReportOptions& options) {
       "pointwise in n and increases pointwise in the degree d. A table supports such sentences up to some n, a theorem "
       "for every n. " +
       theorems_sentence(decided) +
-      " Their proofs are two papers, in docs/theorems, and rest on numbered inequalities ('subcert "
+      " Their proofs are two papers, named in docs/theorems/README.md, and rest on numbered inequalities ('subcert "
       "theorem ID --d D' prints them with their margins).");
   section.paragraphs.insert(section.paragraphs.end(), statements.begin(), statements.end());
   section.tables.push_back(table);

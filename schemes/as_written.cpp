@@ -21,12 +21,20 @@
 namespace subcert {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> names{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> names{{
     {"chaikin", "bspline:degree=2"},
     {"quadratic-bspline", "bspline:degree=2"},
     {"quadratic-b-spline", "bspline:degree=2"},
+    {"quadratic", "bspline:degree=2"},
+    {"quadratic-spline", "bspline:degree=2"},
+    {"cubic", "bspline:degree=3"},
+    {"cubic-spline", "bspline:degree=3"},
     {"cubic-bspline", "bspline:degree=3"},
     {"cubic-b-spline", "bspline:degree=3"},
+    {"quartic", "bspline:degree=4"},
+    {"quartic-spline", "bspline:degree=4"},
+    {"quintic", "bspline:degree=5"},
+    {"quintic-spline", "bspline:degree=5"},
     {"dd4", "dd:n=2"},
     {"dd6", "dd:n=3"},
     {"dd8", "dd:n=4"},

@@ -69,6 +69,8 @@ const std::vector<ClassicalFamily>& classical_families() {
              {"w", "0", "-1/16-3*w", "0", "9/16+2*w", "1", "9/16+2*w", "0", "-1/16-3*w", "0", "w"}, 2),
       family("dual-four-point", "dual 4-point scheme with tension", "1/128",
              {"-5*w", "-7*w", "1/4+3*w", "3/4+9*w", "3/4+9*w", "1/4+3*w", "-7*w", "-5*w"}, 2),
+      family("j-spline", "J-spline with the parameter", "3/2",
+             {"-1/16+1/16*w", "1/8*w", "9/16-1/16*w", "1-1/4*w", "9/16-1/16*w", "1/8*w", "-1/16+1/16*w"}, 2),
       family("corner-cutting", "corner cutting with the ratio", "1/4", {"w", "1-w", "1-w", "w"}, 2),
       family("ternary-three-point", "ternary interpolatory 3-point scheme with the parameter", "5/18",
              {"-1/3+w", "0", "w", "4/3-2*w", "1", "4/3-2*w", "w", "0", "-1/3+w"}, 3),

@@ -3,6 +3,8 @@
 #include "plain_text.hpp"
 #include "specification.hpp"
 
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <fmt/format.h>
@@ -372,6 +374,26 @@ std::optional<std::string> rules_as_written(string_view written) {
   } catch (const SpecificationError& error) {
     throw SpecificationError(error.token(), characters_before(text, error.position() - 1) + 1, error.expected());
   }
+}
+
+std::string rules_text(const Mask& mask) {
+  const LaurentPolynomial& symbol = mask.symbol();
+  const long arity = mask.arity();
+  const auto index = [](const std::string& i, long shift) { return shift == 0 ? i : fmt::format("{}{:+}", i, shift); };
+  std::string lines;
+  for (long phase = 0; phase < arity; ++phase) {
+    std::string sum;
+    // f'_{a i + phase} combines the f_{i+shift} by a_{phase - a shift}.
+    for (long k = symbol.highest(); k >= symbol.lowest(); --k) {
+      const Rational weight = symbol.coefficient(k);
+      if (modulo(k, arity) != phase || weight == 0) continue;
+      const std::string datum = index("i", (phase - k) / arity), size = to_text(abs(weight));
+      sum += weight < 0 ? (sum.empty() ? "-" : " - ") : sum.empty() ? "" : " + ";
+      sum += fmt::format("{}{}", size == "1" ? "" : size + " ", datum == "i" ? "f_i" : "f_{" + datum + "}");
+    }
+    lines += fmt::format("f_{{{}}} = {}\n", index(std::to_string(arity) + "i", phase), sum.empty() ? "0" : sum);
+  }
+  return lines;
 }
 
 }  // namespace subcert

@@ -1,6 +1,8 @@
 #pragma once
 /// Refinement rules as papers print them.
 
+#include <subcert/analysis/symbol/masks/mask.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,5 +15,8 @@ namespace subcert {
 /// `f_{2i}`. Domain: at most 30,000 characters. Errors: throws SpecificationError where rules are missing or the same,
 /// and for a right side that is not a sum of data, each times a number or a letter.
 std::optional<std::string> rules_as_written(std::string_view text);
+
+/// The rules of a mask, a line each, as `f_{2i} = 3/4 f_i + 1/4 f_{i+1}`, which rules_as_written() reads.
+std::string rules_text(const Mask& mask);
 
 }  // namespace subcert

@@ -242,3 +242,19 @@ TEST_CASE("long vertices leave small differences between short ones to the linea
   const Membership outside = simplex.solve(Vector{1 - 2e-7, 0.3}, 1 - 1e-4, 1);
   CHECK(outside.upper > 1 + 0.9e-7);
 }
+
+TEST_CASE("products are improved by parts and by joins, and small looks at them are taken in any time") {
+  const SearchFamily family{{two_by_two(1, 1, 0, 1), two_by_two(1, 0, 1, 1)}, {}};
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  for (const std::vector<std::vector<int>>& words :
+       {std::vector<std::vector<int>>{{0, 0, 1, 0, 1}}, {{0, 0, 1}, {1, 1, 0}}, {{0}, {1}}}) {
+    std::vector<Candidate> candidates;
+    for (const std::vector<int>& word : words) candidates.push_back({word, product_radius(family.matrices, word)});
+    add_better_neighbours(candidates, family);
+    CHECK(candidates.front().word == std::vector<int>{0, 1});
+    CHECK(candidates.front().radius == Approx(golden));
+    CHECK(candidates.size() > words.size());
+  }
+  const auto found = search_products(family, {.max_length = 12, .width = 12, .budget = {Deadline::in(0)}});
+  CHECK(found.front().radius == Approx(golden));
+}

@@ -38,6 +38,40 @@ std::string product_text(const CurvePiece& piece) {
   return piece.proof.below ? word_text(piece.proof.below->word) : "";
 }
 
+/// The largest exponent of all values: between which numbers it lies, and between which values alone it can be.
+struct Largest {
+  Enclosure exponent;
+  Rational low, high;
+};
+
+/// Nothing where no exponent is proved to be positive. What has no upper end may be anything.
+std::optional<Largest> largest_of(const ExponentCurve& curve) {
+  struct Part {
+    Enclosure exponent;
+    Rational low, high;
+  };
+  std::vector<Part> parts;
+  for (const CurvePiece& piece : curve.pieces)
+    parts.push_back({positive_part(piece.exponent), piece.proof.low, piece.proof.high});
+  for (const CurvePoint& point : curve.special)
+    parts.push_back(
+        {positive_part(point.exponent.value_or(Enclosure{})), *point.at.value.lower, *point.at.value.upper});
+  std::optional<Rational> least, most = Rational(0);
+  for (const Part& part : parts) {
+    if (part.exponent.lower && (!least || *part.exponent.lower > *least)) least = part.exponent.lower;
+    most = most && part.exponent.upper ? std::optional(std::max(*most, *part.exponent.upper)) : std::nullopt;
+  }
+  if (!least || *least <= 0) return std::nullopt;
+  std::optional<Largest> result;
+  for (const Part& part : parts) {
+    if (part.exponent.upper && *part.exponent.upper < *least) continue;
+    if (!result) result = Largest{{least, most}, part.low, part.high};
+    result->low = std::min(result->low, part.low);
+    result->high = std::max(result->high, part.high);
+  }
+  return result;
+}
+
 Json json_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
   Json pieces = Json::array(), special = Json::array();
   for (const CurvePiece& piece : curve.pieces)
@@ -52,7 +86,11 @@ Json json_of(const ExponentCurve& curve, const ParametricScheme& scheme) {
                        {"polynomial", scheme.named(to_text(point.at.polynomial, scheme.letter))},
                        {"why", why_text(point.at.why)},
                        {"holder", enclosure_json(positive_part(point.exponent.value_or(Enclosure{})))}});
-  return {{"family", scheme.specification}, {"sum_rules", curve.sum_rules}, {"pieces", pieces}, {"special", special}};
+  Json json{{"family", scheme.specification}, {"sum_rules", curve.sum_rules}, {"pieces", pieces}, {"special", special}};
+  if (const auto largest = largest_of(curve))
+    json["largest"] = {
+        {"holder", enclosure_json(largest->exponent)}, {"from", to_text(largest->low)}, {"to", to_text(largest->high)}};
+  return json;
 }
 
 std::string csv_of(const ExponentCurve& curve) {
@@ -133,6 +171,14 @@ std::string text_of(const ExponentCurve& curve, const ParametricScheme& scheme) 
     page << padded(run.convergence, 13) << values_text(run, w);
     if (run.hull.lower || run.hull.upper) page << ": exponent " << enclosure_text(run.hull, 5);
     page << ", " << run.evidence() << (run.reasons.empty() ? "" : " (" + run.reasons + ")") << "\n";
+  }
+  if (const auto largest = largest_of(curve)) {
+    const bool is_point = largest->low == largest->high;
+    page << "largest      exponent " << enclosure_text(largest->exponent, 5) << ", "
+         << (is_point ? fmt::format("at {} = {}", w, number_text(largest->low))
+                      : fmt::format("within {} <= {} <= {}", number_text(largest->low, Rounding::down), w,
+                                    number_text(largest->high, Rounding::up)))
+         << "\n";
   }
   for (const CurvePoint& point : curve.special)
     page << "special      " << w << " = " << number_text(point.at.value) << ": " << special_text(point) << "\n";

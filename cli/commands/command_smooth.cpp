@@ -156,6 +156,7 @@ ExitCode run(const SmoothOptions& options) {
   if (!options.noise.empty() &&
       (!(noise = parse_number(options.noise)) || !data::is_noise(data::nearest_double(*noise))))
     fail(ErrorKind::usage, "--noise {}: expected a standard deviation from 1e-150 to 1e150", options.noise);
+  if (!noise && !options.samples.errors.empty()) noise = 1;  // what these are in units of
   require_picture_name(options.plot);
   if (options.grid) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
@@ -236,6 +237,8 @@ void add_smooth(Command& app) {
   command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
   command.option("--weights", options->samples.weights,
                  "Column of prior weights, inverse to the variance of the noise");
+  command.option("--errors", options->samples.errors,
+                 "Column of standard deviations of the noise, in place of --weights and --noise");
   command.option("--by", options->samples.by, "Column of the names of groups, each smoothed by itself");
   command.option("--keep", options->samples.keep, "Columns that go into the answer as they are, with --at data")
       .separated_by_commas();
@@ -261,7 +264,8 @@ void add_smooth(Command& app) {
       .with_default();
   command
       .option("--spacing", options->samples.spacing,
-              "Of the output grid where positions are irregular (default: the mean), or of the data of a stream")
+              "Of the output grid where positions are irregular (default: that of most neighbours, or the mean), or of "
+              "the data of a stream")
       .exact_number();
   command.option("--at", options->at, "Where values stand: on the grid of --level, or at the data")
       .one_of({"grid", "data"})

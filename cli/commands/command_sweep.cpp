@@ -3,7 +3,6 @@
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/pages/sweep_lines.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
-#include <subcert/proofs-checks/file_error.hpp>
 #include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
 
@@ -12,7 +11,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 
 namespace subcert::cli {
 namespace {
@@ -29,38 +27,9 @@ struct SweepCommandOptions : CommonOptions, SweepArguments {
 
 constexpr std::size_t most_counterexamples = 5;
 
-/// The lines of a file, or of standard input, without empty ones and remarks.
-void add_lines(const std::string& file, std::vector<std::string>& schemes) {
-  std::istringstream lines(read_input(file));
-  for (std::string line; std::getline(lines, line);)
-    if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
-      schemes.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
-}
-
-/// Whether the argument names a file of schemes.
-bool is_list(const std::string& text) {
-  return text == standard_stream || text.ends_with(".txt") || std::filesystem::is_regular_file(text);
-}
-
 /// The plan that is given, options over what its file says.
 sweeps::SweepPlan plan_of(const SweepCommandOptions& options) {
-  sweeps::SweepPlan plan;
-  if (options.schemes.size() == 1 && options.schemes.front().ends_with(".toml")) {
-    const std::string& file = options.schemes.front();
-    try {
-      plan = sweeps::read_sweep_plan(read_file(file));
-    } catch (const FileError& error) {
-      fail(ErrorKind::data, "{}, {}", file, error.what());
-    }
-  } else {
-    for (const std::string& text : options.schemes) {
-      if (text.ends_with(".toml")) fail(ErrorKind::usage, "sweep: need a plan alone, got others beside {}", text);
-      if (is_list(text))
-        add_lines(text, plan.schemes);
-      else
-        plan.schemes.push_back(text);
-    }
-  }
+  sweeps::SweepPlan plan = plan_of_texts(options.schemes, "sweep");
   if (!options.ask.empty()) plan.ask = options.ask;
   if (!options.columns.empty()) plan.columns = options.columns;
   if (!options.where.empty()) plan.where = options.where;
@@ -143,9 +112,7 @@ ExitCode run(const SweepCommandOptions& options) {
   const std::vector<std::string> schemes = schemes_of_plan(plan);
   if (schemes.empty()) fail(ErrorKind::usage, "sweep: no scheme is left; expected schemes for which {}", plan.where);
   std::vector<sweeps::SweepCase> cases;
-  for (const std::string& scheme : schemes)
-    cases.push_back({fmt::format("sweep {} of {} budget {} memory {}", fmt::join(plan.ask, ","), scheme, plan.budget,
-                                 plan.memory)});
+  for (const std::string& scheme : schemes) cases.push_back(case_of(plan, scheme));
   if (!options.worker.empty()) runtime::run_process(options.worker, {"--version"});  // throws where there is none
   const std::string program = options.worker.empty() ? runtime::own_program().string() : options.worker;
   std::vector<std::string> columns = plan.columns.empty() ? usual_columns(plan.ask) : plan.columns;
@@ -190,12 +157,7 @@ void add_sweep(Command& app) {
   Command command = add_command(app, "sweep", "What other commands answer, for many schemes, in processes of their own",
                                 "subcert sweep 'primal:n=1..20,d={1,3}' --expect 'holder > 1.5'", options,
                                 [=] { return run(*options); });
-  command
-      .option("SCHEMES", options->schemes,
-              "Schemes with lists of values, as primal:n=1..60,d={1,3} or four-point:w=0..1/4 step 1/64; all masks, as "
-              "masks:length=1..5,numerators=3,denominator=2; a plan in TOML; a file with a scheme in each line, - for "
-              "standard input")
-      .required();
+  add_schemes_of_sweep(command, options->schemes);
   command
       .option("--ask", options->ask,
               fmt::format("Commands that answer, some of {}; regularity if none",

@@ -24,9 +24,9 @@ void refuse_options_of_columns(const SmoothOptions& options) {
   if (samples.missing != "raise")
     fail(ErrorKind::usage, "--grid and --missing {}: expected one of the two; grids have no gaps: fill them first",
          samples.missing);
-  if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.by.empty() ||
-      !samples.keep.empty() || options.irregular != "auto" || options.stream || !samples.spacing.empty() ||
-      samples.series != "columns" || options.derivative != 0 || options.select != "risk")
+  if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.errors.empty() ||
+      !samples.by.empty() || !samples.keep.empty() || options.irregular != "auto" || options.stream ||
+      !samples.spacing.empty() || samples.series != "columns" || options.derivative != 0 || options.select != "risk")
     fail(ErrorKind::usage,
          "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
          "--derivative, --select cv, --stream");

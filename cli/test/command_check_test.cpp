@@ -44,6 +44,10 @@ TEST_CASE("properties from standard input, and files in the place of schemes") {
   const std::string list = folder.write("masks.txt", "1 3 3 1\n");
   CHECK(run("mask " + list).err.find("it is a file: 'subcert sweep FILE' takes one") != std::string::npos);
   CHECK(run("mask nothing.txt").err.find("it is a file") == std::string::npos);
+  CHECK(run("refine " + list + " chaikin")
+            .err.ends_with("; it is a file, and the scheme stands before it: 'subcert refine "
+                           "chaikin " +
+                           list + "'\n"));
 }
 
 TEST_CASE("one question that cannot be answered leaves the others alone") {

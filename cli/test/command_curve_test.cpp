@@ -25,6 +25,17 @@ TEST_CASE("a curve is drawn, tabulated and verified") {
   CHECK(curve["pieces"].size() == 4);
   CHECK(curve["pieces"][0]["product"] == "0");
   CHECK(curve["pieces"][0].contains("holder"));
+  CHECK(curve["largest"]["to"] == "1/20");
+  CHECK(curve["largest"]["holder"]["upper"] == curve["pieces"][3]["holder"]["upper"]);
+}
+
+TEST_CASE("the largest exponent, and where alone it can be") {
+  // At w = 1/16 the four-point scheme has two sum rules more, and smaller exponents about it.
+  CHECK(contains(run("curve four-point:w --over w=1/20..1/10 --pieces 20").out,
+                 "\nlargest      exponent 2, within 399/6400 <= w <= 51/800\n"));
+  const Run open = run("curve 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=2..3 --pieces 2");
+  CHECK(contains(open.out, "undecided"));
+  CHECK_FALSE(contains(open.out, "largest"));
 }
 
 TEST_CASE("curves that make no sense are refused in one line") {

@@ -82,3 +82,13 @@ TEST_CASE("mask and regularity for papers") {
                  "sides within "));
   check_fails(run("mask dd:n=2 --latex --json"), 64, "expected one of --json, --latex and --markdown");
 }
+
+TEST_CASE("mask: the rules for new points, which read back") {
+  const Run rules = run("mask dd:n=2,a=3 --rules");
+  CHECK(rules.out.starts_with("f_{3i} = f_i\nf_{3i+1} = -5/81 f_{i-1} + "));
+  CHECK(run("mask '" + rules.out + "'").out == run("mask dd:n=2,a=3").out);
+  for (const char* refused : {"loop --rules", "ghm --rules", "chaikin --rules --json", "chaikin --rules --latex"}) {
+    CAPTURE(refused);
+    CHECK(run(std::string("mask ") + refused).code == 64);
+  }
+}

@@ -286,8 +286,8 @@ TEST_CASE("refine: axes with one scale have numbers with one step") {
   const std::string data = folder.write("square.csv", "0,0\n4,0\n4,4\n0,4\n"), picture = folder / "square.svg";
   CHECK(run("refine chaikin " + data + " --closed --quiet --plot " + picture).code == 0);
   // A side of the picture is wider than the other, and alone would have steps of 1/2.
-  CHECK(contains(content(picture), " 3</tspan>"));
-  CHECK_FALSE(contains(content(picture), " 0.5</tspan>"));
+  CHECK(contains(content(picture), ">3</tspan>"));
+  CHECK_FALSE(contains(content(picture), ">0.5</tspan>"));
 }
 
 TEST_CASE("refine: data go on as the nearest datum, or as a constant") {

@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <fmt/format.h>
+
 using namespace subcert::testing;
 
 TEST_CASE("data are smoothed") {
@@ -124,6 +126,34 @@ TEST_CASE("data are smoothed") {
   CHECK(run("smooth " + data + " --scheme primal:n=3 --jobs 3").out == plain);
   std::ofstream(data, std::ios::binary) << "0,1\n1,x\n";
   check_fails(run("smooth - < " + data), 65, "standard input, line 2, column 2: expected a number; found 'x'");
+}
+
+TEST_CASE("standard deviations of the noise stand for weights, and known noise") {
+  const Folder folder;
+  std::string table = "t,v,s,w\n";
+  for (int i = 0; i < 40; ++i)
+    table += fmt::format("{},{},{},{}\n", i, (i * 7919) % 13, i < 20 ? "0.5" : "2", i < 20 ? "4" : "0.25");
+  const std::string data = folder.write("data.csv", table), y = "smooth " + data + " --y v --quiet ";
+  const std::string by_errors = run(y + "--errors s --scheme primal:n=3").out;
+  CHECK(by_errors == run(y + "--weights w --noise 1 --scheme primal:n=3").out);
+  CHECK(by_errors.find("nan") == std::string::npos);
+  CHECK(run(y + "--errors s --noise 3 --scheme local:d=1").out ==
+        run(y + "--weights w --noise 3 --scheme local:d=1").out);
+  check_fails(run(y + "--errors s --weights w"), 64, "--weights and --errors: expected one of the two");
+  const std::string zero = folder.write("zero.csv", "t,v,s\n0,1,1\n1,2,0\n2,3,1\n");
+  check_fails(run("smooth " + zero + " --errors s"), 65,
+              zero + ", line 3, column 3: expected a standard deviation from 1e-75 to 1e75; found 0");
+}
+
+TEST_CASE("a grid with a gap is answered on this grid") {
+  const Folder folder;
+  std::string table = "time,v\n";
+  for (int i = 0; i < 48; ++i)
+    if (i < 20 || i > 24) table += fmt::format("2024-03-{:02}T{:02}:00:30Z,{}\n", 1 + i / 24, i % 24, i);
+  const Run answer = run("smooth " + folder.write("data.csv", table) + " --level 0 --bands 0 --scheme local:d=1");
+  CHECK(std::ranges::count(answer.out, '\n') >= 48);
+  for (int i = 0; i < 48; ++i)
+    CHECK(contains(answer.out, fmt::format("\n2024-03-{:02}T{:02}:00:30Z,", 1 + i / 24, i % 24)));
 }
 
 TEST_CASE("data at scattered positions are smoothed, by local polynomials and by schemes") {

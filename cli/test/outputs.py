@@ -26,6 +26,7 @@ COMMANDS = [
     ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit", "--sarif"]),
     ("conjecture 7 --n 1..2 --d 1", ["--out", "--journal"]),
     ("sweep primal:n=1..2", ["--out", "--journal"]), ("merge journal", ["--out"]),
+    ("atlas primal:n=1 --atlas made.sqlite", ["--out", "--certificate"]),
     ("smooth data.csv --scheme primal:n=2", ["--out"]), ("smooth data.csv --scheme primal:n=2 --stream", ["--out"]),
     ("refine primal:n=2 data.csv", ["--out"]), ("verify s1.cert", ["--out"]),
     ("refine loop mesh.obj --levels 1", ["--out", "--out.ply", "--out.off", "--out.stl"]),

@@ -176,6 +176,11 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("exponent chaikin").err, "there is no command 'exponent'; did you mean one of 'regularity', "));
   CHECK(contains(run("regularity chaikin --juntt x").err, "there is no option '--juntt'; see 'subcert regularity"));
   CHECK(contains(run("regularity chaikin --junit x").err, "there is no option '--junit'; it is one of 'check'; see"));
+  CHECK(contains(run("smooth x --robust").err, "'--robust'; did you mean --scheme local:d=1,robust=3?; see"));
+  CHECK(contains(run("refine x --steps 2").err, "did you mean --levels?"));
+  CHECK(contains(run("range x --over a=0..1 --over b=0..1 --property C1").err,
+                 "--over: expected once; found 2 values; see 'subcert range --help'"));
+  CHECK(contains(run("mask x --steps 2").err, "there is no option '--steps'; see"));
   CHECK(contains(run("vertex loop").err, "there is no command 'vertex'; see 'subcert --help'"));
   for (const char* root : {"mask:[sqrt2,1]/2", "mask:[sqrt(2),1]/2", "four-point:w=sqrt2/16", "mask:[√2,1]/2"})
     CHECK(contains(run("mask '" + std::string(root) + "'").err, ",where=t^2-3:1.7..1.8"));

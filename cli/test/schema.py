@@ -48,6 +48,10 @@ analyze hermite-dd:points=2,order=2
 limit dd:n=2 --level 2
 limit primal:n=3 --level 1 --derivative 1
 variance primal:n=2
+atlas dd:n=2 --atlas a.sqlite
+atlas mask:[1,0,0,1] --atlas a.sqlite
+vertex loop --valence 3..5
+vertex butterfly --valence 3,7,8
 range four-point:w --over w=-1..1 --property C1
 range mask:[w,1/2,1/2-w,1/2-w,1/2,w] --over w=0..1 --property convergent --budget 0.5
 curve four-point:w --over w=-1..1 --pieces 20

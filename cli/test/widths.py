@@ -27,7 +27,7 @@ MORE = [
     "theorem list", "theorem limit-constants --d 1", "analyze loop", "analyze ghm", "analyze l1:points=6,d=1",
     "levels four-point:w --over w=1/32..1/8 --property C1 --boxes 2",
     "regularity primal:n=14", "regularity butterfly:w=1/16", "compare chaikin dd:n=2 dd:n=3 dual:n=3",
-    "reproduce dyn-2015 --only table3", "conjecture 8 --n 1..2 --d 1",
+    "reproduce dyn-2015 --only table3", "vertex butterfly --valence 3..12", "conjecture 8 --n 1..2 --d 1",
 ]
 FILES = {
     "samples.csv": "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(40)),

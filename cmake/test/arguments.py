@@ -66,6 +66,9 @@ for command in ["reproduce", "check"]:
     for arguments in [["--no-install"], ["--help"]]:
         code, _, traces = run(command, *arguments)
         assert code == 0 and all(one.startswith("dpkg-query") for one in traces), traces
+listed = subprocess.run([folder / "reproduce", "--no-install"], env={"PATH": f"{tools}:/usr/bin:/bin"}, check=True,
+                        capture_output=True, text=True).stdout
+assert listed == "missing packages: none\n", listed
 assert run("reproduce", "dyn-2015", "--no-install")[2][-1].startswith("dpkg-query")
 assert run("check", "--long")[2][-1].startswith("ctest") and "-LE long" not in run("check", "--long")[2][-1]
 assert "-LE long" in run("check")[2][-1]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Changes lines that decide, one at a time, and asks whether a test of that room notices.
 
-Usage: mutants.py SOURCE BUILD [--sample N] [--seed S] [--room NAME]...; BUILD is made by Ninja and up to date.
+Usage: mutants.py SOURCE BUILD [--sample N] [--seed S] [--room NAME]... [--file NAME]; BUILD is made by Ninja and up to date.
 Draws 300 mutants by the seed, as many of each room, and tries the first N. Neither tree is written to: the changed
 source, or the joined one that holds it, is compiled to a temporary object, which goes before the libraries when the
-room's tests are linked. A survivor that known_survivors.txt does not name with its reason is a failure; so is a line of
+room's tests are linked. With --file only sources with this in their name are changed. A survivor that known_survivors.txt does not name with its reason is a failure; so is a line of
 that file whose source is gone. Exit code 77 where BUILD was not made by Ninja.
 """
 import argparse
@@ -41,10 +41,10 @@ CHANGES = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (
            (".lower", ".upper"), (".upper", ".lower"), (" * ", " + "), (" - ", " + ")]
 
 
-def mutants_of(source, folders):
+def mutants_of(source, folders, part):
     """(file, number of the line, line, changed line) of every change of a deciding line."""
     for folder in folders:
-        for path in sorted((source / folder).glob("*.cpp")):
+        for path in sorted((source / folder).glob(f"*{part}*.cpp")):
             for number, line in enumerate(path.read_text().split("\n")):
                 code = line.split("//")[0]
                 if not DECIDES.search(code) or code.lstrip().startswith(("#", "for (")):
@@ -56,10 +56,10 @@ def mutants_of(source, folders):
                             yield path, number, line, line[:found.start()] + new + line[found.end():]
 
 
-def draw(source, rooms, seed):
+def draw(source, rooms, seed, part):
     """Of each room as many, in turn, each file in proportion to its changes."""
     generator = random.Random(seed)
-    each = {room: list(mutants_of(source, ROOMS[room][0])) for room in rooms}
+    each = {room: list(mutants_of(source, ROOMS[room][0], part)) for room in rooms}
     for changes in each.values():
         generator.shuffle(changes)
     turns = [[(room, *change) for room, change in zip(rooms, turn)] for turn in zip(*each.values())]
@@ -126,7 +126,7 @@ class Room:
         words = list(command)
         for flag, value in (("-c", source), ("-o", object_file), ("-MF", folder / "mutant.d")):
             words[words.index(flag) + 1] = str(value)
-        words[1:1] = ["-w", "-iquote", str(path.parent)]
+        words += ["-w", "-iquote", str(path.parent)]  # at the end: a launcher of the compiler may come first
         if subprocess.run(words, cwd=self.build, capture_output=True).returncode:
             return "does not compile"
         program = self.linked([object_file], folder)
@@ -152,12 +152,14 @@ def main():
     parser.add_argument("--sample", type=int, default=DRAWN)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--room", action="append", choices=ROOMS)
+    parser.add_argument("--file", default="")
     options = parser.parse_args()
     if not (options.build / "build.ninja").exists():
         sys.exit(77)
     known = known_survivors(options.source)
     counts, rooms, failures = {}, {}, 0
-    for room, path, number, line, changed in draw(options.source, options.room or list(ROOMS), options.seed):
+    for room, path, number, line, changed in draw(options.source, options.room or list(ROOMS), options.seed,
+                                                   options.file):
         if counts.get("killed", 0) + counts.get("survived", 0) >= options.sample:
             break
         if room not in rooms:
@@ -171,7 +173,7 @@ def main():
         print(f"{found}: {name}:{number + 1}\n  - {line.strip()}\n  + {changed.strip()}"
               + (f"\n  known: {reason}" if reason else ""), flush=True)
     print(", ".join(f"{count} {found}" for found, count in counts.items()) + f"; {failures} survivors without a reason")
-    return 1 if failures else 0
+    return 1 if failures or not counts.get("killed") else 0
 
 
 if __name__ == "__main__":

@@ -4,11 +4,7 @@
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
 
-#include <fmt/format.h>
-
-#include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 namespace subcert {
 namespace {
@@ -37,19 +33,8 @@ CheckerAnswer run_checker(const std::vector<std::string>& arguments, const std::
 
 CheckerAnswer check_certificate(const CertificateClaim& claim, const std::string& text, const std::string& matrices,
                                 const std::string& program) {
-  const char* temporary = std::getenv("TMPDIR");
-  std::string folder = fmt::format("{}/subcert-XXXXXX", temporary && *temporary ? temporary : "/tmp");
-  if (!mkdtemp(folder.data()))
-    fail(ErrorKind::missing_file, "cannot make a folder for temporary files, {}: {}", folder,
-         std::generic_category().message(errno));
-  const struct Remove {
-    std::filesystem::path folder;
-    ~Remove() {
-      std::error_code error;
-      std::filesystem::remove_all(folder, error);
-    }
-  } remove{folder};
-  const std::string file = folder + "/certificate", name = file + ": ";
+  const runtime::TemporaryFolder folder;
+  const std::string file = folder / "certificate", name = file + ": ";
   if (!matrices.empty()) runtime::write_file(file + ".matrices", matrices);
   runtime::write_file(file, text);
   CheckerAnswer answer = run_checker(checker_arguments(claim, file), program);

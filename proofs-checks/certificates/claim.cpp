@@ -19,6 +19,7 @@ constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the 
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view recurrence = "recurrence=", start = "start=", from = "from=", period = "period=";
 constexpr std::string_view levels = "levels", lists = "lists", component = "component", integral = "integral";
+constexpr std::string_view vertex = "vertex";
 
 /// The line of a certificate that says what it is about.
 struct SubjectLine {
@@ -33,7 +34,8 @@ struct SubjectLine {
                : fmt::format("{} {}{} {}{} {}{}", line, recurrence, of.recurrence, start, of.start, from, of.from);
   }
   std::string operator()(const SurfaceSubject& of) const {
-    return fmt::format("{} {} {}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+    return fmt::format("{} {} {}{}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
+                       of.vertex.empty() ? "" : fmt::format(" {}={}", vertex, of.vertex),
                        of.integral.empty() ? "" : fmt::format(" {}={}", integral, of.integral),
                        of.component.empty() ? "" : fmt::format(" {}={}", component, of.component));
   }
@@ -68,7 +70,8 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "surface" || kind == "refinable") {
     SurfaceSubject subject{first, second, kind == "refinable"};
     for (; !more.empty(); more.clear(), words >> more)
-      for (const auto& [name, field] : {std::pair(integral, &subject.integral), {component, &subject.component}})
+      for (const auto& [name, field] :
+           {std::pair(integral, &subject.integral), {component, &subject.component}, {vertex, &subject.vertex}})
         if (more.starts_with(name)) *field = more.substr(std::min(more.size(), name.size() + 1));
     return subject;
   }
@@ -105,6 +108,7 @@ struct SubjectArguments {
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
     std::vector<std::string> arguments{of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation",
                                        of.dilation};
+    if (!of.vertex.empty()) arguments.insert(arguments.end(), {"--vertex", of.vertex});
     if (!of.integral.empty()) arguments.insert(arguments.end(), {"--integral", of.integral});
     if (!of.component.empty()) arguments.insert(arguments.end(), {"--component", of.component});
     return arguments;

@@ -2665,6 +2665,333 @@ var check_certificate = (() => {
     prove(reader, read_differences(reader, transition, rules, den), {below: at_most(fraction(1n), true)});
   }
 
+  // ---- 5.11: smoothness around a vertex -----------------------------------------------------------------------------
+  // Intervals [low, high] of integers over W = 2^bits, rounded outwards
+  class Intervals {
+    constructor(bits, n) {
+      [this.bits, this.shift, this.W, this.n, this.circle] = [bits, BigInt(bits), 1n << BigInt(bits), n, new Circle(bits)];
+      [this.zero, this.one] = [[0n, 0n], [this.W, this.W]];
+    }
+    of({n, d}) { return [floor_div(n * this.W, d), ceil_div(n * this.W, d)]; }
+    plus(x, y) { return [x[0] + y[0], x[1] + y[1]]; }
+    minus(x, y) { return [x[0] - y[1], x[1] - y[0]]; }
+    opposite(x) { return [-x[1], -x[0]]; }
+    times(x, y) {
+      spend(4, this.bits, this.bits);
+      const products = [x[0] * y[0], x[0] * y[1], x[1] * y[0], x[1] * y[1]];
+      const low = products.reduce((a, b) => a < b ? a : b), high = products.reduce(max);
+      return [low >> this.shift, -(-high >> this.shift)];
+    }
+    over(x, [low, high]) {  // by what is positive
+      spend(4, 2 * this.bits, this.bits);
+      const ends = [floor_div(x[0] * this.W, low), floor_div(x[0] * this.W, high)];
+      const tops = [ceil_div(x[1] * this.W, low), ceil_div(x[1] * this.W, high)];
+      return [ends[0] < ends[1] ? ends[0] : ends[1], max(...tops)];
+    }
+    cosine(k) {  // of 2 pi k/n
+      if (k === 0) return this.one;
+      if (2 * k === this.n) return this.opposite(this.one);
+      const near = this.circle.powers(fraction(BigInt(2 * k), BigInt(this.n)), 2)[0][1], off = 1n << 19n;
+      return [near - off, near + off];
+    }
+    most([low, high]) { return max(-low, high); }
+  }
+  // Numbers a + b w, w = exp(2 pi i k/n), as [a, b]; matrices of them are lists of rows
+  class Turns {
+    constructor(intervals, k) {
+      const cosine = intervals.cosine(k);
+      [this.real, this.k, this.n] = [intervals, k, intervals.n];
+      this.twice = intervals.plus(cosine, cosine);
+    }
+    plus(x, y) { return [this.real.plus(x[0], y[0]), this.real.plus(x[1], y[1])]; }
+    minus(x, y) { return [this.real.minus(x[0], y[0]), this.real.minus(x[1], y[1])]; }
+    times([a, b], [c, d]) {
+      const {real} = this, bd = real.times(b, d), mixed = real.plus(real.times(a, d), real.times(b, c));
+      return [real.minus(real.times(a, c), bd), real.plus(mixed, real.times(this.twice, bd))];
+    }
+    scaled(factor, [a, b]) { return [this.real.times(factor, a), this.real.times(factor, b)]; }
+    inverse(x) {
+      const {real} = this, conjugate = [real.plus(x[0], real.times(this.twice, x[1])), real.opposite(x[1])];
+      const square = this.times(x, conjugate)[0];
+      demand(square[0] > 0n, 'a number that is divided by may be 0');
+      return conjugate.map(part => real.over(part, square));
+    }
+    turned(x, turns) {
+      const {real, twice, k, n} = this;
+      if (!k) return x;
+      if (2 * k === n) return turns % 2 ? x.map(part => real.opposite(part)) : x;
+      const back = 2 * turns > n ? n - turns : -turns;
+      let [a, b] = x;
+      for (let t = back; t < 0; ++t) [a, b] = [real.opposite(b), real.plus(a, real.times(twice, b))];
+      for (let t = back; t > 0; --t) [a, b] = [real.plus(b, real.times(twice, a)), real.opposite(a)];
+      return [a, b];
+    }
+    most([a, b]) { return this.real.most(a) + this.real.most(b); }
+    norm(matrix) { return largest_by(matrix, row => sum(row.map(x => this.most(x)))); }
+    product(x, y) {
+      const zero = [this.real.zero, this.real.zero];
+      return x.map(row => y[0].map((_, j) => row.reduce((total, value, k) => this.plus(total, this.times(value, y[k][j])), zero)));
+    }
+  }
+  function read_sectors(text) {
+    const [head, ...parts] = text.split(';'), [lattice, valence, more] = head.split(':');
+    demand(['triangles', 'quads', 'dual'].includes(lattice) && valence !== undefined && more === undefined,
+           'rules around a vertex are triangles:N;..., quads:N;... or dual:N;...');
+    const sectors = {lattice, n: small(valence, 3, 1000), rules: new Map()};
+    demand(parts.length <= 64, 'more rules than the checker allows');
+    const place = token => {
+      const point = read_point(token, 2);
+      demand(point.every(x => Math.abs(x) <= 16), 'a coordinate is too large');
+      demand(is_vertex(sectors, point) || in_first(sectors, point), 'a point of a rule is not one of sector 0');
+      return point;
+    };
+    for (const part of parts) {
+      const [at, text_of_terms, rest] = part.split('=');
+      demand(text_of_terms !== undefined && rest === undefined, 'a rule is X,Y=TERM|TERM|...');
+      const point = place(at), terms = text_of_terms.split('|');
+      demand(!sectors.rules.has(String(point)), 'two rules for one point');
+      demand(terms.length <= 1000, 'more data than the checker allows');
+      sectors.rules.set(String(point), {point, terms: terms.map(term => {
+        const [weight, datum, end] = term.split('@'), form = 'a term of a rule is WEIGHT@X,Y,TURN or WEIGHT@X,Y~FREQUENCY';
+        demand(weight && datum !== undefined && end === undefined, form);
+        const result = {weight: polynomial(weight, 'c'), turn: 0, ring: null}, [ring, frequency, after] = datum.split('~');
+        demand(after === undefined, form);
+        if (frequency !== undefined) {
+          result.at = place(ring);
+          demand(!is_vertex(sectors, result.at), 'the vertex is no ring of data');
+          result.ring = small(frequency, 0, sectors.n >> 1);
+          return result;
+        }
+        const coordinates = datum.split(',');
+        demand(coordinates.length === 3, form);
+        result.at = place(coordinates.slice(0, 2).join(','));
+        result.turn = small(coordinates[2], 0, sectors.n - 1);
+        demand(!result.turn || !is_vertex(sectors, result.at), 'the vertex is in no sector');
+        return result;
+      })});
+    }
+    return sectors;
+  }
+  const is_vertex = ({lattice}, [x, y]) => lattice !== 'dual' && x === 0 && y === 0;
+  const in_first = ({lattice}, [x, y]) => x >= (lattice === 'dual' ? 0 : 1) && y >= 0;
+  function in_sector(sectors, point) {  // the sector, -2, ..., 3, and the point of sector 0 that is turned there
+    const {lattice, n} = sectors, all = lattice === 'triangles' ? 6 : 4;
+    if (is_vertex(sectors, point)) return {at: point, turn: 0};
+    let [x, y] = point, turns = 0;
+    for (; !in_first(sectors, [x, y]); ++turns)
+      [x, y] = lattice === 'triangles' ? [x + y, -x] : [y, (lattice === 'dual' ? -1 : 0) - x || 0];
+    demand(2 * turns !== all || n === all, 'a rule needs data opposite of its sector');
+    return {at: [x, y || 0], turn: 2 * turns > all ? turns - all : turns};
+  }
+  function lattice_mask(surface, dilation) {
+    const [m] = dilation[0];
+    demand(dilation.length === 2 && m > 1 && String(dilation) === `${m},0,0,${m}`,
+           'the dilation around a vertex is no multiple of the unit matrix of two variables');
+    const mask = mask_sequence(surface);
+    demand([...mask.values()].every(([k]) => k.every(x => Math.abs(x) <= 64)), 'an index of the mask is too large');
+    return {m, den: surface.den, mask};
+  }
+  function check_turns({lattice}, {m, mask}) {
+    const image = ([x, y]) => lattice === 'triangles' ? [-y, x + y] : [(lattice === 'dual' ? m - 1 : 0) - y, x];
+    for (const [k, value] of mask.values()) {
+      const other = mask.get(String(image(k).map(x => x || 0)));
+      demand(other && other[1] === value, 'the mask does not turn with the sectors');
+    }
+  }
+  function check_own_rules(sectors) {
+    for (const {point, terms} of sectors.rules.values()) {
+      const turns = ({at, ring}) => ring === 0 || (ring === null && is_vertex(sectors, at));
+      demand(!is_vertex(sectors, point) || terms.every(turns), 'the rule of the vertex does not turn');
+      const total = terms.filter(({ring}) => !ring).reduce((all, {weight}) => all.map((x, k) => plus(x, weight[k])),
+                                                           range_of(13).map(k => fraction(k ? 0n : -1n)));
+      demand(total.every(x => !x.n), 'the weights of a rule do not sum to 1');
+    }
+  }
+  function of_differences({m, den, mask}, axis) {  // m a / (1 + z^e + ... + z^((m-1)e))
+    const end = Math.max(...[...mask.values()].map(([k]) => k[axis])), step = axis ? [0, 1] : [1, 0], result = new Map();
+    const places = different([...mask.values()].flatMap(([k]) => range_of(end - k[axis] + 1).map(j => add_points(k, step, j))), String);
+    const sums = new Map(), at = (map, p) => map.has(String(p)) ? map.get(String(p))[1] : 0n;
+    places.sort((p, q) => p[axis] - q[axis]);
+    for (const p of places) {
+      const before = range_of(m - 1).map(j => at(result, add_points(p, step, -1 - j)));
+      const value = BigInt(m) * at(mask, p) - sum(before);
+      if (!value) continue;
+      demand(p[axis] <= end - (m - 1), 'the mask does not refine differences along an axis');
+      demand(value > 0n, 'a coefficient of the scheme of the differences is negative');
+      add(result, p, value);
+      add(sums, p.map(x => (x % m + m) % m), value);
+    }
+    demand(sums.size === m * m && values_of(sums).every(x => x === den), 'the scheme of the differences does not keep constants');
+    return {m, mask: result};
+  }
+  function window_of({m, mask}) {
+    const indices = [...mask.values()].map(([k]) => k);
+    const along = v => {
+      const all = indices.map(k => k[v]), low = Math.min(...all), high = Math.max(...all);
+      return range_of(131).map(i => i - 65).filter(k => k * (m - 1) > -high && (k - 1) * (m - 1) < -low);
+    };
+    let points = along(0).flatMap(x => along(1).map(y => [x, y]));
+    for (;;) {
+      spend(points.length * indices.length);
+      const next = different(points.flatMap(p => indices.map(k => p.map((x, v) => Math.ceil((x - k[v]) / m) || 0))), String);
+      if (next.length === points.length) return points;
+      points = next;
+    }
+  }
+  class Vertex {
+    constructor(sectors, lattice, reader) {
+      Object.assign(this, {sectors, lattice, reader});
+      const fields = reader.read('vertex', 5), bits_read = small(fields[0], 64, 1024), xbits = small(fields[1], 0, 4096);
+      this.real = new Intervals(bits_read, sectors.n);
+      [this.W, this.scale, this.levels] = [this.real.W, 1n << BigInt(xbits), small(fields[2], 0, 8)];
+      [this.lambda, this.radius] = fields.slice(3).map(integer);  // over the scale
+      [this.first, this.cosine] = [new Turns(this.real, 1), this.real.cosine(1)];
+      demand(this.radius >= 0n && this.lambda > this.radius && this.lambda + this.radius < this.scale,
+             'the subdominant eigenvalue is not between 0 and 1');
+    }
+    check() {
+      this.read_lines();
+      this.show_eigenvector();
+      this.widen();
+      for (let k = 0; 2 * k <= this.sectors.n; ++k) this.show_gap(k);
+      this.show_regular();
+    }
+    read_lines() {
+      const {reader, sectors} = this;
+      this.points = reader.read('points', 1, 64).map(token => read_point(token, 2));
+      demand(new Set(this.points.map(String)).size === this.points.length, 'a point occurs twice');
+      demand(this.points.every(p => is_vertex(sectors, p) || in_first(sectors, p)), 'a point is not one of sector 0');
+      this.turning = this.points.filter(p => !is_vertex(sectors, p));
+      const n = this.turning.length;
+      demand(n, 'no point of a sector is given');
+      const pairs = (tokens, scale) => {
+        const numbers = tokens.map(token => this.real.of(fraction(integer(token), scale)));
+        return range_of(n).map(i => numbers.slice(2 * i, 2 * i + 2));
+      };
+      this.values = pairs(reader.read('values', 2 * n), this.scale);
+      const scale = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
+      this.inverse = range_of(n).map(i => pairs(reader.read(`row ${i}`, 2 * n), scale));
+    }
+    rule_at(point) {
+      const own = this.sectors.rules.get(String(point));
+      if (own) return own.terms;
+      const {m, den, mask} = this.lattice, terms = [];
+      for (const [k, value] of mask.values()) {
+        const datum = add_points(point, k, -1);
+        if (datum.every(x => x % m === 0))
+          terms.push({...in_sector(this.sectors, datum.map(x => x / m || 0)), ring: null, weight: [fraction(value, den)]});
+      }
+      demand(!is_vertex(this.sectors, point) || terms.every(({at}) => is_vertex(this.sectors, at)), 'the rule of the vertex does not turn');
+      return terms;
+    }
+    weight_of({weight}) {
+      return weight.reduceRight((total, x) => this.real.plus(this.real.times(total, this.cosine), this.real.of(x)), this.real.zero);
+    }
+    block(k, turns, points) {
+      const zero = [this.real.zero, this.real.zero];
+      return points.map(point => {
+        const row = points.map(() => zero);
+        for (const term of this.rule_at(point)) {
+          if ((term.ring !== null && term.ring !== k) || (k && is_vertex(this.sectors, term.at))) continue;
+          const j = points.findIndex(p => String(p) === String(term.at));
+          demand(j >= 0, 'a rule of the points has data elsewhere');
+          row[j] = turns.plus(row[j], turns.turned([this.weight_of(term), this.real.zero], term.turn));
+        }
+        return row;
+      });
+    }
+    show_eigenvector() {  // Lemma 52
+      const {first, real, W} = this, matrix = this.block(1, first, this.turning), lambda = real.of(fraction(this.lambda, this.scale));
+      matrix.forEach((row, i) => { row[i] = first.minus(row[i], [lambda, real.zero]); });
+      const off = first.norm(first.product(this.inverse, first.product(matrix, this.values.map(z => [z]))));
+      matrix.forEach((row, i) => { row[0] = first.minus([real.zero, real.zero], this.values[i]); });
+      const rest = first.product(this.inverse, matrix);
+      rest.forEach((row, i) => { row[i] = first.minus(row[i], [real.one, real.zero]); });
+      const slope = first.norm(rest), size = first.norm(this.inverse), {radius, scale} = this;
+      demand(slope < W && off * scale * scale + radius * scale * slope + radius * radius * size <= radius * scale * W,
+             'no eigenvector is shown near the values');
+    }
+    widen() {
+      const {real, first, cosine} = this, sine = real.minus(real.one, real.times(cosine, cosine));
+      demand(sine[0] > 0n, 'too few bits for the angle');
+      const by = real.over(real.of(fraction(this.radius, this.scale)), sine)[1], both = [[-by, by], [-by, by]];
+      this.values = this.values.map((z, i) => i ? first.plus(z, both) : z);
+      const lambda = first.plus([real.of(fraction(this.lambda, this.scale)), real.zero], both);
+      this.powers = [[real.one, real.zero]];
+      for (let l = 0; l < this.levels; ++l) this.powers.push(first.times(this.powers[l], lambda));
+      this.of_lambda = first.inverse(lambda);
+      this.known = new Map(this.turning.map((p, i) => [String(p), this.values[i]]));
+    }
+    show_gap(k) {  // Lemma 53
+      const {real} = this, turns = new Turns(real, k), one = [real.one, real.zero];
+      let matrix = this.block(k, turns, k ? this.turning : this.points);
+      if (k < 2) {
+        const by = k ? turns.inverse(this.values[0]) : one, part = i => k ? turns.times(this.values[i], by) : one;
+        matrix = matrix.map((row, i) => row.map((x, j) => turns.minus(x, turns.times(part(i), matrix[0][j]))).slice(1)).slice(1);
+      }
+      if (!matrix.length) return;
+      const [, scale] = real.of(fraction(this.scale, this.lambda - this.radius));
+      matrix = matrix.map(row => row.map(x => turns.scaled([scale, scale], x)));
+      for (let squarings = 0, norm = turns.norm(matrix); norm >= this.W; norm = turns.norm(matrix)) {
+        demand(++squarings <= 24 && norm < this.W * this.W, `eigenvalues of frequency ${k} may not be below lambda`);
+        matrix = turns.product(matrix, matrix);
+      }
+    }
+    value_at(point) {
+      const {first} = this, {at, turn} = in_sector(this.sectors, point), key = String(at), zero = [this.real.zero, this.real.zero];
+      if (is_vertex(this.sectors, at)) {
+        demand(this.points.length > this.turning.length, 'the vertex is data, and none of the points');
+        return zero;
+      }
+      if (!this.known.has(key)) {
+        this.known.set(key, null);
+        const total = this.rule_at(at).reduce((all, term) => {
+          const value = first.scaled(this.weight_of(term), first.turned(this.value_at(term.at), term.turn));
+          return term.ring === null || term.ring === 1 ? first.plus(all, value) : all;
+        }, zero);
+        this.known.set(key, first.times(this.of_lambda, total));
+      }
+      const known = this.known.get(key);
+      demand(known, 'a point depends on itself');
+      return first.turned(known, turn);
+    }
+    is_regular_on(corner, level) {
+      const {first, real} = this, at = k => this.value_at(add_points(corner, k));
+      const is_ahead = k => {
+        const [a, b] = first.times(this.powers[level], at(k));
+        return a[0] + b[0] > 0n;
+      };
+      if (!this.window.every(is_ahead)) return false;
+      const [us, vs] = this.differences.map((window, axis) =>
+        window.map(k => first.minus(at(k), at(add_points(k, axis ? [0, 1] : [1, 0], -1)))));
+      return us.every(([a, b]) => vs.every(([c, d]) => real.minus(real.times(a, d), real.times(b, c))[0] > 0n));
+    }
+    show_on(corner, level) {
+      spend(20);
+      if (this.is_regular_on(corner, level)) return;
+      demand(level < this.levels, 'the characteristic map is not shown to be regular and in a half plane');
+      const {m} = this.lattice;
+      for (let x = 0; x < m; ++x) for (let y = 0; y < m; ++y) this.show_on([m * corner[0] + x, m * corner[1] + y], level + 1);
+    }
+    show_regular() {  // Theorem 55
+      this.window = window_of(this.lattice);
+      this.differences = [0, 1].map(axis => window_of(of_differences(this.lattice, axis)));
+      const most = points => Math.max(0, ...points.flat().map(Math.abs));
+      const behind = this.differences.flatMap((window, axis) => window.map(k => add_points(k, axis ? [0, 1] : [1, 0], -1)));
+      const h = most([...this.window, ...this.differences.flat(), ...behind]);
+      const reach = most([...this.lattice.mask.values()].map(([k]) => k));
+      const own = most([...this.sectors.rules.values()].map(({point}) => point)), r = 2 * (h + reach) + own + 1;
+      for (let x = 0; x < this.lattice.m * r; ++x)
+        for (let y = 0; y < this.lattice.m * r; ++y) if (Math.max(x, y) >= r) this.show_on([x, y], 0);
+    }
+  }
+  function check_vertex(reader, {sectors, surface, dilation}) {
+    const lattice = lattice_mask(surface, dilation);
+    check_turns(sectors, lattice);
+    check_own_rules(sectors);
+    new Vertex(sectors, lattice, reader).check();
+  }
+
   // ---- 4.16: fits of least absolute deviations ----------------------------------------------------------------------
   const choose = (n, k) => range_of(k).reduce((result, i) => result * (n - i) / (i + 1), 1);
   function read_l1(text) {
@@ -2951,6 +3278,8 @@ var check_certificate = (() => {
                      within EPS of MASK that have M sum rules)
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
+       subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of almost
+                     all data are C^1 around a vertex of valence N with these rules; quads:N, dual:N)
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
                      [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous
                      phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C
@@ -2975,7 +3304,7 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'vectors',
+    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'vectors',
                    'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
@@ -2991,17 +3320,17 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
     const of_levels = ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 && (none('levels') || (has('lower') && none('upper'))) &&
       ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from'));
-    const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'dilation', 'matrices', 'subradius') &&
+    const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'matrices', 'subradius') &&
       (!follow || (has('lower') && none('upper'))) && has('masks') === has('order') &&
       (none('masks') || none('for', 'levels', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
       !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      (has('refinable') || none('integral', 'component')) &&
+      (has('refinable') || none('integral', 'component')) && (none('vertex') || has('surface', 'lower')) &&
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'dilation', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
@@ -3028,6 +3357,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       [claim.surface, claim.dilation] = [read_surface(text, kind_of === 'refinable'), read_dilation(options.dilation)];
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
+      if (options.vertex !== undefined) {
+        demand(less(1n, claim.lower), 'smoothness around a vertex needs limits with an exponent above 1');
+        claim.sectors = read_sectors(options.vertex);
+        claim.head += ` vertex=${options.vertex}`;
+      }
       if (options.integral !== undefined) {
         claim.integral = options.integral.split(',').map(rational);
         demand(claim.integral.length === claim.surface.components && claim.integral.some(x => sign(x)),
@@ -3127,7 +3461,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       : `${lower ? number(lower) + relation : ''}${what}${upper ? relation + number(upper) : ''}${power}`;
     const one = options.component === undefined ? '' : `component ${options.component} of `;
     const mask = options.refinable === undefined ? options.surface : `${one}the refinable functions of ${options.refinable}`;
-    const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}${options.integral === undefined ? '' : ` and integral ${options.integral}`}`
+    const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}${options.integral === undefined ? '' : ` and integral ${options.integral}`}` +
+        (options.vertex === undefined ? '' : `, and C^1 limits of almost all data around ${options.vertex}`)
       : `${options.mask || options.masks} with arity ${options.arity}`;
     const of_list = list && (list.period.length ? ' for levels' : ' for all sequences of levels') +
       (options.order === 'any' ? '' : ` with ${options.order}`);
@@ -3159,6 +3494,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
     claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);
+    if (claim.sectors) check_vertex(reader, claim);
     reader.finish('end', "text after 'end'");
   }
 

@@ -9,6 +9,7 @@
 #include "product.hpp"
 #include "single.hpp"
 #include "subradius.hpp"
+#include "surfaces/vertex.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -47,6 +48,7 @@ class Checker {
       read_l1();
     else
       read_proof();
+    if (claim_.vertex) check_vertex(*claim_.mask, *claim_.dilation, *claim_.vertex, reader_, arithmetic_);
     reader_.take("end", 0, 0);
     require(reader_.at_end(), "text after 'end'");
   }

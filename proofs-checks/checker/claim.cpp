@@ -23,6 +23,9 @@ const char* const usage =
     "                     within EPS of MASK that have M sum rules)\n"
     "       subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'\n"
     "                     --lower P/Q [--upper P/Q] FILE\n"
+    "       subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of "
+    "almost\n"
+    "                     all data are C^1 around a vertex of valence N with these rules; quads:N, dual:N)\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
     "                     [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous\n"
     "                     phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C\n"
@@ -59,10 +62,10 @@ using Options = std::map<std::string, std::optional<std::string>>;
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
   for (const char* name :
-       {"--mask",     "--arity",   "--for",     "--levels",   "--recurrence", "--start",    "--from",
-        "--masks",    "--order",   "--within",  "--surface",  "--refinable",  "--integral", "--component",
-        "--dilation", "--vectors", "--hermite", "--matrices", "--subradius",  "--l1",       "--contraction",
-        "--lower",    "--upper",   "--exact",   "--attains",  "--logarithm",  "FILE"})
+       {"--mask",        "--arity",    "--for",     "--levels",  "--recurrence", "--start",     "--from",
+        "--masks",       "--order",    "--within",  "--surface", "--refinable",  "--integral",  "--component",
+        "--vertex",      "--dilation", "--vectors", "--hermite", "--matrices",   "--subradius", "--l1",
+        "--contraction", "--lower",    "--upper",   "--exact",   "--attains",    "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -166,14 +169,14 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
              &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
              &refinable = given["--refinable"], &integral = given["--integral"], &component = given["--component"],
-             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &radius = given["--matrices"],
-             &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
-             &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"], &order = given["--order"],
-             &recurrence = given["--recurrence"], &start = given["--start"], &from = given["--from"],
-             &one = mask ? mask : masks, &curve = one ? one : of_matrices, &matrices = subradius ? subradius : radius,
-             &lower = given["--lower"], &upper = given["--upper"], &exact = given["--exact"],
-             &attains = given["--attains"], &logarithm = given["--logarithm"], &l1 = given["--l1"],
-             &contraction = given["--contraction"], &file = given["FILE"];
+             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &vertex = given["--vertex"],
+             &radius = given["--matrices"], &subradius = given["--subradius"], &vectors = given["--vectors"],
+             &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"],
+             &order = given["--order"], &recurrence = given["--recurrence"], &start = given["--start"],
+             &from = given["--from"], &one = mask ? mask : masks, &curve = one ? one : of_matrices,
+             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
+             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;
@@ -189,7 +192,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
               (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : one.has_value())) &&
               (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
-              ((!component && !integral) || refinable),
+              ((!component && !integral) || refinable) && (!vertex || (scheme && lower)),
           usage);
   Claim claim;
   claim.file = *file;
@@ -213,6 +216,12 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (masks) read_masks_claim(*masks, *arity, *order, claim);
   if (mask || of_matrices) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
   if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (vertex) {
+    require(*claim.lower > 1, "smoothness around a vertex needs limits with an exponent above 1");
+    claim.vertex = parse_sector_rules(*vertex);
+    claim.head += " vertex=" + *vertex;
+    claim.subject += ", and C^1 limits of almost all data around " + *vertex;
+  }
   if (integral) {
     claim.integral.emplace();
     for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));

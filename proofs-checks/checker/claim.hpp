@@ -5,6 +5,7 @@
 #include "least_absolute.hpp"
 #include "levels.hpp"
 #include "parameter.hpp"
+#include "surfaces/sector.hpp"
 #include "surfaces/surface.hpp"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct Claim {
   std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
+  std::optional<SectorRules> vertex;     // of numbers with a dilation: limits are C^1 there as well
   std::optional<Rationals> integral;     // of matrices: of the only functions that have it
   std::optional<std::size_t> component;  // of matrices: of one function alone
   Family family;

@@ -20,7 +20,8 @@ mpz_class value_at_power(const Vector& a, std::size_t start, std::size_t step, s
   return value;
 }
 
-/// The coefficients of w^0, w^1, ... in a sum of terms c, w, w^k, c*w, c*w^k.
+}  // namespace
+
 Rationals parse_polynomial(std::string_view text, char letter) {
   require(!text.empty(), "a coefficient is empty");
   Rationals coefficients(1);
@@ -45,6 +46,8 @@ Rationals parse_polynomial(std::string_view text, char letter) {
   }
   return coefficients;
 }
+
+namespace {
 
 /// `inner`: how many of the innermost lists belong to a coefficient.
 Mask parse_lists(std::string_view text, char letter, std::size_t inner, const char* expected) {

@@ -41,6 +41,9 @@ struct Mask {
   std::size_t points() const { return coefficients.size() / powers; }
 };
 
+/// The coefficients of w^0, w^1, ... in a sum of terms c, w, w^k, c*w, c*w^k. `letter`: w, or 0 for numbers only.
+Rationals parse_polynomial(std::string_view text, char letter);
+
 /// [c0,c1,...]/D@first, or nested lists, the last variable outermost, or [c0,c1,...]/(q)@first with a polynomial q in
 /// the parameter. `letter`: of the parameter, 0 where there is none.
 Mask parse_mask(std::string_view text, char letter);

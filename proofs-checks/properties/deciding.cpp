@@ -15,10 +15,12 @@ bool compare(const Rational& value, const std::string& relation, const Rational&
 
 std::string lies_in(const std::string& what, const Enclosure& value, const Rational& threshold) {
   constexpr int fewest = 8, most = 100;
-  int digits = fewest;
-  for (const auto& end : {value.lower, value.upper})
-    if (end) digits = *end == threshold ? most : std::min(most, digits_within(*end, abs(*end - threshold), digits));
-  return what + " lies in [" + value.lower_text(digits) + ", " + value.upper_text(digits) + "]";
+  const auto digits = [&](const std::optional<Rational>& end) {
+    if (!end) return fewest;
+    return *end == threshold ? most : std::min(most, digits_within(*end, abs(*end - threshold), fewest));
+  };
+  const std::string lower = value.lower_text(digits(value.lower)), upper = value.upper_text(digits(value.upper));
+  return what + (lower == upper ? " is " + lower : " lies in [" + lower + ", " + upper + "]");
 }
 
 Decision compare(const Enclosure& value, const Expectation& expectation, const std::string& what) {

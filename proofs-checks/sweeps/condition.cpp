@@ -62,10 +62,17 @@ Condition Condition::parse(const std::string& subject, std::string_view text) {
     const std::size_t end = std::min(text.find(" and ", begin), text.size());
     const std::string_view part = text.substr(begin, end - begin);
     const auto fail_at = [&](std::string_view token) {
-      throw ParseError(subject, token, begin + 1, "NAME OP VALUE with >, >=, <, <=, == or !=, as 'holder > 1.9'");
+      throw ParseError(subject, token, begin + 1,
+                       "NAME OP VALUE with >, >=, <, <=, == or !=, as 'holder > 1.9', or NAME for NAME == yes");
     };
     const std::size_t at = part.find_first_of("<>=!");
-    if (at == std::string_view::npos) fail_at(part);
+    if (at == std::string_view::npos) {
+      const std::string name = trimmed(part);
+      if (name.empty() || name.find(' ') != std::string::npos) fail_at(part);
+      result.comparisons_.push_back({name, Relation::equal, "yes", 0});
+      begin = end + 5;
+      continue;
+    }
     const auto relation = std::ranges::find_if(relations,
                                                [&](const auto& r) { return part.substr(at).starts_with(r.first); });
     if (relation == relations.end()) fail_at(part);
@@ -110,6 +117,12 @@ Truth Condition::holds(const Lookup& lookup) const {
     if (truth == Truth::unknown) all = Truth::unknown;
   }
   return all;
+}
+
+std::vector<std::string> Condition::names() const {
+  std::vector<std::string> result;
+  for (const Comparison& comparison : comparisons_) result.push_back(comparison.name);
+  return result;
 }
 
 }  // namespace subcert::sweeps

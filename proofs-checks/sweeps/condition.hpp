@@ -13,7 +13,8 @@ namespace subcert::sweeps {
 /// The member of an answer with this path, names between dots; nullptr where there is none.
 const Json* member_at(const Json& answer, std::string_view path);
 
-/// Comparisons NAME OP VALUE joined by `and`, OP one of >, >=, <, <=, ==, !=, VALUE a number or a word.
+/// Comparisons NAME OP VALUE joined by `and`, OP one of >, >=, <, <=, ==, !=, VALUE a number or a word; a NAME alone
+/// stands for NAME == yes.
 class Condition {
  public:
   /// What a name stands for; nullptr: nothing.
@@ -25,6 +26,9 @@ class Condition {
   /// Three-valued: an enclosure {"lower": ..., "upper": ...} may leave a comparison open, and a name that stands for
   /// nothing, or for null, does. Numbers are compared exactly, as they are printed; true is the word yes, false no.
   Truth holds(const Lookup& lookup) const;
+
+  /// What is compared, in the order of the text.
+  std::vector<std::string> names() const;
 
  private:
   enum class Relation { greater, at_least, less, at_most, equal, different };

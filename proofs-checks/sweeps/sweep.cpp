@@ -29,12 +29,14 @@ class Ledger {
   Ledger(const std::vector<SweepCase>& cases, const std::vector<std::string>& ids, const SweepOptions& options)
       : cases_(cases), options_(options) {
     results_.values.resize(cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      is_ours_.push_back(options.shard.contains(i) && (!options.is_wanted || options.is_wanted(i)));
     if (!options.journal.empty()) {
       journal_.emplace(options.journal);
       read_journal_entries(ids);
     }
     for (std::size_t i = 0; i < cases.size(); ++i)
-      if (options.shard.contains(i) && !results_.values[i]) waiting_.push_back(i);
+      if (is_ours_[i] && !results_.values[i]) waiting_.push_back(i);
     std::stable_sort(waiting_.begin(), waiting_.end(),
                      [&](std::size_t a, std::size_t b) { return cases[a].effort > cases[b].effort; });
     tell_in_order();
@@ -86,7 +88,7 @@ class Ledger {
     std::map<std::string, Json> known;
     for (JournalEntry& entry : journal_->take_entries()) known.emplace(entry.id(), std::move(entry.result));
     for (std::size_t i = 0; i < ids.size(); ++i)
-      if (const auto found = known.find(ids[i]); options_.shard.contains(i) && found != known.end()) {
+      if (const auto found = known.find(ids[i]); is_ours_[i] && found != known.end()) {
         results_.values[i] = std::move(found->second);
         ++results_.from_journal;
         if (options_.finished) options_.finished(i, *results_.values[i]);
@@ -96,7 +98,7 @@ class Ledger {
   void tell_in_order() {
     if (!options_.in_order) return;
     for (; told_ < cases_.size(); ++told_) {
-      if (!options_.shard.contains(told_) || without_.contains(told_)) continue;
+      if (!is_ours_[told_] || without_.contains(told_)) continue;
       std::optional<Json>& value = results_.values[told_];
       if (!value) return;
       options_.in_order(told_, *value);
@@ -116,6 +118,7 @@ class Ledger {
   const SweepOptions& options_;
   std::optional<Journal> journal_;
   std::mutex mutex_;
+  std::vector<bool> is_ours_;
   std::vector<std::size_t> waiting_;
   std::size_t begun_ = 0, told_ = 0;
   std::set<std::size_t> without_;  ///< a result, as they failed

@@ -34,6 +34,8 @@ struct SweepOptions {
   /// The journal to go on from and to append to; none where empty.
   std::filesystem::path journal = {};
   Shard shard = {};
+  /// Which cases of the shard are wanted, asked on the first rank alone, once for each; all where empty.
+  std::function<bool(std::size_t)> is_wanted = {};
   /// Threads; 0: all cores, or one for each rank where several ranks work together.
   int jobs = 0;
   /// The version of the program, part of the name of every case.
@@ -50,16 +52,16 @@ struct SweepOptions {
 };
 
 struct SweepResults {
-  /// In the order of the cases; nothing for the cases outside the shard, and for those told in order. Each value has
-  /// been through its text, so it is the same whether it was computed now or read from the journal.
+  /// In the order of the cases; nothing for the cases outside the shard or not wanted, and for those told in order.
+  /// Each value has been through its text, so it is the same whether it was computed now or read from the journal.
   std::vector<std::optional<Json>> values;
   std::size_t computed = 0;
   std::size_t from_journal = 0;
 };
 
-/// Computes compute(i) for the cases of the shard that are not in the journal, on several threads and on all ranks that
-/// mpirun started. Domain: distinct specifications; compute may run on several threads at once and depends on
-/// nothing but the case; on every rank the cases are the same. The journal belongs to rank 0; each finished case is
+/// Computes compute(i) for the cases of the shard that are wanted and not in the journal, on several threads and on all
+/// ranks that mpirun started. Domain: distinct specifications; compute may run on several threads at once and depends
+/// on nothing but the case; on every rank the cases are the same. The journal belongs to rank 0; each finished case is
 /// appended to it at once.
 /// Returns nothing on the ranks other than 0: these have only worked and should end without a word.
 /// Errors: as Journal; throws std::runtime_error after all other cases are done where compute threw,

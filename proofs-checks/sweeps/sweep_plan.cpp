@@ -3,12 +3,15 @@
 #include "scheme_grid.hpp"
 
 #include <subcert/proofs-checks/toml_fields.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 namespace subcert::sweeps {
@@ -18,16 +21,30 @@ namespace {
 struct Question {
   std::string name;
   std::vector<std::string> arguments = {};
-  bool has_budget = true, has_memory = false;
+  bool has_budget = true, has_memory = false, has_certificate = false;
 };
 
 const std::vector<Question>& questions() {
-  static const std::vector<Question> all = {{.name = "regularity", .has_memory = true},
+  static const std::vector<Question> all = {{.name = "regularity", .has_memory = true, .has_certificate = true},
                                             {.name = "analyze"},
                                             {.name = "variance"},
                                             {.name = "limit", .arguments = {"--range"}},
                                             {.name = "mask", .has_budget = false}};
   return all;
+}
+
+constexpr const char* certificate_name = "certificate";
+
+/// Whether an answer tells of a certificate.
+bool is_written(const Json& answer) {
+  const Json* certificate = member_at(answer, "certificate");
+  return certificate && !certificate->is_null();
+}
+
+/// No input of the user's, so nobody hears of it.
+std::string content(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// What stands at the key, or the usual number.
@@ -79,7 +96,7 @@ const std::vector<std::string>& known_questions() {
 SweepPlan read_sweep_plan(std::string_view toml) {
   SweepPlan plan;
   const toml::table table = parse_toml(toml);
-  only_keys(table, {"schemes", "ask", "where", "expect", "columns", "budget", "memory"});
+  only_keys(table, {"schemes", "ask", "where", "expect", "columns", "budget", "memory", "certificates"});
   plan.schemes = optional_texts(table, "schemes");
   if (plan.schemes.empty()) throw FileError({1, 1}, "no schemes; expected schemes = [\"primal:n=1..9\", ...]");
   if (table.get("ask")) plan.ask = optional_texts(table, "ask");
@@ -92,6 +109,10 @@ SweepPlan read_sweep_plan(std::string_view toml) {
   plan.columns = optional_texts(table, "columns");
   plan.budget = number_at(table, "budget", 0.001, 1e6, plan.budget);
   plan.memory = static_cast<std::size_t>(number_at(table, "memory", 1, 1e6, static_cast<double>(plan.memory)));
+  if (const toml::node* node = table.get("certificates")) {
+    if (!node->is_boolean()) throw FileError(place_of(*node), "'certificates' takes true or false");
+    plan.certificates = node->as_boolean()->get();
+  }
   return plan;
 }
 
@@ -114,8 +135,11 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan) {
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program) {
   Json result = {
       {"scheme", scheme}, {"keys", keys_json(scheme)}, {"answers", Json::object()}, {"errors", Json::object()}};
-  for (const Question& question : questions()) {
+  std::optional<runtime::TemporaryFolder> folder;
+  for (Question question : questions()) {
     if (std::ranges::find(plan.ask, question.name) == plan.ask.end()) continue;
+    if (plan.certificates && question.has_certificate)
+      question.arguments = {"--certificate", folder.emplace() / certificate_name};
     const runtime::ProcessEnd end = asked(question, plan, scheme, program);
     Json answer = Json::parse(end.output, nullptr, false);
     if (end.signal != 0) {
@@ -125,10 +149,17 @@ Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const s
     } else {
       answer.erase("seconds");
       answer.erase("subcert");
+      if (is_written(answer)) result["certificate"] = content(*folder / certificate_name);
+      answer.erase("certificate");
       result["answers"][question.name] = std::move(answer);
     }
   }
   return result;
+}
+
+SweepCase case_of(const SweepPlan& plan, const std::string& scheme) {
+  return {fmt::format("sweep {} of {} budget {} memory {}{}", fmt::join(plan.ask, ","), scheme, plan.budget,
+                      plan.memory, plan.certificates ? " certificates" : "")};
 }
 
 bool write_certificate(const SweepPlan& plan, const std::string& scheme, const std::string& program,
@@ -136,15 +167,16 @@ bool write_certificate(const SweepPlan& plan, const std::string& scheme, const s
   Question question = questions().front();
   question.arguments = {"--certificate", file};
   const Json answer = Json::parse(asked(question, plan, scheme, program).output, nullptr, false);
-  const Json* certificate = member_at(answer, "certificate");
-  return certificate && !certificate->is_null();
+  return is_written(answer);
 }
 
 const Json* value_of(const Json& answers, std::string_view name) {
   if (const Json* value = member_at(answers, name)) return value;
-  for (const Json& answer : answers.at("answers"))
-    if (const Json* value = member_at(answer, name)) return value;
-  return member_at(answers.at("keys"), name);
+  if (const Json* several = member_at(answers, "answers"))
+    for (const Json& answer : *several)
+      if (const Json* value = member_at(answer, name)) return value;
+  const Json* keys = member_at(answers, "keys");
+  return keys ? member_at(*keys, name) : nullptr;
 }
 
 }  // namespace subcert::sweeps

@@ -2,6 +2,7 @@
 /// Which schemes a sweep is about, and what is asked of each.
 
 #include "condition.hpp"
+#include "sweep.hpp"
 
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ struct SweepPlan {
   std::vector<std::string> columns = {};          ///< of a table; empty: those of the commands
   double budget = 10;                             ///< seconds of processor time for each answer
   std::size_t memory = 512;                       ///< MiB for each answer
+  bool certificates = false;                      ///< of the exponents go with the answers to `regularity`
 };
 
 /// The commands that may be asked: those that answer about one scheme with --json.
@@ -29,8 +31,12 @@ SweepPlan read_sweep_plan(std::string_view toml);
 /// The schemes of the plan that meet its `where`, each once, in the order of the plan. Errors: throws ParseError.
 std::vector<std::string> schemes_of_plan(const SweepPlan& plan);
 
+/// The case of a scheme: its name and all that its answers depend on.
+SweepCase case_of(const SweepPlan& plan, const std::string& scheme);
+
 /// What answered, a scheme's answers beside each other: {"scheme", "keys", "answers": {COMMAND: ...}, "errors":
 /// {COMMAND: text}}. An answer has neither the time that it took nor the program's name, so it is the same each time.
+/// With certificates there is "certificate", the text of one that the checker accepted, where there is one.
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program);
 
 /// Lets the program write a certificate of the exponent; whether it did, and the checker accepted it.
@@ -38,7 +44,7 @@ bool write_certificate(const SweepPlan& plan, const std::string& scheme, const s
                        const std::string& file);
 
 /// What a name stands for in a scheme's answers: a member of the whole, of an answer in the order of the plan, or a key
-/// of the scheme; nullptr where it is none.
+/// of the scheme; nullptr where it is none. Of an object without "answers" and "keys", a member.
 const Json* value_of(const Json& answers, std::string_view name);
 
 }  // namespace subcert::sweeps

@@ -72,6 +72,7 @@ from ._schemes import (
     refinable,
     scheme,
 )
+from ._sweeps import Atlas, AtlasAnswers, AtlasEntry, SweepAnswer, sweep
 from ._tables import SchemeTable, compare
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -172,6 +172,7 @@ def smooth(
     missing: str = "raise",
     scheme: Any = "",
     weights: Any = None,
+    errors: Any = None,
     bands: float = 0.95,
     kind: str = "pointwise",
     level: int = 0,
@@ -192,30 +193,31 @@ def smooth(
     """Smooths samples of a function by the limit of a scheme or by local polynomials.
 
     `data`: an array of shape (n,) for an answer of the kind Smoothed, or of heights (n, m), or a volume (n, m, k),
-    which are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or a
-    table: a frame of pandas, polars, pyarrow or others with the dataframe interchange protocol, a dict of arrays, a
-    structured array, or the name of a file (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table of
-    the same kind. Of a table `x`, `y`, `weights`, `by` and `keep` are names of columns, or numbers from 1 on; `y` and
-    `keep` also lists. Without `x` the first of several columns of numbers or dates holds the positions ("none": 0, 1,
-    2, ...); an index of pandas that has a name or dates is a column before all others, and the index of the answer.
-    Without `y` all other columns of numbers are smoothed. `by`: each group of rows by itself. `keep`:
-    columns that the answer has, too, with at="data". The columns of the answer are those of the command: for v also
-    v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`: "raise", or "drop" for
-    samples that are NaN or missing and rows without a position.
+    which are smoothed along each axis: by one method, or "tensor:(A)x(B)", B along the first axis of the array; or
+    a table: a frame of pandas, polars, pyarrow or others with the dataframe interchange protocol, a dict of arrays,
+    a structured array, or the name of a file (.npy, .npz, and with pyarrow .parquet, .feather, .arrow), for a table
+    of the same kind. Of a table `x`, `y`, `weights`, `errors`, `by` and `keep` are names of columns, or numbers
+    from 1 on; `y` and `keep` also lists. Without `x` the first of several columns of numbers or dates holds the
+    positions ("none": 0, 1, 2, ...); an index of pandas that has a name or dates is a column before all others, and
+    the index of the answer. Without `y` all other columns of numbers are smoothed. `by`: each group of rows by
+    itself. `keep`: columns that the answer has, too, with at="data". The columns of the answer are those of the
+    command: for v also v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`:
+    "raise", or "drop" for samples that are NaN or missing and rows without a position.
 
-    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and `spacing`,
-    1 by default. With `irregular` other positions are taken as they are, also several data at one, and `spacing`, by
-    default the mean, is that of the answer; None does so where no scheme is named, or a local one. At the data the
-    answer has the order of `y`; on a grid it falls where `x` falls. `scheme`: a scheme or a specification, also
-    "local:points=21,d=1" and its like; by default the one with the smallest estimated error. `weights`: prior weights,
-    inverse to the variance of the noise; 0: missing. `bands`: level of the confidence band, 0 for none. `kind`:
-    pointwise or simultaneous, for the expected value of the limit, or prediction, for a new datum. `level`: values at
-    the multiples of arity^-level of the spacing; `at`: on this grid, or at the data ("data"). `noise`: its standard
-    deviation, where it is known. `select`: by what the method is chosen, its estimated error ("risk") or
-    cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no
-    bands. `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names
-    the method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
-    without proof of convergence.
+    Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and
+    `spacing`, 1 by default. With `irregular` other positions are taken as they are, also several data at one, and
+    `spacing`, by default that of most neighbours or the mean, is that of the answer; None does so where no scheme
+    is named, or a local one. At the data the answer has the order of `y`; on a grid it falls where `x` falls.
+    `scheme`: a scheme or a specification, also "local:points=21,d=1" and its like; by default the one with the
+    smallest estimated error. `weights`: prior weights, inverse to the variance of the noise; 0: missing. `errors`:
+    in their place standard deviations of the noise, which are known with `noise` left out. `bands`: level of the
+    confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
+    prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this
+    grid, or at the data ("data"). `noise`: its standard deviation, where it is known. `select`: by what the method
+    is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the
+    residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where
+    outliers move a linear fit a UserWarning names the method that leaves them out. Raises DataError for samples
+    that cannot be smoothed, DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -238,6 +240,10 @@ def smooth(
         for name in ("data", "x", "y", "by", "keep"):
             del options[name]
         return _frames.smoothed(smooth, data, x, y, by, keep, options)
+    if errors is not None:
+        if weights is not None:
+            raise UsageError("smooth: weights and errors: expected one of the two")
+        weights, noise = _frames.weights_of(errors), 1.0 if noise is None else noise
     if y is not None or by is not None or keep is not None:
         raise UsageError("smooth: y, by and keep are columns of a table; got an array")
     array = numpy.ascontiguousarray(data, dtype=numpy.float64)

@@ -11,7 +11,7 @@ from numbers import Real
 from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _interchange
-from ._errors import DataError, Error, UsageError
+from ._errors import DataError, DomainError, Error, UsageError
 
 Name = Union[str, int]
 
@@ -206,6 +206,16 @@ def _groups(keys: Any) -> dict[Any, list[int]]:
     return groups
 
 
+def weights_of(errors: Any) -> Any:
+    """Prior weights of data whose noise has these standard deviations."""
+    import numpy
+
+    numbers = numpy.asarray(errors, dtype=numpy.float64)
+    if not ((numbers >= 1e-75) & (numbers <= 1e75)).all():
+        raise DomainError("errors: expected standard deviations from 1e-75 to 1e75")
+    return 1 / numbers**2
+
+
 def _smoothed_rows(
     smooth: Callable[..., Any],
     x: Optional[_Column],
@@ -258,10 +268,18 @@ def smoothed(
     import numpy
 
     table = _Table(data)
-    weights = options.pop("weights")
-    if weights is not None and not isinstance(weights, (str, int)):
-        raise UsageError(f"weights: expected the name of a column; got {type(weights).__name__}")
-    prior = None if weights is None else table.numbers(table.name("weights", weights))
+    given = {name: options.pop(name) for name in ("weights", "errors")}
+    given = {name: column for name, column in given.items() if column is not None}
+    if len(given) > 1:
+        raise UsageError("smooth: weights and errors: expected one of the two")
+    prior = None
+    for name, column in given.items():
+        if not isinstance(column, (str, int)):
+            raise UsageError(f"{name}: expected the name of a column; got {type(column).__name__}")
+        prior = table.numbers(table.name(name, column))
+        if name == "errors":
+            prior.numbers = weights_of(prior.numbers)
+            options["noise"] = 1.0 if options["noise"] is None else options["noise"]
     names = [] if keep is None else [keep] if isinstance(keep, (str, int)) else list(keep)
     if names and options["at"] != "data":
         raise UsageError("keep needs at='data': other rows have no fields of the table")

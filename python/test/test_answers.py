@@ -223,6 +223,7 @@ def test_pictures():
 def test_facts_are_those_of_the_command_line():
     curve, surface = subcert.scheme("dd:n=2"), subcert.scheme("loop:")
     assert curve.facts["sum_rules"] == curve.sum_rules == 4
+    assert Fraction(curve.facts["operator_norm"]) == Fraction(5, 4)
     assert Fraction(curve.facts["support"]["upper"]) == curve.support[1] == 3
     assert surface.facts["factors"] == [2, 2]
     page = curve.analyze()

@@ -141,6 +141,22 @@ def test_smoothing():
     assert abs(gap.values[77]) < 2
 
 
+def test_standard_deviations_of_the_noise():
+    y = numpy.sin(numpy.arange(60.0))
+    errors = numpy.where(numpy.arange(60) < 30, 0.5, 2.0)
+    weighed = subcert.smooth(y, weights=1 / errors**2, noise=1.0, scheme="primal:n=3")
+    found = subcert.smooth(y, errors=errors, scheme="primal:n=3")
+    assert (found.values == weighed.values).all() and (found.deviation == weighed.deviation).all()
+    frame = {"x": numpy.arange(60.0), "y": y, "s": errors}
+    table = subcert.smooth(frame, x="x", y="y", errors="s", scheme="primal:n=3")
+    assert (table["y"] == found.values).all() and (table["y_sd"] == found.deviation).all()
+    for data, more in ((y, {"weights": errors}), (frame, {"y": "y", "weights": "s"})):
+        with pytest.raises(subcert.UsageError, match="weights and errors"):
+            subcert.smooth(data, errors=errors if data is y else "s", **more)
+    with pytest.raises(subcert.DomainError, match="1e-75"):
+        subcert.smooth(y, errors=0 * y)
+
+
 def test_smoothing_at_scattered_positions():
     generator = numpy.random.default_rng(1)
     x = numpy.sort(generator.uniform(0, 10, 300))

@@ -122,7 +122,7 @@ def test_pandas_extension_types():
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame({"x": pandas.array([0, 1, None, 3, 4, 5], dtype="Int64"), "y": [0.0, 2, 4, 6, 8, 10]})
     frame["g"] = pandas.Categorical(["u"] * 6)
-    found = subcert.smooth(frame, missing="drop", irregular=True, by="g", at="data", scheme="local:points=3")
+    found = subcert.smooth(frame, missing="drop", irregular=True, by="g", at="data", scheme="local:points=4")
     assert list(found["x"]) == [0, 1, 3, 4, 5] and numpy.allclose(found["y"], [0, 2, 6, 8, 10])
 
 

@@ -1,6 +1,7 @@
 #include "limit_facts.hpp"
 #include "scheme_facts.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 
 #include <fmt/format.h>
@@ -61,6 +62,17 @@ Fact support_fact(const LatticeMask& mask) {
   std::vector<std::string> sides;
   for (const Interval& side : limit_support(mask)) sides.push_back(in_brackets(side));
   return {"support", "support", fmt::format("{}{}", text, fmt::join(sides, " x ")), "", limit_support_json(mask)};
+}
+
+/// As the coefficients of each class sum to 1, those below 0 sum to (1 - norm)/2 at least.
+Fact norm_fact(const LatticeMask& mask) {
+  const Rational norm = operator_norm(mask);
+  return {"operator_norm", "norm",
+          "||S|| = " + short_text(norm) +
+              (norm == 1 ? ": new points are convex combinations of old ones"
+                         : fmt::format(": a step leaves the range of the data by at most {} of it",
+                                       short_text((norm - 1) / 2))),
+          "", to_text(norm)};
 }
 
 /// Of surfaces `2; factors (1 + x)^2, (1 + y)^1`.
@@ -124,7 +136,7 @@ Facts mask_facts(const Scheme& scheme) {
   Facts list = named(scheme.specification, scheme.title);
   append(list, index_facts(mask));
   append(list, symbol_facts(mask, polynomials.sum_rules));
-  list.push_back(support_fact(mask));
+  append(list, {support_fact(mask), norm_fact(mask)});
   append(list, sum_rules_facts(mask, polynomials));
   append(list, polynomial_facts(mask, polynomials));
   return list;

@@ -40,9 +40,18 @@
     return [made('code', text), ' ', button];
   }
 
+  // A text in which documents of the project are links to what stands beside the page.
+  const withDocuments = text => withMinus(text).split(/(docs\/[\w/-]+\.md)/).map((part, i) => {
+    if (i % 2 === 0) return part;
+    const link = made('a', part);
+    link.href = part.replace(/(\/README)?\.md$/, '.html');
+    return link;
+  });
+
   function open(key) {
     const {verdict, subject, command, ...rest} = told[key], list = document.createElement('dl');
-    const add = (name, content) => content && list.append(made('dt', name), made('dd', content));
+    const add = (name, content) => content && list.append(
+      made('dt', name), made('dd', typeof content === 'string' ? withMinus(content) : content));
     add('verdict', made('span', verdict, 'verdict ' + verdict.replace(' ', '-')));
     add('on record', rest.recorded && 'another verdict: ' + rest.recorded);
     add('scheme', rest.scheme && made('code', rest.scheme));
@@ -52,7 +61,7 @@
       : rest.lower ? '≥ ' + rest.lower : rest.upper && '≤ ' + rest.upper);
     add('exactly', rest.exact);
     add('not counted', rest.derived);
-    add('why', rest.note);
+    add('why', rest.note && withDocuments(rest.note));
     const proof = document.querySelector(`button.check[data-scheme="${CSS.escape(rest.scheme || '')}"]`);
     if (proof && rest.scheme) {
       const link = made('a', 'certificate of the exponent');

@@ -20,7 +20,7 @@
     const rough = (high - low) / 5 || 1, unit = 10 ** Math.floor(Math.log10(rough)), share = rough / unit;
     const step = unit * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
     const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-    for (let k = Math.ceil(low / step); k * step <= high; ++k) yield [k * step, (k * step + 0).toFixed(places)];
+    for (let k = Math.ceil(low / step); k * step <= high; ++k) yield [k * step, withMinus((k * step + 0).toFixed(places))];
   }
 
   // One frame for all values, so that what moves is the curve.
@@ -64,9 +64,9 @@
 
   function show() {
     const one = values[slider.value];
-    form.querySelector('output').textContent = one.text;
+    form.querySelector('output').textContent = withMinus(one.text);
     place('mask').textContent = one.mask.replaceAll(',', ',\u200b');
-    place('value').textContent = one.exponent || one.note;
+    place('value').textContent = withMinus(one.exponent || one.note);
     for (const name in pictures) pictures[name].clear();
     for (const [from, to, lower, upper] of curve) {
       if (lower !== null) pictures.curve.line([[from, lower], [to, lower]], 1);

@@ -4,6 +4,7 @@
 #include "gnuplot_text.hpp"
 #include "html.hpp"
 #include "paper_text.hpp"
+#include "signs.hpp"
 #include "svg.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -132,7 +133,7 @@ void plot_panel(Gnuplot& gnuplot, const Panel& panel, const PictureKind& kind) {
           << tics_of(panel)
           << (panel.log_y
                   ? fmt::format("set logscale y\nset format y '{0}10^{{%T}}{0}'\n", kind.ending == ".tex" ? "$" : "")
-                  : std::string("unset logscale y\nset format y '%g'\n"))
+                  : "unset logscale y\n" + kind.numbers())
           << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
           << (panel.equal_units ? "set autoscale noextend\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n"
               : panel.cells.empty() ? "set autoscale\nset offsets graph 0, graph 0, graph 0.08, graph 0.03\n"
@@ -191,7 +192,8 @@ void plot(const Figure& figure, const PictureKind& kind, const std::filesystem::
   const std::size_t columns = std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
   double height = 0;
   const std::vector<Place> places = places_of(figure, columns, height);
-  gnuplot << "set encoding utf8\nset terminal " << kind.terminal << " size "
+  gnuplot << "set encoding utf8\n"
+          << kind.numbers() << "set terminal " << kind.terminal << " size "
           << kind.size(panel_width * static_cast<int>(columns), static_cast<int>(std::lround(panel_height * height)))
           << "\n"
           << "set output " << quoted(target.string()) << "\n"
@@ -254,8 +256,12 @@ std::string PictureKind::size(int width, int height) const {
   return fmt::format("{:.2f}in,{:.2f}in", width / 100.0, height / 100.0);
 }
 
+std::string PictureKind::numbers() const {
+  return ending == ".tex" ? "set format '$%g$'\n" : "set minussign\nset format '%g'\n";
+}
+
 std::string PictureKind::quoted_text(const std::string& text) const {
-  return quoted(ending == ".tex" ? latex_text(text) : text);
+  return quoted(ending == ".tex" ? latex_text(text) : with_minus(text));
 }
 
 std::string PictureKind::title(const std::string& text, bool plain) const {

@@ -78,6 +78,8 @@ struct PictureKind {
 
   /// For gnuplot: `460,320`, or of these hundredths of an inch.
   std::string size(int width, int height) const;
+  /// For gnuplot: numbers at axes with minus signs.
+  std::string numbers() const;
   /// In quotes, as gnuplot reads strings; in pictures that LaTeX reads what it prints as this text.
   std::string quoted_text(const std::string& text) const;
   /// For gnuplot, behind `set title`: in as many lines as the width of a panel asks for, at most three, of which the

@@ -1,13 +1,13 @@
-// The list of all results: rows that are not asked for are hidden. What is asked for stands in the link, behind ? where a
-// link leads here, behind # where a reader has chosen.
+// A list of results or entries: rows that are not asked for are hidden. What is asked for stands in the link, behind ?
+// where a link leads here, behind # where a reader has chosen.
 'use strict';
 
 (() => {
   const form = document.querySelector('form.filter'), count = form.querySelector('output');
-  const rows = [...document.querySelectorAll('table.results tbody tr')];
+  const rows = [...document.querySelectorAll('table.results tbody tr, table.entries tbody tr')];
   const texts = rows.map(row => {
     const text = row.textContent.toLowerCase();
-    return text + ' ' + text.replaceAll('\u03c8', 'psi').replaceAll('\u03c6', 'phi').replaceAll('\u00f6', 'oe');
+    return text + ' ' + asTyped(text);
   });
 
   const asked_by_link = () => location.hash.slice(1) || location.search.slice(1);

@@ -32,7 +32,8 @@ struct PageScript {
 constexpr const char* check_button = "class=check";
 constexpr PageScript page_scripts[] = {
     {"load", check_button},        {"load", "class=turn"},           {"check_here", check_button},
-    {"surface", "class=turn"},     {"surface", "data-surface="},     {"plot", "<svg class=\"picture"},
+    {"surface", "class=turn"},     {"surface", "data-surface="},     {"signs", "<svg class=\"picture"},
+    {"signs", "id=\"details\""},   {"signs", "<form class="},        {"plot", "<svg class=\"picture"},
     {"details", "id=\"details\""}, {"filter", "<form class=filter"}, {"explorer", "<form class=explorer"}};
 
 /// The checker runs in a worker, which gets it as a text.
@@ -67,6 +68,13 @@ std::string html(const std::string& text) {
       result += c;
   }
   return result;
+}
+
+std::string shortened_html(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return html(text);
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a character
+  return html(text.substr(0, end)) + " ...";
 }
 
 std::string slug(const std::string& text) {

@@ -8,6 +8,8 @@ namespace subcert::formats {
 
 /// The text with &, <, > and quotes escaped.
 std::string html(const std::string& text);
+/// The same of at most so many bytes, and dots in place of the rest. No character of UTF-8 is cut.
+std::string shortened_html(const std::string& text, std::size_t longest);
 
 /// What stays of a text in a link: letters, digits, and single hyphens for the rest; at most 60 characters.
 std::string slug(const std::string& text);

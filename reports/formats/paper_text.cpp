@@ -1,5 +1,7 @@
 #include "paper_text.hpp"
 
+#include "signs.hpp"
+
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -82,8 +84,11 @@ std::string matrix_latex(const MultivariatePolynomial& symbol) {
 
 std::string latex_text(std::string_view text) {
   std::string result;
-  for (const char c : text) {
-    if (c == '\\')
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '-' && is_minus(text, at))
+      result += "$-$";
+    else if (c == '\\')
       result += "\\textbackslash{}";
     else if (c == '~')
       result += "\\textasciitilde{}";

@@ -13,7 +13,8 @@ namespace subcert::formats {
 
 using TableRows = std::vector<std::vector<std::string>>;
 
-/// What LaTeX prints as this text, outside of formulas; `>=` and `<=` are relations.
+/// What LaTeX prints as this text, outside of formulas; `>=` and `<=` are relations, and minus signs (signs.hpp) none
+/// of words.
 std::string latex_text(std::string_view text);
 
 /// A tabular with the rules of booktabs; the first row is the head, and the first column is set to the left, the others

@@ -71,13 +71,14 @@ const plots = (() => {
       const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
       for (let tick = Math.ceil(low / step); tick * step <= high; ++tick)
         result.push([tick * step, places > 8 ? (tick * step).toPrecision(6) : (tick * step).toFixed(places)]);
+      for (const tick of result) tick[1] = withMinus(tick[1]);
       return result;
     }
     // A number as exactly as the picture tells it.
     text(value) {
       if (this.dateUnit > 0) return new Date(1000 * value * this.dateUnit).toISOString().slice(0, 19);
       const digits = Math.min(12, 3 + Math.max(0, Math.ceil(Math.log10(this.zoom()))));
-      return String(+value.toPrecision(digits + 1));
+      return withMinus(+value.toPrecision(digits + 1));
     }
   }
 
@@ -281,7 +282,7 @@ const plots = (() => {
       const [x, y, text] = found.point, label = found.series.dataset.label;
       const told = 'points' in found.series.dataset;
       this.reading.textContent = (label ? label + ': ' : '') + (text ||
-        (told ? `${+x.toPrecision(12)}, ${+y.toPrecision(12)}` : `${this.across.text(x)}, ${this.up.text(y)}`));
+        (told ? withMinus(`${+x.toPrecision(12)}, ${+y.toPrecision(12)}`) : `${this.across.text(x)}, ${this.up.text(y)}`));
       this.drawCursor();
     }
     drawCursor() {

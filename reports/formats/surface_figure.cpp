@@ -54,7 +54,8 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::s
           const std::filesystem::path& target) {
   const std::size_t rows = (surfaces.size() + columns - 1) / columns;
   Gnuplot gnuplot(gnuplot_command);
-  gnuplot << "set encoding utf8\nset terminal " << kind.terminal << " size "
+  gnuplot << "set encoding utf8\n"
+          << kind.numbers() << "set terminal " << kind.terminal << " size "
           << kind.size(static_cast<int>(520 * columns), static_cast<int>(380 * rows)) << "\n"
           << "set output " << quoted(target.string()) << "\n"
           << "set multiplot layout " << rows << "," << columns << "\n"

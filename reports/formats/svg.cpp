@@ -2,6 +2,7 @@
 
 #include "date_ticks.hpp"
 #include "html.hpp"
+#include "signs.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -91,7 +92,7 @@ struct Ticks {
     const double value = values[i];
     if (!dates.empty()) return dates[i];
     if (powers) return "10" + superscript(std::lround(std::log10(value)));
-    return places <= most_places ? fmt::format("{:.{}f}", value, places) : fmt::format("{:.2g}", value);
+    return with_minus(places <= most_places ? fmt::format("{:.{}f}", value, places) : fmt::format("{:.2g}", value));
   }
 
  private:
@@ -188,9 +189,9 @@ std::string axes(const Frame& frame, const std::string& x_label = "", const std:
     zero = fmt::format("<path class=\"zero\" d=\"M{},{:.1f}H{}\"/>", left, frame.y(0), width - right);
   if (!x_label.empty())
     labels = fmt::format("<text class=\"x\" x=\"{}\" y=\"{}\">{}</text>", (left + width - right) / 2, height - 3,
-                         html(x_label));
+                         with_minus(html(x_label)));
   if (!y_label.empty())
-    labels += fmt::format("<text class=\"above\" x=\"{}\" y=\"11\">{}</text>", left - 7, html(y_label));
+    labels += fmt::format("<text class=\"above\" x=\"{}\" y=\"11\">{}</text>", left - 7, with_minus(html(y_label)));
   return fmt::format(
       "<g class=\"axes\"><path class=\"grid\" d=\"{}\"/>{}<g class=\"ticks\">{}</g></g>"
       "<g class=\"labels\">{}</g>",
@@ -294,7 +295,7 @@ std::string cells_of(const Frame& frame, const Cells& cells) {
     path += fmt::format("M{:.2f},{:.2f}H{:.2f}V{:.2f}H{:.2f}Z", frame.x(x_low), frame.y(y_low), frame.x(x_high),
                         frame.y(y_high), frame.x(x_low));
   return fmt::format("<g class=\"series cells\" data-label=\"{}\" style=\"--colour:{}\"><path d=\"{}\"/></g>",
-                     html(cells.label), html(cells.colour), path);
+                     with_minus(html(cells.label)), html(cells.colour), path);
 }
 
 std::string band_of(const Frame& frame, const Band& band, std::size_t colour) {
@@ -307,7 +308,7 @@ std::string band_of(const Frame& frame, const Band& band, std::size_t colour) {
   std::ranges::reverse(high);
   low.insert(low.end(), high.begin(), high.end());
   return fmt::format("<g class=\"series band colour-{}\" data-label=\"{}\"{}><path d=\"{}Z\"/></g>", colour,
-                     html(band.label), colour_of(band.colour), steps(low));
+                     with_minus(html(band.label)), colour_of(band.colour), steps(low));
 }
 
 std::string curve_of(const Frame& frame, const Curve& curve, std::size_t colour, const std::string& id) {
@@ -323,8 +324,8 @@ std::string curve_of(const Frame& frame, const Curve& curve, std::size_t colour,
     for (const auto& [x, y] : points) marks += fmt::format("M{:.2f},{:.2f}h0", x, y);
     content += fmt::format("<path class=\"marks\" d=\"{}\"/>", marks);
   }
-  return fmt::format("<g class=\"series colour-{}\" data-label=\"{}\"{}{}>{}</g>", colour, html(curve.label),
-                     colour_of(curve.colour), told_points(frame, curve), content);
+  return fmt::format("<g class=\"series colour-{}\" data-label=\"{}\"{}{}>{}</g>", colour,
+                     with_minus(html(curve.label)), colour_of(curve.colour), told_points(frame, curve), content);
 }
 
 }  // namespace

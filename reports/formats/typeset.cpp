@@ -1,5 +1,7 @@
 #include "typeset.hpp"
 
+#include "signs.hpp"
+
 #include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
@@ -14,8 +16,12 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c =
 
 constexpr std::pair<std::string_view, std::string_view> words[] = {
     {"Hoelder", "Hölder"}, {"psi", "<i>ψ</i>"}, {"phi", "<i>φ</i>"}};
-constexpr std::pair<std::string_view, std::string_view> signs[] = {
-    {"&gt;= ", "≥ "}, {"&lt;= ", "≤ "}, {" ... ", " … "}, {" %", "&nbsp;%"}};
+constexpr std::pair<std::string_view, std::string_view> signs[] = {{" ... ", " … "}, {" %", "&nbsp;%"}, {"+-", "±"}};
+constexpr std::pair<std::string_view, std::string_view> relations[] = {  // with a space behind them
+    {"&gt;=", "≥"}, {"&lt;=", "≤"}, {"=", "="}, {"&lt;", "&lt;"}, {"&gt;", "&gt;"}, {"-", "-"}, {"+", "+"}};
+constexpr std::string_view numbered[] = {"Table",       "Figure",  "Theorem", "Section", "Corollary", "Conjecture",
+                                         "Proposition", "Lemma",   "Example", "Remark",  "table",     "figure",
+                                         "theorem",     "section", "degree",  "level",   "valence",   "order"};
 constexpr std::string_view untouched[] = {"script", "style", "math", "svg", "pre", "option", "title", "textarea"};
 
 /// Of what stands behind `^`, as `-2`, `0.5`, `k`, `(2)` or `(1 - log2(N)/2)`: how long it is; 0 where it is no
@@ -58,6 +64,24 @@ std::pair<std::size_t, std::string> with_index(std::string_view rest) {
   return {0, ""};
 }
 
+/// Whether no line ends at this space: between `all` and `n`, `Table` and `3`, and beside a sign between short terms.
+bool is_tied(std::string_view text, std::size_t at) {
+  constexpr std::size_t longest_term = 4, longest_word = 5;
+  const std::string_view before = text.substr(0, at), after = text.substr(at + 1);
+  const std::string_view word = before.substr(before.find_last_of(" \n(") + 1);
+  std::string_view next = after.substr(0, after.find_first_of(" \n,)"));
+  if (next.ends_with(';') && !next.starts_with('&')) next.remove_suffix(1);
+  if (word.empty() || next.empty()) return false;
+  const auto is_relation = [](std::string_view one) {
+    return std::ranges::count(relations, one, &std::pair<std::string_view, std::string_view>::first) > 0;
+  };
+  if (is_relation(word) || is_relation(next)) return (is_relation(word) ? next : word).size() <= longest_term;
+  if (std::ranges::count(numbered, word) > 0) return is_digit(next[0]);
+  const bool is_symbol = is_letter(next[0]) && (next.size() == 1 || next.substr(1) == ".") && next[0] != 'a' &&
+                         next[0] != 'A' && next[0] != 'I';
+  return is_symbol && word.size() <= longest_word && std::ranges::all_of(word, is_letter);
+}
+
 void add(std::string& result, std::string_view text, bool code);
 
 /// Whether no word goes on at this place; a factor of digits may stand before, as in `2q_n`.
@@ -72,6 +96,11 @@ std::pair<std::size_t, std::string> printed(std::string_view text, std::size_t a
   const char before = at > 0 ? text[at - 1] : ' ';
   for (const auto& [from, to] : signs)
     if (rest.starts_with(from)) return {from.size(), std::string(to)};
+  for (const auto& [from, to] : relations)
+    if (rest.starts_with(from) && from != to && rest.substr(from.size()).starts_with(' '))
+      return {from.size(), std::string(to)};
+  if (rest[0] == '-' && is_minus(text, at)) return {1, std::string(minus_sign)};
+  if (rest[0] == ' ' && is_tied(text, at)) return {1, "&nbsp;"};
   for (const auto& [from, to] : words)
     if (!is_word(before) && rest.starts_with(from) && (rest.size() == from.size() || !is_word(rest[from.size()])))
       return {from.size(), std::string(to)};

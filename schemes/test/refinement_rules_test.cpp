@@ -1,6 +1,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/as_written.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
+#include <subcert/schemes/refinement_rules.hpp>
 #include <subcert/schemes/specification.hpp>
 #include <subcert/schemes/test/draw.hpp>
 
@@ -158,5 +159,27 @@ TEST_CASE("masks with their name, bare lists and columns") {
        {"1/16", "1 + 2", "w = 1/16", "1/8, 1/2, w", "ab = [1,1]", "a b = [1,1]", "= [1,1]", "1,2:3"}) {
     CAPTURE(text);
     CHECK_THAT(refusal(text), !Catch::StartsWith("accepted"));
+  }
+}
+
+TEST_CASE("rules of a mask are printed as they are read") {
+  CHECK(rules_text(make_scheme("chaikin").mask.curve()) ==
+        "f_{2i} = 3/4 f_i + 1/4 f_{i+1}\nf_{2i+1} = 1/4 f_i + 3/4 f_{i+1}\n");
+  CHECK(rules_text(make_scheme("four-point").mask.curve()) ==
+        "f_{2i} = f_i\nf_{2i+1} = -1/16 f_{i-1} + 9/16 f_i + 9/16 f_{i+1} - 1/16 f_{i+2}\n");
+  CHECK(rules_text(Mask(LaurentPolynomial::monomial(1, 1), 2)) == "f_{2i} = 0\nf_{2i+1} = f_i\n");
+  Draw draw;
+  for (int trial = 0; trial < 50; ++trial) {
+    const long arity = draw.number(2, 5);
+    LaurentPolynomial symbol;
+    for (long phase = 0; phase < arity; ++phase) {
+      const Rule rule = draw_rule(draw, phase);
+      for (std::size_t k = 0; k < rule.weights.size(); ++k)
+        symbol = symbol +
+                 LaurentPolynomial::monomial(rule.weights[k], phase - arity * (rule.first + static_cast<long>(k)));
+    }
+    const Mask mask(symbol, static_cast<int>(arity));
+    CAPTURE(rules_text(mask));
+    CHECK(make_scheme(rules_text(mask)).mask.curve() == mask);
   }
 }

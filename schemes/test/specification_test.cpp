@@ -201,6 +201,9 @@ TEST_CASE("classical families by name") {
   CHECK(mask_of("six-point:w=3/256").symbol() == mask_of("dd:n=3").symbol());
   CHECK(mask_of("ternary-four-point:w=1/27").symbol() == mask_of("dd:n=2,a=3").symbol());
   CHECK(mask_of("dd:n=1,a=4").symbol() == mask_of("bspline:degree=1,a=4").symbol());
+  CHECK(mask_of("j-spline:w=0").symbol() == mask_of("dd:n=2").symbol());
+  CHECK(mask_of("j-spline:w=1").symbol() == mask_of("bspline:degree=3").symbol());
+  CHECK(mask_of("j-spline:w=3/2").symbol() == mask_of("bspline:degree=5").symbol());
   CHECK(mask_of("corner-cutting:w=1/4").symbol() == mask_of("bspline:degree=2").symbol());
   CHECK(mask_of("dual-four-point:w=1/128").symbol() == mask_of("mask:[-5,-7,35,105,105,35,-7,-5]/128").symbol());
   CHECK(mask_of("ternary-three-point:w=5/18").arity() == 3);

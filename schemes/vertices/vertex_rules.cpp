@@ -1,7 +1,6 @@
 #include "vertex_rules.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/schemes/specification.hpp>
 
 #include <fmt/ranges.h>
 
@@ -37,13 +36,6 @@ LatticeMask with_dual_middle(const LatticeMask& mask) {
     for (std::size_t v = 0; v < 2; ++v) result[v] += (mask.arity() - 1 - low[v] - high[v]) / 2;
     return result;
   });
-}
-
-/// Of two steps of a mask that is its own image under the dilation's turn: the dilation is `arity` times the identity.
-LatticeMask two_steps(const LatticeMask& mask, int arity) {
-  const MultivariatePolynomial& once = mask.symbol();
-  const LatticeMask coarse = placed(once, arity, [&](const LatticePoint& at) { return mask.dilation() * at; });
-  return {once * coarse.symbol(), arity};
 }
 
 SectorRule& add(SectorRule& rule, const LatticePoint& point, const LaurentPolynomial& weight, long turn = 0) {
@@ -114,7 +106,7 @@ SectorRules loop_rules(const LatticeMask& mask, long n) {
 }
 
 SectorRules catmull_clark_rules(const LatticeMask& mask, long n) {
-  SectorRules result{n, SectorLattice::quads, mask.without_factors()};
+  SectorRules result{n, SectorLattice::quads, mask};
   SectorRule& vertex = add(result.rules[centre], centre, Rational(1 - over(7, 4 * n)));
   add_ring(vertex, ray, 0, over(3, 2 * n));
   add_ring(vertex, diagonal, 0, over(1, 4 * n));
@@ -152,8 +144,9 @@ SectorRules modified_butterfly_rules(const LatticeMask& mask, long n) {
 }
 
 SectorRules two_step_sqrt3_rules(const LatticeMask& mask, long n) {
-  SectorRules result{n, SectorLattice::triangles, two_steps(mask, 3)};
+  SectorRules result{n, SectorLattice::triangles, {two_step_symbol(mask), 3}};
   result.rules = sqrt3_rules(result);
+  result.step = mask;
   return result;
 }
 
@@ -168,6 +161,10 @@ const std::map<std::string, Maker, std::less<>>& makers() {
   return table;
 }
 
+auto maker_of(const Scheme& scheme) {
+  return makers().find(scheme.specification.substr(0, scheme.specification.find(':')));
+}
+
 }  // namespace
 
 SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPolynomial(4) - 2 * c())); }
@@ -175,11 +172,13 @@ SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPo
 SectorRules vertex_rules(std::string_view specification, long valence) {
   require(valence >= 3, "rules at a vertex: need valence >= 3, got {}", valence);
   const Scheme scheme = make_linear_scheme(specification);
-  const auto maker = makers().find(scheme.specification.substr(0, scheme.specification.find(':')));
+  const auto maker = maker_of(scheme);
   require(maker != makers().end(), "rules at a vertex: need one of {}, got {}",
           fmt::join(schemes_with_vertex_rules(), ", "), scheme.specification);
   return maker->second(scheme.mask, valence);
 }
+
+bool has_vertex_rules(const Scheme& scheme) { return maker_of(scheme) != makers().end(); }
 
 std::vector<std::string> schemes_with_vertex_rules() {
   std::vector<std::string> names;

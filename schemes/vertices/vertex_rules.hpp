@@ -2,6 +2,7 @@
 /// The rules of the classical surface schemes at vertices of any valence.
 
 #include <subcert/analysis/symbol/masks/sector_rules.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ namespace subcert {
 /// Two steps of the dilations that turn the lattice are one of 2 or 3 times the identity. Domain: valence >= 3. Errors:
 /// throws a SpecificationError for what is no scheme, a domain Error for one that has no rules here.
 SectorRules vertex_rules(std::string_view specification, long valence);
+bool has_vertex_rules(const Scheme& scheme);
 
 /// The rule of one step of sqrt3 at a vertex of any valence; its other points are the middles of triangles.
 SectorRule sqrt3_vertex_rule();

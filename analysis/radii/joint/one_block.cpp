@@ -91,6 +91,11 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
     // more than the radius, with time that the proof left.
     PolytopeCandidate larger = find_polytope(family, {budget.deadline.after(shares::larger_polytope), budget.memory},
                                              cones, false);
+    // It may have found a better product.
+    if (larger.word(0) != result.product.word) {
+      ProductEvidence other = prove_product(family, larger.word(0), proving(1).deadline);
+      if (*other.radius.lower > *result.product.radius.lower) result.product = std::move(other);
+    }
     auto proof = larger.vertices.empty() ? std::nullopt : certify_polytope(family, larger, proving(1));
     if (proof && (!result.polytope || proof->bound < result.polytope->bound)) {
       result.polytope = std::move(proof);

@@ -122,6 +122,8 @@ class Search {
       }
     }
     const std::vector<Candidate> old = maximizing();
+    sort_candidates(found);
+    add_better_neighbours(found, family_[0]);
     maximizing_ = std::min(sort_candidates(found), max_maximizing);
     candidates_ = std::move(found);
     if (std::ranges::equal(old, maximizing(), {}, &Candidate::word, &Candidate::word)) return;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace subcert::polytope {
@@ -20,6 +21,11 @@ constexpr std::size_t max_candidates = 64;
 constexpr double symmetric_tolerance = 1e-12;  // a symmetry may be off by that, relatively
 constexpr int short_word = 8;                  // words up to this length are few: more of them are solved exactly
 constexpr int solved_short = 32, solved_long = 8;
+constexpr double work_in_any_time = 5e6;  // products of numbers, so that more time never tells less
+constexpr double work_of_orbit = 120;     // products of matrices, for each letter
+constexpr std::size_t most_neighbours = 8;
+constexpr double clearly_better = 1e-5;  // relatively: matrices that are nearly the same have long products nearby
+constexpr double most_work_of_neighbours = 4e6;  // products of numbers, for each
 
 std::size_t at(int letter) { return static_cast<std::size_t>(letter); }
 
@@ -51,7 +57,10 @@ struct Partial {
 class ProductSearch {
  public:
   ProductSearch(const SearchFamily& family, const ProductSearchOptions& options)
-      : family_(family), options_(options), orbit_(orbit_shape(family.matrices, options.budget.deadline)) {}
+      : family_(family),
+        options_(options),
+        work_of_product_(std::pow(static_cast<double>(family.matrices.front().rows()), 3)),
+        orbit_(orbit_shape(family.matrices, is_small() ? Deadline() : options.budget.deadline)) {}
 
   std::vector<Candidate> run() {
     if (!(orbit_.radius_bound > 0) || !std::isfinite(orbit_.radius_bound)) return {Candidate{{0}, 0.0}};
@@ -68,13 +77,17 @@ class ProductSearch {
     for (const auto& [word, radius] : known_)
       if (is_near(radius)) result.push_back({word, radius * orbit_.radius_bound});
     sort_candidates(result, options_.least);
+    if (!options_.least && !result.empty()) add_better_neighbours(result, family_);
     if (result.size() > max_candidates) result.resize(max_candidates);
     if (result.empty()) result.push_back({{0}, 0.0});
     return result;
   }
 
  private:
-  bool late() const { return options_.budget.deadline.expired(); }
+  bool late() const { return work_ > work_in_any_time && options_.budget.deadline.expired(); }
+  bool is_small() const {
+    return work_of_orbit * work_of_product_ * static_cast<double>(family_.matrices.size()) <= work_in_any_time;
+  }
 
   // Whether a radius is better than another one.
   bool leads(double radius, double other) const { return options_.least ? radius < other : radius > other; }
@@ -127,7 +140,7 @@ class ProductSearch {
   }
 
   // All products one letter longer that may still beat the best, one of each orbit of the symmetry.
-  std::vector<Partial> extensions(int length) const {
+  std::vector<Partial> extensions(int length) {
     const double exponent = 1.0 / length;
     std::vector<Partial> next;
     std::set<std::vector<int>> seen;
@@ -143,6 +156,7 @@ class ProductSearch {
         if (mirrored) continue;
         if (family_.symmetry.order() > 1) seen.insert(p.word);
         p.product = matrices_[a] * parent.product;
+        work_ += work_of_product_;
         p.norm = std::pow(norm(p.product.entries()), exponent);
         p.bound = std::min(parent.bound, p.norm);
         if (!options_.least && p.bound <= best_ * (1 - options_.near)) continue;
@@ -183,6 +197,7 @@ class ProductSearch {
 
   const SearchFamily& family_;
   const ProductSearchOptions& options_;
+  double work_of_product_, work_ = 0;
   OrbitShape orbit_;
   std::vector<Matrix> matrices_;
   std::size_t width_ = 1;
@@ -243,6 +258,58 @@ std::size_t sort_candidates(std::vector<Candidate>& candidates, bool least) {
     return least ? a.radius < b.radius : a.radius > b.radius;
   });
   return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), leads));
+}
+
+namespace {
+
+std::optional<Candidate> better_neighbour(const SearchFamily& family, const std::vector<Candidate>& candidates) {
+  const Candidate& first = candidates.front();
+  const std::size_t length = first.word.size(), size = family.matrices.front().rows();
+  const auto is_cheap = [&](std::size_t products) {
+    return static_cast<double>(products * size * size * size) <= most_work_of_neighbours;
+  };
+  if (!(first.radius > 0) || !is_cheap(length * length)) return std::nullopt;
+  Candidate best{{}, first.radius * (1 + clearly_better)};
+  const auto look_at = [&](const Matrix& product, const std::vector<int>& word) {  // over the power of the radius
+    const double least = std::pow(best.radius / first.radius, static_cast<double>(word.size()));
+    if (estimated_radius(product) < least) return;
+    const double radius = product_radius(family.matrices, word);
+    if (radius > best.radius) best = {word, radius};
+  };
+  // The words from each of their letters on, with their products; shorter ones on the way.
+  const auto turns = [&](const Candidate& candidate, bool parts) {
+    std::vector<std::pair<std::vector<int>, Matrix>> result;
+    for (std::size_t start = 0; start < candidate.word.size(); ++start) {
+      auto& [word, product] = result.emplace_back(std::vector<int>{}, Matrix::identity(size));
+      while (word.size() < candidate.word.size()) {
+        if (parts && !word.empty()) look_at(product, word);
+        word.push_back(candidate.word[(start + word.size()) % candidate.word.size()]);
+        product = family.matrices[at(word.back())] * product;
+        product /= first.radius;
+      }
+    }
+    return result;
+  };
+  const auto own = turns(first, true);
+  for (std::size_t k = 1; k < std::min(candidates.size(), most_neighbours); ++k) {
+    const std::size_t other = candidates[k].word.size();
+    if (!is_cheap(other * (length + other))) continue;
+    for (const auto& [end, last] : turns(candidates[k], false))
+      for (const auto& [start, product] : own) {
+        std::vector<int> word = start;
+        word.insert(word.end(), end.begin(), end.end());
+        look_at(last * product, word);
+      }
+  }
+  if (best.word.empty()) return std::nullopt;
+  best.word = canonical_word(best.word, family.matrices.size(), family.symmetry);
+  return best;
+}
+
+}  // namespace
+
+void add_better_neighbours(std::vector<Candidate>& candidates, const SearchFamily& family) {
+  while (auto better = better_neighbour(family, candidates)) candidates.insert(candidates.begin(), *std::move(better));
 }
 
 double estimated_radius(const Matrix& product) {

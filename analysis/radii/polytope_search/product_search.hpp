@@ -62,6 +62,12 @@ std::vector<int> canonical_word(std::vector<int> word, std::size_t letter_count,
 /// the shorter words first. Returns how many do.
 std::size_t sort_candidates(std::vector<Candidate>& candidates, bool least = false);
 
+/// Adds the products, if any is clearly larger than the first of these, the best, of a part of its word, read in a
+/// circle, as what runs through several cycles is no better than the best of them; or of its word, turned, and that of
+/// one of the next few, turned; and so on from there. Cost: a multiplication of matrices for each of them, nothing
+/// where they are more than some 10^6 products of numbers.
+void add_better_neighbours(std::vector<Candidate>& candidates, const SearchFamily& family);
+
 /// |tr P^2|^(1/2), the spectral radius of P up to the weight of the other eigenvalues.
 double estimated_radius(const Matrix& product);
 

@@ -33,6 +33,13 @@ Ball value_of(const LaurentPolynomial& p, const Ball& at) {
 
 }  // namespace
 
+MultivariatePolynomial two_step_symbol(const LatticeMask& mask) {
+  std::vector<Monomial> coarse;
+  for (const Monomial& term : mask.symbol().terms())
+    coarse.push_back({term.coefficient, mask.dilation() * term.exponents});
+  return mask.symbol() * MultivariatePolynomial(2, coarse);
+}
+
 SectorPoint turned(SectorPoint point, long turns, SectorLattice lattice, long valence) {
   if (!is_vertex(point.point, lattice)) point.turn = ((point.turn + turns) % valence + valence) % valence;
   return point;

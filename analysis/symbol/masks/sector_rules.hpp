@@ -52,11 +52,16 @@ struct SectorRules {
   SectorLattice lattice;
   LatticeMask mask;
   std::map<LatticePoint, SectorRule> rules = {};
+  /// Where `mask` is that of two steps of another one, with a dilation whose square is m or -m times the identity.
+  std::optional<LatticeMask> step = std::nullopt;
 
   /// The rule of a canonical point of sector 0, its data canonical, none twice. Errors: throws Error where the mask
   /// needs a datum that no sector beside sector 0 has, or that has different places in the two ways around the vertex.
   SectorRule rule_at(const LatticePoint& point) const;
 };
+
+/// a(z) a(z^M), the symbol of two steps with the dilation M. Domain: numbers, two variables.
+MultivariatePolynomial two_step_symbol(const LatticeMask& mask);
 
 /// A point of the plane of sector 0, and of the half planes beside it, as one of a sector; nothing where it is opposite
 /// of sector 0. Domain: valence >= 3.

@@ -51,6 +51,33 @@ std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix
   return result;
 }
 
+std::optional<std::vector<EigenvalueGroup>> eigenvalues(const std::vector<std::vector<Ball>>& matrix, slong bits) {
+  const std::size_t n = matrix.size();
+  ComplexBallMatrix balls(n, n), middles(n, n), right(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) acb_set_arb(balls.entry(i, j), matrix[i][j].get());
+  acb_mat_get_mid(middles.get(), balls.get());
+  ComplexBallMatrix approximate(1, n), enclosed(1, n);
+  acb_mat_approx_eig_qr(approximate.entry(0, 0), nullptr, right.get(), middles.get(), nullptr, 0, bits);
+  if (acb_mat_eig_multiple(enclosed.entry(0, 0), balls.get(), approximate.entry(0, 0), right.get(), bits) == 0)
+    return std::nullopt;
+  std::vector<EigenvalueGroup> groups;
+  for (std::size_t i = 0; i < n; ++i) {
+    const ComplexBall value(enclosed.entry(0, i), bits);
+    if (!value.is_finite()) return std::nullopt;
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const EigenvalueGroup& group) { return overlap(group.value, value); });
+    // Those of one group have one ball.
+    if (known == groups.end())
+      groups.push_back({value, 1});
+    else if (acb_equal(known->value.get(), value.get()) == 0)
+      return std::nullopt;
+    else
+      ++known->count;
+  }
+  return groups;
+}
+
 std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
                                                           slong bits) {
   const std::size_t n = matrix.rows();

@@ -19,6 +19,17 @@ struct EigenpairEnclosure {
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
                                                     slong bits);
 
+/// All eigenvalues of a matrix, in disjoint balls that hold so many each, with multiplicity.
+struct EigenvalueGroup {
+  ComplexBall value;
+  std::size_t count;
+};
+
+/// Domain: square, given row by row. Nothing where `bits` bits do not separate them to balls. Error: that of a simple
+/// eigenvalue about the width of the entries, of a multiple one about the root of it of that order. Cost: a QR
+/// iteration and a few products. Ref: [Rum10].
+std::optional<std::vector<EigenvalueGroup>> eigenvalues(const std::vector<std::vector<Ball>>& matrix, slong bits);
+
 /// The columns of (point - matrix)^(-1), about. Domain: a square matrix. Nothing is proved; nothing where numbers of
 /// `bits` bits find no pivot. Cost: one inverse of such numbers.
 std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,

@@ -113,4 +113,24 @@ std::vector<ComplexBall> complex_roots(const LaurentPolynomial& p, slong bits) {
   return result;
 }
 
+std::optional<std::vector<ComplexBall>> complex_roots(const std::vector<Ball>& coefficients) {
+  const slong degree = static_cast<slong>(coefficients.size()) - 1, bits = coefficients.front().bits();
+  acb_poly_t p;
+  acb_poly_init(p);
+  for (slong k = 0; k <= degree; ++k) {
+    const ComplexBall entry(coefficients[static_cast<std::size_t>(k)]);
+    acb_poly_set_coeff_acb(p, k, entry.get());
+  }
+  acb_ptr roots = _acb_vec_init(degree);
+  const bool isolated = acb_poly_find_roots(roots, p, nullptr, 0, bits) == degree;
+  std::optional<std::vector<ComplexBall>> result;
+  if (isolated) {
+    result.emplace();
+    for (slong k = 0; k < degree; ++k) result->emplace_back(roots + k, bits);
+  }
+  _acb_vec_clear(roots, degree);
+  acb_poly_clear(p);
+  return result;
+}
+
 }  // namespace subcert

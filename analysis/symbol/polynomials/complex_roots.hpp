@@ -21,4 +21,8 @@ std::vector<ComplexBall> complex_roots(const LaurentPolynomial& p, slong bits);
 /// says that it ends, so that nothing is to be guessed beforehand.
 std::optional<std::vector<ComplexBall>> complex_roots(const LaurentPolynomial& p, slong bits, const Deadline& deadline);
 
+/// Of a polynomial known in balls, the lowest coefficient first, for all points of them; nothing where the zeros are
+/// not separated. Domain: a degree >= 1, the last coefficient not 0.
+std::optional<std::vector<ComplexBall>> complex_roots(const std::vector<Ball>& coefficients);
+
 }  // namespace subcert

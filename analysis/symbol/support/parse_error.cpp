@@ -68,6 +68,13 @@ std::string root_hint(std::string_view text) {
                   : "";
 }
 
+/// Without what joins words, `four_point` as `four-point`.
+std::string joined(std::string_view words) {
+  std::string letters(words);
+  std::erase_if(letters, [](char c) { return c == '-' || c == '_' || c == ' '; });
+  return letters;
+}
+
 /// The one that begins so, where there is no other.
 std::string only_longer_word(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t shortest = 3;  // letters, behind the signs of an option
@@ -98,11 +105,13 @@ ParseError::ParseError(const std::string& subject, std::string_view token, std::
       position_(position),
       expected_(std::move(expected)) {}
 
+// Of several that are as near, the one that differs least without hyphens.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;
-  std::size_t least = word.size() / 3 + 1;
+  if (word.size() > longest_word) return nearest;
+  std::pair<std::size_t, std::size_t> least{word.size() / 3 + 1, 0};
   for (const std::string& candidate : known)
-    if (const std::size_t steps = word.size() > longest_word ? least : distance(word, candidate); steps < least) {
+    if (const std::pair steps{distance(word, candidate), distance(joined(word), joined(candidate))}; steps < least) {
       least = steps;
       nearest = candidate;
     }

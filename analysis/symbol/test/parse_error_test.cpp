@@ -29,6 +29,8 @@ TEST_CASE("the word that is meant") {
   CHECK(nearest_word("Primal", words) == "primal");
   CHECK(nearest_word("pirmal", words) == "primal");
   CHECK(nearest_word("four_point", words) == "four-point");
+  CHECK(nearest_word("jspline", {"bspline", "j-spline"}) == "j-spline");
+  CHECK(nearest_word("spline", {"bspline", "j-spline"}) == "bspline");
   CHECK(nearest_word("DD4", words) == "dd");
   CHECK(nearest_word("analyse", words) == "analyze");
   CHECK(nearest_word("x", words).empty());

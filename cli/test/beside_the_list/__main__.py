@@ -7,6 +7,7 @@ import argparse
 import json
 import os
 import random
+import re
 import resource
 import shlex
 import signal
@@ -82,6 +83,15 @@ def judged(program, case, with_longer):
         return run, list(judges.findings(case, run, with_longer))
 
 
+def families_not_drawn(program):
+    """Those of the help that have a number w and of which no question is asked."""
+    text = subprocess.run([program, "mask", "--help"], capture_output=True, text=True, check=True).stdout
+    with open(generators.__file__, encoding="utf-8") as file:
+        drawn = file.read()
+    names = re.findall(r"^  ([a-z-]+):w=", text, re.MULTILINE)
+    return [name for name in names if f'"{name}' not in drawn] if names else ["none in the help"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default="build/release/subcert")
@@ -97,6 +107,9 @@ def main():
     draw = getattr(generators, f"{options.kind or 'any'}_case")
     report = open(options.report, "w", encoding="ascii") if options.report else None
     runs = found = 0
+    for name in families_not_drawn(program):
+        print(f"generators.py: no questions about {name}")
+        found += 1
     for seed in options.seed:
         for i in range(options.first, options.first + options.runs):
             if time.monotonic() > end:

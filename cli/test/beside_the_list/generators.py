@@ -27,6 +27,7 @@ LETTERS = {  # families with a letter, and where it is of interest
     "four-point": (Fraction(-1), Fraction(1)),
     "six-point": (Fraction(-1, 8), Fraction(1, 8)),
     "dual-four-point": (Fraction(-1, 8), Fraction(1, 8)),
+    "j-spline": (Fraction(-3), Fraction(7)),
     "corner-cutting": (Fraction(-1), Fraction(2)),
     "ternary-three-point": (Fraction(-1), Fraction(1)),
     "ternary-four-point": (Fraction(-1), Fraction(1)),

@@ -28,6 +28,7 @@ import subradius_exact_cases
 import variant_cases
 import vector_cases
 import vector_range_cases
+import vertex_cases
 
 BITS = 64
 ONE = 1 << BITS
@@ -688,6 +689,8 @@ def main(out):
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
     modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, vector_range_cases, stability_cases, attains_cases, level_cases
     for name, case in attains_cases.accepted(sys.modules[__name__]):
+        write(name, case)
+    for name, case in vertex_cases.accepted():
         write(name, case)
     for name, family in [case for module in modules for case in module.MATRICES]:
         write_matrices(name, family)

@@ -10,6 +10,8 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+import vertex_cases
+
 MORE, MANY, LARGE = FILES = [f"FOLDER/{name}.mat" for name in ("more", "many", "large")]
 GOLDEN = "--matrices golden.mat --upper 2"
 # Exit codes of command lines.
@@ -193,7 +195,7 @@ def usage_cases(directory, scratch):
              f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n"]
     for name, text in zip(FILES, texts):
         Path(name.replace("FOLDER", scratch)).write_text(text)
-    for code, arguments in USAGE:
+    for code, arguments in [*USAGE, *vertex_cases.usage()]:
         yield arguments, arguments.replace("FOLDER", scratch).split(), lambda result, code=code: (
             result[0] == code and bool(result[2] if code else result[1]) and (code == 0 or "VERIFIED" not in result[1])
             and "internal error" not in result[2])
@@ -203,7 +205,7 @@ def printed(arguments):
     """What a checker prints where it accepts a claim."""
     values = dict(zip(arguments[::2], arguments[1::2]))
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
-    levels = values.pop("--levels", None)
+    levels, vertex = (values.pop(name, None) for name in ("--levels", "--vertex"))
     order, step, start, level = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from"))
     range_ = levels or values.get("--for")
     exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
@@ -216,6 +218,7 @@ def printed(arguments):
                             for name, value in values.items() if name not in ("--lower", "--upper", "--for", "--within"))
     subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
     subject = f"{subject} and integral {integral}" if integral else subject
+    subject = f"{subject}, and C^1 limits of almost all data around {vertex}" if vertex else subject
     subject = f"component {component} of {subject}" if component else subject
     relation = "<" if range_ else "<="
     rough = upper and upper.startswith("C")

@@ -54,6 +54,8 @@ TEST_CASE("a comparison holds for all numbers of an enclosure, or for none, or i
   const Rational near = 2 - power(Rational(10), -12);
   CHECK(compare(Enclosure{1, near}, expected(">=", 2), "it").reason == "it lies in [1, 1.999999999999]");
   CHECK(compare(Enclosure{near, 3}, expected(">=", near), "it").reason == "it lies in [1.999999999999, 3]");
+  CHECK(compare(Enclosure{Rational(1, 3), 2}, expected(">", 2), "it").reason == "it lies in [0.33333333, 2]");
+  CHECK(compare(Enclosure{2, 2}, expected(">", 2), "it").reason == "it is 2");
 }
 
 TEST_CASE("numbers that are known are compared as they are") {

@@ -1,27 +1,10 @@
 # TOY under mpirun with RANKS ranks and alone: the same bytes. Failed cases are reported once and made up for, and a
-# journal
-# that is refused ends all ranks with the message of rank 0.
+# journal that is refused ends all ranks with the message of rank 0.
 if(NOT MPIRUN)
   message("skipped: built without MPI")
   return()
 endif()
-file(REMOVE_RECURSE "${WORK}")
-file(MAKE_DIRECTORY "${WORK}")
-set(ENV{ASAN_OPTIONS} "detect_leaks=0")  # leaks inside MPI are not ours
-set(mpirun "${MPIRUN}" -np ${RANKS})
-execute_process(COMMAND "${MPIRUN}" --version OUTPUT_VARIABLE version ERROR_VARIABLE version)
-if(version MATCHES "Open MPI|OpenRTE|open-mpi")
-  list(APPEND mpirun --oversubscribe --allow-run-as-root)
-endif()
-
-function(run out_variable expected)
-  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE code TIMEOUT 60)
-  if(NOT code EQUAL expected)
-    message(FATAL_ERROR "${ARGN}: exit ${code}, expected ${expected}\n${out}\n${err}")
-  endif()
-  set(${out_variable} "${out}" PARENT_SCOPE)
-  set(errors "${err}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/mpirun.cmake")
 
 run(alone 0 "${TOY}" 60 2 "${WORK}/alone" 1/1 2)
 foreach(jobs IN ITEMS 1 2)

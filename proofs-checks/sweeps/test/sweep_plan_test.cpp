@@ -70,9 +70,10 @@ TEST_CASE("conditions: three-valued, on enclosures, numbers and words") {
   const auto holds = [&](const std::string& text) {
     return Condition::parse("--expect", text).holds([&](const std::string& name) { return member_at(answer, name); });
   };
-  for (const char* text : {"holder > 1.4", "holder >= 3/2", "holder < 1.76", "holder <= 1.75", "holder != 2",
-                           "open >= 1", "exact == yes", "converges == yes", "converges != no", "rules == 4", "x.y > 2",
-                           "n >= 3", "holder.lower == 1.5", "holder > 1 and rules >= 4 and exact == yes"}) {
+  for (const char* text :
+       {"holder > 1.4", "holder >= 3/2", "holder < 1.76", "holder <= 1.75", "holder != 2", "open >= 1", "exact == yes",
+        "converges == yes", "converges != no", "rules == 4", "x.y > 2", "n >= 3", "holder.lower == 1.5",
+        "exact and converges", "holder > 1 and rules >= 4 and exact == yes"}) {
     CAPTURE(text);
     CHECK(holds(text) == Truth::yes);
   }
@@ -83,12 +84,12 @@ TEST_CASE("conditions: three-valued, on enclosures, numbers and words") {
     CHECK(holds(text) == Truth::no);
   }
   for (const char* text : {"holder > 1.6", "holder == 1.6", "open > 1", "open <= 5", "none == 1", "missing > 1",
-                           "stable == yes", "converges > 1", "rules > 3 and holder > 1.6"}) {
+                           "stable == yes", "stable", "missing", "converges > 1", "rules > 3 and holder > 1.6"}) {
     CAPTURE(text);
     CHECK(holds(text) == Truth::unknown);
   }
-  for (const char* text :
-       {"", "holder", "holder >", "> 1", "holder > x", "holder = 1", "holder > 1 and", "a > 1 > 0"}) {
+  for (const char* text : {"", "two names", "holder 1 and exact", "and exact", "holder >", "> 1", "holder > x",
+                           "holder = 1", "holder > 1 and", "a > 1 > 0"}) {
     CAPTURE(text);
     CHECK_THROWS_AS(holds(text), ParseError);
   }
@@ -104,10 +105,13 @@ TEST_CASE("plans of sweeps: read, refused, and their schemes") {
   )");
   CHECK(plan.ask == Texts{"regularity", "variance"});
   CHECK(plan.budget == 2.5);
+  CHECK_FALSE(plan.certificates);
+  CHECK(read_sweep_plan("schemes = [\"a\"]\ncertificates = true").certificates);
   CHECK(plan.memory == 100);
   CHECK(schemes_of_plan(plan) == Texts{"primal:n=2,d=1", "primal:n=3,d=1", "primal:n=4,d=1", "dd:n=2"});
-  for (const char* text : {"", "schemes = []", "schemes = 3", "schemes = [\"a\"]\nask = [\"range\"]",
-                           "schemes = [\"a\"]\nscheme = 1", "schemes = [\"a\"]\nbudget = 0", "schemes ="}) {
+  for (const char* text :
+       {"", "schemes = []", "schemes = 3", "schemes = [\"a\"]\nask = [\"range\"]", "schemes = [\"a\"]\nscheme = 1",
+        "schemes = [\"a\"]\nbudget = 0", "schemes = [\"a\"]\ncertificates = 1", "schemes ="}) {
     CAPTURE(text);
     CHECK_THROWS_AS(read_sweep_plan(text), FileError);
   }

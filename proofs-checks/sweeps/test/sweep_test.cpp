@@ -208,6 +208,28 @@ TEST_CASE("cases are told in their order and are not held, whatever failed, was 
     }
 }
 
+TEST_CASE("only the cases of the shard that are wanted are computed") {
+  const Folder folder;
+  for (const char* journal : {"", "journal"}) {
+    SweepOptions options;
+    options.shard = {1, 2};
+    if (*journal) options.journal = folder / journal;
+    options.is_wanted = [](std::size_t i) { return i % 3 == 0; };
+    std::vector<std::size_t> told;
+    options.in_order = [&](std::size_t i, const Json&) { told.push_back(i); };
+    for (int again = 0; again < 2; ++again) {
+      told.clear();
+      const auto results = run_sweep(make_cases(20), square, options);
+      CHECK(told == std::vector<std::size_t>{0, 6, 12, 18});
+      CHECK(results->computed == (again && *journal ? 0 : 4));
+    }
+    options.is_wanted = [](std::size_t i) { return i == 2 || i == 6; };  // one is in the journal
+    told.clear();
+    CHECK(run_sweep(make_cases(20), square, options)->from_journal == (*journal ? 1 : 0));
+    CHECK(told == std::vector<std::size_t>{2, 6});
+  }
+}
+
 TEST_CASE("shards are disjoint, and joined they are the whole") {
   const Folder folder;
   const int count = 23;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <random>
 #include <set>
 #include <sstream>
@@ -94,6 +95,31 @@ TEST_CASE("facts: curves and surfaces, with proofs and without") {
     CHECK((find(list, "smoothness") != nullptr && !known.convergence.is_yes()) == false);
   }
   check_list(family_facts(make_parametric_scheme("four-point:w")));
+}
+
+TEST_CASE("facts: the norm of a step tells how far it leaves the range of the data") {
+  const std::map<std::string, std::string> texts{
+      {"bspline:degree=2", "||S|| = 1: new points are convex combinations of old ones"},
+      {"loop", "||S|| = 1: new points are convex combinations of old ones"},
+      {"four-point:w=1/16", "||S|| = 5/4: a step leaves the range of the data by at most 1/8 of it"},
+      {"tensor:(dd:n=2)x(dd:n=2)", "||S|| = 25/16: a step leaves the range of the data by at most 9/32 of it"},
+      {"butterfly:w=1/16", "||S|| = 3/2: a step leaves the range of the data by at most 1/4 of it"}};
+  for (const auto& [specification, text] : texts) {
+    CAPTURE(specification);
+    CHECK(find(mask_facts(make_linear_scheme(specification)), "norm")->text == text);
+  }
+  for (const char* specification : {"dd:n=3", "primal:n=4,d=3", "ary:a=3,points=4,d=3", "daubechies:n=3", "sqrt3",
+                                    "four-point:w=-1/3", "grid:points=4x4,d=3", "quincunx", "mask:[1,1]"}) {
+    CAPTURE(specification);
+    const Scheme scheme = make_linear_scheme(specification);
+    // Data in [0, 1] that are 1 where the coefficient is below 0 give the smallest values.
+    const Dilation& dilation = scheme.mask.dilation();
+    std::vector<Rational> least(dilation.digits().size(), 0);
+    for (const Monomial& term : scheme.mask.symbol().terms())
+      if (term.coefficient < 0) least[dilation.divide(term.exponents).digit] += term.coefficient;
+    const Json norm = find(mask_facts(scheme), "norm")->json;
+    CHECK(norm == to_text(1 - 2 * *std::ranges::min_element(least)));
+  }
 }
 
 TEST_CASE("facts: exponents have the fields of the contract, whatever was found") {

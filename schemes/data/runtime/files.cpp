@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <fstream>
 #include <system_error>
 
@@ -72,6 +73,19 @@ void write_stream(const std::filesystem::path& path, const std::function<void(st
 
 void write_file(const std::filesystem::path& path, const std::string& content) {
   write_stream(path, [&](std::ostream& stream) { stream << content; });
+}
+
+TemporaryFolder::TemporaryFolder() {
+  const char* temporary = std::getenv("TMPDIR");
+  path_ = std::string(temporary && *temporary ? temporary : "/tmp") + "/subcert-XXXXXX";
+  if (!mkdtemp(path_.data()))
+    fail(ErrorKind::missing_file, "cannot make a folder for temporary files, {}: {}", path_,
+         std::generic_category().message(errno));
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code error;
+  std::filesystem::remove_all(path_, error);
 }
 
 }  // namespace subcert::runtime

@@ -16,4 +16,19 @@ void write_file(const std::filesystem::path& path, const std::string& content);
 void write_stream(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 void write_file_with(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
+/// A folder of its own among the temporary files, those that TMPDIR names or else /tmp, removed with all that is in it.
+class TemporaryFolder {
+ public:
+  /// Errors: throws missing_file where it cannot be made.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
 }  // namespace subcert::runtime

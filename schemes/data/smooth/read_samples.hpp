@@ -19,6 +19,7 @@ struct SampleOptions {
   std::string x;                  ///< `none`, or empty: the first of several columns of numbers or dates
   std::vector<std::string> y;     ///< empty: all that are left and hold numbers
   std::string weights;            ///< or empty
+  std::string errors;             ///< of standard deviations s of the noise, for weights 1/s^2; or empty
   std::string by;                 ///< of the names of groups, or empty
   std::vector<std::string> keep;  ///< that answers at the data have, as they are
   std::string delimiter;          ///< between the columns: a character, `tab`, `blank`, or empty: found
@@ -27,7 +28,7 @@ struct SampleOptions {
   std::string missing = "raise";
   std::string series = "columns";  ///< or rows: each row is one, named by the column `by`
   bool any_positions = false;      ///< also those that are not uniform, and several data at one
-  std::string spacing;             ///< of the outputs where positions are irregular; empty: the mean
+  std::string spacing;             ///< of the outputs where positions are irregular; empty: as put_at()
 
   /// What errors call the file.
   std::string name() const;

@@ -57,8 +57,8 @@ std::string names_left_out(const Table& table, std::size_t by, const std::vector
 
 void require_rows_alone(const SampleOptions& options) {
   if (options.by.empty()) fail(ErrorKind::usage, "--series rows needs --by: the column of the names of the series");
-  if (!options.x.empty() || !options.y.empty() || !options.weights.empty() || !options.keep.empty() ||
-      options.header == "no")
+  if (!options.x.empty() || !options.y.empty() || !options.weights.empty() || !options.errors.empty() ||
+      !options.keep.empty() || options.header == "no")
     fail(ErrorKind::usage,
          "--series rows: expected none of --x, --y, --weights, --keep, --header no; the first row has the positions");
 }

@@ -21,10 +21,12 @@ void set_weights(const SampleOptions& options, const Table& table, const std::ve
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (weights) {
       const double value = table.values[i * table.columns + *weights];
-      if (!(value >= 0))
-        fail(ErrorKind::data, "{}: expected a weight >= 0; found {}", place(options, table, i, *weights),
+      const bool is_error = !options.errors.empty();
+      if (is_error ? !(value >= 1e-75 && value <= 1e75) : !(value >= 0))
+        fail(ErrorKind::data, "{}: expected {}; found {}", place(options, table, i, *weights),
+             is_error ? "a standard deviation from 1e-75 to 1e75" : "a weight >= 0",
              (std::isnan(value) ? "a missing value" : shortest_text(value)));
-      result.push_back(decimal_value(value));
+      result.push_back(is_error ? Rational(1 / power(decimal_value(value), 2)) : decimal_value(value));
     }
     for (const std::size_t column : values) {
       if (!std::isnan(table.values[i * table.columns + column])) continue;
@@ -135,7 +137,10 @@ void require_readable_dates(const SampleOptions& options, const Table& table, co
 
 ColumnUse find_columns(const SampleOptions& options, const Table& table) {
   ColumnUse use;
+  if (!options.weights.empty() && !options.errors.empty())
+    fail(ErrorKind::usage, "--weights and --errors: expected one of the two");
   if (!options.weights.empty()) use.weights = find_column(table, "--weights", options.weights);
+  if (!options.errors.empty()) use.weights = find_column(table, "--errors", options.errors);
   if (!options.by.empty()) use.by = find_column(table, "--by", options.by);
   const bool none = options.x == "none";
   if (!options.x.empty() && !none) use.x = find_column(table, "--x", options.x);

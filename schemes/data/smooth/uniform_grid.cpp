@@ -133,13 +133,32 @@ DataSites Samples::sites() const {
   return sites;
 }
 
+std::optional<Rational> common_spacing(const std::vector<double>& positions) {
+  require(!positions.empty(), "common_spacing: need a position");
+  if (positions.size() < 2) return std::nullopt;
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) gaps.push_back(positions[i + 1] - positions[i]);
+  std::vector<double> sorted = gaps;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double rounding = std::max(std::abs(positions.front()), std::abs(positions.back())) * 0x1p-50;
+  const auto is_common = [&](double gap) { return std::abs(gap - *middle) <= rounding; };
+  if (2 * std::ranges::count_if(gaps, is_common) < std::ssize(gaps)) return std::nullopt;
+  const auto i = static_cast<std::size_t>(std::ranges::find_if(gaps, is_common) - gaps.begin());
+  const Rational common = decimal_value(positions[i + 1]) - decimal_value(positions[i]);
+  const Rational length = decimal_value(positions.back()) - decimal_value(positions.front());
+  if (common <= 0 || length > 2 * common * Rational(static_cast<long>(positions.size()))) return std::nullopt;
+  return common;
+}
+
 UniformGrid Samples::put_at(std::vector<double> x) {
   const bool once = std::ranges::adjacent_find(x) == x.end();
   std::vector<double> different;
   if (!once) std::ranges::unique_copy(x, std::back_inserter(different));
-  UniformGrid grid = uniform_grid(once ? x : different);
+  const std::vector<double>& places = once ? x : different;
+  UniformGrid grid = uniform_grid(places);
   origin = grid.origin;
-  spacing = grid.spacing;
+  spacing = grid.uniform ? grid.spacing : common_spacing(places).value_or(grid.spacing);
   (grid.uniform && once ? given : positions) = std::move(x);
   return grid;
 }

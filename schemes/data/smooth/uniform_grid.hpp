@@ -29,6 +29,11 @@ struct UniformGrid {
 /// numbers; double precision decides where it certainly can. Cost: one pass.
 UniformGrid uniform_grid(const std::vector<double>& positions);
 
+/// Of a grid with gaps: the distance that half of the neighbours or more have, where its multiples from the first to
+/// the last position are at most twice as many as positions; nothing where there is none. Domain: as uniform_grid().
+/// Cost: linear.
+std::optional<Rational> common_spacing(const std::vector<double>& positions);
+
 /// Whether positions that come one after another stand on a grid that is known before.
 class GridCheck {
  public:
@@ -80,8 +85,8 @@ struct Samples {
   bool uniform() const { return positions.empty(); }
   /// Whether several data have one position.
   bool repeated() const;
-  /// Puts the data at these positions: on their uniform grid, or one by one, with origin and mean spacing of that grid,
-  /// which is the answer. Domain: as many as data, in order, not all of several equal.
+  /// Puts the data at these positions: on their uniform grid, or one by one, with origin and spacing of that grid,
+  /// which is the answer, or their common_spacing(). Domain: as many as data, in order, not all of several equal.
   UniformGrid put_at(std::vector<double> x);
   /// With positions in spacings, rounded.
   DataSites sites() const;

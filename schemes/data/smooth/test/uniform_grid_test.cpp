@@ -66,3 +66,21 @@ TEST_CASE("grids that are not uniform: the farthest spacing is that of exact ari
     CHECK(grid.worst == worst);
   }
 }
+
+TEST_CASE("the spacing of a grid with gaps") {
+  const auto common = [](const std::vector<double>& x) { return common_spacing(x).value_or(0); };
+  CHECK(common({0, 1, 2, 5, 6, 7}) == 1);
+  CHECK(common({0.1, 0.2, 0.3, 0.6, 0.7}) == Rational(1, 10));
+  CHECK(common({-0.3, -0.2, 0.1, 0.4, 0.5}) == Rational(1, 10));  // two and two: half of them
+  CHECK(common({0, 1, 3, 6, 10}) == 0);
+  CHECK(common({0, 1, 2, 3, 1000}) == 0);  // mostly gap
+  CHECK(common({0, 1, 2, 3, 10}) == 1);
+  CHECK(common({0, 1, 2, 3, 10.5}) == 0);
+  CHECK(common({4}) == 0);
+  CHECK(common({1e9, 1e9 + 0.25, 1e9 + 0.5, 1e9 + 1}) == Rational(1, 4));
+  Samples samples;
+  samples.put_at({0, 1, 2, 2, 5, 6});
+  CHECK(samples.spacing == 1);
+  samples.put_at({0, 1, 3, 6, 10});
+  CHECK(samples.spacing == Rational(5, 2));
+}

@@ -1,0 +1,125 @@
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/vertex/vertex_smoothness.hpp>
+#include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/vertices/vertex_rules.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace subcert;
+
+namespace {
+
+const RegularPart& part_of(const std::string& scheme) {
+  static std::map<std::string, RegularPart> known;
+  const auto found = known.find(scheme);
+  if (found != known.end()) return found->second;
+  return known.emplace(scheme, regular_part(vertex_rules(scheme, 3), {Deadline::in(20)})).first->second;
+}
+
+VertexSmoothness smoothness(const std::string& scheme, long valence) {
+  return vertex_smoothness(vertex_rules(scheme, valence), part_of(scheme));
+}
+
+bool is_about(const Enclosure& enclosure, double value, double distance = 1e-12) {
+  return enclosure.is_bounded() && *enclosure.upper - *enclosure.lower < Rational(1) / 1'000'000'000 &&
+         std::abs(enclosure.lower->convert_to<double>() - value) < distance;
+}
+
+double cosine(long k, long n) {
+  return std::cos(2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
+}
+
+std::string word(const VertexSmoothness& at) { return at.curvature ? to_text(*at.curvature) : "unknown"; }
+
+}  // namespace
+
+TEST_CASE("classical schemes are C1 at vertices of every valence that was looked at") {
+  for (const std::string scheme : {"loop", "catmull-clark", "doo-sabin", "midedge", "modified-butterfly", "sqrt3"})
+    for (const long n : {3L, 4L, 5L, 6L, 7L, 8L, 9L, 11L, 16L, 31L, 50L}) {
+      if (scheme == "midedge" && n == 3) continue;  // a Jordan block
+      CAPTURE(scheme, n);
+      const VertexSmoothness at = smoothness(scheme, n);
+      CAPTURE(at.c1.reason);
+      CHECK(at.c1.is_yes());
+      CHECK(at.frequency == 1);
+      const double c = cosine(1, n);
+      const double trace = 10 + 2 * c;
+      const double expected = scheme == "loop"            ? (3 + 2 * c) / 8
+                              : scheme == "catmull-clark" ? (trace + std::sqrt(trace * trace - 64)) / 32
+                              : scheme == "midedge"       ? (1 + c) / 2
+                              : scheme == "sqrt3"         ? 2 * (1 + c) / 9
+                                                          : 0.5;
+      CHECK(is_about(at.subdominant, expected));
+      REQUIRE(at.exponent.is_bounded());
+      CHECK(at.exponent.is_canonical());
+      CHECK(*at.exponent.lower > 1);
+    }
+}
+
+TEST_CASE("curvature and exponents at vertices") {
+  const VertexSmoothness loop = smoothness("loop", 3);
+  CHECK(is_about(loop.exponent, 1.5));  // mu = 1/8, lambda = 1/4
+  CHECK(word(loop) == "unbounded");
+  for (const long n : {4L, 5L, 6L}) CHECK(word(smoothness("loop", n)) == "bounded");
+  for (const long n : {7L, 12L, 30L}) CHECK(word(smoothness("loop", n)) == "unbounded");
+  CHECK(smoothness("loop", 6).exponent.contains(3));
+  CHECK(smoothness("catmull-clark", 4).exponent.contains(3));
+
+  const VertexSmoothness quads = smoothness("catmull-clark", 3);
+  CHECK(is_about(quads.next, 1.0 / 6));
+  CHECK(word(quads) == "zero");
+  CHECK(word(smoothness("catmull-clark", 4)) == "bounded");
+  CHECK(word(smoothness("catmull-clark", 5)) == "unbounded");
+
+  for (const long n : {3L, 5L, 8L, 20L}) {
+    for (const std::string scheme : {"doo-sabin", "modified-butterfly"}) {
+      CAPTURE(scheme, n);
+      CHECK(word(smoothness(scheme, n)) == "bounded");
+      CHECK(is_about(smoothness(scheme, n).next, 0.25));
+    }
+  }
+}
+
+TEST_CASE("the butterfly scheme is C1 at vertices of valence 4 to 7 alone") {
+  const std::string scheme = "butterfly:w=1/16";
+  const std::map<long, double> values{{4, 0.469042}, {5, 0.506676}, {6, 0.5}, {7, 0.481911}};
+  for (const auto& [n, lambda] : values) {
+    CAPTURE(n);
+    const VertexSmoothness at = smoothness(scheme, n);
+    CHECK(at.c1.is_yes());
+    CHECK(is_about(at.subdominant, lambda, 1e-6));
+  }
+  for (const long n : {8L, 9L, 10L, 11L, 12L, 20L}) {
+    CAPTURE(n);
+    const VertexSmoothness at = smoothness(scheme, n);
+    CHECK(at.c1.is_no());
+    CHECK(at.frequency >= 2);
+    CHECK_FALSE(at.exponent.lower.has_value());
+  }
+  CHECK(is_about(smoothness(scheme, 8).subdominant, 0.469042, 1e-6));
+}
+
+TEST_CASE("a Jordan block in front is not taken for a simple eigenvalue") {
+  CHECK(smoothness("midedge", 3).c1.truth == Truth::unknown);
+  CHECK(smoothness("butterfly:w=1/16", 3).c1.truth == Truth::unknown);
+}
+
+TEST_CASE("vertex smoothness refuses what it has no proof for") {
+  SectorRules rules = vertex_rules("loop", 5);
+  CHECK_THROWS_AS(vertex_smoothness(rules, part_of("catmull-clark")), Error);
+  SectorRules heavy = rules;
+  heavy.rules.at({0, 0}).terms.front().weight += LaurentPolynomial(1);
+  CHECK_THROWS_AS(vertex_smoothness(heavy, part_of("loop")), Error);
+  SectorRules skew = rules;
+  skew.rules[{1, 0}] = {{{{{1, 0}, 0}, Rational(1) / 2}, {{{1, 0}, 1}, Rational(1) / 2}}};
+  CHECK_THROWS_AS(vertex_smoothness(skew, part_of("loop")), Error);
+  // A vertex that is left where it is: the mean of the ring does not come to it.
+  SectorRules still = rules;
+  still.rules.at({0, 0}) = {{{{{0, 0}, 0}, Rational(1)}}};
+  const VertexSmoothness spike = vertex_smoothness(still, part_of("loop"));
+  CHECK_FALSE(spike.c1.is_yes());
+  SectorRules step = vertex_rules("sqrt3", 5);
+  step.step = vertex_rules("loop", 5).mask;
+  CHECK_THROWS_AS(regular_part(step, {Deadline::in(1)}), Error);
+}

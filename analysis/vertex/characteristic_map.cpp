@@ -1,0 +1,285 @@
+#include "characteristic_map.hpp"
+
+#include <subcert/analysis/reproduction/reproduction.hpp>
+#include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
+
+#include <algorithm>
+#include <deque>
+
+namespace subcert::vertex {
+namespace {
+
+using Point = Turning<Ball>;
+
+Ball determinant_of(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
+
+bool is_positive(const Ball& value) { return Ball(0, value.bits()).is_less(value); }
+
+/// The kernel of a matrix of rank n - 1, one entry 1.
+std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Ball>>& matrix, slong bits) {
+  const std::size_t n = matrix.size();
+  if (n == 1) return std::vector<Ball>{Ball(1, bits)};
+  for (std::size_t one = 0; one < n; ++one)
+    for (std::size_t dropped = n; dropped-- > 0;) {
+      std::vector<std::vector<Ball>> rows;
+      std::vector<Ball> right;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (i == dropped) continue;
+        rows.emplace_back();
+        for (std::size_t j = 0; j < n; ++j)
+          if (j != one) rows.back().push_back(matrix[i][j]);
+        right.push_back(-matrix[i][one]);
+      }
+      auto solution = solve(rows, right, bits);
+      if (!solution) continue;
+      solution->insert(solution->begin() + static_cast<std::ptrdiff_t>(one), Ball(1, bits));
+      return solution;
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CellForm::CellForm(const LatticeMask& mask, std::vector<LatticePoint> points)
+    : window(std::move(points)),
+      positive(vertex::is_positive(mask)),
+      bound(sum_bound(mask, window)),
+      slopes(window.size(), {Rational(0), Rational(0)}) {
+  const PolynomialReproduction found = polynomial_reproduction(mask);
+  affine = found.sum_rules >= 2;
+  shift = found.parametrization;
+  // The coordinates of the window about their means have these moments.
+  const Rational count(static_cast<long>(window.size()));
+  Rational mean[2] = {0, 0}, moments[2][2] = {{0, 0}, {0, 0}};
+  for (const LatticePoint& k : window)
+    for (std::size_t v = 0; v < 2; ++v) mean[v] += Rational(k[v]) / count;
+  for (const LatticePoint& k : window)
+    for (std::size_t v = 0; v < 2; ++v)
+      for (std::size_t w = 0; w < 2; ++w) moments[v][w] += (Rational(k[v]) - mean[v]) * (Rational(k[w]) - mean[w]);
+  const Rational det = moments[0][0] * moments[1][1] - moments[0][1] * moments[1][0];
+  if (!affine || det == 0) return;
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const Rational s = Rational(window[i][0]) - mean[0], t = Rational(window[i][1]) - mean[1];
+    slopes[i] = {(moments[1][1] * s - moments[0][1] * t) / det, (moments[0][0] * t - moments[1][0] * s) / det};
+  }
+}
+
+CellForms::CellForms(const LatticeMask& of) : mask(of), values(of, window_of(of)) {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (const auto derivative = derivative_mask(mask, axis))
+      derivatives.emplace_back(*derivative, window_of(*derivative));
+  if (derivatives.size() == 2 && derivatives[0].bound && derivatives[1].bound) return;
+  derivatives.clear();
+  for (std::size_t axis = 0; values.affine && axis < 2; ++axis)
+    if (const auto bound = derivative_bound(mask, values.window, axis)) derivative_bounds.push_back(*bound);
+}
+
+std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rules, const ClosedSet& set,
+                                                         const CellForms& forms, long frequency, const Ball& lambda,
+                                                         const BallField& field) {
+  const SectorBlock<BallField> block(rules, set, frequency, field);
+  auto shifted = block.matrix();
+  for (std::size_t i = 0; i < shifted.size(); ++i) shifted[i][i] = shifted[i][i] - lambda;
+  const auto vector = kernel_vector(shifted, field.bits());
+  if (!vector) return std::nullopt;
+  CharacteristicMap result(rules, forms, frequency, lambda, field);
+  result.known_ = block.data(*vector);
+  // In the half plane of its sector, where it is in one.
+  const long far = result.radius();
+  const Point middle = result.data_at({far, far});
+  if (!is_positive(middle.x + middle.y))
+    for (auto& [point, value] : result.known_) value = {-value.x, -value.y};
+  return result;
+}
+
+Turning<Ball> CharacteristicMap::data_at(const LatticePoint& point) const {
+  const SectorPoint at = *in_sector(point, rules_.lattice, rules_.valence);
+  const auto known = known_.find(at.point);
+  const Point own = known != known_.end() ? known->second : [&] {
+    const Point sum = block_.value(rules_.rule_at(at.point), [&](const LatticePoint& datum) { return data_at(datum); });
+    return known_.emplace(at.point, inverse_ * sum).first->second;
+  }();
+  return own.turned(least_turns(at.turn, rules_.valence), block_.twice_cosine());
+}
+
+long CharacteristicMap::radius() const {
+  long reach = 0, offset = 0, own = 0;
+  for (const Monomial& term : rules_.mask.symbol().terms())
+    for (const long e : term.exponents) reach = std::max(reach, std::abs(e));
+  for (const LatticePoint& point : forms_.values.window)
+    for (const long e : point) offset = std::max(offset, std::abs(e));
+  for (const auto& [point, rule] : rules_.rules) own = std::max(own, point[0] + point[1]);
+  return reach + offset + own + 1;
+}
+
+std::vector<CharacteristicMap::Cell> CharacteristicMap::ring() const {
+  const long r = radius();
+  std::vector<Cell> cells;
+  for (long x = r; x < rules_.mask.arity() * r; ++x)
+    for (long y = 0; y <= x; ++y) cells.push_back({x, y, 0});
+  return cells;
+}
+
+std::vector<CharacteristicMap::Cell> CharacteristicMap::children(const Cell& cell) const {
+  const long m = rules_.mask.arity();
+  std::vector<Cell> result;
+  for (long a = 0; a < m; ++a)
+    for (long b = 0; b < m; ++b)
+      if (m * cell.y + b <= m * cell.x + a) result.push_back({m * cell.x + a, m * cell.y + b, cell.level + 1});
+  return result;
+}
+
+std::vector<Point> CharacteristicMap::data_on(const Cell& cell, const CellForm& form, const LatticePoint& step) const {
+  std::vector<Point> data;
+  for (const LatticePoint& k : form.window) {
+    const LatticePoint at{cell.x + k[0], cell.y + k[1]};
+    data.push_back(step == LatticePoint{0, 0} ? data_at(at) : data_at(at) - data_at(at - step));
+  }
+  return data;
+}
+
+/// d_k = constant + slopes . k + a rest, k relative to the corner of the cell, of which |x| and |y| are at most these.
+struct CharacteristicMap::Fit {
+  Point constant, slopes[2];
+  Ball rest_x, rest_y;
+};
+
+/// Any slopes will do; these are least squares.
+CharacteristicMap::Fit CharacteristicMap::fitted(const CellForm& form, const std::vector<Point>& data) const {
+  const slong bits = field_.bits();
+  const Ball zero(0, bits);
+  Fit fit{{zero, zero}, {{zero, zero}, {zero, zero}}, zero, zero};
+  const auto with_slopes = [&](std::size_t i) {
+    Point rest = data[i];
+    for (std::size_t v = 0; v < 2; ++v) rest = rest - Ball(form.window[i][v], bits) * fit.slopes[v];
+    return rest;
+  };
+  for (std::size_t i = 0; form.affine && i < data.size(); ++i)
+    for (std::size_t v = 0; v < 2; ++v) fit.slopes[v] = fit.slopes[v] + Ball(form.slopes[i][v], bits) * data[i];
+  Point low = with_slopes(0), high = low;
+  for (std::size_t i = 1; i < data.size(); ++i) {
+    const Point rest = with_slopes(i);
+    low = {min(low.x, rest.x), min(low.y, rest.y)};
+    high = {max(high.x, rest.x), max(high.y, rest.y)};
+  }
+  const Ball half(Rational(1) / 2, bits);
+  fit.constant = half * (low + high);
+  fit.rest_x = half * (high.x - low.x);
+  fit.rest_y = half * (high.y - low.y);
+  return fit;
+}
+
+Turning<Ball> CharacteristicMap::enclosed(const CellForm& form, const std::vector<Point>& data) const {
+  const slong bits = field_.bits();
+  const Fit fit = fitted(form, data);
+  Point sum = fit.constant;
+  const Ball half(Rational(1) / 2, bits), bound(*form.bound, bits);
+  for (std::size_t v = 0; form.affine && v < 2; ++v)
+    sum = sum + Ball(Rational(Rational(1) / 2 - form.shift[v]), bits).widened(half) * fit.slopes[v];
+  return {sum.x.widened(bound * fit.rest_x), sum.y.widened(bound * fit.rest_y)};
+}
+
+Truth CharacteristicMap::jacobian_by_hulls(const Cell& cell) const {
+  const std::vector<Point> along_x = data_on(cell, forms_.derivatives[0], {1, 0}),
+                           along_y = data_on(cell, forms_.derivatives[1], {0, 1});
+  bool positive = true, negative = true;
+  for (const Point& u : along_x)
+    for (const Point& v : along_y) {
+      const Ball determinant = determinant_of(u, v);
+      positive = positive && is_positive(determinant);
+      negative = negative && is_positive(-determinant);
+      if (!positive && !negative) return Truth::unknown;
+    }
+  return positive ? Truth::yes : Truth::no;
+}
+
+Truth CharacteristicMap::sign_of_jacobian(const Cell& cell) const {
+  std::vector<Point> derivatives;
+  if (!forms_.derivatives.empty()) {
+    if (forms_.derivatives[0].positive && forms_.derivatives[1].positive)
+      if (const Truth sign = jacobian_by_hulls(cell); sign != Truth::unknown) return sign;
+    derivatives.push_back(enclosed(forms_.derivatives[0], data_on(cell, forms_.derivatives[0], {1, 0})));
+    derivatives.push_back(enclosed(forms_.derivatives[1], data_on(cell, forms_.derivatives[1], {0, 1})));
+  } else {
+    const Fit fit = fitted(forms_.values, data_on(cell, forms_.values, {0, 0}));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Ball bound(forms_.derivative_bounds[axis], field_.bits());
+      derivatives.push_back(
+          {fit.slopes[axis].x.widened(bound * fit.rest_x), fit.slopes[axis].y.widened(bound * fit.rest_y)});
+    }
+  }
+  const Ball determinant = determinant_of(derivatives[0], derivatives[1]);
+  return is_positive(determinant) ? Truth::yes : is_positive(-determinant) ? Truth::no : Truth::unknown;
+}
+
+Ball CharacteristicMap::values_on(const Cell& cell, const Rational& a, const Rational& b) const {
+  const slong bits = field_.bits();
+  const auto form = [&](const Point& at) { return Ball(a, bits) * at.x + Ball(b, bits) * at.y; };
+  const std::vector<Point> data = data_on(cell, forms_.values, {0, 0});
+  if (!forms_.values.positive) return form(enclosed(forms_.values, data));
+  Ball hull = form(data.front());
+  for (const Point& value : data) hull = join(hull, form(value));
+  return hull;
+}
+
+MapProof CharacteristicMap::prove(int most_levels) const {
+  MapProof proof;
+  if (!forms_.are_known()) {
+    proof.regular.reason = "no bound of the derivatives of the basic limit function was found";
+    return proof;
+  }
+  const auto all = [&](const auto& holds_on) {
+    std::vector<Cell> open = ring();
+    while (!open.empty()) {
+      const Cell cell = open.back();
+      open.pop_back();
+      const bool holds = holds_on(cell);
+      proof.levels = std::max(proof.levels, cell.level);
+      ++proof.squares;
+      if (holds) continue;
+      if (cell.level == most_levels) return false;
+      for (const Cell& child : children(cell)) open.push_back(child);
+    }
+    return true;
+  };
+  bool positive = false, negative = false;
+  const bool regular = all([&](const Cell& cell) {
+    const Truth sign = sign_of_jacobian(cell);
+    positive = positive || sign == Truth::yes;
+    negative = negative || sign == Truth::no;
+    return sign == Truth::yes || (sign == Truth::no && !positive);
+  });
+  if (positive && negative)
+    proof.regular = {Truth::no, "the Jacobian of the characteristic map has both signs"};
+  else if (regular)
+    proof.regular = {Truth::yes, "the Jacobian of the characteristic map is not 0"};
+  else
+    proof.regular.reason = "the Jacobian of the characteristic map is not proved to keep its sign";
+  if (!proof.regular.is_yes()) return proof;
+  if (all([&](const Cell& cell) { return is_positive(values_on(cell, 1, 1)); }))
+    proof.half_plane = {Truth::yes, "each sector is mapped into a half plane"};
+  else
+    proof.half_plane.reason = "a sector is not proved to be mapped into a half plane";
+  return proof;
+}
+
+bool CharacteristicMap::winds(int most_levels) const {
+  if (!forms_.values.bound) return false;
+  // Along the squares of one radius: those of the ring with x = m r - 1, and their mirror images.
+  const long x = rules_.mask.arity() * radius() - 1;
+  std::deque<Cell> open;
+  for (long y = 0; y <= x; ++y) open.push_back({x, y, 0});
+  while (!open.empty()) {
+    const Cell cell = open.front();
+    open.pop_front();
+    // Some linear form of F keeps its sign: that of the values at the corner.
+    const Point at = data_at({cell.x, cell.y});
+    const Rational a(at.x.middle()), b(at.y.middle());
+    if (is_positive(values_on(cell, a, b))) continue;
+    if (cell.level == most_levels) return false;
+    for (const Cell& child : children(cell)) open.push_back(child);
+  }
+  return true;
+}
+
+}  // namespace subcert::vertex

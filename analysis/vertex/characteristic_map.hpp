@@ -1,0 +1,97 @@
+#pragma once
+/// The characteristic map of a scheme at a vertex: is it regular, is it injective? For sources.
+
+#include <subcert/analysis/symbol/numbers/balls.hpp>
+#include "cosine_field.hpp"
+#include "regular_cells.hpp"
+#include "sector_block.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace subcert::vertex {
+
+/// A function sum over k of d_k psi(x - k) of data d on the unit squares: psi sums to 1, and its affine sums are x +
+/// shift.
+struct CellForm {
+  CellForm(const LatticeMask& mask, std::vector<LatticePoint> points);
+
+  std::vector<LatticePoint> window;
+  std::vector<Rational> shift;
+  bool affine;                    ///< whether affine data give affine functions
+  bool positive;                  ///< whether psi >= 0
+  std::optional<Rational> bound;  ///< of the sum of |psi(x - k)|
+  /// Of the least squares slopes of data on the window: [k][axis] is the factor of d_k.
+  std::vector<std::array<Rational, 2>> slopes;
+};
+
+/// What is asked of the regular part of a scheme, once for all vertices.
+struct CellForms {
+  explicit CellForms(const LatticeMask& mask);
+
+  LatticeMask mask;
+  CellForm values;
+  /// Of the derivatives along x and y as functions of differences; empty where the mask has no such factors.
+  std::vector<CellForm> derivatives;
+  /// Else, of the sums of the |D phi(x - k)|.
+  std::vector<Rational> derivative_bounds;
+
+  bool are_known() const { return values.bound && (derivatives.size() == 2 || derivative_bounds.size() == 2); }
+};
+
+/// What was proved of F on the ring of squares that all others come from by F(mx) = F(x)/lambda.
+struct MapProof {
+  Decision regular;     ///< no where the Jacobian has both signs
+  Decision half_plane;  ///< each sector is in an open half plane
+  int levels = 0;       ///< how often squares were cut, at most
+  long squares = 0;     ///< in how many the proof is
+};
+
+/// F and its data: z(P) turned by w^t in sector t, z(new P) = lambda z(P) by the rules, and its own mirror image.
+class CharacteristicMap {
+ public:
+  /// Data of the frequency with the eigenvalue lambda, simple among these. Domain: 0 < frequency < n/2, and lambda real
+  /// and positive; `forms` of the mask of the rules. Nothing where no eigenvector is found in balls of so many bits.
+  static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
+                                               long frequency, const Ball& lambda, const BallField& field);
+
+  /// z at a point of the plane of sector 0, or in the sectors beside it.
+  Turning<Ball> data_at(const LatticePoint& point) const;
+  /// Cuts squares up to `most_levels` times. Domain: frequency 1.
+  MapProof prove(int most_levels) const;
+  /// Whether F has no zero on some closed curve around the vertex: then it winds around 0 as often as k modulo n.
+  bool winds(int most_levels) const;
+
+ private:
+  struct Cell {
+    long x, y;
+    int level;
+  };
+  CharacteristicMap(const SectorRules& rules, const CellForms& forms, long frequency, Ball lambda,
+                    const BallField& field)
+      : rules_(rules), forms_(forms), field_(field), block_(rules, {}, frequency, field), inverse_(1 / lambda) {}
+
+  long radius() const;
+  std::vector<Cell> ring() const;
+  std::vector<Cell> children(const Cell& cell) const;
+  Truth sign_of_jacobian(const Cell& cell) const;
+  Truth jacobian_by_hulls(const Cell& cell) const;
+  /// The data of a form, or the differences along an axis that its derivative is a function of.
+  std::vector<Turning<Ball>> data_on(const Cell& cell, const CellForm& form, const LatticePoint& step) const;
+  struct Fit;
+  Fit fitted(const CellForm& form, const std::vector<Turning<Ball>>& data) const;
+  /// Encloses the function on the cell of the data.
+  Turning<Ball> enclosed(const CellForm& form, const std::vector<Turning<Ball>>& data) const;
+  /// The values of a linear form a x + b y of F on the cell.
+  Ball values_on(const Cell& cell, const Rational& a, const Rational& b) const;
+
+  SectorRules rules_;
+  const CellForms& forms_;
+  BallField field_;
+  SectorBlock<BallField> block_;
+  Ball inverse_;
+  mutable std::map<LatticePoint, Turning<Ball>> known_;
+};
+
+}  // namespace subcert::vertex

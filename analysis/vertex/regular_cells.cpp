@@ -1,0 +1,204 @@
+#include "regular_cells.hpp"
+
+#include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace subcert::vertex {
+namespace {
+
+/// 1 + z^e + ... + z^((m-1)e) for a unit vector e.
+MultivariatePolynomial ones_along(std::size_t axis, int m) {
+  return MultivariatePolynomial::in_variable(2, static_cast<int>(axis), LaurentPolynomial::all_ones(m));
+}
+
+/// The operators v(x) = B_d v(y), x = (y + d)/m, of v(x) = (phi(x - k))_k, numerators over one denominator: column p of
+/// B_d has a_{d + p - mk} at k.
+class CellOperators {
+ public:
+  using Entry = std::pair<std::size_t, long>;
+  using Matrix = std::vector<std::vector<long>>;  // rows
+
+  CellOperators(const LatticeMask& mask, const std::vector<LatticePoint>& window) : m_(mask.arity()) {
+    Integer common = 1;
+    for (const Monomial& term : mask.symbol().terms()) common = lcm(common, denominator(term.coefficient));
+    denominator_ = Rational(common);
+    for (const LatticePoint& d : points_of_box({0, 0}, {m_ - 1, m_ - 1})) {
+      columns_.emplace_back();
+      for (const LatticePoint& p : window) {
+        columns_.back().emplace_back();
+        for (std::size_t k = 0; k < window.size(); ++k) {
+          const Rational a = denominator_ * mask.symbol().coefficient(
+                                                {d[0] + p[0] - m_ * window[k][0], d[1] + p[1] - m_ * window[k][1]});
+          if (a == 0) continue;
+          columns_.back().back().push_back({k, a.convert_to<long>()});
+          largest_ = std::max(largest_, abs(a));
+        }
+        widest_ = std::max(widest_, columns_.back().back().size());
+      }
+    }
+  }
+
+  std::size_t letters() const { return columns_.size(); }
+  /// Whether the entries of its products with an operator, and sums over a row and a column of 64 times these, fit.
+  bool fits(const Matrix& matrix) const {
+    long entry = 0;
+    for (const std::vector<long>& row : matrix)
+      for (const long value : row) entry = std::max(entry, std::abs(value));
+    const Rational sum = Rational(entry) * largest_ * Rational(static_cast<long>(widest_ * matrix.size()));
+    return 64 * sum < power(Rational(2), 63);
+  }
+  Matrix times(const Matrix& matrix, std::size_t letter) const {
+    Matrix result(matrix.size(), std::vector<long>(matrix.size(), 0));
+    for (std::size_t p = 0; p < matrix.size(); ++p)
+      for (const auto& [k, entry] : columns_[letter][p])
+        for (std::size_t row = 0; row < matrix.size(); ++row) result[row][p] += matrix[row][k] * entry;
+    return result;
+  }
+  const Rational& denominator_of_entries() const { return denominator_; }
+
+ private:
+  long m_;
+  Rational denominator_, largest_ = 1;
+  std::size_t widest_ = 1;
+  std::vector<std::vector<std::vector<Entry>>> columns_;
+};
+
+/// sup |v| of vectors v(x) = factor^n B_w v(y) in base + span of the `rest`, in which the coefficients of v are those
+/// of its entries: |v| <= |B_w base| + max |B_w rest_k| |v| for a full set of words w.
+class Contraction {
+ public:
+  Contraction(const CellOperators& operators, long factor, std::vector<std::vector<long>> rest)
+      : operators_(operators), factor_(factor), rest_(std::move(rest)) {}
+
+  /// With the smallest rates that few words reach.
+  std::optional<Rational> bound(const std::vector<long>& base) {
+    const std::size_t size = base.size();
+    CellOperators::Matrix identity(size, std::vector<long>(size, 0));
+    for (std::size_t i = 0; i < size; ++i) identity[i][i] = 1;
+    for (const Rational& rate : {Rational(1) / 2, Rational(3) / 4}) {
+      largest_ = 0;
+      words_ = 0;
+      if (visit(identity, Rational(1), base, rate)) return largest_;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static Rational norm(const CellOperators::Matrix& product, const std::vector<long>& vector) {
+    long sum = 0;
+    for (const std::vector<long>& row : product) {
+      long entry = 0;
+      for (std::size_t i = 0; i < vector.size(); ++i) entry += row[i] * vector[i];
+      sum += std::abs(entry);
+    }
+    return Rational(sum);
+  }
+
+  bool visit(const CellOperators::Matrix& product, const Rational& scale, const std::vector<long>& base,
+             const Rational& wanted) {
+    Rational rate = 0;
+    for (const std::vector<long>& vector : rest_) rate = std::max(rate, Rational(scale * norm(product, vector)));
+    if (rate <= wanted) {
+      largest_ = std::max(largest_, Rational(scale * norm(product, base) / (1 - rate)));
+      return true;
+    }
+    if (++words_ > most_words || !operators_.fits(product)) return false;
+    const Rational next = scale * Rational(factor_) / operators_.denominator_of_entries();
+    for (std::size_t letter = 0; letter < operators_.letters(); ++letter)
+      if (!visit(operators_.times(product, letter), next, base, wanted)) return false;
+    return true;
+  }
+
+  static constexpr long most_words = 3000;
+  const CellOperators& operators_;
+  long factor_;
+  std::vector<std::vector<long>> rest_;
+  Rational largest_ = 0;
+  long words_ = 0;
+};
+
+std::vector<long> unit(std::size_t at, std::size_t size) {
+  std::vector<long> result(size, 0);
+  result[at] = 1;
+  return result;
+}
+
+}  // namespace
+
+std::vector<LatticePoint> window_of(const LatticeMask& mask) {
+  const std::vector<Interval> support = limit_support(mask);
+  LatticePoint low, high;
+  for (const Interval& side : support) {
+    low.push_back(to_integer(-side.upper, subcert::Rounding::down).convert_to<long>() + 1);
+    high.push_back(to_integer(1 - side.lower, subcert::Rounding::up).convert_to<long>() - 1);
+  }
+  // A point matters only if it does for a window of the next level, which all values in the smaller squares come from.
+  const std::vector<LatticePoint> box = points_of_box(low, high);
+  std::set<LatticePoint> window(box.begin(), box.end());
+  const long m = mask.arity();
+  for (;;) {
+    std::set<LatticePoint> next;
+    for (const LatticePoint& d : points_of_box({0, 0}, {m - 1, m - 1}))
+      for (const LatticePoint& p : window)
+        for (const Monomial& term : mask.symbol().terms()) {
+          const long x = d[0] + p[0] - term.exponents[0], y = d[1] + p[1] - term.exponents[1];
+          if (x % m == 0 && y % m == 0 && window.count({x / m, y / m}) > 0) next.insert({x / m, y / m});
+        }
+    if (next == window) return {window.begin(), window.end()};
+    window = std::move(next);
+  }
+}
+
+bool is_positive(const LatticeMask& mask) {
+  const std::vector<Monomial> terms = mask.symbol().terms();
+  return std::all_of(terms.begin(), terms.end(), [](const Monomial& term) { return term.coefficient > 0; });
+}
+
+std::optional<LatticeMask> derivative_mask(const LatticeMask& mask, std::size_t axis) {
+  const int m = mask.arity();
+  const auto quotient = mask.symbol().exact_quotient(ones_along(axis, m));
+  if (!quotient) return std::nullopt;
+  const LatticeMask result(*quotient * MultivariatePolynomial(2, Rational(m)), m);
+  const std::vector<Rational> sums = coset_sums(result);
+  const bool is_affine = std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; });
+  return is_affine ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window) {
+  if (is_positive(mask)) return Rational(1);
+  const std::size_t o = window.size() / 2;
+  std::vector<std::vector<long>> rest;
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    rest.push_back(unit(k, window.size()));
+    rest.back()[o] -= 1;
+  }
+  return Contraction(CellOperators(mask, window), 1, rest).bound(unit(o, window.size()));
+}
+
+std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window,
+                                         std::size_t axis) {
+  // Three points o, o + e_1, o + e_2 of the window, about its middle.
+  const std::size_t size = window.size();
+  const LatticePoint corner = window[size / 2];
+  const auto index_of = [&](const LatticePoint& point) {
+    return static_cast<std::size_t>(std::find(window.begin(), window.end(), point) - window.begin());
+  };
+  const std::size_t o = index_of(corner),
+                    along[] = {index_of(corner + LatticePoint{1, 0}), index_of(corner + LatticePoint{0, 1})};
+  if (std::max(along[0], along[1]) >= size) return std::nullopt;
+  std::vector<std::vector<long>> rest;
+  for (std::size_t k = 0; k < size; ++k) {
+    const LatticePoint step = window[k] - corner;
+    rest.push_back(unit(k, size));
+    rest.back()[o] -= 1 - step[0] - step[1];
+    for (std::size_t v = 0; v < 2; ++v) rest.back()[along[v]] -= step[v];
+  }
+  std::vector<long> base = unit(along[axis], size);
+  base[o] -= 1;
+  return Contraction(CellOperators(mask, window), mask.arity(), rest).bound(base);
+}
+
+}  // namespace subcert::vertex

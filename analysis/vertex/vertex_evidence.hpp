@@ -1,0 +1,15 @@
+#pragma once
+/// What certificates hold of the characteristic map. Inner header.
+
+#include "characteristic_map.hpp"
+#include "vertex_smoothness.hpp"
+
+namespace subcert::vertex {
+
+/// Of the map with the eigenvalue lambda of frequency 1; nothing where no approximate inverse is found. Domain: the set
+/// and the map of the rules.
+std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, const ClosedSet& set,
+                                                  const CharacteristicMap& map, const Ball& lambda,
+                                                  const BallField& field);
+
+}  // namespace subcert::vertex

@@ -1,0 +1,225 @@
+#include "vertex_smoothness.hpp"
+
+#include "characteristic_map.hpp"
+#include "vertex_evidence.hpp"
+#include "vertex_spectrum.hpp"
+
+#include <subcert/analysis/regularity/derivatives.hpp>
+#include <subcert/analysis/regularity/regularity.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+
+#include <fmt/format.h>
+
+namespace subcert {
+namespace {
+
+using namespace vertex;
+
+constexpr int most_levels = 7;
+constexpr slong least_bits = 128, most_bits = 512;
+
+/// Whether all rules of the set sum to 1, exactly.
+bool reproduces_constants(const ClosedSet& set, const CosineField& field) {
+  for (const auto& [point, rule] : set.rules) {
+    LaurentPolynomial sum;
+    for (const SectorTerm& term : rule.terms) sum += term.weight;
+    for (const RingTerm& ring : rule.rings)
+      if (ring.frequency == 0) sum += ring.weight;
+    if (!field.number(sum - LaurentPolynomial(1)).is_zero()) return false;
+  }
+  return true;
+}
+
+/// Whether the rules are those of the mask itself: the valence is regular, and each weight is that of the mask.
+bool is_regular_vertex(const SectorRules& rules) {
+  const long n = rules.valence;
+  if (n != (rules.lattice == SectorLattice::triangles ? 6 : 4)) return false;
+  const CosineField field(n);
+  for (const auto& [point, rule] : rules.rules) {
+    std::map<SectorPoint, LaurentPolynomial> difference;
+    for (const SectorTerm& term : rule.terms) difference[term.at] += field.number(term.weight).polynomial();
+    for (const RingTerm& ring : rule.rings)
+      for (long t = 0; t < n; ++t) {
+        const Rational share(Integer(ring.frequency == 0 || 2 * ring.frequency == n ? 1 : 2), Integer(n));
+        difference[turned({ring.point, 0}, t, rules.lattice, n)] +=
+            (field.number(LaurentPolynomial(share) * ring.weight) * field.cosine(ring.frequency * t)).polynomial();
+      }
+    SectorRules plain{n, rules.lattice, rules.mask};
+    for (const SectorTerm& term : plain.rule_at(point).terms) difference[term.at] -= term.weight;
+    for (const auto& [at, weight] : difference)
+      if (!weight.is_zero()) return false;
+  }
+  return true;
+}
+
+/// Whether both have the same limits: the dilation M of the step has M^2 = m or -m, the mask m for its dilation, and
+/// where it is -m the symbol is even.
+bool is_of_two_steps(const LatticeMask& mask, const LatticeMask& step) {
+  const long m = mask.arity();
+  const std::vector<LatticePoint> square = times(step.dilation().rows(), step.dilation().rows());
+  const bool turns = square == std::vector<LatticePoint>{{-m, 0}, {0, -m}};
+  return (turns || square == std::vector<LatticePoint>{{m, 0}, {0, m}}) && two_step_symbol(step) == mask.symbol() &&
+         (!turns || mask.symbol().reversed() == mask.symbol());
+}
+
+std::string about(const FrequencyGroup& group) {
+  return fmt::format("{:.6f} of frequency {}", abs(group.value).middle(), group.frequency);
+}
+
+/// How the two compare: none where neither is proved.
+std::optional<CurvatureLimit> compared(const FrequencyGroup& next, const FrequencyGroup& leader,
+                                       const SectorRules& rules, const ClosedSet& set) {
+  const Ball square = leader.value.real() * leader.value.real(), modulus = abs(next.value);
+  if (modulus.is_less(square)) return CurvatureLimit::zero;
+  if (square.is_less(modulus)) return CurvatureLimit::unbounded;
+  if (next.count == 1 && is_square_of(next, leader, rules, set)) return CurvatureLimit::bounded;
+  return std::nullopt;
+}
+
+Enclosure minimum(const Enclosure& a, const Enclosure& b) {
+  Enclosure result;
+  if (a.lower && b.lower) result.lower = std::min(*a.lower, *b.lower);
+  if (a.upper && b.upper)
+    result.upper = std::min(*a.upper, *b.upper);
+  else
+    result.upper = a.upper ? a.upper : b.upper;
+  return result;
+}
+
+/// min of the regular part and log mu / log lambda. Where that is a whole number, the eigenfunction of mu may be a
+/// polynomial of F, and the upper end is that of the regular part.
+Enclosure exponent_at(const Ball& lambda, const Ball& mu, bool is_square, const Enclosure& regular) {
+  const Enclosure ratio = is_square ? Enclosure::exactly(2) : (log(mu) / log(lambda)).enclosure();
+  if (!ratio.is_bounded()) return {std::nullopt, regular.upper};
+  const bool may_be_whole = to_integer(*ratio.lower, subcert::Rounding::up) <=
+                            to_integer(*ratio.upper, subcert::Rounding::down);
+  return minimum(regular, may_be_whole ? Enclosure::at_least(*ratio.lower) : ratio);
+}
+
+class VertexProof {
+ public:
+  VertexProof(const SectorRules& rules, const RegularPart& regular)
+      : rules_(rules), regular_(regular), set_(smallest_closed_set(rules)) {
+    result_.valence = rules.valence;
+    require(regular.mask == rules.mask, "smoothness at a vertex: need the regular part of the same mask");
+    require(is_symmetric(rules, set_), "smoothness at a vertex: need rules that are their own mirror images");
+    require(reproduces_constants(set_, CosineField(rules.valence)), "smoothness at a vertex: need weights of sum 1");
+  }
+
+  VertexSmoothness run() {
+    for (bits_ = least_bits; bits_ <= most_bits && !spectrum_; bits_ *= 2)
+      spectrum_ = vertex_spectrum(rules_, set_, bits_);
+    bits_ /= 2;
+    if (!spectrum_) {
+      result_.c1.reason = "the eigenvalues are not separated";
+      return result_;
+    }
+    const FrequencyGroup& leader = spectrum_->groups.front();
+    if (!spectrum_->has_simple_leader()) {
+      result_.c1.reason = fmt::format("no single real subdominant eigenvalue is proved; the largest is about {}",
+                                      about(leader));
+      return result_;
+    }
+    result_.frequency = leader.frequency;
+    result_.subdominant = leader.value.real().enclosure();
+    if (!regular_.c1.is_yes())
+      result_.c1.reason = "the regular part is not proved to be C1: " + regular_.c1.reason;
+    else if (!Ball(1, bits_).is_less(1 / leader.value.real()))
+      result_.c1.reason = "the subdominant eigenvalue is not below 1";
+    else
+      leader.frequency == 1 ? prove(leader) : refute(leader);
+    return result_;
+  }
+
+ private:
+  std::optional<CharacteristicMap> map_of(const FrequencyGroup& leader) {
+    if (2 * leader.frequency >= rules_.valence || leader.frequency == 0) return std::nullopt;
+    return CharacteristicMap::find(rules_, set_, *regular_.forms, leader.frequency, leader.value.real(),
+                                   BallField(rules_.valence, bits_));
+  }
+
+  void prove(const FrequencyGroup& leader) {
+    const auto map = map_of(leader);
+    if (!map) {
+      result_.c1.reason = "no eigenvector of the subdominant eigenvalue is found";
+      return;
+    }
+    const MapProof proof = map->prove(most_levels);
+    result_.levels = proof.levels;
+    result_.squares = proof.squares;
+    const Decision& deciding = proof.regular.is_yes() ? proof.half_plane : proof.regular;
+    result_.c1 = {deciding.truth,
+                  deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
+    if (!result_.c1.is_yes()) return;
+    look_behind(leader);
+    const std::vector<CellForm>& derivatives = regular_.forms->derivatives;
+    if (derivatives.size() == 2 && derivatives[0].positive && derivatives[1].positive)
+      result_.evidence = evidence_of(rules_, set_, *map, leader.value.real(), BallField(rules_.valence, bits_));
+  }
+
+  void refute(const FrequencyGroup& leader) {
+    const auto map = map_of(leader);
+    const std::string what = fmt::format("the subdominant eigenvalue has frequency {}", leader.frequency);
+    if (map && map->winds(most_levels))
+      result_.c1 = {Truth::no, what};
+    else
+      result_.c1.reason = what + ", and no closed curve without a zero of its map is found";
+  }
+
+  /// The eigenvalue behind the leader.
+  void look_behind(const FrequencyGroup& leader) {
+    if (is_regular_vertex(rules_)) result_.exponent = regular_.exponent;
+    if (spectrum_->groups.size() < 2) return;
+    const FrequencyGroup& next = spectrum_->groups[1];
+    // Of several with moduli that are not told apart the largest may be any: their hull, and the answer of all.
+    Ball modulus = abs(next.value);
+    std::optional<CurvatureLimit> limit = compared(next, leader, rules_, set_);
+    for (std::size_t i = 2; i < spectrum_->groups.size(); ++i) {
+      const FrequencyGroup& other = spectrum_->groups[i];
+      if (abs(other.value).is_less(abs(next.value))) continue;
+      modulus = max(modulus, abs(other.value));
+      if (limit != compared(other, leader, rules_, set_)) limit.reset();
+    }
+    result_.next = modulus.enclosure();
+    result_.curvature = limit;
+    if (!is_regular_vertex(rules_))
+      result_.exponent = exponent_at(leader.value.real(), modulus, limit == CurvatureLimit::bounded, regular_.exponent);
+  }
+
+  const SectorRules& rules_;
+  const RegularPart& regular_;
+  ClosedSet set_;
+  VertexSmoothness result_;
+  slong bits_ = least_bits;
+  std::optional<VertexSpectrum> spectrum_;
+};
+
+}  // namespace
+
+std::string to_text(CurvatureLimit limit) {
+  return limit == CurvatureLimit::zero ? "zero" : limit == CurvatureLimit::bounded ? "bounded" : "unbounded";
+}
+
+RegularPart regular_part(const SectorRules& rules, const Budget& budget) {
+  require(!rules.step || is_of_two_steps(rules.mask, *rules.step), "regular part: need the mask of two steps");
+  const LatticeMask& mask = rules.step ? *rules.step : rules.mask;
+  RegularPart result{rules.mask, {}, regularity_of(mask, budget).exponent(), nullptr};
+  if (result.exponent.lower && *result.exponent.lower > 1) {
+    result.c1 = {Truth::yes, "the exponent is above 1"};
+  } else {
+    ProofLimits limits;
+    limits.deadline = budget.deadline;
+    for (const LatticePoint& orders : std::vector<LatticePoint>{{1, 0}, {0, 1}}) {
+      result.c1 = has_derivative(mask, orders, limits).decision;
+      if (!result.c1.is_yes()) break;
+    }
+  }
+  result.forms = std::make_shared<const CellForms>(rules.mask);
+  return result;
+}
+
+VertexSmoothness vertex_smoothness(const SectorRules& rules, const RegularPart& regular) {
+  return VertexProof(rules, regular).run();
+}
+
+}  // namespace subcert

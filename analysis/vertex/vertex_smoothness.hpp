@@ -1,0 +1,64 @@
+#pragma once
+/// Whether the limits of a scheme are smooth at a vertex, proved for one valence.
+
+#include <subcert/analysis/symbol/masks/sector_rules.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace subcert {
+
+namespace vertex {
+struct CellForms;
+}
+
+/// What the surface is away from vertices, found once for a mask.
+struct RegularPart {
+  LatticeMask mask;
+  Decision c1;         ///< whether all limits have continuous first derivatives, the limits of divided differences
+  Enclosure exponent;  ///< of Hoelder, as regularity_of()
+  std::shared_ptr<const vertex::CellForms> forms;
+};
+
+/// Of the mask of rules, by their `step` where they have one. Errors: throws Error for a step that is none. Cost: that
+/// of regularity_of().
+RegularPart regular_part(const SectorRules& rules, const Budget& budget);
+
+/// How the curvature at the points x/m^k, x fixed, tends where the surface has one: |mu| below, equal to or above
+/// lambda^2.
+enum class CurvatureLimit { zero, bounded, unbounded };
+std::string to_text(CurvatureLimit limit);
+
+/// What tells a checker of certificates the characteristic map, rounded. Proof: SPEC.md, section 5.11.
+struct VertexEvidence {
+  using Pair = std::array<Rational, 2>;  // x + y w, w = exp(2 pi i/n)
+
+  std::vector<LatticePoint> points;  ///< of a closed set; the vertex, if it is one of them, stands first
+  Rational lambda;
+  std::vector<Pair> values;                ///< of the map's data at the points but the vertex
+  std::vector<std::vector<Pair>> inverse;  ///< of the derivative of (A - lambda) z by lambda and by z but at the first
+};
+
+/// Of the surfaces of all initial data but a set of measure zero.
+struct VertexSmoothness {
+  long valence = 0;
+  /// Whether such a surface is C1 at the vertex: near it a graph, without overlap, over its tangent plane.
+  Decision c1;
+  long frequency = 0;                              ///< that of the subdominant eigenvalue
+  Enclosure subdominant;                           ///< lambda, where it is one number, real and positive
+  Enclosure next;                                  ///< |mu|, the largest of the other moduli
+  Enclosure exponent;                              ///< of Hoelder at the vertex, where c1 is yes
+  std::optional<CurvatureLimit> curvature;         ///< where c1 is yes and |mu| is told from lambda^2
+  int levels = 0;                                  ///< how often squares were cut
+  long squares = 0;                                ///< that the proofs looked at
+  std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes, by hulls
+};
+
+/// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not their own mirror images
+/// or whose weights do not sum to 1. Proof: docs/vertices.md. Ref: [Rei95].
+VertexSmoothness vertex_smoothness(const SectorRules& rules, const RegularPart& regular);
+
+}  // namespace subcert

@@ -1,0 +1,120 @@
+#include "vertex_spectrum.hpp"
+
+#include <algorithm>
+
+namespace subcert::vertex {
+namespace {
+
+using Unknowns = std::vector<std::size_t>;
+
+/// The strongly connected components: unknowns that depend on each other. In their order the matrix is triangular, with
+/// their blocks on the diagonal.
+template <class Matrix, class IsZero>
+std::vector<Unknowns> diagonal_blocks(const Matrix& matrix, const IsZero& is_zero) {
+  const std::size_t n = matrix.size();
+  std::vector<std::vector<bool>> reaches(n, std::vector<bool>(n, false));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) reaches[i][j] = i == j || !is_zero(matrix[i][j]);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (reaches[i][k] && reaches[k][j]) reaches[i][j] = true;
+  std::vector<Unknowns> blocks;
+  std::vector<bool> done(n, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (done[i]) continue;
+    blocks.emplace_back();
+    for (std::size_t j = i; j < n; ++j)
+      if (reaches[i][j] && reaches[j][i]) {
+        done[j] = true;
+        blocks.back().push_back(j);
+      }
+  }
+  return blocks;
+}
+
+template <class Number>
+std::vector<std::vector<Number>> restricted(const std::vector<std::vector<Number>>& matrix, const Unknowns& block) {
+  std::vector<std::vector<Number>> result;
+  for (const std::size_t i : block) {
+    result.emplace_back();
+    for (const std::size_t j : block) result.back().push_back(matrix[i][j]);
+  }
+  return result;
+}
+
+/// Of one block, by its characteristic polynomial over Q(c), whatever the multiplicities.
+std::optional<std::vector<EigenvalueGroup>> exact_eigenvalues(const SectorRules& rules, const ClosedSet& set, long k,
+                                                              const Unknowns& block, slong bits) {
+  const CosineField field(rules.valence);
+  const FieldPolynomial p = characteristic_polynomial(
+      restricted(SectorBlock<CosineField>(rules, set, k, field).matrix(), block), field);
+  const FieldPolynomial multiple = gcd(p, derivative(p, field));
+  const BallField balls(rules.valence, bits);
+  const auto values = zeros(quotient(p, multiple, field), balls);
+  if (!values) return std::nullopt;
+  std::vector<EigenvalueGroup> groups;
+  for (const ComplexBall& value : *values)
+    groups.push_back({value, contains_zero(value_at(multiple, value, balls)) ? 2U : 1U});
+  return groups;
+}
+
+/// Takes out the eigenvalue 1 of the constants. Whether it is alone.
+bool take_out_constants(std::vector<FrequencyGroup>& groups, slong bits) {
+  const ComplexBall one(Ball(1, bits));
+  const auto is_one = [&](const FrequencyGroup& group) { return overlap(group.value, one); };
+  const auto constant = std::find_if(groups.begin(), groups.end(), is_one);
+  if (constant == groups.end() || constant->count != 1) return false;
+  groups.erase(constant);
+  return std::none_of(groups.begin(), groups.end(), is_one);
+}
+
+}  // namespace
+
+bool VertexSpectrum::has_simple_leader() const {
+  if (groups.empty()) return false;
+  // The conjugate is an eigenvalue of the real matrix, and no other one has the same modulus.
+  const FrequencyGroup& first = groups.front();
+  const Ball zero(0, first.value.bits());
+  return first.count == 1 && zero.is_less(first.value.real()) &&
+         std::all_of(groups.begin() + 1, groups.end(),
+                     [&](const FrequencyGroup& other) { return abs(other.value).is_less(abs(first.value)); });
+}
+
+std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const ClosedSet& set, slong bits) {
+  const BallField field(rules.valence, bits);
+  VertexSpectrum result;
+  for (long k = 0; 2 * k <= rules.valence; ++k) {
+    const auto matrix = SectorBlock<BallField>(rules, set, k, field).matrix();
+    const auto is_zero = [](const Ball& entry) { return arb_is_zero(entry.get()) != 0; };
+    for (const Unknowns& block : diagonal_blocks(matrix, is_zero)) {
+      auto groups = eigenvalues(restricted(matrix, block), bits);
+      if (!groups) groups = exact_eigenvalues(rules, set, k, block, bits);
+      if (!groups) return std::nullopt;
+      for (EigenvalueGroup& group : *groups) result.groups.push_back({k, block, std::move(group.value), group.count});
+    }
+    if (k == 0 && !take_out_constants(result.groups, bits)) return std::nullopt;
+  }
+  std::stable_sort(result.groups.begin(), result.groups.end(), [](const FrequencyGroup& a, const FrequencyGroup& b) {
+    return b.value.magnitude() < a.value.magnitude();
+  });
+  return result;
+}
+
+bool is_square_of(const FrequencyGroup& square, const FrequencyGroup& root, const SectorRules& rules,
+                  const ClosedSet& set) {
+  const CosineField field(rules.valence);
+  const auto polynomial_of = [&](const FrequencyGroup& group) {
+    const SectorBlock<CosineField> all(rules, set, group.frequency, field);
+    return characteristic_polynomial(restricted(all.matrix(), group.block), field);
+  };
+  const FieldPolynomial p = polynomial_of(root), common = gcd(p, in_squares(polynomial_of(square), field));
+  if (common.size() == 1) return false;
+  // The eigenvalue is the only zero of p in its ball. Where the rest of p has none there, it is one of the common
+  // factor, and its square is an eigenvalue of the other block, the one whose ball it meets.
+  const BallField balls(rules.valence, root.value.bits());
+  return !contains_zero(value_at(quotient(p, common, field), root.value, balls)) &&
+         overlap(root.value * root.value, square.value);
+}
+
+}  // namespace subcert::vertex

@@ -1,0 +1,38 @@
+#pragma once
+/// The eigenvalues of a scheme at a vertex, by frequency. For sources.
+
+#include <subcert/analysis/symbol/matrices/ball_matrix.hpp>
+#include "cosine_field.hpp"
+#include "sector_block.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace subcert::vertex {
+
+/// Eigenvalues of a diagonal block of the frequency k, for 0 < k < n/2 as many of n - k.
+struct FrequencyGroup {
+  long frequency;
+  std::vector<std::size_t> block;  ///< its unknowns, which depend on each other
+  ComplexBall value;
+  std::size_t count;  ///< in this block, with multiplicity; 2 stands for 2 or more
+};
+
+/// The eigenvalue 1 of the constants left out. Sorted by upper bounds of the moduli, the largest first.
+struct VertexSpectrum {
+  std::vector<FrequencyGroup> groups;
+
+  /// Whether the first group is one real positive eigenvalue, larger than the modulus of every other.
+  bool has_simple_leader() const;
+};
+
+/// Domain: symmetric rules that reproduce constants. Nothing where `bits` bits do not separate the eigenvalues, or 1 is
+/// not proved to be simple. Cost: a QR iteration for each diagonal block of each frequency.
+std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const ClosedSet& set, slong bits);
+
+/// Whether `square` is exactly the square of `root`. Domain: groups of one eigenvalue, that of `root` real and
+/// positive. Cost: two characteristic polynomials over Q(c) and their gcd.
+bool is_square_of(const FrequencyGroup& square, const FrequencyGroup& root, const SectorRules& rules,
+                  const ClosedSet& set);
+
+}  // namespace subcert::vertex

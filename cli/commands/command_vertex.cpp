@@ -1,0 +1,85 @@
+// subcert vertex SCHEME --valence 3..12 [--certificate DIR]
+
+#include <subcert/analysis/regularity/regularity.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/cli/parameter_range.hpp>
+#include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
+#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/reports/facts/vertex_facts.hpp>
+#include <subcert/schemes/vertices/vertex_rules.hpp>
+
+#include <fmt/ranges.h>
+
+namespace subcert::cli {
+namespace {
+
+constexpr int largest_valence = 1000;
+
+struct VertexOptions : SearchOptions {
+  std::string scheme;
+  std::string valence = "3..12";
+  std::string certificate;
+};
+
+/// One for each valence where smoothness is proved by what certificates can say.
+WrittenCertificates write_certificates_of(const VertexOptions& options, const Scheme& scheme,
+                                          const std::vector<VertexSmoothness>& valences, Json& json) {
+  std::vector<NamedCertificate> certificates;
+  std::optional<Regularity> regularity;  // of the mask itself, not of its factors
+  for (const VertexSmoothness& one : valences) {
+    if (!one.evidence) continue;
+    const SectorRules rules = vertex_rules(scheme.specification, one.valence);
+    if (!regularity) regularity = regularity_of(rules.mask.without_factors(), options.limits());
+    certificates.push_back(
+        {fmt::format("{:04}-vertex", one.valence), vertex_certificate(rules, *regularity->surface, one)});
+  }
+  return write_certificates(options.certificate, certificates, {"-vertex"},
+                            "what is not proved, or not by hulls of differences", json);
+}
+
+ExitCode run(const VertexOptions& options) {
+  const std::vector<int> numbers = sweeps::parse_number_list("--valence", options.valence, 3, largest_valence);
+  const Scheme scheme = make_linear_scheme(options.scheme);
+  if (!has_vertex_rules(scheme))
+    fail(ErrorKind::usage, "{}: has no rules at vertices; these have: {}", scheme.specification,
+         fmt::join(schemes_with_vertex_rules(), ", "));
+  if (!options.certificate.empty()) require_folder(options.certificate);
+  options.progress("the regular part");
+  const RegularPart regular = regular_part(vertex_rules(scheme.specification, numbers.front()), options.limits());
+  std::vector<VertexSmoothness> valences(numbers.size());
+  options.progress("eigenvalues and characteristic maps");
+  parallel_for_each(numbers.size(), options.threads(), [&](std::size_t i) {
+    valences[i] = vertex_smoothness(vertex_rules(scheme.specification, numbers[i]), regular);
+  });
+  const Facts list = vertex_facts(scheme, regular, valences);
+  Json json = page_json(list);
+  WrittenCertificates written;
+  if (!options.certificate.empty()) written = write_certificates_of(options, scheme, valences, json);
+  options.end_progress();
+  options.answer(json, page_text(list, 14) + written.text);
+  written.failure.raise();
+  // More time would only help with the regular part.
+  return exit_code(all_of(valences), regular.c1.is_yes());
+}
+
+}  // namespace
+
+void add_vertex(Command& app) {
+  auto options = std::make_shared<VertexOptions>();
+  Command command = add_command(app, "vertex", "Whether surfaces are smooth at vertices of any valence, with proof",
+                                "subcert vertex catmull-clark --valence 3..12", options, [=] { return run(*options); });
+  command.option("--valence", options->valence, "Valences, as 3..12 or 3,5,8..10, up to 1000").with_default();
+  command.option("--certificate", options->certificate, "Write certificates for 'subcert verify' into this folder");
+  add_limits(command, *options);
+  std::string known;
+  for (const std::string& name : schemes_with_vertex_rules()) known += " " + name;
+  command.option("SCHEME", options->scheme, "Scheme specification").required().suggest([] {
+    std::vector<Suggestion> words;
+    for (const std::string& name : schemes_with_vertex_rules()) words.push_back({name, ""});
+    return words;
+  });
+  command.add_to_footer("\n\nSchemes with rules at vertices:" + known);
+}
+
+}  // namespace subcert::cli

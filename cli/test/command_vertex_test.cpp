@@ -1,0 +1,50 @@
+#include "program.hpp"
+
+using namespace subcert::testing;
+
+TEST_CASE("vertex: the fields of the contract") {
+  const auto answer = run_json("vertex loop --valence 3..4");
+  CHECK(answer.at("scheme") == "loop");
+  CHECK(answer.at("all") == "unknown");
+  REQUIRE(answer.at("valences").size() == 2);
+  const auto& at = answer.at("valences")[0];
+  CHECK(at.at("valence") == 3);
+  CHECK(at.at("c1") == "yes");
+  CHECK(has_digits(at.at("subdominant"), "lower", "0.25"));
+  CHECK(has_digits(at.at("exponent"), "upper", "1.5"));
+  CHECK(at.at("curvature") == "unbounded");
+}
+
+TEST_CASE("vertex: one valence that is not C1 decides for all") {
+  const auto answer = run_json("vertex butterfly --valence 4,8", 1);
+  CHECK(answer.at("all") == "no");
+  CHECK(answer.at("valences")[0].at("c1") == "yes");
+  CHECK(answer.at("valences")[1].at("c1") == "no");
+  CHECK(answer.at("valences")[1].at("frequency") == 2);
+  CHECK(answer.at("valences")[1].at("curvature").is_null());
+}
+
+TEST_CASE("vertex: what is open for good, and wrong words") {
+  CHECK(run_json("vertex midedge --valence 3", 3).at("valences")[0].at("c1") == "unknown");
+  for (const std::string words : {"loop --valence 2", "loop --valence 1001", "loop --valence 5..3", "loop --valence x",
+                                  "primal:n=3", "quincunx", "nothing", ""}) {
+    CAPTURE(words);
+    CHECK(run("vertex " + words).code == 64);
+  }
+}
+
+TEST_CASE("vertex: certificates of what is proved by hulls are written and verified") {
+  const Folder folder;
+  const std::string place = folder / "proofs";
+  const Run page = run("vertex midedge --valence 3..5 --certificate " + place);
+  CHECK(page.code == 3);
+  CHECK(joined(page.out).find("certificates 2 in " + place + ", verified: subcert verify " + place) != std::string::npos);
+  const Run verified = run("verify " + place);
+  CHECK(verified.code == 0);
+  CHECK(joined(verified.out).find("0005-vertex.cert: VERIFIED ") != std::string::npos);
+  CHECK(joined(verified.out).find("C^1 limits of almost all data around dual:5;0,0=1/2@0,0,0") != std::string::npos);
+  // Those of a run before that are not written again go.
+  const auto fits = run_json("vertex butterfly --valence 5 --certificate " + place);
+  CHECK(fits.at("certificates") == 0);
+  CHECK(run("verify " + place).code != 0);
+}

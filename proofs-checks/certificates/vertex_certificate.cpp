@@ -1,0 +1,83 @@
+#include "vertex_certificate.hpp"
+
+#include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace subcert {
+namespace {
+
+constexpr int bits = 128, value_bits = 64, radius_bits = 24, inverse_bits = 24, most_levels = 8, most_power = 12;
+
+std::string polynomial_in_c(const LaurentPolynomial& p) {
+  if (p.is_zero()) return "0";
+  require(p.lowest() >= 0 && p.highest() <= most_power, "certificate: need weights of degrees up to {} in c, got {}",
+          most_power, p.highest());
+  std::string text;
+  for (long k = p.lowest(); k <= p.highest(); ++k) {
+    const Rational& factor = p.coefficient(k);
+    if (factor == 0) continue;
+    const std::string number = to_text(factor), power = k == 0 ? "" : k == 1 ? "*c" : fmt::format("*c^{}", k);
+    text += (text.empty() || factor < 0 ? "" : "+") + number + power;
+  }
+  return text;
+}
+
+const char* lattice_text(SectorLattice lattice) {
+  return lattice == SectorLattice::triangles ? "triangles" : lattice == SectorLattice::quads ? "quads" : "dual";
+}
+
+/// Pairs over 2^digits, each number after a blank.
+std::string pairs_text(const std::vector<VertexEvidence::Pair>& pairs, int digits) {
+  const Rational scale = power(Rational(2), digits);
+  std::string text;
+  for (const VertexEvidence::Pair& pair : pairs)
+    for (const Rational& number : pair) text += " " + to_integer(Rational(number * scale), Rounding::nearest).str();
+  return text;
+}
+
+}  // namespace
+
+std::string rules_text(const SectorRules& rules) {
+  std::string text = fmt::format("{}:{}", lattice_text(rules.lattice), rules.valence);
+  for (const auto& [point, rule] : rules.rules) {
+    std::vector<std::string> terms;
+    for (const SectorTerm& term : rule.terms)
+      terms.push_back(
+          fmt::format("{}@{},{}", polynomial_in_c(term.weight), fmt::join(term.at.point, ","), term.at.turn));
+    for (const RingTerm& ring : rule.rings)
+      terms.push_back(
+          fmt::format("{}@{}~{}", polynomial_in_c(ring.weight), fmt::join(ring.point, ","), ring.frequency));
+    text += fmt::format(";{}={}", fmt::join(point, ","), fmt::join(terms, "|"));
+  }
+  return text;
+}
+
+Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegularity& regularity,
+                               const VertexSmoothness& smoothness) {
+  require(smoothness.c1.is_yes(), "certificate: need smoothness that is proved, got: {}", smoothness.c1.reason);
+  require(smoothness.evidence != nullptr,
+          "certificate: need a proof by hulls of differences, which are none where the mask of the differences along "
+          "an edge has negative coefficients");
+  Certificate certificate = surface_certificate(rules.mask, regularity);
+  require(certificate.claim.lower && *parse_rational(*certificate.claim.lower) > 1,
+          "certificate: need a proved exponent above 1 of the mask, got {}", certificate.claim.lower.value_or("none"));
+  std::get<SurfaceSubject>(certificate.claim.subject).vertex = rules_text(rules);
+  const VertexEvidence& evidence = *smoothness.evidence;
+  const Integer radius = to_integer(power(Rational(2), radius_bits), Rounding::nearest);
+  std::string text = fmt::format(
+      "vertex {} {} {} {} {}\npoints", bits, value_bits, std::min(smoothness.levels + 1, most_levels),
+      to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(), radius.str());
+  for (const LatticePoint& point : evidence.points) text += fmt::format(" {}", fmt::join(point, ","));
+  text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), inverse_bits);
+  for (std::size_t i = 0; i < evidence.inverse.size(); ++i)
+    text += fmt::format("row {}{}\n", i, pairs_text(evidence.inverse[i], inverse_bits));
+  certificate.sections.push_back({std::move(text)});
+  return certificate;
+}
+
+}  // namespace subcert

@@ -1,0 +1,276 @@
+#include "vertex.hpp"
+
+#include "hull.hpp"
+#include "turning.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace subcert_check {
+namespace {
+
+constexpr std::size_t max_points = 64, max_level = 8, max_squarings = 24;
+
+/// The map z of the data that turn by w = exp(2 pi i/n) and are lambda times themselves, and what it proves.
+class Vertex {
+ public:
+  Vertex(const LatticeMask& mask, const SectorRules& rules, Reader& reader, const Fields& fields,
+         Arithmetic& arithmetic)
+      : mask_(mask),
+        rules_(rules),
+        reader_(reader),
+        intervals_(parse_size(fields[0], 64, 1024), arithmetic),
+        arithmetic_(arithmetic),
+        scale_(mpz_class(1) << parse_size(fields[1], 0, 4096)),
+        levels_(parse_size(fields[2], 0, max_level)),
+        first_(1, rules.valence, intervals_),
+        cosine_(intervals_.cosine(1, rules.valence)) {
+    lambda_ = ratio(parse_integer(fields[3]), scale_);
+    radius_ = ratio(parse_integer(fields[4]), scale_);
+    require(radius_ >= 0 && lambda_ - radius_ > 0 && lambda_ + radius_ < 1,
+            "the subdominant eigenvalue is not between 0 and 1");
+  }
+
+  void check() {
+    read_points();
+    read_values();
+    show_eigenvector();
+    widen();
+    for (std::size_t k = 0; 2 * k <= rules_.valence; ++k) show_gap(k);
+    show_regular();
+  }
+
+ private:
+  void read_points() {
+    for (const std::string_view field : reader_.take("points", 1, max_points)) {
+      const Point point = parse_point(field, 2);
+      require(std::ranges::find(points_, point) == points_.end(), "a point occurs twice");
+      require(rules_.is_vertex(point) || is_own(rules_.in_sector(point)), "a point is not one of sector 0");
+      points_.push_back(point);
+    }
+    turning_ = points_;
+    std::erase_if(turning_, [&](const Point& point) { return rules_.is_vertex(point); });
+    require(!turning_.empty(), "no point of a sector is given");
+  }
+  static bool is_own(const SectorPoint& at) { return at.turn == 0; }
+
+  void read_values() {
+    const std::size_t n = turning_.size();
+    const auto numbers = [&](const Fields& fields, const mpz_class& scale) {
+      std::vector<Turning> result;
+      for (std::size_t i = 0; i < fields.size(); i += 2)
+        result.push_back({intervals_.number(ratio(parse_integer(fields[i]), scale)),
+                          intervals_.number(ratio(parse_integer(fields[i + 1]), scale))});
+      return result;
+    };
+    values_ = numbers(reader_.take("values", 2 * n, 2 * n), scale_);
+    const mpz_class of_inverse = mpz_class(1) << parse_size(reader_.take("inverse", 1, 1)[0], 0, 4096);
+    for (std::size_t i = 0; i < n; ++i)
+      inverse_.push_back(numbers(reader_.take("row " + std::to_string(i), 2 * n, 2 * n), of_inverse));
+  }
+
+  SectorRule rule_at(const Point& point) const {
+    if (const auto own = rules_.rules.find(point); own != rules_.rules.end()) return own->second;
+    SectorRule rule;
+    for (const auto& [k, value] : mask_.coefficients) {
+      const std::int64_t x = point[0] - k[0], y = point[1] - k[1];
+      if (x % mask_.arity == 0 && y % mask_.arity == 0)
+        rule.push_back(
+            {rules_.in_sector({x / mask_.arity, y / mask_.arity, 0}), {}, {ratio(value, mask_.denominator)}});
+    }
+    require(!rules_.is_vertex(point) ||
+                std::ranges::all_of(rule, [&](const SectorTerm& term) { return rules_.is_vertex(term.at.point); }),
+            "the rule of the vertex does not turn");
+    return rule;
+  }
+
+  Interval weight_of(const SectorTerm& term) const {
+    Interval value{0, 0};
+    for (std::size_t k = term.weight.size(); k-- > 0;)
+      value = intervals_.times(value, cosine_) + intervals_.number(term.weight[k]);
+    return value;
+  }
+
+  /// What is done to data that turn by w^k, on these points.
+  TurningMatrix block(std::size_t k, const Frequency& frequency, const std::vector<Point>& points) const {
+    TurningMatrix matrix(points.size(), std::vector<Turning>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (const SectorTerm& term : rule_at(points[i])) {
+        if ((term.frequency && *term.frequency != k) || (k != 0 && rules_.is_vertex(term.at.point))) continue;
+        const auto datum = std::ranges::find(points, term.at.point);
+        require(datum != points.end(), "a rule of the points has data elsewhere");
+        Turning& entry = matrix[i][static_cast<std::size_t>(datum - points.begin())];
+        entry = entry + frequency.turned({weight_of(term), {0, 0}}, term.at.turn);
+      }
+    return matrix;
+  }
+
+  /// For each eigenvector near the values, an eigenvalue near lambda.
+  void show_eigenvector() {
+    const std::size_t n = turning_.size();
+    TurningMatrix matrix = block(1, first_, turning_);
+    const Interval lambda = intervals_.number(lambda_);
+    for (std::size_t i = 0; i < n; ++i) matrix[i][i].a = matrix[i][i].a - lambda;
+    TurningMatrix column;
+    for (const Turning& z : values_) column.push_back({z});
+    const mpz_class off = row_norm(product(inverse_, product(matrix, column, first_), first_));
+    for (std::size_t i = 0; i < n; ++i) matrix[i][0] = Turning{{0, 0}, {0, 0}} - values_[i];
+    TurningMatrix rest = product(inverse_, matrix, first_);
+    for (std::size_t i = 0; i < n; ++i) rest[i][i].a = rest[i][i].a - Interval{intervals_.one(), intervals_.one()};
+    const mpq_class one = intervals_.one(), slope = row_norm(rest) / one;
+    require(slope < 1 && off / one + radius_ * (slope + radius_ * row_norm(inverse_) / one) <= radius_,
+            "no eigenvector is shown near the values");
+  }
+
+  /// From here on lambda and the values are intervals.
+  void widen() {
+    const Interval one{intervals_.one(), intervals_.one()};
+    const Interval sine = one - intervals_.times(cosine_, cosine_);
+    require(sine.low > 0, "too few bits for the angle");
+    // |b| |sin|, |a| |sin| <= |a + b w|, and |sin| >= its square.
+    const mpz_class by = intervals_.over(intervals_.number(radius_), sine).high;
+    const Interval error{-by, by};
+    const Turning both{error, error};
+    for (std::size_t i = 1; i < values_.size(); ++i) values_[i] = values_[i] + both;
+    powers_ = {{one, {0, 0}}, Turning{intervals_.number(lambda_), {0, 0}} + both};
+    while (powers_.size() <= levels_) powers_.push_back(first_.times(powers_.back(), powers_[1]));
+    of_lambda_ = first_.inverse(powers_[1]);
+    for (std::size_t i = 0; i < values_.size(); ++i) known_[turning_[i]] = values_[i];
+  }
+
+  /// The other eigenvalues of this frequency are smaller than |lambda|: but for 1 of the constants, and lambda.
+  void show_gap(std::size_t k) const {
+    const Frequency frequency(k, rules_.valence, intervals_);
+    TurningMatrix matrix = block(k, frequency, k == 0 ? points_ : turning_);
+    if (k < 2) {
+      const Turning one{{intervals_.one(), intervals_.one()}, {0, 0}};
+      const Turning first = k == 1 ? first_.inverse(values_[0]) : one;
+      for (std::size_t i = 1; i < matrix.size(); ++i) {
+        const Turning part = k == 1 ? first_.times(values_[i], first) : one;
+        for (std::size_t j = 1; j < matrix.size(); ++j)
+          matrix[i][j] = matrix[i][j] - frequency.times(part, matrix[0][j]);
+        matrix[i].erase(matrix[i].begin());
+      }
+      matrix.erase(matrix.begin());
+      if (matrix.empty()) return;
+    }
+    const Interval scale = intervals_.number(1 / (lambda_ - radius_));
+    for (std::vector<Turning>& row : matrix)
+      for (Turning& x : row) x = frequency.scaled({scale.high, scale.high}, x);
+    const mpz_class one = intervals_.one();
+    for (auto [squarings, norm] = std::pair(std::size_t{0}, row_norm(matrix)); norm >= one; norm = row_norm(matrix)) {
+      require(++squarings <= max_squarings && norm < one * one,
+              "eigenvalues of frequency " + std::to_string(k) + " may not be below lambda");
+      matrix = product(matrix, matrix, frequency);
+    }
+  }
+
+  /// z at a point of the plane around sector 0, outwards from the given ones.
+  Turning value_at(const Point& point) {
+    const SectorPoint at = rules_.in_sector(point);
+    if (rules_.is_vertex(at.point)) {
+      require(std::ranges::find(points_, at.point) != points_.end(), "the vertex is data, and none of the points");
+      return {};
+    }
+    auto known = known_.find(at.point);
+    if (known == known_.end()) {
+      require(open_.insert(at.point).second, "a point depends on itself");
+      Turning sum;
+      for (const SectorTerm& term : rule_at(at.point)) {
+        const Turning value = first_.turned(value_at(term.at.point), term.at.turn);  // of all data, whether they turn
+        if (!term.frequency || *term.frequency == 1) sum = sum + first_.scaled(weight_of(term), value);
+      }
+      known = known_.emplace(at.point, first_.times(of_lambda_, sum)).first;
+    }
+    return first_.turned(known->second, at.turn);
+  }
+
+  /// The data on a window of a square, or their differences along an axis.
+  std::vector<Turning> data_on(const std::set<Point>& window, const Point& corner, const Point& step) {
+    std::vector<Turning> result;
+    for (const Point& k : window) {
+      const Point at = combine(k, 1, corner);
+      result.push_back(step == Point{} ? value_at(at) : value_at(at) - value_at(combine(at, -1, step)));
+    }
+    return result;
+  }
+
+  bool is_regular_on(const Point& corner, std::size_t level) {
+    for (const Turning& z : data_on(window_, corner, {})) {
+      const Turning value = first_.times(powers_[level], z);
+      if ((value.a + value.b).low <= 0) return false;
+    }
+    const std::vector<Turning> along_x = data_on(differences_[0], corner, {1, 0, 0}),
+                               along_y = data_on(differences_[1], corner, {0, 1, 0});
+    return std::ranges::all_of(along_x, [&](const Turning& u) {
+      return std::ranges::all_of(
+          along_y, [&](const Turning& v) { return (intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a)).low > 0; });
+    });
+  }
+
+  void show_on(const Point& corner, std::size_t level) {
+    arithmetic_.spend(1000);
+    if (is_regular_on(corner, level)) return;
+    require(level < levels_, "the characteristic map is not shown to be regular and in a half plane");
+    const std::int64_t m = mask_.arity;
+    for (std::int64_t x = 0; x < m; ++x)
+      for (std::int64_t y = 0; y < m; ++y) show_on({m * corner[0] + x, m * corner[1] + y, 0}, level + 1);
+  }
+
+  /// On the ring of squares of sector 0 that all others come from, far enough from the vertex.
+  void show_regular() {
+    window_ = mask_.window();
+    std::int64_t beside = 0, reach = 0, own = 0;
+    const auto up_to = [](std::int64_t& most, const Point& point) {
+      for (const std::int64_t x : point) most = std::max(most, std::abs(x));
+    };
+    for (const Point& k : window_) up_to(beside, k);
+    for (const std::size_t axis : {0U, 1U}) {
+      differences_[axis] = mask_.of_differences(axis).window();
+      for (Point k : differences_[axis]) {
+        up_to(beside, k);
+        --k[axis];
+        up_to(beside, k);
+      }
+    }
+    for (const auto& [k, value] : mask_.coefficients) up_to(reach, k);
+    for (const auto& [point, rule] : rules_.rules) up_to(own, point);
+    const std::int64_t r = 2 * (beside + reach) + own + 1, end = mask_.arity * r;
+    for (std::int64_t x = 0; x < end; ++x)
+      for (std::int64_t y = 0; y < end; ++y)
+        if (x >= r || y >= r) show_on({x, y, 0}, 0);
+  }
+
+  const LatticeMask& mask_;
+  const SectorRules& rules_;
+  Reader& reader_;
+  Intervals intervals_;
+  Arithmetic& arithmetic_;
+  mpz_class scale_;
+  std::size_t levels_;
+  Frequency first_;
+  Interval cosine_;
+  mpq_class lambda_, radius_;
+  std::vector<Point> points_, turning_;  // the second without the vertex
+  std::vector<Turning> values_;          // at the second
+  TurningMatrix inverse_;
+  std::vector<Turning> powers_;  // of lambda
+  Turning of_lambda_;            // 1/lambda
+  std::map<Point, Turning> known_;
+  std::set<Point> open_, window_, differences_[2];
+};
+
+}  // namespace
+
+void check_vertex(const Mask& mask, const Dilation& dilation, const SectorRules& rules, Reader& reader,
+                  Arithmetic& arithmetic) {
+  const LatticeMask lattice = lattice_mask(mask, dilation);
+  for (const auto& [k, value] : lattice.coefficients) {
+    const auto image = lattice.coefficients.find(rules.turned_index(k, lattice.arity));
+    require(image != lattice.coefficients.end() && image->second == value, "the mask does not turn with the sectors");
+  }
+  check_own_rules(rules);
+  Vertex(lattice, rules, reader, reader.take("vertex", 5, 5), arithmetic).check();
+}
+
+}  // namespace subcert_check

@@ -1,0 +1,84 @@
+#include "vertex_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace subcert::facts {
+namespace {
+
+constexpr int digits = 10;
+
+std::string cell(const Enclosure& value) { return value.lower || value.upper ? enclosure_text(value, digits) : ""; }
+
+std::string table(const std::vector<VertexSmoothness>& valences) {
+  std::string text = fmt::format("{:>3}  {:<7}  {:<12}  {:<12}  {:<26}  {}", "n", "C1", "lambda", "|mu|", "exponent",
+                                 "curvature");
+  for (const VertexSmoothness& at : valences) {
+    const std::string line = fmt::format("\n{:>3}  {:<7}  {:<12}  {:<12}  {:<26}  {}", at.valence, to_text(at.c1.truth),
+                                         cell(at.subdominant), cell(at.next), cell(at.exponent),
+                                         at.curvature ? to_text(*at.curvature) : "");
+    text += line.substr(0, line.find_last_not_of(' ') + 1);
+  }
+  return text;
+}
+
+Json row(const VertexSmoothness& at) {
+  return {{"valence", at.valence},
+          {"c1", to_text(at.c1.truth)},
+          {"reason", at.c1.reason},
+          {"frequency", at.frequency},
+          {"subdominant", enclosure_json(at.subdominant)},
+          {"next", enclosure_json(at.next)},
+          {"exponent", enclosure_json(at.exponent)},
+          {"curvature", at.curvature ? Json(to_text(*at.curvature)) : Json()},
+          {"squares", at.squares},
+          {"levels", at.levels}};
+}
+
+/// Why it is not yes, once for all valences with the same reason.
+std::string reasons(const std::vector<VertexSmoothness>& valences) {
+  std::vector<std::pair<std::string, std::string>> list;
+  for (const VertexSmoothness& at : valences) {
+    if (at.c1.is_yes()) continue;
+    const std::string number = std::to_string(at.valence);
+    const auto known = std::ranges::find(list, at.c1.reason, &std::pair<std::string, std::string>::second);
+    if (known == list.end())
+      list.emplace_back(number, at.c1.reason);
+    else
+      known->first += ", " + number;
+  }
+  std::string text;
+  for (const auto& [numbers, reason] : list) text += (text.empty() ? "n = " : "\nn = ") + numbers + ": " + reason;
+  return text;
+}
+
+}  // namespace
+
+Truth all_of(const std::vector<VertexSmoothness>& valences) {
+  const auto is = [&](Truth truth) { return [=](const VertexSmoothness& at) { return at.c1.truth == truth; }; };
+  if (std::ranges::any_of(valences, is(Truth::no))) return Truth::no;
+  return std::ranges::all_of(valences, is(Truth::yes)) ? Truth::yes : Truth::unknown;
+}
+
+Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences) {
+  Facts list = named(scheme.specification, scheme.title);
+  list.push_back({"regular_exponent", "regular part", cell(regular.exponent), "exponent away from vertices",
+                  enclosure_json(regular.exponent)});
+  list.push_back(decided("regular_c1", "C1 there", regular.c1));
+  Json rows = Json::array();
+  for (const VertexSmoothness& at : valences) rows.push_back(row(at));
+  list.push_back({"valences", "at a vertex", table(valences), {}, rows});
+  if (const std::string why = reasons(valences); !why.empty()) list.push_back({{}, "why", why, {}, {}});
+  list.push_back({{},
+                  "C1 means",
+                  "for all initial data but a set of measure zero the surface is, near the vertex, the graph of a C1 "
+                  "function over its tangent plane, without overlap",
+                  {},
+                  {}});
+  // Some valences say nothing of all, but that not all are.
+  list.push_back(member("all", to_text(all_of(valences) == Truth::no ? Truth::no : Truth::unknown)));
+  return list;
+}
+
+}  // namespace subcert::facts

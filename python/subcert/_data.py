@@ -76,9 +76,9 @@ def refine_mesh(
 
     `vertices`: shape (n, numbers), of any numbers that are refined as coordinates are; `faces`: shape (m, sides) of
     numbers of vertices from 0 on, or a list of lists where the faces have different numbers of sides. So are those of
-    the result. `limit`: the vertices are moved to the limit surface. `crease`: edges stay sharp where the
-    normals of their faces differ by more than these degrees (loop, catmull-clark). Raises DataError where the faces make no oriented
-    surface and for numbers that are not finite, DomainError for another scheme.
+    the result. `limit`: the vertices are moved to the limit surface. `crease`: edges stay sharp where the normals of
+    their faces differ by more than these degrees (loop, catmull-clark). Raises DataError where the faces make no
+    oriented surface and for numbers that are not finite, DomainError for another scheme.
 
     >>> import numpy, subcert
     >>> corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]

@@ -8,7 +8,7 @@ namespace subcert::data {
 namespace {
 
 constexpr std::size_t header_bytes = 80, facet_bytes = 50;
-constexpr NumberType real{4, false, true}, whole{4, true, false}, half{2, true, false};
+constexpr NumberType facet_number{4, false, true}, facet_count{4, true, false}, facet_attribute{2, true, false};
 
 /// The facets of a file in bytes, three vertices each; whether they have attributes.
 bool read_facets(TextLines& lines, MeshFile& mesh) {
@@ -16,17 +16,17 @@ bool read_facets(TextLines& lines, MeshFile& mesh) {
   const auto read = [&](const char* bytes, const NumberType& type) {
     return read_number(bytes, type, Encoding::little_endian);
   };
-  const auto count = static_cast<std::size_t>(read(lines.take_bytes(4, "the number of facets"), whole));
+  const auto count = static_cast<std::size_t>(read(lines.take_bytes(4, "the number of facets"), facet_count));
   bool attributes = false;
   for (std::size_t f = 0; f < count; ++f) {
     const char* const bytes = lines.take_bytes(facet_bytes, "facet " + std::to_string(f));
     for (std::size_t k = 3; k < 12; ++k) {
-      const double value = read(bytes + 4 * k, real);
+      const double value = read(bytes + 4 * k, facet_number);
       if (!std::isfinite(value))
         lines.fail_file("finite numbers in facet " + std::to_string(f) + "; found " + shortest_text(value));
       mesh.mesh.values.push_back(value);
     }
-    attributes = attributes || read(bytes + 48, half) != 0;
+    attributes = attributes || read(bytes + 48, facet_attribute) != 0;
   }
   return attributes;
 }
@@ -70,7 +70,7 @@ MeshFile parse_stl(std::string_view text, const std::string& file) {
   const bool complete = text.size() >= header_bytes + 4 &&
                         static_cast<double>(text.size() - header_bytes - 4) ==
                             static_cast<double>(facet_bytes) *
-                                read_number(text.data() + header_bytes, whole, Encoding::little_endian);
+                                read_number(text.data() + header_bytes, facet_count, Encoding::little_endian);
   if (complete || !text.substr(0, std::min<std::size_t>(text.size(), 1024)).starts_with("solid")) {
     if (text.size() < header_bytes + 4) lines.fail_file("an STL file: the line solid, or a header of 80 bytes");
     mesh.encoding = Encoding::little_endian;

@@ -17,8 +17,6 @@ using namespace subcert::data::shapes;
 
 namespace {
 
-std::string place(std::size_t face) { return "face " + std::to_string(face); }
-
 PolygonMesh refined(const PolygonMesh& mesh, const std::string& scheme, int levels, bool limit = false,
                     bool normals = false) {
   return refine_mesh(mesh, scheme, {levels, limit, normals}, place);

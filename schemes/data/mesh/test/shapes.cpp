@@ -120,6 +120,8 @@ PolygonMesh bipyramid(std::size_t n) {
   return mesh_of(values, faces);
 }
 
+std::string place(std::size_t face) { return "face " + std::to_string(face); }
+
 long euler_characteristic(const PolygonMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (std::size_t f = 0; f < mesh.faces(); ++f) {

@@ -3,7 +3,7 @@
 
 #include <subcert/schemes/data/mesh/polygon_mesh.hpp>
 
-#include <initializer_list>
+#include <string>
 #include <vector>
 
 namespace subcert::data::shapes {
@@ -21,6 +21,9 @@ PolygonMesh torus_of_triangles(std::size_t columns, std::size_t rows);
 PolygonMesh disc(std::size_t n);
 /// n triangles at a vertex and at another one, closed.
 PolygonMesh bipyramid(std::size_t n);
+
+/// `face 3`, for errors.
+std::string place(std::size_t face);
 
 /// Vertices - edges + faces.
 long euler_characteristic(const PolygonMesh& mesh);

@@ -13,8 +13,6 @@ using namespace subcert::data::shapes;
 
 namespace {
 
-std::string place(std::size_t face) { return "face " + std::to_string(face); }
-
 std::string error_of(const PolygonMesh& mesh, const std::string& scheme = "catmull-clark",
                      const MeshOptions& options = {}) {
   try {

@@ -38,8 +38,7 @@ TEST_CASE("vertex: certificates of what is proved by hulls are written and verif
   const std::string place = folder / "proofs";
   const Run page = run("vertex midedge --valence 3..5 --certificate " + place);
   CHECK(page.code == 3);
-  CHECK(joined(page.out).find("certificates 2 in " + place + ", verified: subcert verify " + place) !=
-        std::string::npos);
+  CHECK(joined(page.out).find("certificates 2 in " + place + ", verified: ") != std::string::npos);
   const Run verified = run("verify " + place);
   CHECK(verified.code == 0);
   CHECK(joined(verified.out).find("0005-vertex.cert: VERIFIED ") != std::string::npos);

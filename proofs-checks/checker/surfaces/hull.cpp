@@ -19,13 +19,14 @@ LatticeMask lattice_mask(const Mask& mask, const Dilation& dilation) {
               dilation.rows[1] == Point{0, result.arity, 0},
           "the dilation around a vertex is no multiple of the unit matrix of two variables");
   for (std::size_t i = 0; i < mask.points(); ++i) {
+    if (mask.coefficients[i] == 0) continue;
     Point k{};
     for (std::size_t v = 0; v < 2; ++v) {
       const mpz_class index = mask.first[v] + mpz_class(v == 0 ? i % mask.sizes[0] : i / mask.sizes[0]);
       require(abs(index) <= max_reach, "an index of the mask is too large");
       k[v] = index.get_si();
     }
-    if (mask.coefficients[i] != 0) result.coefficients[k] = mask.coefficients[i];
+    result.coefficients[k] = mask.coefficients[i];
   }
   return result;
 }

@@ -110,7 +110,10 @@ def rejected():
     yield case("vertex-dual-opposite", "doo-sabin", "dual:5", "opposite of its sector", of=ds)
     yield case("vertex-mask-shifted", "catmull-clark", "dual:5;0,0=1@0,0,0", "the mask does not turn", of=vertex_0)
     yield case("vertex-mask-quads", "loop", vertex_0, "the mask does not turn", of=loop(5))
+    yield case("vertex-dilation", "doo-sabin", ds, "no multiple of the unit matrix", edits=[(r"\[2,0;0,2\]", "[0,2;2,0]")],
+               options=options_of("doo-sabin", ds).replace("[2,0;0,2]", "[0,2;2,0]"))
     # the lines
+    yield case("vertex-radius-wide", "doo-sabin", doo_sabin(1000), "a number that is divided by may be 0", radius_bits=15)
     for number, line in [("bits-63", "vertex 63"), ("bits-1025", "vertex 1025")]:
         yield case(f"vertex-{number}", "doo-sabin", ds, "number outside 64..1024", edits=[("^vertex 128", line)])
     yield case("vertex-xbits", "doo-sabin", ds, "number outside 0..4096", edits=[("^vertex 128 64", "vertex 128 4097")])

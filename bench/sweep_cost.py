@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What a case of a sweep costs, by family and size: 10,000 schemes, each asked for its exponent in a process of its own,
-as `subcert sweep` does. Usage: sweep_cost.py SUBCERT TABLE.csv [PICTURE.svg]
+"""What a case of a sweep costs, by family and size: 10,000 schemes, each asked for its exponent in a process of its
+own, as `subcert sweep` does. Usage: sweep_cost.py SUBCERT TABLE.csv [PICTURE.svg]
 
 TABLE.csv gets family, size (coefficients of the mask), processor seconds and MiB of each process, and goes on from the
 lines that it has. The picture has the median and the largest of each size, and the budget.
@@ -38,16 +38,18 @@ def schemes(program):
 def cost(program, scheme):
     """Processor seconds and MiB of the process that answers, its exit code, and the length of the mask."""
     read, write = os.pipe()
-    child = os.posix_spawn(program, [program, "regularity", scheme, "--json", "--quiet", "--jobs", "1", "--budget",
-                                     str(BUDGET), "--memory", "512"], os.environ,
-                           file_actions=[(os.POSIX_SPAWN_DUP2, write, 1), (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)])
+    limits = ["--jobs", "1", "--budget", str(BUDGET), "--memory", "512"]
+    streams = [(os.POSIX_SPAWN_DUP2, write, 1), (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)]
+    child = os.posix_spawn(program, [program, "regularity", scheme, "--json", "--quiet", *limits], os.environ,
+                           file_actions=streams)
     os.close(write)
     with os.fdopen(read) as answer:
         json.loads(answer.read())
     _, status, used = os.wait4(child, 0)
     mask = json.loads(subprocess.run([program, "mask", scheme, "--json"], capture_output=True, check=True).stdout)
     size = len(mask["coefficients"])
-    return [scheme, size, f"{used.ru_utime + used.ru_stime:.4f}", used.ru_maxrss // 1024, os.waitstatus_to_exitcode(status)]
+    seconds, code = used.ru_utime + used.ru_stime, os.waitstatus_to_exitcode(status)
+    return [scheme, size, f"{seconds:.4f}", used.ru_maxrss // 1024, code]
 
 
 def measure(program, table):

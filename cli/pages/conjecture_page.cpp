@@ -12,7 +12,7 @@ namespace {
 
 using namespace conjectures;
 
-std::string verdict_text(Truth truth) {
+std::string conjecture_verdict(Truth truth) {
   return truth == Truth::yes ? "holds" : truth == Truth::no ? "violated" : "undecided";
 }
 
@@ -133,7 +133,7 @@ Json conjecture_json(const Conjecture7& answer, const ConjectureRange& range) {
     json["limits"] = Json::array();
     for (const auto& [degree, limit] : answer.limits) json["limits"].push_back(limit_json(limit));
   }
-  json["verdict"] = answer.has_rate ? Json(verdict_text(answer.verdict)) : Json();
+  json["verdict"] = answer.has_rate ? Json(conjecture_verdict(answer.verdict)) : Json();
   return json;
 }
 
@@ -163,15 +163,15 @@ Json conjecture_json(const Conjecture8& answer, const ConjectureRange& range) {
     if (row.difference) one["difference"] = to_text(*row.difference);
   }
   json["skipped"] = skipped_json(range.schemes);
-  json["verdict"] = range.shard.empty() ? Json(verdict_text(answer.verdict)) : Json();
+  json["verdict"] = range.shard.empty() ? Json(conjecture_verdict(answer.verdict)) : Json();
   return json;
 }
 
 std::string conjecture_text(const Conjecture8& answer, const ConjectureRange& range) {
   std::string text;
   for (const ComparisonRow& row : answer.rows) {
-    text += padded(verdict_text(row.holds.truth), 10) + "psi of " + row.pair.larger.specification() + " >= psi of " +
-            row.pair.smaller.specification();
+    text += padded(conjecture_verdict(row.holds.truth), 10) + "psi of " + row.pair.larger.specification() +
+            " >= psi of " + row.pair.smaller.specification();
     if (row.witness) text += ", false at x = " + to_text(*row.witness);
     if (row.holds.truth == Truth::unknown) text += " (" + row.holds.reason + ")";
     text += "\n";

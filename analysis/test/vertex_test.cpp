@@ -72,13 +72,18 @@ TEST_CASE("curvature and exponents at vertices") {
   CHECK(word(smoothness("catmull-clark", 4)) == "bounded");
   CHECK(word(smoothness("catmull-clark", 5)) == "unbounded");
 
-  for (const long n : {3L, 5L, 8L, 20L}) {
-    for (const std::string scheme : {"doo-sabin", "modified-butterfly"}) {
+  // Limits of the butterfly scheme have no bounded curvature anywhere.
+  for (const long n : {3L, 5L, 8L, 20L})
+    for (const auto& [scheme, curvature] :
+         {std::pair<std::string, std::string>{"doo-sabin", "bounded"}, {"modified-butterfly", "unknown"}}) {
       CAPTURE(scheme, n);
-      CHECK(word(smoothness(scheme, n)) == "bounded");
+      CHECK(word(smoothness(scheme, n)) == curvature);
       CHECK(is_about(smoothness(scheme, n).next, 0.25));
     }
-  }
+  CHECK(word(smoothness("midedge", 4)) == "bounded");
+  CHECK(word(smoothness("midedge", 7)) == "zero");
+  CHECK(word(smoothness("butterfly:w=1/16", 4)) == "unbounded");
+  CHECK(word(smoothness("butterfly:w=1/16", 5)) == "unknown");
 }
 
 TEST_CASE("the butterfly scheme is C1 at vertices of valence 4 to 7 alone") {

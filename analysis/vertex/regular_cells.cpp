@@ -1,9 +1,11 @@
 #include "regular_cells.hpp"
 
+#include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 namespace subcert::vertex {
@@ -150,6 +152,31 @@ std::vector<LatticePoint> window_of(const LatticeMask& mask) {
     if (next == window) return {window.begin(), window.end()};
     window = std::move(next);
   }
+}
+
+bool has_bounded_second_derivatives(const LatticeMask& mask) {
+  const int m = mask.arity();
+  const auto ones = [m](const LatticePoint& e) {
+    std::vector<Monomial> terms;
+    for (long k = 0; k < m; ++k) terms.push_back({1, {k * e[0], k * e[1]}});
+    return MultivariatePolynomial(2, terms);
+  };
+  const auto is_bounded = [&](const LatticePoint& e, const LatticePoint& f) {
+    const auto quotient = mask.symbol().exact_quotient(ones(e) * ones(f));
+    if (!quotient) return false;
+    std::map<std::size_t, Rational> sums;  // of moduli, by class
+    for (const Monomial& term : quotient->terms())
+      sums[mask.dilation().divide(term.exponents).digit] += abs(term.coefficient) * Rational(m * m);
+    return std::ranges::all_of(sums, [](const auto& sum) { return sum.second <= 1; });
+  };
+  const std::vector<LatticePoint> directions{{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  std::vector<std::vector<Rational>> forms;  // by x^2, xy, y^2
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (std::size_t j = i; j < directions.size(); ++j) {
+      const LatticePoint &e = directions[i], &f = directions[j];
+      if (is_bounded(e, f)) forms.push_back({e[0] * f[0], e[0] * f[1] + e[1] * f[0], e[1] * f[1]});
+    }
+  return !forms.empty() && kernel(transposed(from_columns(forms, 3))).empty();
 }
 
 bool is_positive(const LatticeMask& mask) {

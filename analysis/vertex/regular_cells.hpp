@@ -16,6 +16,12 @@ std::vector<LatticePoint> window_of(const LatticeMask& mask);
 /// z^((m-1)e)). Nothing where the quotient is none, or has coset sums other than 1.
 std::optional<LatticeMask> derivative_mask(const LatticeMask& mask, std::size_t axis);
 
+/// Whether the second derivatives of the limits are proved bounded: the schemes of m^2 times second divided differences
+/// along pairs of the directions (1,0), (0,1), (1,1), (1,-1), pairs that span the quadratic forms, have norms of at
+/// most
+/// 1. So first derivatives are Lipschitz. Domain: numbers, m times the identity; phi continuous.
+bool has_bounded_second_derivatives(const LatticeMask& mask);
+
 /// No coefficient is negative.
 bool is_positive(const LatticeMask& mask);
 

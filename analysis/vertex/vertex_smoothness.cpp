@@ -181,7 +181,7 @@ class VertexProof {
       if (limit != compared(other, leader, rules_, set_)) limit.reset();
     }
     result_.next = modulus.enclosure();
-    result_.curvature = limit;
+    if (regular_.curved || limit == CurvatureLimit::unbounded) result_.curvature = limit;
     if (!is_regular_vertex(rules_))
       result_.exponent = exponent_at(leader.value.real(), modulus, limit == CurvatureLimit::bounded, regular_.exponent);
   }
@@ -203,7 +203,8 @@ std::string to_text(CurvatureLimit limit) {
 RegularPart regular_part(const SectorRules& rules, const Budget& budget) {
   require(!rules.step || is_of_two_steps(rules.mask, *rules.step), "regular part: need the mask of two steps");
   const LatticeMask& mask = rules.step ? *rules.step : rules.mask;
-  RegularPart result{rules.mask, {}, regularity_of(mask, budget).exponent(), nullptr};
+  RegularPart result{rules.mask, {}, regularity_of(mask, budget).exponent(), false, nullptr};
+  result.curved = (result.exponent.lower && *result.exponent.lower > 2) || has_bounded_second_derivatives(rules.mask);
   if (result.exponent.lower && *result.exponent.lower > 1) {
     result.c1 = {Truth::yes, "the exponent is above 1"};
   } else {

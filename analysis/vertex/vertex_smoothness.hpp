@@ -20,6 +20,7 @@ struct RegularPart {
   LatticeMask mask;
   Decision c1;         ///< whether all limits have continuous first derivatives, the limits of divided differences
   Enclosure exponent;  ///< of Hoelder, as regularity_of()
+  bool curved;         ///< whether second derivatives are proved to exist almost everywhere, bounded
   std::shared_ptr<const vertex::CellForms> forms;
 };
 
@@ -27,8 +28,7 @@ struct RegularPart {
 /// of regularity_of().
 RegularPart regular_part(const SectorRules& rules, const Budget& budget);
 
-/// How the curvature at the points x/m^k, x fixed, tends where the surface has one: |mu| below, equal to or above
-/// lambda^2.
+/// Of the curvature at the points x/m^k, x fixed, for k -> infinity: |mu| below, equal to or above lambda^2.
 enum class CurvatureLimit { zero, bounded, unbounded };
 std::string to_text(CurvatureLimit limit);
 
@@ -51,7 +51,7 @@ struct VertexSmoothness {
   Enclosure subdominant;                           ///< lambda, where it is one number, real and positive
   Enclosure next;                                  ///< |mu|, the largest of the other moduli
   Enclosure exponent;                              ///< of Hoelder at the vertex, where c1 is yes
-  std::optional<CurvatureLimit> curvature;         ///< where c1 is yes and |mu| is told from lambda^2
+  std::optional<CurvatureLimit> curvature;         ///< where c1 is yes; 0 or bounded, where curved
   int levels = 0;                                  ///< how often squares were cut
   long squares = 0;                                ///< that the proofs looked at
   std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes, by hulls

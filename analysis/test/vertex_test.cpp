@@ -72,7 +72,7 @@ TEST_CASE("curvature and exponents at vertices") {
   CHECK(word(smoothness("catmull-clark", 4)) == "bounded");
   CHECK(word(smoothness("catmull-clark", 5)) == "unbounded");
 
-  // Limits of the butterfly scheme have no bounded curvature anywhere.
+  // That second derivatives of the butterfly scheme are bounded is not proved.
   for (const long n : {3L, 5L, 8L, 20L})
     for (const auto& [scheme, curvature] :
          {std::pair<std::string, std::string>{"doo-sabin", "bounded"}, {"modified-butterfly", "unknown"}}) {

@@ -119,6 +119,13 @@ TEST_CASE("vertex smoothness refuses what it has no proof for") {
   SectorRules skew = rules;
   skew.rules[{1, 0}] = {{{{{1, 0}, 0}, Rational(1) / 2}, {{{1, 0}, 1}, Rational(1) / 2}}};
   CHECK_THROWS_AS(vertex_smoothness(skew, part_of("loop")), Error);
+  SectorRules pointing = rules;  // to the first sector
+  pointing.rules.at({0, 0}) = {
+      {{{{0, 0}, 0}, Rational(1) / 2}, {{{1, 0}, 0}, Rational(1) / 4}, {{{1, 0}, 1}, Rational(1) / 4}}};
+  CHECK_THROWS_WITH(vertex_smoothness(pointing, part_of("loop")), Catch::Contains("turn with the sectors"));
+  const SectorRules quads_as_triangles{6, SectorLattice::triangles, vertex_rules("catmull-clark", 4).mask};
+  CHECK_THROWS_WITH(vertex_smoothness(quads_as_triangles, part_of("catmull-clark")),
+                    Catch::Contains("turn with the sectors"));
   // A vertex that is left where it is: the mean of the ring does not come to it.
   SectorRules still = rules;
   still.rules.at({0, 0}) = {{{{{0, 0}, 0}, Rational(1)}}};

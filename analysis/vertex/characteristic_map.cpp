@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <set>
 
 namespace subcert::vertex {
 namespace {
@@ -109,7 +110,36 @@ long CharacteristicMap::radius() const {
   for (const LatticePoint& point : forms_.values.window)
     for (const long e : point) offset = std::max(offset, std::abs(e));
   for (const auto& [point, rule] : rules_.rules) own = std::max(own, point[0] + point[1]);
-  return reach + offset + own + 1;
+  return reach + offset + own + 2;
+}
+
+bool CharacteristicMap::is_plane_on_ring() const {
+  std::set<LatticePoint> points;
+  const auto add_windows = [&](const CellForm& form) {
+    for (const Cell& cell : ring())
+      for (const LatticePoint& k : form.window)
+        for (const LatticePoint& step : {LatticePoint{0, 0}, {1, 0}, {0, 1}})
+          points.insert({cell.x + k[0] - step[0], cell.y + k[1] - step[1]});
+  };
+  add_windows(forms_.values);
+  for (const CellForm& derivative : forms_.derivatives) add_windows(derivative);
+  const long m = rules_.mask.arity();
+  const auto terms = rules_.mask.symbol().terms();
+  return std::ranges::all_of(points, [&](const LatticePoint& point) {
+    const auto at = in_sector(point, rules_.lattice, rules_.valence);
+    if (!at || rules_.rules.count(at->point) > 0) return false;
+    std::map<SectorPoint, LaurentPolynomial> rest;  // the mask less the rule
+    for (const Monomial& term : terms) {
+      const long x = point[0] - term.exponents[0], y = point[1] - term.exponents[1];
+      if (x % m != 0 || y % m != 0) continue;
+      const auto datum = in_sector({x / m, y / m}, rules_.lattice, rules_.valence);
+      if (!datum) return false;
+      rest[*datum] += term.coefficient;
+    }
+    for (const SectorTerm& term : rules_.rule_at(at->point).terms)
+      rest[turned(term.at, at->turn, rules_.lattice, rules_.valence)] -= term.weight;
+    return std::ranges::all_of(rest, [](const auto& entry) { return entry.second.is_zero(); });
+  });
 }
 
 std::vector<CharacteristicMap::Cell> CharacteristicMap::ring() const {
@@ -228,6 +258,10 @@ MapProof CharacteristicMap::prove(int most_levels) const {
     proof.regular.reason = "no bound of the derivatives of the basic limit function was found";
     return proof;
   }
+  if (!is_plane_on_ring()) {
+    proof.regular.reason = "the rules of the ring are not those of the mask in the plane";
+    return proof;
+  }
   const auto all = [&](const auto& holds_on) {
     std::vector<Cell> open = ring();
     while (!open.empty()) {
@@ -264,7 +298,7 @@ MapProof CharacteristicMap::prove(int most_levels) const {
 }
 
 bool CharacteristicMap::winds(int most_levels) const {
-  if (!forms_.values.bound) return false;
+  if (!forms_.values.bound || !is_plane_on_ring()) return false;
   // Along the squares of one radius: those of the ring with x = m r - 1, and their mirror images.
   const long x = rules_.mask.arity() * radius() - 1;
   std::deque<Cell> open;

@@ -73,6 +73,8 @@ class CharacteristicMap {
       : rules_(rules), forms_(forms), field_(field), block_(rules, {}, frequency, field), inverse_(1 / lambda) {}
 
   long radius() const;
+  /// Whether in the windows of the ring the rules are those of the mask in the plane: beyond the ring they are then.
+  bool is_plane_on_ring() const;
   std::vector<Cell> ring() const;
   std::vector<Cell> children(const Cell& cell) const;
   Truth sign_of_jacobian(const Cell& cell) const;

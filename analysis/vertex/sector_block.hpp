@@ -22,6 +22,10 @@ ClosedSet smallest_closed_set(const SectorRules& rules);
 /// The point of the plane of sector 0 that is the mirror image of a point of it, (x, y) -> (y, x).
 SectorPoint mirror_image(const LatticePoint& point, const SectorRules& rules);
 
+/// Whether the rules are the same in all sectors: the mask is its own image under a turn by one sector, and the rule of
+/// the vertex tells no sector from another. Exact.
+bool turns_with_sectors(const SectorRules& rules);
+
 /// Whether all rules are their own mirror images: those of the points, and the mask. Exact.
 bool is_symmetric(const SectorRules& rules, const ClosedSet& set);
 

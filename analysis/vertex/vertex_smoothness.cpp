@@ -102,6 +102,9 @@ class VertexProof {
       : rules_(rules), regular_(regular), set_(smallest_closed_set(rules)) {
     result_.valence = rules.valence;
     require(regular.mask == rules.mask, "smoothness at a vertex: need the regular part of the same mask");
+    require(turns_with_sectors(rules),
+            "smoothness at a vertex: need a mask and a rule of the vertex that turn with the "
+            "sectors");
     require(is_symmetric(rules, set_), "smoothness at a vertex: need rules that are their own mirror images");
     require(reproduces_constants(set_, CosineField(rules.valence)), "smoothness at a vertex: need weights of sum 1");
   }

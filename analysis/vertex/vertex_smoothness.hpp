@@ -57,8 +57,8 @@ struct VertexSmoothness {
   std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes, by hulls
 };
 
-/// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not their own mirror images
-/// or whose weights do not sum to 1. Proof: docs/vertices.md. Ref: [Rei95].
+/// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not the same in all
+/// sectors, are not their own mirror images, or whose weights do not sum to 1. Proof: docs/vertices.md. Ref: [Rei95].
 VertexSmoothness vertex_smoothness(const SectorRules& rules, const RegularPart& regular);
 
 }  // namespace subcert

@@ -32,8 +32,8 @@ struct SurfaceSubject {
   std::string mask, dilation;
   bool is_refinable = false;   ///< a vector of functions, given by its refinement equation
   std::string component = {};  ///< the number, from 0, of the one that is meant, or empty
-  std::string vertex = {};     ///< LATTICE:N;..., rules around a vertex where limits are C^1, or empty
   std::string integral = {};   ///< X0,X1,..., that of the only functions that have it, or empty
+  std::string vertex = {};     ///< LATTICE:N;..., rules around a vertex where limits are C^1, or empty
 };
 struct FamilySubject {
   bool is_subradius = false;

@@ -2,7 +2,10 @@
 #include "work.hpp"
 
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
+#include <subcert/analysis/vertex/vertex_smoothness.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
+#include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <cmath>
 
@@ -52,8 +55,38 @@ py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, co
                         indices_of(counts));
 }
 
+/// For each valence what is proved there.
+py::list vertices(const Scheme& scheme, const std::vector<long>& valences, double seconds, const py::object& progress) {
+  if (!has_vertex_rules(scheme)) fail(ErrorKind::domain, "vertices: {} has no rules at vertices", scheme.specification);
+  for (const long n : valences)
+    if (n < 3 || n > 1000) fail(ErrorKind::domain, "vertices: need valences from 3 to 1000, got {}", n);
+  std::vector<VertexSmoothness> found(valences.size());
+  interruptible(progress, [&] {
+    if (valences.empty()) return 0;
+    const RegularPart regular = regular_part(vertex_rules(scheme.specification, valences.front()),
+                                             {Deadline::in(seconds)});
+    parallel_for_each(valences.size(), all_cores(), [&](std::size_t i) {
+      found[i] = vertex_smoothness(vertex_rules(scheme.specification, valences[i]), regular);
+    });
+    return 0;
+  });
+  py::list result;
+  for (const VertexSmoothness& at : found) {
+    const auto known = [](const Enclosure& value) {
+      return value.lower || value.upper ? std::optional(value) : std::nullopt;
+    };
+    result.append(py::make_tuple(at.valence, at.c1, at.frequency, known(at.subdominant), known(at.next),
+                                 known(at.exponent),
+                                 at.curvature ? std::optional(to_text(*at.curvature)) : std::nullopt));
+  }
+  return result;
+}
+
 }  // namespace
 
-void add_meshes(py::module_& module) { module.def("refine_mesh", &refine_mesh); }
+void add_meshes(py::module_& module) {
+  module.def("refine_mesh", &refine_mesh);
+  module.def("vertices", &vertices);
+}
 
 }  // namespace subcert::python

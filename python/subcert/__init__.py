@@ -74,6 +74,7 @@ from ._schemes import (
 )
 from ._sweeps import Atlas, AtlasAnswers, AtlasEntry, SweepAnswer, sweep
 from ._tables import SchemeTable, compare
+from ._vertices import Vertex, vertices
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 

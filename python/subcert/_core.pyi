@@ -186,6 +186,9 @@ def refine_mesh(
     crease: Optional[float],
     progress: _Progress,
 ) -> tuple[_Array, _Array, _Array]: ...
+def vertices(
+    scheme: Any, valences: Sequence[int], budget: float, progress: _Progress
+) -> list[tuple[Any, ...]]: ...
 def smooth(
     y: _Array,
     x: Optional[_Array],

@@ -233,3 +233,18 @@ def test_facts_are_those_of_the_command_line():
     assert h.facts["exact"] is h.exact and h.facts["method"] == h.method and h.facts["sum_rules"] == h.sum_rules
     assert pickle.loads(pickle.dumps(h)).facts == h.facts
     assert surface.holder().facts["variables"] == 2
+
+
+def test_surfaces_at_vertices_of_any_valence():
+    three, seven = subcert.vertices("loop", [3, 7])
+    assert (three.valence, three.frequency, three.curvature) == (3, 1, "unbounded")
+    assert three.c1.is_yes and seven.c1.is_yes
+    assert three.subdominant.lower <= Fraction(1, 4) <= three.subdominant.upper
+    assert three.exponent.lower <= Fraction(3, 2) <= three.exponent.upper
+    eight = subcert.vertices(subcert.scheme("butterfly:w=1/16"), [8])[0]
+    assert eight.c1.is_no and eight.frequency == 2 and eight.exponent is None and eight.curvature is None
+    assert subcert.vertices("sqrt3", []) == []
+    with pytest.raises(subcert.DomainError, match="valences from 3 to 1000"):
+        subcert.vertices("loop", [2])
+    with pytest.raises(subcert.DomainError, match="no rules at vertices"):
+        subcert.vertices("primal:n=2")

@@ -1,0 +1,59 @@
+"""Surfaces at the vertices of meshes."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Iterable, Optional, Union
+
+from ._calls import core as _core
+from ._exact import Decision, Enclosure, optional_enclosure
+from ._regularity import Progress
+from ._schemes import MultivariateScheme, Named, scheme
+
+
+@dataclasses.dataclass(frozen=True)
+class Vertex:
+    """What is proved of the surfaces of a scheme at vertices of one valence, of dual schemes in faces of so many corners:
+    of all initial data but a set of measure zero."""
+
+    valence: int
+    c1: Decision
+    """Whether the surface is, near the vertex, the graph of a C1 function over its tangent plane."""
+    frequency: int
+    """That of the subdominant eigenvalue."""
+    subdominant: Optional[Enclosure]
+    """That eigenvalue, where it is one number, real and positive."""
+    next: Optional[Enclosure]
+    """The largest modulus of the others."""
+    exponent: Optional[Enclosure]
+    """Of Hölder at the vertex, where the surface is C1."""
+    curvature: Optional[str]
+    """"zero", "bounded" or "unbounded" towards the vertex; None where that is not told."""
+
+
+def vertices(
+    surface: Union[str, Named, MultivariateScheme],
+    valences: Iterable[int] = range(3, 13),
+    *,
+    budget: float = 60,
+    progress: Progress = None,
+) -> list[Vertex]:
+    """Whether the surfaces of a scheme are smooth at vertices of these valences, 3 to 1000 each, with proof.
+
+    `surface`: one with rules at vertices: loop, catmull-clark, doo-sabin, midedge, butterfly, modified-butterfly, sqrt3.
+    `budget`: seconds of processor time, of the part away from vertices. Raises DomainError for other schemes and
+    valences.
+
+    >>> import subcert
+    >>> [str(at.c1.truth) for at in subcert.vertices("butterfly:w=1/16", range(4, 9))]
+    ['yes', 'yes', 'yes', 'yes', 'no']
+    """
+    meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
+    return [
+        Vertex(
+            valence, Decision._of(c1), frequency, *(optional_enclosure(ends) for ends in enclosures), curvature=curvature
+        )
+        for valence, c1, frequency, *enclosures, curvature in _core.vertices(
+            meant._handle, [int(n) for n in valences], budget, progress
+        )
+    ]

@@ -3,6 +3,7 @@
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/pages/sweep_lines.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
+#include <subcert/proofs-checks/sweeps/growth.hpp>
 #include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
 
@@ -22,7 +23,7 @@ struct SweepCommandOptions : CommonOptions, SweepArguments {
   std::optional<double> budget;
   std::optional<int> memory;
   bool in_order = false;
-  std::string certificates, worker;
+  std::string certificates, worker, fit;
 };
 
 constexpr std::size_t most_counterexamples = 5;
@@ -107,6 +108,18 @@ void write_certificates(const SweepCommandOptions& options, const sweeps::SweepP
   }
 }
 
+/// What is found by least squares; nothing of it is proved.
+void tell_growths(const SweepCommandOptions& options, const sweeps::Growths& growths) {
+  const auto found = growths.result();
+  if (found.empty()) options.remark("fit of " + options.fit + ": there are not three positive values of a family");
+  for (const sweeps::Growth& one : found)
+    options.remark(
+        fmt::format("fit of {}, {}: {:.4g} * {}^{:.4g} for {} values from {} to {}, off by at most {:.2g} %; "
+                    "power {:.4g} between the last two",
+                    options.fit, one.schemes, one.factor, growths.question().key, one.power, one.count,
+                    to_text(one.first), to_text(one.last), 100 * one.deviation, one.last_power));
+}
+
 ExitCode run(const SweepCommandOptions& options) {
   const sweeps::SweepPlan plan = plan_of(options);
   const std::vector<std::string> schemes = schemes_of_plan(plan);
@@ -119,6 +132,8 @@ ExitCode run(const SweepCommandOptions& options) {
   if (plan.columns.empty() && !plan.expect.empty()) columns.emplace_back("expected");
   const SweepLines lines(options.json, columns);
   Tally tally(plan.expect);
+  std::optional<sweeps::Growths> growths;
+  if (!options.fit.empty()) growths.emplace(sweeps::GrowthQuestion::parse(options.fit));
   const bool on_screen = options.out.empty() || options.out == standard_stream;
   sweeps::SweepOptions sweep = sweep_options(options, options, "sweep");
   bool has_head = false;
@@ -134,6 +149,7 @@ ExitCode run(const SweepCommandOptions& options) {
   std::string text = lines.head();  // of a file
   sweep.in_order = [&](std::size_t, const Json& answers) {
     tally.add(answers);
+    if (growths) growths->add(answers);
     if (as_they_come) return;
     const std::string line = lines.line(tally.judged(answers));
     if (on_screen) return print(line);
@@ -146,6 +162,7 @@ ExitCode run(const SweepCommandOptions& options) {
   if (!on_screen) options.answer(text);
   if (on_screen && !has_head) print("");
   options.remark(tally.text());
+  if (growths) tell_growths(options, *growths);
   if (!options.certificates.empty()) write_certificates(options, plan, program, tally.counterexamples());
   return tally.code();
 }
@@ -166,6 +183,8 @@ void add_sweep(Command& app) {
       .one_of(sweeps::known_questions());
   command.option("--where", options->where, "Only schemes whose keys meet this, as 'n >= 4 and d == 1'");
   command.option("--expect", options->expect, "What the answers should meet, as 'holder > 1.9 and converges == yes'");
+  command.option("--fit", options->fit,
+                 "How a number grows with a key, by least squares, as 'mean by n' or '2 - holder by n'");
   command.option("--columns", options->columns, "Columns of the table, by the names of --json").separated_by_commas();
   command.flag("--in-order", options->in_order, "Lines in the order of the schemes, not as they come");
   command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none")

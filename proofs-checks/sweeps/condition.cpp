@@ -15,14 +15,6 @@ std::optional<Rational> number_in(const Json& value) {
   return value.is_string() ? parse_number(value.get<std::string>()) : std::nullopt;
 }
 
-/// An end that is infinite, or no number, is none.
-Enclosure enclosure_in(const Json& value) {
-  if (value.is_object() && value.contains("lower") && value.contains("upper"))
-    return {number_in(value.at("lower")), number_in(value.at("upper"))};
-  const auto number = number_in(value);
-  return {number, number};
-}
-
 Truth negated(Truth truth) {
   return truth == Truth::yes ? Truth::no : truth == Truth::no ? Truth::yes : Truth::unknown;
 }
@@ -40,6 +32,13 @@ Truth equals(const Enclosure& x, const Rational& y) {
 }
 
 }  // namespace
+
+Enclosure enclosure_of(const Json& value) {
+  if (value.is_object() && value.contains("lower") && value.contains("upper"))
+    return {number_in(value.at("lower")), number_in(value.at("upper"))};
+  const auto number = number_in(value);
+  return {number, number};
+}
 
 const Json* member_at(const Json& answer, std::string_view path) {
   const Json* at = &answer;
@@ -99,7 +98,7 @@ Truth Condition::holds(const Comparison& comparison, const Json* value) {
                                                            : Truth::no;
     return is_negated ? negated(truth) : truth;
   }
-  const Enclosure x = enclosure_in(*value);
+  const Enclosure x = enclosure_of(*value);
   switch (comparison.relation) {
     case Relation::greater: return is_above(x, comparison.number, false);
     case Relation::at_least: return is_above(x, comparison.number, true);

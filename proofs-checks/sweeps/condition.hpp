@@ -13,6 +13,10 @@ namespace subcert::sweeps {
 /// The member of an answer with this path, names between dots; nullptr where there is none.
 const Json* member_at(const Json& answer, std::string_view path);
 
+/// The number, or the enclosure {"lower": ..., "upper": ...}, that a value is; an end that is infinite, or no number,
+/// is none.
+Enclosure enclosure_of(const Json& value);
+
 /// Comparisons NAME OP VALUE joined by `and`, OP one of >, >=, <, <=, ==, !=, VALUE a number or a word; a NAME alone
 /// stands for NAME == yes.
 class Condition {

@@ -28,7 +28,7 @@ struct CellForm {
 
 /// What is asked of the regular part of a scheme, once for all vertices.
 struct CellForms {
-  explicit CellForms(const LatticeMask& mask);
+  explicit CellForms(const LatticeMask& of);
 
   LatticeMask mask;
   CellForm values;
@@ -68,7 +68,7 @@ class CharacteristicMap {
     long x, y;
     int level;
   };
-  CharacteristicMap(const SectorRules& rules, const CellForms& forms, long frequency, Ball lambda,
+  CharacteristicMap(const SectorRules& rules, const CellForms& forms, long frequency, const Ball& lambda,
                     const BallField& field)
       : rules_(rules), forms_(forms), field_(field), block_(rules, {}, frequency, field), inverse_(1 / lambda) {}
 

@@ -178,8 +178,8 @@ def refine(
 def refine_mesh(
     scheme: str,
     vertices: _Array,
-    corners: _Array,
-    sides: _Array,
+    corners: Any,
+    sides: Any,
     levels: int,
     limit: bool,
     normals: bool,

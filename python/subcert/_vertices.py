@@ -13,8 +13,8 @@ from ._schemes import MultivariateScheme, Named, scheme
 
 @dataclasses.dataclass(frozen=True)
 class Vertex:
-    """What is proved of the surfaces of a scheme at vertices of one valence, of dual schemes in faces of so many corners:
-    of all initial data but a set of measure zero."""
+    """What is proved of the surfaces of a scheme at vertices of one valence, of dual schemes in faces of so many
+    corners: of all initial data but a set of measure zero."""
 
     valence: int
     c1: Decision
@@ -40,8 +40,8 @@ def vertices(
 ) -> list[Vertex]:
     """Whether the surfaces of a scheme are smooth at vertices of these valences, 3 to 1000 each, with proof.
 
-    `surface`: one with rules at vertices: loop, catmull-clark, doo-sabin, midedge, butterfly, modified-butterfly, sqrt3.
-    `budget`: seconds of processor time, of the part away from vertices. Raises DomainError for other schemes and
+    `surface`: one with rules at vertices: loop, catmull-clark, doo-sabin, midedge, butterfly, modified-butterfly,
+    sqrt3. `budget`: seconds of processor time, of the part away from vertices. Raises DomainError for other schemes and
     valences.
 
     >>> import subcert
@@ -49,11 +49,16 @@ def vertices(
     ['yes', 'yes', 'yes', 'yes', 'no']
     """
     meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
+    found = _core.vertices(meant._handle, [int(n) for n in valences], budget, progress)
     return [
         Vertex(
-            valence, Decision._of(c1), frequency, *(optional_enclosure(ends) for ends in enclosures), curvature=curvature
+            valence,
+            Decision._of(c1),
+            frequency,
+            optional_enclosure(subdominant),
+            optional_enclosure(behind),
+            optional_enclosure(exponent),
+            curvature,
         )
-        for valence, c1, frequency, *enclosures, curvature in _core.vertices(
-            meant._handle, [int(n) for n in valences], budget, progress
-        )
+        for valence, c1, frequency, subdominant, behind, exponent, curvature in found
     ]

@@ -48,7 +48,8 @@ TEST_CASE("random symbols in a frequency are those in z") {
     text += fmt::format(" (1 {:+}*{}sin^2({})) {}", weight, slash, half, exponential(moved));
     const LaurentPolynomial cosine({Rational(1, 4), Rational(1, 2), Rational(1, 4)}, -1);
     LaurentPolynomial expected = LaurentPolynomial(2) * LaurentPolynomial::monomial(1, moved) *
-                                 (LaurentPolynomial(1) + LaurentPolynomial(weight) * (LaurentPolynomial(1) - cosine));
+                                 (LaurentPolynomial(1) +
+                                  LaurentPolynomial(Rational(weight)) * (LaurentPolynomial(1) - cosine));
     for (long k = 0; k < squares; ++k) expected *= cosine;
     CAPTURE(trial, text, specification_as_written(text));
     CHECK(laurent_of(text) == expected);

@@ -124,12 +124,11 @@ bool CharacteristicMap::is_plane_on_ring() const {
   add_windows(forms_.values);
   for (const CellForm& derivative : forms_.derivatives) add_windows(derivative);
   const long m = rules_.mask.arity();
-  const auto terms = rules_.mask.symbol().terms();
   return std::ranges::all_of(points, [&](const LatticePoint& point) {
     const auto at = in_sector(point, rules_.lattice, rules_.valence);
     if (!at || rules_.rules.count(at->point) > 0) return false;
     std::map<SectorPoint, LaurentPolynomial> rest;  // the mask less the rule
-    for (const Monomial& term : terms) {
+    for (const LatticeMask::Term& term : rules_.mask.terms()) {
       const long x = point[0] - term.exponents[0], y = point[1] - term.exponents[1];
       if (x % m != 0 || y % m != 0) continue;
       const auto datum = in_sector({x / m, y / m}, rules_.lattice, rules_.valence);

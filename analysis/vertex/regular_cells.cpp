@@ -1,19 +1,24 @@
 #include "regular_cells.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
 #include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <set>
 
 namespace subcert::vertex {
 namespace {
 
-/// 1 + z^e + ... + z^((m-1)e) for a unit vector e.
-MultivariatePolynomial ones_along(std::size_t axis, int m) {
-  return MultivariatePolynomial::in_variable(2, static_cast<int>(axis), LaurentPolynomial::all_ones(m));
+/// The mask of divided differences along e, m a(z) / (1 + z^e + ... + z^((m-1)e)), where that is a polynomial.
+std::optional<LatticeMask> divided_along(const LatticeMask& mask, const LatticePoint& e) {
+  const int m = mask.arity();
+  std::vector<Monomial> ones;
+  for (long k = 0; k < m; ++k) ones.push_back({1, {k * e[0], k * e[1]}});
+  const auto quotient = mask.symbol().exact_quotient(MultivariatePolynomial(2, ones));
+  if (!quotient) return std::nullopt;
+  return LatticeMask(*quotient * MultivariatePolynomial(2, Rational(m)), m);
 }
 
 /// The operators v(x) = B_d v(y), x = (y + d)/m, of v(x) = (phi(x - k))_k, numerators over one denominator: column p of
@@ -155,19 +160,9 @@ std::vector<LatticePoint> window_of(const LatticeMask& mask) {
 }
 
 bool has_bounded_second_derivatives(const LatticeMask& mask) {
-  const int m = mask.arity();
-  const auto ones = [m](const LatticePoint& e) {
-    std::vector<Monomial> terms;
-    for (long k = 0; k < m; ++k) terms.push_back({1, {k * e[0], k * e[1]}});
-    return MultivariatePolynomial(2, terms);
-  };
   const auto is_bounded = [&](const LatticePoint& e, const LatticePoint& f) {
-    const auto quotient = mask.symbol().exact_quotient(ones(e) * ones(f));
-    if (!quotient) return false;
-    std::map<std::size_t, Rational> sums;  // of moduli, by class
-    for (const Monomial& term : quotient->terms())
-      sums[mask.dilation().divide(term.exponents).digit] += abs(term.coefficient) * Rational(m * m);
-    return std::ranges::all_of(sums, [](const auto& sum) { return sum.second <= 1; });
+    const auto once = divided_along(mask, e), twice = once ? divided_along(*once, f) : std::nullopt;
+    return twice && operator_norm(*twice) <= 1;
   };
   const std::vector<LatticePoint> directions{{1, 0}, {0, 1}, {1, 1}, {1, -1}};
   std::vector<std::vector<Rational>> forms;  // by x^2, xy, y^2
@@ -185,13 +180,11 @@ bool is_positive(const LatticeMask& mask) {
 }
 
 std::optional<LatticeMask> derivative_mask(const LatticeMask& mask, std::size_t axis) {
-  const int m = mask.arity();
-  const auto quotient = mask.symbol().exact_quotient(ones_along(axis, m));
-  if (!quotient) return std::nullopt;
-  const LatticeMask result(*quotient * MultivariatePolynomial(2, Rational(m)), m);
-  const std::vector<Rational> sums = coset_sums(result);
+  const auto result = divided_along(mask, axis == 0 ? LatticePoint{1, 0} : LatticePoint{0, 1});
+  if (!result) return std::nullopt;
+  const std::vector<Rational> sums = coset_sums(*result);
   const bool is_affine = std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum == 1; });
-  return is_affine ? std::optional(result) : std::nullopt;
+  return is_affine ? result : std::nullopt;
 }
 
 std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window) {

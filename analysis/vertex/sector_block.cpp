@@ -55,12 +55,12 @@ SectorPoint mirror_image(const LatticePoint& point, const SectorRules& rules) {
 bool turns_with_sectors(const SectorRules& rules) {
   const bool is_dual = rules.lattice == SectorLattice::dual, is_triangular = rules.lattice == SectorLattice::triangles;
   const long shift = is_dual ? rules.mask.arity() - 1 : 0;
-  for (const Monomial& term : rules.mask.symbol().terms()) {
+  for (const LatticeMask::Term& term : rules.mask.terms()) {
     const long x = term.exponents[0], y = term.exponents[1];
     if (rules.mask.symbol().coefficient({shift - y, is_triangular ? x + y : x}) != term.coefficient) return false;
   }
   const LatticePoint vertex{0, 0};
-  if (is_dual || (rules.rules.count(vertex) == 0 && rules.valence == (is_triangular ? 6 : 4))) return true;
+  if (is_dual || (rules.rules.count(vertex) == 0 && rules.valence == regular_valence(rules.lattice))) return true;
   const SectorRule rule = rules.rule_at(vertex);
   return std::ranges::all_of(rule.terms, [&](const SectorTerm& term) { return term.at.point == vertex; }) &&
          std::ranges::all_of(rule.rings, [](const RingTerm& ring) { return ring.frequency == 0; });

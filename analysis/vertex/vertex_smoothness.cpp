@@ -7,6 +7,7 @@
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ bool reproduces_constants(const ClosedSet& set, const CosineField& field) {
 /// Whether the rules are those of the mask itself: the valence is regular, and each weight is that of the mask.
 bool is_regular_vertex(const SectorRules& rules) {
   const long n = rules.valence;
-  if (n != (rules.lattice == SectorLattice::triangles ? 6 : 4)) return false;
+  if (n != regular_valence(rules.lattice)) return false;
   const CosineField field(n);
   for (const auto& [point, rule] : rules.rules) {
     std::map<SectorPoint, LaurentPolynomial> difference;
@@ -66,16 +67,6 @@ std::string about(const FrequencyGroup& group) {
   return fmt::format("{:.6f} of frequency {}", abs(group.value).middle(), group.frequency);
 }
 
-/// How the two compare: none where neither is proved.
-std::optional<CurvatureLimit> compared(const FrequencyGroup& next, const FrequencyGroup& leader,
-                                       const SectorRules& rules, const ClosedSet& set) {
-  const Ball square = leader.value.real() * leader.value.real(), modulus = abs(next.value);
-  if (modulus.is_less(square)) return CurvatureLimit::zero;
-  if (square.is_less(modulus)) return CurvatureLimit::unbounded;
-  if (next.count == 1 && is_square_of(next, leader, rules, set)) return CurvatureLimit::bounded;
-  return std::nullopt;
-}
-
 Enclosure minimum(const Enclosure& a, const Enclosure& b) {
   Enclosure result;
   if (a.lower && b.lower) result.lower = std::min(*a.lower, *b.lower);
@@ -103,8 +94,7 @@ class VertexProof {
     result_.valence = rules.valence;
     require(regular.mask == rules.mask, "smoothness at a vertex: need the regular part of the same mask");
     require(turns_with_sectors(rules),
-            "smoothness at a vertex: need a mask and a rule of the vertex that turn with the "
-            "sectors");
+            "smoothness at a vertex: need a mask and a rule of the vertex that turn with the sectors");
     require(is_symmetric(rules, set_), "smoothness at a vertex: need rules that are their own mirror images");
     require(reproduces_constants(set_, CosineField(rules.valence)), "smoothness at a vertex: need weights of sum 1");
   }
@@ -169,6 +159,16 @@ class VertexProof {
       result_.c1.reason = what + ", and no closed curve without a zero of its map is found";
   }
 
+  /// How |mu| and lambda^2 compare: none where nothing is proved.
+  std::optional<CurvatureLimit> compared(const FrequencyGroup& next, const FrequencyGroup& leader) {
+    const Ball square = leader.value.real() * leader.value.real(), modulus = abs(next.value);
+    if (modulus.is_less(square)) return CurvatureLimit::zero;
+    if (square.is_less(modulus)) return CurvatureLimit::unbounded;
+    if (next.count > 1) return std::nullopt;
+    if (!is_square_) is_square_.emplace(leader, rules_, set_);
+    return (*is_square_)(next) ? std::optional(CurvatureLimit::bounded) : std::nullopt;
+  }
+
   /// The eigenvalue behind the leader.
   void look_behind(const FrequencyGroup& leader) {
     if (is_regular_vertex(rules_)) result_.exponent = regular_.exponent;
@@ -176,12 +176,12 @@ class VertexProof {
     const FrequencyGroup& next = spectrum_->groups[1];
     // Of several with moduli that are not told apart the largest may be any: their hull, and the answer of all.
     Ball modulus = abs(next.value);
-    std::optional<CurvatureLimit> limit = compared(next, leader, rules_, set_);
+    std::optional<CurvatureLimit> limit = compared(next, leader);
     for (std::size_t i = 2; i < spectrum_->groups.size(); ++i) {
       const FrequencyGroup& other = spectrum_->groups[i];
       if (abs(other.value).is_less(abs(next.value))) continue;
       modulus = max(modulus, abs(other.value));
-      if (limit != compared(other, leader, rules_, set_)) limit.reset();
+      if (limit != compared(other, leader)) limit.reset();
     }
     result_.next = modulus.enclosure();
     if (regular_.curved || limit == CurvatureLimit::unbounded) result_.curvature = limit;
@@ -195,6 +195,7 @@ class VertexProof {
   VertexSmoothness result_;
   slong bits_ = least_bits;
   std::optional<VertexSpectrum> spectrum_;
+  std::optional<SquareTest> is_square_;  // of the leader
 };
 
 }  // namespace
@@ -224,6 +225,13 @@ RegularPart regular_part(const SectorRules& rules, const Budget& budget) {
 
 VertexSmoothness vertex_smoothness(const SectorRules& rules, const RegularPart& regular) {
   return VertexProof(rules, regular).run();
+}
+
+std::vector<VertexSmoothness> vertex_smoothness(const std::vector<SectorRules>& rules, const RegularPart& regular,
+                                                int threads) {
+  std::vector<VertexSmoothness> result(rules.size());
+  parallel_for_each(rules.size(), threads, [&](std::size_t i) { result[i] = vertex_smoothness(rules[i], regular); });
+  return result;
 }
 
 }  // namespace subcert

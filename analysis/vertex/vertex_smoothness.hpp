@@ -60,5 +60,8 @@ struct VertexSmoothness {
 /// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not the same in all
 /// sectors, are not their own mirror images, or whose weights do not sum to 1. Proof: docs/vertices.md. Ref: [Rei95].
 VertexSmoothness vertex_smoothness(const SectorRules& rules, const RegularPart& regular);
+/// The same at several vertices, in their order.
+std::vector<VertexSmoothness> vertex_smoothness(const std::vector<SectorRules>& rules, const RegularPart& regular,
+                                                int threads);
 
 }  // namespace subcert

@@ -43,12 +43,17 @@ std::vector<std::vector<Number>> restricted(const std::vector<std::vector<Number
   return result;
 }
 
-/// Of one block, by its characteristic polynomial over Q(c), whatever the multiplicities.
+/// The characteristic polynomial of a block of the frequency k over Q(c).
+FieldPolynomial polynomial_of(const SectorRules& rules, const ClosedSet& set, long k, const Unknowns& block,
+                              const CosineField& field) {
+  return characteristic_polynomial(restricted(SectorBlock<CosineField>(rules, set, k, field).matrix(), block), field);
+}
+
+/// Of one block, by its characteristic polynomial, whatever the multiplicities.
 std::optional<std::vector<EigenvalueGroup>> exact_eigenvalues(const SectorRules& rules, const ClosedSet& set, long k,
                                                               const Unknowns& block, slong bits) {
   const CosineField field(rules.valence);
-  const FieldPolynomial p = characteristic_polynomial(
-      restricted(SectorBlock<CosineField>(rules, set, k, field).matrix(), block), field);
+  const FieldPolynomial p = polynomial_of(rules, set, k, block, field);
   const FieldPolynomial multiple = gcd(p, derivative(p, field));
   const BallField balls(rules.valence, bits);
   const auto values = zeros(quotient(p, multiple, field), balls);
@@ -101,20 +106,22 @@ std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const Cl
   return result;
 }
 
-bool is_square_of(const FrequencyGroup& square, const FrequencyGroup& root, const SectorRules& rules,
-                  const ClosedSet& set) {
-  const CosineField field(rules.valence);
-  const auto polynomial_of = [&](const FrequencyGroup& group) {
-    const SectorBlock<CosineField> all(rules, set, group.frequency, field);
-    return characteristic_polynomial(restricted(all.matrix(), group.block), field);
-  };
-  const FieldPolynomial p = polynomial_of(root), common = gcd(p, in_squares(polynomial_of(square), field));
+SquareTest::SquareTest(FrequencyGroup root, const SectorRules& rules, const ClosedSet& set)
+    : root_(std::move(root)),
+      rules_(rules),
+      set_(set),
+      field_(rules.valence),
+      polynomial_(polynomial_of(rules, set, root_.frequency, root_.block, field_)) {}
+
+bool SquareTest::operator()(const FrequencyGroup& square) const {
+  const FieldPolynomial of_square = polynomial_of(rules_, set_, square.frequency, square.block, field_),
+                        common = gcd(polynomial_, in_squares(of_square, field_));
   if (common.size() == 1) return false;
-  // The eigenvalue is the only zero of p in its ball. Where the rest of p has none there, it is one of the common
-  // factor, and its square is an eigenvalue of the other block, the one whose ball it meets.
-  const BallField balls(rules.valence, root.value.bits());
-  return !contains_zero(value_at(quotient(p, common, field), root.value, balls)) &&
-         overlap(root.value * root.value, square.value);
+  // The eigenvalue is the only zero of its polynomial in its ball. Where the rest of that has none there, it is one of
+  // the common factor, and its square is an eigenvalue of the other block, the one whose ball it meets.
+  const BallField balls(rules_.valence, root_.value.bits());
+  return !contains_zero(value_at(quotient(polynomial_, common, field_), root_.value, balls)) &&
+         overlap(root_.value * root_.value, square.value);
 }
 
 }  // namespace subcert::vertex

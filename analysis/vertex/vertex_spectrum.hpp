@@ -30,9 +30,19 @@ struct VertexSpectrum {
 /// not proved to be simple. Cost: a QR iteration for each diagonal block of each frequency.
 std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const ClosedSet& set, slong bits);
 
-/// Whether `square` is exactly the square of `root`. Domain: groups of one eigenvalue, that of `root` real and
-/// positive. Cost: two characteristic polynomials over Q(c) and their gcd.
-bool is_square_of(const FrequencyGroup& square, const FrequencyGroup& root, const SectorRules& rules,
-                  const ClosedSet& set);
+/// Whether eigenvalues are exactly the square of one. Domain: groups of one eigenvalue, that of `root` real and
+/// positive; rules and set that stay. Cost: a characteristic polynomial over Q(c) at first, another and a gcd for each.
+class SquareTest {
+ public:
+  SquareTest(FrequencyGroup root, const SectorRules& rules, const ClosedSet& set);
+  bool operator()(const FrequencyGroup& square) const;
+
+ private:
+  FrequencyGroup root_;
+  const SectorRules& rules_;
+  const ClosedSet& set_;
+  CosineField field_;
+  FieldPolynomial polynomial_;
+};
 
 }  // namespace subcert::vertex

@@ -117,14 +117,15 @@ ExitCode look_up(const LookUpOptions& options) {
   if (options.members) return print_members(options);
   if (options.scheme.empty())
     fail(ErrorKind::usage, "atlas: a scheme is missing, or one of build, query, site; see 'subcert atlas --help'");
-  const bool is_id = atlas::is_entry_id(options.scheme);
-  const std::string id = is_id ? options.scheme
-                               : atlas::entry_id(atlas::mask_of_entry(make_linear_scheme(options.scheme)));
+  std::optional<Scheme> scheme;
+  if (!atlas::is_entry_id(options.scheme)) scheme = make_linear_scheme(options.scheme);
+  const std::string id = scheme ? atlas::entry_id(atlas::mask_of_entry(*scheme)) : options.scheme;
   const Json entry = entry_of_scheme(options, id);
   if (entry.is_null()) return done;
   const Facts list = entry_facts(entry);
-  Json json = page_json(list);
-  if (!is_id) json = Json{{"scheme", make_linear_scheme(options.scheme).specification}}, json.update(page_json(list));
+  Json json = Json::object();
+  if (scheme) json["scheme"] = scheme->specification;
+  json.update(page_json(list));
   const WriteFailure failure = write_kept_certificate(options, id);
   const std::string more = failure.error
                                ? facts::wrapped("certificate  not written: " + reason_text(*failure.error), 13) + "\n"

@@ -2,7 +2,6 @@
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/sweeps/number_list.hpp>
@@ -23,16 +22,15 @@ struct VertexOptions : SearchOptions {
 };
 
 /// One for each valence where smoothness is proved by what certificates can say.
-WrittenCertificates write_certificates_of(const VertexOptions& options, const Scheme& scheme,
+WrittenCertificates write_certificates_of(const VertexOptions& options, const std::vector<SectorRules>& rules,
                                           const std::vector<VertexSmoothness>& valences, Json& json) {
   std::vector<NamedCertificate> certificates;
   std::optional<Regularity> regularity;  // of the mask itself, not of its factors
-  for (const VertexSmoothness& one : valences) {
-    if (!one.evidence) continue;
-    const SectorRules rules = vertex_rules(scheme.specification, one.valence);
-    if (!regularity) regularity = regularity_of(rules.mask.without_factors(), options.limits());
-    certificates.push_back(
-        {fmt::format("{:04}-vertex", one.valence), vertex_certificate(rules, *regularity->surface, one)});
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    if (!valences[i].evidence) continue;
+    if (!regularity) regularity = regularity_of(rules[i].mask.without_factors(), options.limits());
+    certificates.push_back({fmt::format("{:04}-vertex", valences[i].valence),
+                            vertex_certificate(rules[i], *regularity->surface, valences[i])});
   }
   return write_certificates(options.certificate, certificates, {"-vertex"},
                             "what is not proved, or not by hulls of differences", json);
@@ -46,16 +44,14 @@ ExitCode run(const VertexOptions& options) {
          fmt::join(schemes_with_vertex_rules(), ", "));
   if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("the regular part");
-  const RegularPart regular = regular_part(vertex_rules(scheme.specification, numbers.front()), options.limits());
-  std::vector<VertexSmoothness> valences(numbers.size());
+  const std::vector<SectorRules> rules = vertex_rules(scheme.specification, numbers);
+  const RegularPart regular = regular_part(rules.front(), options.limits());
   options.progress("eigenvalues and characteristic maps");
-  parallel_for_each(numbers.size(), options.threads(), [&](std::size_t i) {
-    valences[i] = vertex_smoothness(vertex_rules(scheme.specification, numbers[i]), regular);
-  });
+  const std::vector<VertexSmoothness> valences = vertex_smoothness(rules, regular, options.threads());
   const Facts list = vertex_facts(scheme, regular, valences);
   Json json = page_json(list);
   WrittenCertificates written;
-  if (!options.certificate.empty()) written = write_certificates_of(options, scheme, valences, json);
+  if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, json);
   options.end_progress();
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();

@@ -56,19 +56,14 @@ py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, co
 }
 
 /// For each valence what is proved there.
-py::list vertices(const Scheme& scheme, const std::vector<long>& valences, double seconds, const py::object& progress) {
+py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double seconds, const py::object& progress) {
   if (!has_vertex_rules(scheme)) fail(ErrorKind::domain, "vertices: {} has no rules at vertices", scheme.specification);
-  for (const long n : valences)
+  for (const int n : valences)
     if (n < 3 || n > 1000) fail(ErrorKind::domain, "vertices: need valences from 3 to 1000, got {}", n);
-  std::vector<VertexSmoothness> found(valences.size());
-  interruptible(progress, [&] {
-    if (valences.empty()) return 0;
-    const RegularPart regular = regular_part(vertex_rules(scheme.specification, valences.front()),
-                                             {Deadline::in(seconds)});
-    parallel_for_each(valences.size(), all_cores(), [&](std::size_t i) {
-      found[i] = vertex_smoothness(vertex_rules(scheme.specification, valences[i]), regular);
-    });
-    return 0;
+  const auto found = interruptible(progress, [&] {
+    const std::vector<SectorRules> rules = vertex_rules(scheme.specification, valences);
+    if (rules.empty()) return std::vector<VertexSmoothness>{};
+    return vertex_smoothness(rules, regular_part(rules.front(), {Deadline::in(seconds)}), all_cores());
   });
   py::list result;
   for (const VertexSmoothness& at : found) {

@@ -178,6 +178,12 @@ SectorRules vertex_rules(std::string_view specification, long valence) {
   return maker->second(scheme.mask, valence);
 }
 
+std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences) {
+  std::vector<SectorRules> result;
+  for (const int n : valences) result.push_back(vertex_rules(specification, n));
+  return result;
+}
+
 bool has_vertex_rules(const Scheme& scheme) { return maker_of(scheme) != makers().end(); }
 
 std::vector<std::string> schemes_with_vertex_rules() {

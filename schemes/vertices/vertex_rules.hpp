@@ -24,6 +24,9 @@ namespace subcert {
 SectorRules vertex_rules(std::string_view specification, long valence);
 bool has_vertex_rules(const Scheme& scheme);
 
+/// The same for several valences, in their order.
+std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences);
+
 /// The rule of one step of sqrt3 at a vertex of any valence; its other points are the middles of triangles.
 SectorRule sqrt3_vertex_rule();
 

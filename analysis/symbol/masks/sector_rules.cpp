@@ -15,8 +15,6 @@ LatticePoint turned_back(const LatticePoint& point, SectorLattice lattice) {
   return {y, lattice == SectorLattice::dual ? -x - 1 : -x};
 }
 
-long sectors_of_plane(SectorLattice lattice) { return lattice == SectorLattice::triangles ? 6 : 4; }
-
 bool is_in_sector_zero(const LatticePoint& point, SectorLattice lattice) {
   return point[1] >= 0 && point[0] >= (lattice == SectorLattice::dual ? 0 : 1);
 }
@@ -47,7 +45,7 @@ SectorPoint turned(SectorPoint point, long turns, SectorLattice lattice, long va
 
 std::optional<SectorPoint> in_sector(const LatticePoint& point, SectorLattice lattice, long valence) {
   if (is_vertex(point, lattice)) return SectorPoint{point};
-  const long all = sectors_of_plane(lattice);
+  const long all = regular_valence(lattice);
   LatticePoint at = point;
   long turns = 0;
   for (; !is_in_sector_zero(at, lattice); ++turns) at = turned_back(at, lattice);
@@ -63,7 +61,7 @@ SectorRule SectorRules::rule_at(const LatticePoint& point) const {
     result.rings = own->second.rings;
   } else {
     const long factor = mask.arity();
-    for (const Monomial& term : mask.symbol().terms()) {
+    for (const LatticeMask::Term& term : mask.terms()) {
       const long x = point[0] - term.exponents[0], y = point[1] - term.exponents[1];
       if (x % factor != 0 || y % factor != 0) continue;
       const auto at = in_sector({x / factor, y / factor}, lattice, valence);

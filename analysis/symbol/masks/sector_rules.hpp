@@ -15,6 +15,9 @@ namespace subcert {
 ///   dual       the same; the centre is that of an n-gon with the corners (0,0) of the sectors, which share nothing
 enum class SectorLattice { triangles, quads, dual };
 
+/// How many sectors make the plane: at a vertex of this valence the lattice is regular.
+constexpr long regular_valence(SectorLattice lattice) { return lattice == SectorLattice::triangles ? 6 : 4; }
+
 /// A point of the sector `turn`. Canonical: x, y >= 0, and in a lattice with a vertex x > 0 unless it is the vertex,
 /// which has turn 0; 0 <= turn < n.
 struct SectorPoint {

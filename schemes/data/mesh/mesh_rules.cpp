@@ -50,8 +50,6 @@ SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
   return split == MeshSplit::middles ? sqrt3_vertex_rule() : rules.rule_at(centre);
 }
 
-long regular_valence(MeshSplit split) { return split == MeshSplit::triangles || split == MeshSplit::middles ? 6 : 4; }
-
 Rational over(long numerator, long denominator) { return {Integer(numerator), Integer(denominator)}; }
 
 }  // namespace
@@ -71,12 +69,11 @@ MeshRules::MeshRules(const std::string& specification)
   else if (rules.lattice == SectorLattice::dual)
     split_ = MeshSplit::corners;
   if (split_ == MeshSplit::corners) return;
-  make_regular();
+  make_regular(vertex_rules(specification_, regular_valence(rules.lattice)));
   make_boundary();
 }
 
-void MeshRules::make_regular() {
-  const SectorRules rules = vertex_rules(specification_, regular_valence(split_));
+void MeshRules::make_regular(const SectorRules& rules) {
   interpolates_ = RuleWeights(vertex_rule(rules, split_), rules).at(centre) == Interval::exactly(1);
   if (split_ == MeshSplit::middles) {  // the middles of the triangles have a third of each corner
     spoke_centre_ = spoke_ = spoke_beside_ = 1.0 / 3;

@@ -85,7 +85,7 @@ class MeshRules {
     std::vector<double> edge, corner;
   };
   const Kept& kept(std::size_t n);
-  void make_regular();
+  void make_regular(const SectorRules& rules);
   void make_boundary();
   VertexWeights limit_of(const SectorRules& rules) const;
 

@@ -4,6 +4,7 @@
 #include "mask.hpp"
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 namespace subcert {
@@ -24,7 +25,8 @@ struct SectorPoint {
   LatticePoint point;
   long turn = 0;
 
-  auto operator<=>(const SectorPoint& other) const = default;
+  bool operator==(const SectorPoint& other) const = default;
+  bool operator<(const SectorPoint& other) const { return std::tie(point, turn) < std::tie(other.point, other.turn); }
 };
 
 /// One datum of a rule. The weights are polynomials in c = cos(2 pi/n).

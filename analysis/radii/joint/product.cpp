@@ -126,10 +126,10 @@ struct NearbyEigenvalue {
   Rational away;
 };
 
-std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product) {
+std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product, const Deadline& deadline) {
   const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
   if (start.value == 0.0) return std::nullopt;
-  const auto pair = enclose_eigenpair(product, as_found(start, nearly_real), bits_to_tell(product, start));
+  const auto pair = enclose_eigenpair(product, as_found(start, nearly_real), bits_to_tell(product, start), deadline);
   if (!pair) return std::nullopt;
   const RationalComplex middle = exact_middle(pair->value), point = rounded(middle, bits_after_point(start));
   if (middle.im == 0 &&
@@ -182,7 +182,7 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
       evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
   };
   if (distance == 0 && radius::has_long_characteristic(product)) {
-    if (const auto nearby = nearby_eigenvalue(product)) {
+    if (const auto nearby = nearby_eigenvalue(product, deadline)) {
       eigenvalue_within(nearby->point, nearby->away);
       return evidence;
     }

@@ -7,7 +7,6 @@
 #endif
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace subcert {
@@ -62,9 +61,9 @@ class EigenpairSearch {
     normalise();
   }
 
-  /// By inverse iteration, each time from a point beside the eigenvalue that the last step tells. False where numbers
-  /// of `few` bits find no pivot. Domain: entries up to about 1.
-  bool start(slong few) {
+  /// By inverse iteration, each time from a point beside the eigenvalue that the last step tells. False where that does
+  /// not settle soon, as the approximation is a bad one. Domain: entries up to about 1.
+  bool start(slong few, const Deadline& deadline) {
     ComplexBallMatrix factors(n_, n_);
     std::vector<slong> pivots(n_);
     const Ball size = abs(value_).upper_end(),
@@ -73,7 +72,7 @@ class EigenpairSearch {
     // Irregular, so that no eigenvector has no share of it.
     for (std::size_t i = 0; i < n_; ++i)
       acb_set_d(vector_.entry(i, 0), 1 + std::fmod(std::numbers::phi * static_cast<double>(i + 1), 1));
-    for (int k = 0; k < inverse_steps; ++k) {
+    for (int k = 0; k < inverse_steps && !deadline.expired(); ++k) {
       const ComplexBall point = value_ + beside;
       put_shifted(factors, point);
       if (acb_mat_approx_lu(pivots.data(), factors.get(), factors.get(), few) == 0) return false;
@@ -86,11 +85,11 @@ class EigenpairSearch {
       normalise();
       const ComplexBall next = middle(point + ComplexBall(Ball(1L, bits_)) / scale);
       if (!next.is_finite()) return false;
-      const bool near = abs(next - value_).is_less(beside.scaled(2));
+      const bool settled = abs(next - value_).is_less(beside.scaled(2));
       value_ = next;
-      if (near) break;
+      if (settled) return true;
     }
-    return true;
+    return false;
   }
 
   /// With an inverse of `few` bits. Nothing where that isolates no simple eigenpair.
@@ -121,7 +120,7 @@ class EigenpairSearch {
   }
 
  private:
-  static constexpr int inverse_steps = 12, newton_steps = 60;
+  static constexpr int inverse_steps = 8, newton_steps = 60;
 
   /// Its largest entry becomes 1.
   void normalise() {
@@ -188,14 +187,15 @@ class EigenpairSearch {
   std::size_t largest_ = 0;
 };
 
-/// Inverses of few bits do, most often.
+/// `start` makes an approximation with so many bits, or false. Inverses of few bits do, most often.
+template <class Start>
 std::optional<EigenpairEnclosure> enclosure_of(const RationalMatrix& matrix, const RationalComplex& near, slong bits,
-                                               const std::function<bool(EigenpairSearch&, slong)>& start) {
+                                               const Deadline& deadline, const Start& start) {
   const long exponent = binary_exponent(matrix).value_or(0);
   const Rational unit = power(Rational(2), -exponent);
-  for (const slong few : {std::min<slong>(bits, few_bits), bits}) {
-    EigenpairSearch search(unit * matrix, unit * near, bits);
-    if (!start(search, few)) continue;
+  EigenpairSearch search(unit * matrix, unit * near, bits);
+  for (const slong few : {std::min(bits, few_bits), bits}) {
+    if (deadline.expired() || !start(search, few)) return std::nullopt;
     if (auto found = search.enclosure(few)) {
       found->value = found->value.scaled(exponent);
       return found;
@@ -207,8 +207,8 @@ std::optional<EigenpairEnclosure> enclosure_of(const RationalMatrix& matrix, con
 }  // namespace
 
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
-                                                    slong bits) {
-  return enclosure_of(matrix, rayleigh_quotient(approximation, matrix * approximation), bits,
+                                                    slong bits, const Deadline& deadline) {
+  return enclosure_of(matrix, rayleigh_quotient(approximation, matrix * approximation), bits, deadline,
                       [&](EigenpairSearch& search, slong) {
                         search.start(approximation);
                         return true;
@@ -216,8 +216,9 @@ std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix
 }
 
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const RationalComplex& near,
-                                                    slong bits) {
-  return enclosure_of(matrix, near, bits, [](EigenpairSearch& search, slong few) { return search.start(few); });
+                                                    slong bits, const Deadline& deadline) {
+  return enclosure_of(matrix, near, bits, deadline,
+                      [&](EigenpairSearch& search, slong few) { return search.start(few, deadline); });
 }
 
 std::optional<std::vector<EigenvalueGroup>> eigenvalues(const std::vector<std::vector<Ball>>& matrix, slong bits) {

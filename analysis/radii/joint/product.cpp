@@ -23,8 +23,9 @@ constexpr int dyadic_bits = 200;
 constexpr long resolved_bits = 20;     // that an eigenvalue may be smaller than the entries
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
 constexpr long least_bits = 150;       // of evidence by balls, relatively
-constexpr double nearly_real = 1e-12, nearly_real_if_multiple = 1e-6;  // imaginary parts in doubles, relatively
-constexpr std::size_t longest_common_power = 64, most_paired = 12;     // letters, and the size of matrices
+constexpr double nearly_real = 1e-12, nearly_real_if_multiple = 1e-6,
+                 nearly_double = 1e-7;                              // in doubles, relatively
+constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
 // Of approximate inverses, in bits.
 constexpr long inverse_distance = 72, inverse_accuracy = 60, longest_entry = 4000;
 
@@ -128,13 +129,18 @@ struct NearbyEigenvalue {
 
 std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product, const Deadline& deadline) {
   const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
-  if (start.value == 0.0) return std::nullopt;
-  const auto pair = enclose_eigenpair(product, as_found(start, nearly_real), bits_to_tell(product, start), deadline);
+  if (start.value == 0.0 || start.distance < nearly_double) return std::nullopt;
+  const Rational unit = content(product);
+  const auto nearest = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
+  const RationalComplex near = as_found(start, nearly_real);
+  const Rational size = abs(near.re), rest = abs(nearest(near.re) - near.re);
+  // A rational number, most likely, where few numbers of that size may be rational eigenvalues.
+  if (near.im == 0 && unit > Rational(nearly_real_if_multiple) * size && rest < Rational(nearly_real) * size)
+    return std::nullopt;
+  const auto pair = enclose_eigenpair(product, near, bits_to_tell(product, start), deadline);
   if (!pair) return std::nullopt;
   const RationalComplex middle = exact_middle(pair->value), point = rounded(middle, bits_after_point(start));
-  if (middle.im == 0 &&
-      overlap(pair->value,
-              ball_around({to_multiple(middle.re, content(product), Rounding::nearest), 0}, pair->value.bits())))
+  if (middle.im == 0 && overlap(pair->value, ball_around({nearest(middle.re), 0}, pair->value.bits())))
     return std::nullopt;
   const Rational away = *abs(pair->value - ball_around(point, precision)).enclosure().upper;
   if (away * power(Rational(2), least_bits) > *root_enclosure(point.squared_modulus(), 2).lower) return std::nullopt;
@@ -181,7 +187,7 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
     if (low > 0)
       evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
   };
-  if (distance == 0 && radius::has_long_characteristic(product)) {
+  if (distance == 0 && !deadline.expired() && radius::has_long_characteristic(product)) {
     if (const auto nearby = nearby_eigenvalue(product, deadline)) {
       eigenvalue_within(nearby->point, nearby->away);
       return evidence;

@@ -119,9 +119,8 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   return Centre{rounded(z, bits), std::nullopt, bits};
 }
 
-/// A number c with few bits next to a simple eigenvalue, and how far that one is away at most, by balls: for matrices
-/// with a polynomial of long coefficients, as the polynomial takes much longer. Nothing where the eigenvalue is not
-/// isolated as well as by the polynomial, or may be rational.
+/// A number c with few bits next to a simple eigenvalue, and how far that one is away at most, by balls. Nothing where
+/// it is not isolated as well as by the polynomial, or may be rational.
 struct NearbyEigenvalue {
   RationalComplex point;
   Rational away;
@@ -173,26 +172,41 @@ std::string word_text(const std::vector<int>& word) {
   return text;
 }
 
+namespace {
+
+/// Of a product with an eigenvalue within `away` of c.
+void set_eigenvalue(ProductEvidence& evidence, const RationalComplex& c, const Rational& away) {
+  const int length = static_cast<int>(evidence.word.size());
+  evidence.eigenvalue = c;
+  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
+  const Rational low = *modulus.lower - away;
+  if (low > 0)
+    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
+}
+
+}  // namespace
+
+std::optional<ProductEvidence> radius::prove_long_product(const MatrixFamily& family, const std::vector<int>& word,
+                                                          const Deadline& deadline) {
+  if (deadline.expired()) return std::nullopt;
+  const auto product = family.product(word, deadline);
+  if (!product || !has_long_characteristic(*product)) return std::nullopt;
+  const auto nearby = nearby_eigenvalue(*product, deadline);
+  if (!nearby) return std::nullopt;
+  ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
+  set_eigenvalue(evidence, nearby->point, nearby->away);
+  return evidence;
+}
+
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline,
                               const Rational& distance) {
+  if (distance == 0)
+    if (auto evidence = radius::prove_long_product(family, word, deadline)) return *std::move(evidence);
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
   const auto in_time = family.product(word, deadline);
   if (!in_time) return evidence;
   const RationalMatrix& product = *in_time;
   const int length = static_cast<int>(word.size());
-  const auto eigenvalue_within = [&](const RationalComplex& c, const Rational& away) {
-    evidence.eigenvalue = c;
-    const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
-    const Rational low = *modulus.lower - away;
-    if (low > 0)
-      evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
-  };
-  if (distance == 0 && !deadline.expired() && radius::has_long_characteristic(product)) {
-    if (const auto nearby = nearby_eigenvalue(product, deadline)) {
-      eigenvalue_within(nearby->point, nearby->away);
-      return evidence;
-    }
-  }
   const auto characteristic = characteristic_polynomial(product, deadline);
   if (!characteristic) return evidence;
   const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
@@ -219,7 +233,7 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
     if (steep <= 0) return evidence;
     away = n * value / steep;
   }
-  eigenvalue_within(c, away);
+  set_eigenvalue(evidence, c, away);
   if (centre->rational && distance == 0) {
     const Enclosure exact = root_enclosure(abs(*centre->rational), length);
     if (exact.is_exact() && is_largest_root(p, *centre->rational, deadline)) evidence.exact = exact.lower;

@@ -1,7 +1,5 @@
 #include "rounds.hpp"
 
-#include "cost.hpp"
-
 #include <subcert/analysis/radii/schedule.hpp>
 
 #include <algorithm>
@@ -18,13 +16,13 @@ bool is_better(const JointSpectralRadius& first, const JointSpectralRadius& seco
 }
 
 /// Doubles misjudge products of large matrices with entries much larger than their eigenvalues, so that their letters
-/// are proved before any search, which may take all of the time. Empty where there is no such letter.
+/// are proved before any search, which may take all of the time. Empty where that is no letter.
 ProductEvidence largest_long_letter(const MatrixFamily& family, const Deadline& deadline) {
+  const Deadline others = deadline.after(shares::letters);
   ProductEvidence best;
-  for (std::size_t t = 0; t < family.count() && !deadline.expired(); ++t) {
-    if (!has_long_characteristic(family[t])) continue;
-    ProductEvidence found = prove_product(family, {static_cast<int>(t)}, deadline);
-    if (*found.radius.lower > *best.radius.lower) best = std::move(found);
+  for (int letter = 0; letter < static_cast<int>(family.count()); ++letter) {
+    const auto found = prove_long_product(family, {letter}, letter == 0 ? deadline : others);
+    if (found && *found->radius.lower > *best.radius.lower) best = *found;
   }
   return best;
 }

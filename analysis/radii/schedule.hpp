@@ -11,7 +11,8 @@ inline constexpr double grace_of_norms = 0.2;  ///< seconds, for norms of produc
 namespace family {
 inline constexpr double triangular_form = 0.2;
 inline constexpr double grace_of_basis = 0.5;        ///< seconds, to verify such a form
-inline constexpr double letters = 0.1;               ///< to prove those with long polynomials, after the first
+inline constexpr double first_letter = 0.3;          ///< to prove it, where its polynomial is long,
+inline constexpr double letters = 0.1;               ///< and the others in so much of all
 inline constexpr double symmetries = 0.1;            ///< for balanced blocks, and as much for the symmetries of each
 inline constexpr double first_look = 0.02;           ///< whole, a block: norms and a product
 inline constexpr double least_of_block = 0.05;       ///< whole, however small its part of the work

@@ -142,3 +142,18 @@ TEST_CASE("products with long polynomials have the radius that their eigenvalues
     }
   }
 }
+
+TEST_CASE("two eigenvalues that are one in doubles are told apart") {
+  for (const int digits : {3, 39, 60, 100}) {
+    CAPTURE(digits);
+    // 1 +- 10^-digits sqrt 2, about a zero of the derivative.
+    RationalMatrix m = RationalMatrix::identity(2);
+    m(0, 1) = 2;
+    m(1, 0) = power(Rational(10), -2 * digits);
+    const ProductEvidence found = prove_product({m}, {0});
+    const Rational more = *found.radius.lower - 1;
+    CHECK(more > (digits < 60 ? Rational(0) : -power(Rational(2), -190)));
+    CHECK((more < 0 || more * more <= 2 * m(1, 0)));
+    CHECK(found.eigenvalue.re != 1);
+  }
+}

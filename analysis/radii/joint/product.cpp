@@ -59,6 +59,16 @@ bool is_largest_root(const LaurentPolynomial& p, const Rational& root, const Dea
   return radius::has_time_for_roots(rest, deadline) && *largest_root_modulus(rest).largest.upper < abs(root);
 }
 
+/// Next to a zero of largest modulus. Domain: a zero that is not 0, and time for the zeros.
+RationalComplex largest_zero(const LaurentPolynomial& simple) {
+  const std::vector<ComplexBall> zeros = complex_roots(simple.shifted(-simple.lowest()), precision);
+  const ComplexBall& largest = *std::ranges::max_element(
+      zeros, [](const ComplexBall& a, const ComplexBall& b) { return abs(a).is_less(abs(b)); });
+  RationalComplex z = exact_middle(largest);
+  if (imaginary_part(largest).enclosure().contains(0)) z.im = 0;
+  return z;
+}
+
 /// From doubles; where it is so much smaller than the entries that these may not tell it, from the polynomial.
 radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, const LaurentPolynomial& simple,
                                               const Deadline& deadline) {
@@ -69,10 +79,7 @@ radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, con
   if (!size || p.length() == 1 || (modulus > 0 && std::ilogb(modulus) + found.exponent > *size - resolved_bits) ||
       !radius::has_time_for_roots(p, deadline))
     return found;
-  const std::vector<ComplexBall> zeros = complex_roots(p, precision);
-  const auto largest = std::ranges::max_element(
-      zeros, [](const ComplexBall& a, const ComplexBall& b) { return abs(a).is_less(abs(b)); });
-  const RationalComplex z = exact_middle(*largest);
+  const RationalComplex z = largest_zero(p);
   const long exponent = binary_exponent(one_norm({z}));
   const RationalComplex near = power(Rational(2), -exponent) * z;
   return {{near.re.convert_to<double>(), near.im.convert_to<double>()}, exponent};
@@ -112,8 +119,14 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   if (modulus == 0 || simple.length() == 1) return std::nullopt;
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
   const RationalComplex near = as_found(start, simple.length() < p.length() ? nearly_real_if_multiple : nearly_real);
-  const RationalComplex z = exact_middle(radius::refined_zero(simple, ball_around(near, bits_to_tell(product, start))));
+  RationalComplex z = exact_middle(radius::refined_zero(simple, ball_around(near, bits_to_tell(product, start))));
   const int bits = bits_after_point(start);
+  // Zeros that are one in doubles may have a derivative of 0 between them, where Newton's steps end.
+  const RationalComplex there = rounded(z, bits);
+  if (value_at(simple, there).squared_modulus() * power(Rational(2), bits) >
+          value_at(simple.derivative(), there).squared_modulus() * there.squared_modulus() &&
+      radius::has_time_for_roots(simple, deadline))
+    z = largest_zero(simple);
   if (near.im == 0)
     if (const auto exact = rational_eigenvalue(product, p, z.re)) return Centre{{*exact, 0}, exact, bits};
   return Centre{rounded(z, bits), std::nullopt, bits};
@@ -190,7 +203,8 @@ std::optional<ProductEvidence> radius::prove_long_product(const MatrixFamily& fa
                                                           const Deadline& deadline) {
   if (deadline.expired()) return std::nullopt;
   const auto product = family.product(word, deadline);
-  if (!product || !has_long_characteristic(*product)) return std::nullopt;
+  if (!product || !has_long_characteristic(*product) || !has_time_for_eigenpair(*product, deadline))
+    return std::nullopt;
   const auto nearby = nearby_eigenvalue(*product, deadline);
   if (!nearby) return std::nullopt;
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
@@ -215,7 +229,7 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
   if (!centre) return evidence;
   RationalComplex& c = centre->point;
   Rational slope = value_at(derivative, c).squared_modulus();
-  if (slope == 0 && simple.length() < p.length()) {
+  if (slope == 0) {
     c.re += power(Rational(2), -centre->bits);
     slope = value_at(derivative, c).squared_modulus();
   }
@@ -254,7 +268,18 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
   const long bits = std::max(inverse_accuracy + binary_exponent(Rational(column * n * n)), 0L);
   if (bits + std::abs(place) > longest_entry) return std::nullopt;
   result.bits = static_cast<int>(bits);
-  const auto columns = inverse_columns(product, result.point, bits + std::abs(place) + 2 * precision);
+  // Matrices whose powers grow long before they decay take more bits than their entries say: one column tells.
+  const auto is_inverse = [&](const std::vector<ComplexVector>& columns) {
+    ComplexVector rest = product * columns.front();
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] - result.point * columns.front()[i];
+    rest.front().re += 1;
+    return one_norm(rest) < power(Rational(2), -inverse_accuracy);
+  };
+  std::optional<std::vector<ComplexVector>> columns;
+  for (const slong more : {precision / 2, 2 * precision}) {
+    columns = inverse_columns(product, result.point, bits + std::abs(place) + more);
+    if (columns && is_inverse(*columns)) break;
+  }
   if (!columns) return std::nullopt;
   const Rational scale = power(Rational(2), bits);
   for (const ComplexVector& exact : *columns) {

@@ -18,10 +18,10 @@ bool is_better(const JointSpectralRadius& first, const JointSpectralRadius& seco
 /// Doubles misjudge products of large matrices with entries much larger than their eigenvalues, so that their letters
 /// are proved before any search, which may take all of the time. Empty where that is no letter.
 ProductEvidence largest_long_letter(const MatrixFamily& family, const Deadline& deadline) {
-  const Deadline others = deadline.after(shares::letters);
+  const Deadline first = deadline.after(shares::first_letter), others = deadline.after(shares::letters);
   ProductEvidence best;
   for (int letter = 0; letter < static_cast<int>(family.count()); ++letter) {
-    const auto found = prove_long_product(family, {letter}, letter == 0 ? deadline : others);
+    const auto found = prove_long_product(family, {letter}, letter == 0 ? first : others);
     if (found && *found->radius.lower > *best.radius.lower) best = *found;
   }
   return best;
@@ -65,7 +65,7 @@ JointSpectralRadius best_of_rounds(const MatrixFamily& family, const Budget& bud
                                    const std::function<JointSpectralRadius(const Budget&)>& search) {
   // The grace that proofs of one round took is not the time of the next one.
   const Deadline end = budget.deadline.later(shares::grace_of_rounds);
-  ProductEvidence letter = largest_long_letter(family, end);
+  ProductEvidence letter = largest_long_letter(family, budget.deadline);
   std::optional<JointSpectralRadius> best;
   for (const double seconds : seconds_of_rounds(budget.deadline.remaining())) {
     if (best && (best->exact.is_yes() || end.expired())) break;

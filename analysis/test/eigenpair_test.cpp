@@ -157,3 +157,24 @@ TEST_CASE("two eigenvalues that are one in doubles are told apart") {
     CHECK(found.eigenvalue.re != 1);
   }
 }
+
+TEST_CASE("inverses at points that are not real") {
+  Random random;
+  for (const std::size_t n : {1, 2, 7, 20}) {
+    CAPTURE(n);
+    std::vector<Rational> eigenvalues;
+    for (std::size_t i = 0; i < n; ++i) eigenvalues.emplace_back(random.integer(-9, 9));
+    const RationalMatrix matrix = sheared(diagonal(eigenvalues), random, 3);
+    for (const RationalComplex& point : {RationalComplex{Rational(1, 3), 0}, RationalComplex{Rational(1, 3), 2},
+                                         RationalComplex{0, -power(Rational(2), -72)}}) {
+      const auto columns = inverse_columns(matrix, point, 640);
+      if (!columns) continue;  // no pivot next to an eigenvalue 0
+      for (std::size_t j = 0; j < n; ++j) {
+        ComplexVector rest = matrix * (*columns)[j];
+        for (std::size_t i = 0; i < n; ++i) rest[i] = rest[i] - point * (*columns)[j][i];
+        rest[j].re += 1;
+        CHECK(one_norm(rest) < power(Rational(2), -200));
+      }
+    }
+  }
+}

@@ -2,14 +2,15 @@
 /// Whether exact algebra that cannot be interrupted ends before a deadline, by measured times. Inner header.
 
 #include <subcert/analysis/symbol/matrices/rational_matrix.hpp>
+#include <subcert/analysis/symbol/numbers/rational_complex.hpp>
 
 namespace subcert::radius {
 
 /// Whether the characteristic polynomial takes longer than some hundredths of a second.
 bool has_long_characteristic(const RationalMatrix& matrix);
 
-/// An enclosure of an eigenpair by balls. Some tenths of a second are always left.
-bool has_time_for_eigenpair(const RationalMatrix& matrix, const Deadline& deadline);
+/// An enclosure by balls of an eigenpair next to a number. Some tenths of a second are always left.
+bool has_time_for_eigenpair(std::size_t size, const RationalComplex& near, const Deadline& deadline);
 
 /// The zeros of a polynomial, its factors, or a greatest common divisor with its derivative.
 bool has_time_for_roots(const LaurentPolynomial& p, const Deadline& deadline);

@@ -145,6 +145,7 @@ std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product,
   const Rational unit = content(product);
   const auto nearest = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
   const RationalComplex near = as_found(start, nearly_real);
+  if (!radius::has_time_for_eigenpair(product.rows(), near, deadline)) return std::nullopt;
   const Rational size = abs(near.re), rest = abs(nearest(near.re) - near.re);
   // A rational number, most likely, where few numbers of that size may be rational eigenvalues.
   if (near.im == 0 && unit > Rational(nearly_real_if_multiple) * size && rest < Rational(nearly_real) * size)
@@ -203,8 +204,7 @@ std::optional<ProductEvidence> radius::prove_long_product(const MatrixFamily& fa
                                                           const Deadline& deadline) {
   if (deadline.expired()) return std::nullopt;
   const auto product = family.product(word, deadline);
-  if (!product || !has_long_characteristic(*product) || !has_time_for_eigenpair(*product, deadline))
-    return std::nullopt;
+  if (!product || !has_long_characteristic(*product)) return std::nullopt;
   const auto nearby = nearby_eigenvalue(*product, deadline);
   if (!nearby) return std::nullopt;
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};

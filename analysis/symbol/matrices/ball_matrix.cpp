@@ -251,18 +251,33 @@ std::optional<std::vector<EigenvalueGroup>> eigenvalues(const std::vector<std::v
 std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
                                                           slong bits) {
   const std::size_t n = matrix.rows();
-  ComplexBallMatrix balls(n, n);
+  ComplexBallMatrix balls(n, n), inverse(n, n);
+  const auto add_to_diagonal = [&](ComplexBallMatrix& to, const RationalComplex& number) {
+    const ComplexBall ball = ball_around(number, bits);
+    for (std::size_t i = 0; i < n; ++i) acb_add(to.entry(i, i), to.entry(i, i), ball.get(), bits);
+  };
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const Rational entry = -matrix(i, j);
-      const RationalComplex shifted = i == j ? RationalComplex{entry + point.re, point.im} : RationalComplex{entry, 0};
-      acb_set(balls.entry(i, j), ball_around(shifted, bits).get());
-    }
-  if (acb_mat_approx_inv(balls.get(), balls.get(), bits) == 0 || acb_mat_is_finite(balls.get()) == 0)
-    return std::nullopt;
+    for (std::size_t j = 0; j < n; ++j) acb_set(balls.entry(i, j), ball_around({-matrix(i, j), 0}, bits).get());
+  if (point.im == 0) {
+    add_to_diagonal(balls, point);
+    if (acb_mat_approx_inv(inverse.get(), balls.get(), bits) == 0) return std::nullopt;
+  } else {
+    // (c - M)^-1 = (c' - M) ((re c - M)^2 + (im c)^2)^-1, as real matrices have the shorter products.
+    add_to_diagonal(balls, {point.re, 0});
+    ComplexBallMatrix square(n, n);
+    acb_mat_approx_mul(square.get(), balls.get(), balls.get(), bits);
+    add_to_diagonal(square, {point.im * point.im, 0});
+    acb_mat_get_mid(square.get(), square.get());
+    if (acb_mat_approx_inv(square.get(), square.get(), bits) == 0) return std::nullopt;
+    acb_mat_approx_mul(inverse.get(), balls.get(), square.get(), bits);
+    const ComplexBall turned = ball_around({0, -point.im}, bits);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) acb_addmul(inverse.entry(i, j), turned.get(), square.entry(i, j), bits);
+  }
+  if (acb_mat_is_finite(inverse.get()) == 0) return std::nullopt;
   std::vector<ComplexVector> columns(n, ComplexVector(n));
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) columns[j][i] = exact_middle(ComplexBall(balls.entry(i, j), bits));
+    for (std::size_t j = 0; j < n; ++j) columns[j][i] = exact_middle(ComplexBall(inverse.entry(i, j), bits));
   return columns;
 }
 

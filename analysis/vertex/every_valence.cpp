@@ -46,7 +46,9 @@ class FamilyProof {
     const auto leader = spectrum_->leader_on(piece.low, piece.high, bits);
     if (!leader) return false;
     const BallField field(Ball::containing({piece.low, piece.high}, bits));
-    const auto map = CharacteristicMap::find(rules_, set_, *regular_.forms, 1, *leader, field);
+    const auto map = leader->decay ? CharacteristicMap::find_near_one(rules_, set_, *regular_.forms, leader->value,
+                                                                      *leader->decay, field)
+                                   : CharacteristicMap::find(rules_, set_, *regular_.forms, 1, leader->value, field);
     if (!map) return false;
     const MapProof proof = map->prove(most_cuts);
     squares += proof.squares;

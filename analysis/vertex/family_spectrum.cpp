@@ -21,6 +21,14 @@ Letters letters_on(const Rational& low, const Rational& high, slong bits) {
   return {cosine, cosine, share};
 }
 
+slong bits_of(const Letters& at) { return at[letter_c].bits(); }
+
+bool depends_on_c_alone(const LetterPolynomial& p) {
+  return std::ranges::all_of(p.coefficients(), [](const MultivariatePolynomial& coefficient) {
+    return coefficient.derivative(letter_share).is_zero() && coefficient.derivative(letter_w).is_zero();
+  });
+}
+
 /// The derivative of a zero by 1/n, where p has no w.
 Ball slope_of(const LetterPolynomial& p, const Ball& zero, const Letters& at) {
   const Ball pi = Ball::pi(zero.bits()), by_c = -(sin(pi * at[letter_share] * 2) * pi * 2);
@@ -95,13 +103,25 @@ std::optional<FamilySpectrum::Leader> FamilySpectrum::find_leader(const Letters&
     best = i;
   }
   const auto value = start ? zero_near(first_[best].at(at), *start) : std::nullopt;
-  if (!value || !Ball(0, value->bits()).is_less(*value) || !value->is_less(Ball(1, value->bits()))) return std::nullopt;
+  const Ball nothing(0, bits_of(at)), one(1, bits_of(at));
+  if (!value || !nothing.is_less(*value)) return std::nullopt;
+  std::optional<Ball> decay;
+  if (!value->is_less(one)) {
+    // It may be 1 in c = 1, and grow in c.
+    const LaurentPolynomial limit = first_[best].limit();
+    const Ball by_c = -(value_at(first_[best].derivative_at(at, letter_c), *value) /
+                        derivative_at(first_[best].at(at), *value));
+    if (limit(1) != 0 || !arb_contains(value->get(), one.get()) || !arb_contains(at[letter_c].get(), one.get()) ||
+        !depends_on_c_alone(first_[best]) || !nothing.is_less(by_c))
+      return std::nullopt;
+    decay = by_c / 2;
+  }
   const Ball end = lower_end(*value);
   for (std::size_t i = 0; i < first_.size(); ++i) {
     const std::vector<Ball> p = first_[i].at(at);
     if (!has_zeros_below(i == best ? deflated(p, *value) : p, end)) return std::nullopt;
   }
-  return Leader{best, *value, slope_of(first_[best], *value, at)};
+  return Leader{best, *value, slope_of(first_[best], *value, at), decay};
 }
 
 /// Whether the leader grows away from the largest zero of p, which it meets for n -> infinity or is above of.
@@ -151,7 +171,7 @@ bool FamilySpectrum::general_is_behind(const LetterPolynomial& p, const Leader& 
   return true;
 }
 
-std::optional<Ball> FamilySpectrum::leader_on(const Rational& low, const Rational& high, slong bits) {
+std::optional<FamilyLeader> FamilySpectrum::leader_on(const Rational& low, const Rational& high, slong bits) {
   const Letters at = letters_on(low, high, bits);
   const Rational centre = (low + high) / 2;
   const Letters middle = letters_on(centre, centre, bits);
@@ -165,7 +185,7 @@ std::optional<Ball> FamilySpectrum::leader_on(const Rational& low, const Rationa
     if (!meets.back() && !has_zeros_below(named.polynomial.at(at), lower_end(leader->value))) return std::nullopt;
   }
   for (std::size_t i = 0; i < named_.size(); ++i) named_[i].meets = meets[i];
-  return leader->value;
+  return FamilyLeader{leader->value, leader->decay};
 }
 
 }  // namespace subcert::vertex

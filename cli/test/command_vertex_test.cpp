@@ -24,6 +24,20 @@ TEST_CASE("vertex: one valence that is not C1 decides for all") {
   CHECK(answer.at("valences")[1].at("curvature").is_null());
 }
 
+TEST_CASE("vertex: every valence") {
+  const auto answer = run_json("vertex catmull-clark --all-valences");
+  CHECK(answer.at("all") == "yes");
+  CHECK(answer.at("valences").size() == 10);
+  CHECK(answer.at("rest").at("first") == 13);
+  CHECK(answer.at("rest").at("c1") == "yes");
+  CHECK(answer.at("rest").at("open").empty());
+  const auto open = run_json("vertex butterfly --all-valences", 1);
+  CHECK(open.at("all") == "no");
+  CHECK(open.at("rest").at("c1") == "unknown");
+  CHECK(open.at("rest").at("open")[0].at("last").is_null());
+  CHECK(run("vertex loop --all-valences --valence 4").code == 64);
+}
+
 TEST_CASE("vertex: what is open for good, and wrong words") {
   CHECK(run_json("vertex midedge --valence 3", 3).at("valences")[0].at("c1") == "unknown");
   for (const std::string words : {"loop --valence 2", "loop --valence 1001", "loop --valence 5..3", "loop --valence x",

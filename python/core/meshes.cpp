@@ -3,7 +3,7 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
-#include <subcert/analysis/vertex/vertex_smoothness.hpp>
+#include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
@@ -77,11 +77,27 @@ py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double
   return result;
 }
 
+py::tuple every_valence_of(const Scheme& scheme, long first, double seconds, const py::object& progress) {
+  if (!has_vertex_rules(scheme))
+    fail(ErrorKind::domain, "every_valence: {} has no rules at vertices", scheme.specification);
+  const SectorRuleFamily family = vertex_rule_family(scheme.specification);
+  if (first < family.least || first > 1000)
+    fail(ErrorKind::domain, "every_valence: need a first valence from {} to 1000, got {}", family.least, first);
+  const EveryValence found = interruptible(progress, [&] {
+    const Budget budget{Deadline::in(seconds)};
+    return every_valence(family, regular_part(family.at(first), budget), first, budget);
+  });
+  py::list open;
+  for (const EveryValence::Range& range : found.open) open.append(py::make_tuple(range.first, range.last));
+  return py::make_tuple(found.first, found.c1, open, found.intervals);
+}
+
 }  // namespace
 
 void add_meshes(py::module_& module) {
   module.def("refine_mesh", &refine_mesh);
   module.def("vertices", &vertices);
+  module.def("every_valence", &every_valence_of);
 }
 
 }  // namespace subcert::python

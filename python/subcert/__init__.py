@@ -74,7 +74,7 @@ from ._schemes import (
 )
 from ._sweeps import Atlas, AtlasAnswers, AtlasEntry, SweepAnswer, sweep
 from ._tables import SchemeTable, compare
-from ._vertices import Vertex, vertices
+from ._vertices import EveryValence, Vertex, every_valence, vertices
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 

@@ -31,6 +31,19 @@ class Vertex:
     """"zero", "bounded" or "unbounded" towards the vertex; None where that is not told."""
 
 
+@dataclasses.dataclass(frozen=True)
+class EveryValence:
+    """What is proved of the surfaces of a scheme at vertices of all valences from one on."""
+
+    first: int
+    c1: Decision
+    """As `Vertex.c1`, of all of them; never no."""
+    open: list[tuple[int, Optional[int]]]
+    """First and last of the valences where it is not proved; no last one: all that follow."""
+    intervals: int
+    """Of 1/n, in which it is proved."""
+
+
 def vertices(
     surface: Union[str, Named, MultivariateScheme],
     valences: Iterable[int] = range(3, 13),
@@ -62,3 +75,23 @@ def vertices(
         )
         for valence, c1, frequency, subdominant, behind, exponent, curvature in found
     ]
+
+
+def every_valence(
+    surface: Union[str, Named, MultivariateScheme],
+    first: int = 13,
+    *,
+    budget: float = 60,
+    progress: Progress = None,
+) -> EveryValence:
+    """Whether the surfaces of a scheme are smooth at vertices of all valences n >= `first`, with proof.
+
+    `first`: 7 or more. `surface`, `budget`: as of `vertices`. Raises DomainError for other schemes and valences.
+
+    >>> import subcert
+    >>> str(subcert.every_valence("catmull-clark").c1.truth)
+    'yes'
+    """
+    meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
+    least, c1, open_ranges, intervals = _core.every_valence(meant._handle, int(first), budget, progress)
+    return EveryValence(least, Decision._of(c1), open_ranges, intervals)

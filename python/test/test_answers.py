@@ -248,3 +248,14 @@ def test_surfaces_at_vertices_of_any_valence():
         subcert.vertices("loop", [2])
     with pytest.raises(subcert.DomainError, match="no rules at vertices"):
         subcert.vertices("primal:n=2")
+
+
+def test_surfaces_at_vertices_of_every_valence():
+    assert subcert.every_valence("loop", 7).c1.is_yes
+    butterfly = subcert.every_valence("butterfly:w=1/16")
+    assert butterfly.c1.is_unknown and butterfly.open == [(13, None)] and butterfly.intervals == 0
+    for first in (6, 1001):
+        with pytest.raises(subcert.DomainError, match="from 7 to 1000"):
+            subcert.every_valence("loop", first)
+    with pytest.raises(subcert.DomainError, match="no rules at vertices"):
+        subcert.every_valence("primal:n=2")

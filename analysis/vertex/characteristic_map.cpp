@@ -1,5 +1,7 @@
 #include "characteristic_map.hpp"
 
+#include "kernel_vector.hpp"
+
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 
@@ -15,29 +17,6 @@ using Point = Turning<Ball>;
 Ball determinant_of(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
 
 bool is_positive(const Ball& value) { return Ball(0, value.bits()).is_less(value); }
-
-/// The kernel of a matrix of rank n - 1, one entry 1.
-std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Ball>>& matrix, slong bits) {
-  const std::size_t n = matrix.size();
-  if (n == 1) return std::vector<Ball>{Ball(1, bits)};
-  for (std::size_t one = 0; one < n; ++one)
-    for (std::size_t dropped = n; dropped-- > 0;) {
-      std::vector<std::vector<Ball>> rows;
-      std::vector<Ball> right;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (i == dropped) continue;
-        rows.emplace_back();
-        for (std::size_t j = 0; j < n; ++j)
-          if (j != one) rows.back().push_back(matrix[i][j]);
-        right.push_back(-matrix[i][one]);
-      }
-      auto solution = solve(rows, right, bits);
-      if (!solution) continue;
-      solution->insert(solution->begin() + static_cast<std::ptrdiff_t>(one), Ball(1, bits));
-      return solution;
-    }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -81,7 +60,7 @@ std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rule
   const SectorBlock<BallField> block(rules, set, frequency, field);
   auto shifted = block.matrix();
   for (std::size_t i = 0; i < shifted.size(); ++i) shifted[i][i] = shifted[i][i] - lambda;
-  const auto vector = kernel_vector(shifted, field.bits());
+  const auto vector = kernel_vector(shifted, field);
   if (!vector) return std::nullopt;
   CharacteristicMap result(rules, forms, frequency, lambda, field);
   result.known_ = block.data(*vector);

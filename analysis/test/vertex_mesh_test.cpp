@@ -251,21 +251,24 @@ void check_rates(const std::string& scheme, Mesh (*step)(const Mesh&), int steps
   }
 }
 
-/// The neighbours of the first vertex in their order, and the vertices across the faces between them.
+/// The neighbours of the first vertex in their order, one way or the other, and the vertices across the faces between.
 struct Ring {
   std::vector<std::size_t> neighbours, across;
 
   explicit Ring(const Mesh& mesh) {
-    std::map<std::size_t, std::pair<std::size_t, std::size_t>> after;
+    std::map<std::size_t, std::map<std::size_t, std::size_t>> beside;  // of two neighbours: what is across their face
     for (const Face& face : mesh.faces) {
-      const auto at = static_cast<std::size_t>(std::find(face.begin(), face.end(), 0U) - face.begin());
-      if (at < face.size())
-        after[face[(at + 1) % face.size()]] = {face[(at + face.size() - 1) % face.size()],
-                                               face[(at + 2) % face.size()]};
+      const std::size_t at = static_cast<std::size_t>(std::find(face.begin(), face.end(), 0U) - face.begin());
+      const std::size_t sides = face.size();
+      if (at == sides) continue;
+      const std::size_t next = face[(at + 1) % sides], last = face[(at + sides - 1) % sides];
+      beside[next][last] = beside[last][next] = face[(at + 2) % sides];
     }
-    for (std::size_t next = after.begin()->first; neighbours.size() < after.size(); next = after.at(next).first) {
-      neighbours.push_back(next);
-      across.push_back(after.at(next).second);
+    for (std::size_t at = beside.begin()->first, last = beside[at].begin()->first; neighbours.size() < beside.size();) {
+      const auto& [next, opposite] = beside[at].begin()->first == last ? *beside[at].rbegin() : *beside[at].begin();
+      neighbours.push_back(at);
+      across.push_back(opposite);
+      last = std::exchange(at, next);
     }
   }
 };

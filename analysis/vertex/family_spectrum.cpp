@@ -151,8 +151,10 @@ bool FamilySpectrum::general_is_behind(const LetterPolynomial& p, const Leader& 
            has_zeros_below(deflated(values, *zero), min(end, lower_end(*zero))) &&
            Ball(0, bits).is_less(-(value_at(p.derivative_at(here, letter_w), *zero) / derivative_at(values, *zero)));
   };
+  // Those of this frequency are k = 2, ..., n/2, so that w <= cos(4 pi/n).
+  const Rational last = *cos(Ball::pi(bits) * at[letter_share] * 4).enclosure().upper;
   bool grows = p.equals_with_w_as_c(first_[leader.block]);
-  std::vector<std::pair<Rational, Rational>> open{{-1, *at[letter_c].enclosure().upper}};
+  std::vector<std::pair<Rational, Rational>> open{{-1, grows ? *at[letter_c].enclosure().upper : last}};
   while (!open.empty()) {
     const auto [low, high] = open.back();
     open.pop_back();
@@ -160,7 +162,7 @@ bool FamilySpectrum::general_is_behind(const LetterPolynomial& p, const Leader& 
     here[letter_w] = Ball::containing({low, high}, bits);
     const Rational centre = (low + high) / 2;
     if (grows && grows_on(here, Ball(centre, bits))) continue;
-    if (has_zeros_below(p.at(here), end)) {
+    if (low >= last || has_zeros_below(p.at(here), end)) {
       grows = false;
       continue;
     }

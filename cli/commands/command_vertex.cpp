@@ -1,4 +1,4 @@
-// subcert vertex SCHEME --valence 3..12 | --all-valences [--certificate DIR]
+// subcert vertex SCHEME --valence 3..12 | --all-valences [--certificate DIR] [--stencils] [--stencils-header FILE]
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -7,6 +7,7 @@
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/sweeps/number_list.hpp>
 #include <subcert/reports/facts/vertex_facts.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <fmt/ranges.h>
@@ -20,7 +21,8 @@ constexpr const char* usual_valences = "3..12";
 struct VertexOptions : SearchOptions {
   std::string scheme;
   std::string valence = usual_valences;
-  bool all = false;
+  bool all = false, stencils = false;
+  std::string header;
   std::string certificate;
 };
 
@@ -58,7 +60,13 @@ ExitCode run(const VertexOptions& options) {
     options.progress(fmt::format("all valences from {} on", first_of_all));
     rest = every_valence(vertex_rule_family(scheme.specification), regular, first_of_all, options.limits());
   }
-  const Facts list = vertex_facts(scheme, regular, valences, rest);
+  std::vector<StencilsAt> stencils;
+  if (options.stencils || !options.header.empty())
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      stencils.push_back({rules[i].valence, vertex_stencils(rules[i], valences[i])});
+  if (!options.header.empty()) runtime::write_file(options.header, stencils_header(scheme, stencils));
+  const Facts list = vertex_facts(scheme, regular, valences, rest,
+                                  options.stencils ? stencils : std::vector<StencilsAt>{});
   Json json = page_json(list);
   WrittenCertificates written;
   if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, json);
@@ -77,6 +85,8 @@ void add_vertex(Command& app) {
                                 "subcert vertex catmull-clark --valence 3..12", options, [=] { return run(*options); });
   command.option("--valence", options->valence, "Valences, as 3..12 or 3,5,8..10, up to 1000").with_default();
   command.flag("--all-valences", options->all, "Every valence: 3 to 12 one by one, and from 13 on all at once");
+  command.flag("--stencils", options->stencils, "What each datum counts in the limit point and in two tangents");
+  command.option("--stencils-header", options->header, "Write them as a header of C");
   command.option("--certificate", options->certificate, "Write certificates for 'subcert verify' into this folder");
   add_limits(command, *options);
   std::string known;

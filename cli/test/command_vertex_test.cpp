@@ -38,6 +38,24 @@ TEST_CASE("vertex: every valence") {
   CHECK(run("vertex loop --all-valences --valence 4").code == 64);
 }
 
+TEST_CASE("vertex: stencils in JSON, and as a header that a compiler of C takes") {
+  const Folder folder;
+  const std::string header = folder / "stencils.h";
+  const auto answer = run_json("vertex loop --valence 4,6 --stencils --stencils-header " + header);
+  const auto& stencils = answer.at("valences")[1].at("stencils");
+  REQUIRE(stencils.at("limit").size() == 7);
+  CHECK(stencils.at("limit")[0].at("exact") == "1/2");
+  CHECK(stencils.at("limit")[3].at("exact") == "1/12");
+  CHECK(stencils.at("limit")[3].at("sector") == 2);
+  CHECK(stencils.at("tangents")[0][1].at("exact") == "1/2");
+  CHECK(stencils.at("tangents")[1][0].at("exact") == "s*(1)");
+  const std::string text = contents(header);
+  CHECK(text.find("static const int loop_6_data[7][3] = {\n  {0, 0, 0},\n  {1, 0, 0},") != std::string::npos);
+  CHECK(text.find("static const double loop_6_limit[7] = {\n  0.5,  /* 1/2 */") != std::string::npos);
+  CHECK(text.find("0.8660254037844386,  /* s*(1) */") != std::string::npos);
+  CHECK(std::system(("cc -std=c99 -Wall -Werror -Wno-unused -x c -fsyntax-only " + header).c_str()) == 0);
+}
+
 TEST_CASE("vertex: what is open for good, and wrong words") {
   CHECK(run_json("vertex midedge --valence 3", 3).at("valences")[0].at("c1") == "unknown");
   for (const std::string words : {"loop --valence 2", "loop --valence 1001", "loop --valence 5..3", "loop --valence x",

@@ -192,6 +192,9 @@ def vertices(
 def every_valence(
     scheme: Any, first: int, budget: float, progress: _Progress
 ) -> tuple[int, Any, list[tuple[int, Optional[int]]], int]: ...
+def vertex_stencils(
+    scheme: Any, valence: int, budget: float, progress: _Progress
+) -> list[list[tuple[tuple[int, int], int, Any, Optional[str]]]]: ...
 def smooth(
     y: _Array,
     x: Optional[_Array],

@@ -81,16 +81,19 @@ Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<
 }
 
 Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences,
-                   const std::optional<EveryValence>& rest) {
+                   const std::optional<EveryValence>& rest, const std::vector<StencilsAt>& stencils) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"regular_exponent", "regular part", cell(regular.exponent), "exponent away from vertices",
                   enclosure_json(regular.exponent)});
   list.push_back(decided("regular_c1", "C1 there", regular.c1));
   Json rows = Json::array();
   for (const VertexSmoothness& at : valences) rows.push_back(row(at));
+  for (std::size_t i = 0; i < stencils.size(); ++i) rows[i]["stencils"] = stencils_json(stencils[i].stencils);
   list.push_back({"valences", "at a vertex", table(valences), {}, rows});
   if (const std::string why = reasons(valences); !why.empty()) list.push_back({{}, "why", why, {}, {}});
   if (rest) list.push_back(of_rest(*rest));
+  for (const StencilsAt& at : stencils)
+    list.push_back({{}, fmt::format("n = {}", at.valence), stencils_table(at.stencils), {}, {}});
   list.push_back({{},
                   "C1 means",
                   "for all initial data but a set of measure zero the surface is, near the vertex, the graph of a C1 "

@@ -1,3 +1,5 @@
+#include "vertex_parts.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/vertex/vertex_stencils.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -7,19 +9,14 @@
 #include <cmath>
 #include <numbers>
 
-using namespace subcert;
+namespace subcert::vertex_stencils_test {
+
+using subcert::testing::part_of;
 using subcert::testing::Random;
 
 namespace {
 
 using Data = std::map<SectorPoint, double>;
-
-const RegularPart& part_of(const std::string& scheme) {
-  static std::map<std::string, RegularPart> known;
-  const auto found = known.find(scheme);
-  if (found != known.end()) return found->second;
-  return known.emplace(scheme, regular_part(vertex_rules(scheme, 3), {Deadline::in(20)})).first->second;
-}
 
 double number(const Enclosure& enclosure) { return enclosure.lower->convert_to<double>(); }
 
@@ -83,6 +80,7 @@ TEST_CASE("stencils commute with the rules: limits stay, tangents shrink by the 
         for (const StencilWeight& weight : *stencil) {
           fresh[weight.at] = refined(weight.at);
           CHECK(weight.value.is_canonical());
+          CHECK_FALSE(weight.value.contains(0));
           CHECK(*weight.value.upper - *weight.value.lower < power(Rational(2), -90));
           if (!weight.exact) continue;
           const double scale = stencil == &stencils.tangents[1] ? std::sin(angle) : 1;
@@ -132,3 +130,5 @@ TEST_CASE("stencils of other valences are refused") {
   const SectorRules rules = vertex_rules("loop", 5);
   CHECK_THROWS_AS(vertex_stencils(vertex_rules("loop", 6), vertex_smoothness(rules, part_of("loop"))), Error);
 }
+
+}  // namespace subcert::vertex_stencils_test

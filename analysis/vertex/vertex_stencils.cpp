@@ -189,7 +189,7 @@ class Stencils {
     for (const auto& entry : *form) sum = sum + entry;
     const auto scale = inverse_of(sum);
     for (auto& entry : *form) entry = scale * entry;
-    return listed(Weights<Field>(rules_, block, field).of_means(unknowns, *form), false);
+    return listed(Weights<Field>(rules_, block, field).of_means(unknowns, *form), Column::limit);
   }
 
   template <class Field>
@@ -201,7 +201,7 @@ class Stencils {
     const auto form = left_vector(block, unknowns, value, field);
     if (!form) return {};
     const auto weights = Weights<Field>(rules_, block, field).of_waves(unknowns, *form);
-    return {listed(weights, false), listed(weights, true)};
+    return {listed(weights, Column::first), listed(weights, Column::second)};
   }
 
   /// The diagonal block that has the leader among its eigenvalues.
@@ -237,14 +237,26 @@ class Stencils {
     return std::nullopt;
   }
 
+  enum class Column { limit, first, second };
+
   template <class Field>
-  VertexStencils::Stencil listed(const std::map<SectorPoint, Complex<Field>>& weights, bool second) const {
+  VertexStencils::Stencil listed(const std::map<SectorPoint, Complex<Field>>& weights, Column column) const {
     VertexStencils::Stencil result;
+    const bool second = column == Column::second;
     for (const auto& [at, weight] : weights) {
       const auto number = second ? -weight.b : weight.a;
-      if (!is_exactly_zero(number)) result.push_back(entry(at, number, second));
+      if (!is_exactly_zero(number) && !(column != Column::limit && is_zero_by_symmetry(at, second)))
+        result.push_back(entry(at, number, second));
     }
     return result;
+  }
+  /// Data mirrored at the ray (1, 0) have the conjugate l f: datum and image count the same in the first tangent, the
+  /// opposite in the second. With half a turn more it is the other way round.
+  bool is_zero_by_symmetry(const SectorPoint& at, bool second) const {
+    const long n = rules_.valence;
+    const SectorPoint image = mirror_image(at.point, rules_);
+    if (image.point != at.point || (!second && n % 2 != 0)) return false;
+    return (image.turn - 1 - 2 * at.turn + (second ? 0 : n / 2)) % n == 0;
   }
   StencilWeight entry(const SectorPoint& at, const CosineField::Number& number, bool second) const {
     StencilWeight result = entry(at, balls_.number(number.polynomial()), second);

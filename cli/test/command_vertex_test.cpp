@@ -1,5 +1,8 @@
 #include "program.hpp"
 
+#include <fstream>
+#include <iterator>
+
 using namespace subcert::testing;
 
 TEST_CASE("vertex: the fields of the contract") {
@@ -49,7 +52,8 @@ TEST_CASE("vertex: stencils in JSON, and as a header that a compiler of C takes"
   CHECK(stencils.at("limit")[3].at("sector") == 2);
   CHECK(stencils.at("tangents")[0][1].at("exact") == "1/2");
   CHECK(stencils.at("tangents")[1][0].at("exact") == "s*(1)");
-  const std::string text = contents(header);
+  std::ifstream file(header);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
   CHECK(text.find("static const int loop_6_data[7][3] = {\n  {0, 0, 0},\n  {1, 0, 0},") != std::string::npos);
   CHECK(text.find("static const double loop_6_limit[7] = {\n  0.5,  /* 1/2 */") != std::string::npos);
   CHECK(text.find("0.8660254037844386,  /* s*(1) */") != std::string::npos);

@@ -9,8 +9,8 @@
 namespace subcert::facts {
 namespace {
 
-constexpr int digits = 10;
-constexpr std::array<const char*, 3> names{"limit", "tangent_1", "tangent_2"};
+constexpr int weight_digits = 10;
+constexpr std::array<const char*, 3> array_names{"limit", "tangent_1", "tangent_2"};
 
 using Row = std::array<const StencilWeight*, 3>;
 
@@ -33,7 +33,7 @@ bool is_rational(const StencilWeight& weight) {
 std::string cell(const StencilWeight* weight, bool with_sine) {
   if (weight == nullptr) return "0";
   if (!with_sine && is_rational(*weight)) return to_text(weight->exact->coefficient(0));
-  return enclosure_text(weight->value, digits);
+  return enclosure_text(weight->value, weight_digits);
 }
 
 Json stencil_json(const VertexStencils::Stencil& stencil, bool with_sine) {
@@ -106,9 +106,9 @@ std::string stencils_header(const Scheme& scheme, const std::vector<StencilsAt>&
     for (const auto& [datum, row] : rows)
       text += fmt::format("  {{{}, {}, {}}},\n", datum.point[0], datum.point[1], datum.turn);
     text += "};\n";
-    for (std::size_t column = 0; column < names.size(); ++column) {
+    for (std::size_t column = 0; column < array_names.size(); ++column) {
       if (column > 0 && at.stencils.tangents[0].empty()) continue;
-      text += fmt::format("static const double {}_{}[{}] = {{\n{}}};\n", array, names[column], rows.size(),
+      text += fmt::format("static const double {}_{}[{}] = {{\n{}}};\n", array, array_names[column], rows.size(),
                           weights_in_c(rows, column));
     }
   }

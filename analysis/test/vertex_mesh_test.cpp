@@ -310,8 +310,7 @@ void check_stencils(const std::string& scheme, Mesh (*step)(const Mesh&), int st
       for (int i = 0; i < steps_in_one; ++i) mesh = step(mesh);
       mesh = mesh.cropped(4);
       if (level < 3) CHECK(abs(value_of(stencils.limit, mesh) - limit) < 1e-12);
-      if (level == 0)
-        CHECK(abs(size() / before - Number(at.subdominant.lower->convert_to<double>())) < 1e-10);
+      if (level == 0) CHECK(abs(size() / before - Number(at.subdominant.lower->convert_to<double>())) < 1e-10);
     }
     CHECK(abs(mesh.values[0] - limit) < 1e-6);
   }

@@ -112,8 +112,7 @@ TEST_CASE("stencils that are printed") {
       for (const StencilWeight& weight : stencils.tangents[second]) {
         CHECK(weight.exact.has_value());
         const double turn = angle * static_cast<double>(weight.at.turn);
-        CHECK(number(weight.value) ==
-              Approx((second == 1 ? std::sin(turn) : std::cos(turn))).margin(1e-14));
+        CHECK(number(weight.value) == Approx((second == 1 ? std::sin(turn) : std::cos(turn))).margin(1e-14));
       }
   }
   // Catmull and Clark's limit: n^2, 4, 1 over n (n + 5). lambda is not in Q(c).

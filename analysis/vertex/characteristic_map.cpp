@@ -134,7 +134,8 @@ Turning<Ball> CharacteristicMap::new_value(const SectorRule& rule) const {
   if (!near_one_) return inverse_ * block_.value(rule, value_at);
   Point sum{near_one_->decay, Ball(0, field_.bits())};
   for (const SectorTerm& term : rule.terms)
-    sum = sum + field_.number(term.weight) * datum_turned(value_at(term.at.point), least_turns(term.at.turn, rules_.valence));
+    sum = sum +
+          field_.number(term.weight) * datum_turned(value_at(term.at.point), least_turns(term.at.turn, rules_.valence));
   return inverse_ * sum;
 }
 

@@ -20,8 +20,9 @@ struct EveryValence {
   long squares = 0;         ///< that the proofs looked at, in all intervals
 };
 
-/// Domain: rules with the mask of the regular part, first >= family.least. Errors: as vertex_smoothness(). Cost: a proof
-/// for each interval of 1/n, which are halved where none is found, until the budget is spent. Proof: docs/vertices.md.
+/// Domain: rules with the mask of the regular part, first >= family.least. Errors: as vertex_smoothness(). Cost: a
+/// proof for each interval of 1/n, which are halved where none is found, until the budget is spent. Proof:
+/// docs/all-valences.md.
 EveryValence every_valence(const SectorRuleFamily& family, const RegularPart& regular, long first,
                            const Budget& budget);
 

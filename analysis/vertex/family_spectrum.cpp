@@ -37,7 +37,8 @@ Ball slope_of(const LetterPolynomial& p, const Ball& zero, const Letters& at) {
   return -change / derivative_at(p.at(at), zero);
 }
 
-/// Whether two polynomials have one and the same zero in both of these balls, which hold one of each, for n -> infinity.
+/// Whether two polynomials have one and the same zero in both of these balls, which hold one of each, for n ->
+/// infinity.
 bool share_limit(const LetterPolynomial& a, const Ball& of_a, const LetterPolynomial& b, const Ball& of_b) {
   const LaurentPolynomial first = a.limit(), second = b.limit(), common = gcd(first, second);
   const Enclosure at_first = of_a.enclosure(), at_second = of_b.enclosure();
@@ -80,8 +81,8 @@ std::vector<LetterPolynomial> FamilySpectrum::polynomials(const SectorRuleFamily
   };
   auto matrix = matrix_of(many);
   const auto other = matrix_of(2 * many);
-  const MultivariatePolynomial share =
-      MultivariatePolynomial::in_variable(letters, letter_share, LaurentPolynomial::monomial(1, 1));
+  const MultivariatePolynomial share = MultivariatePolynomial::in_variable(letters, letter_share,
+                                                                           LaurentPolynomial::monomial(1, 1));
   for (std::size_t i = 0; i < matrix.size(); ++i)
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       const MultivariatePolynomial half = matrix[i][j] - other[i][j];  // what 1/(2 many) adds

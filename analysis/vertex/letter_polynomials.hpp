@@ -70,7 +70,8 @@ std::optional<Ball> zero_near(const std::vector<Ball>& p, const Ball& start);
 std::optional<Ball> leading_zero(const std::vector<Ball>& p);
 /// p/(x - zero), of the zero that belongs to the coefficients.
 std::vector<Ball> deflated(const std::vector<Ball>& p, const Ball& zero);
-/// Whether all zeros have moduli below each radius in the ball. Domain: the last coefficient is not 0. Ref: [Schur 1917].
+/// Whether all zeros are proved to have moduli below each radius in the ball. Domain: the last coefficient is not 0.
+/// Cost: quadratic. Ref: [Sch18].
 bool has_zeros_below(std::vector<Ball> p, const Ball& radius);
 
 }  // namespace subcert::vertex

@@ -58,8 +58,8 @@ class SectorBlock {
  public:
   using Number = typename Field::Number;
   using Matrix = std::vector<std::vector<Number>>;
-  /// What an unknown is of z at its point: all of it, where w is real; z itself, which is real; u of z = u (1 + w); or x
-  /// or y of z = x + y w, which also gives z at the mirror image.
+  /// What an unknown is of z at its point: all of it, where w is real; z itself, which is real; u of z = u (1 + w); or
+  /// x or y of z = x + y w, which also gives z at the mirror image.
   enum class Part { all, alone, with_next, x, y };
   struct Unknown {
     LatticePoint point;
@@ -137,7 +137,7 @@ class SectorBlock {
       Form form(unknowns_, zero());
       const SectorPoint image = mirror_image(point, rules_);
       form[next].x = one;
-      named_.push_back({point, is_real()            ? Part::all
+      named_.push_back({point, is_real()              ? Part::all
                                : place == Place::both ? Part::x
                                : image.turn == 0      ? Part::with_next
                                                       : Part::alone});

@@ -42,7 +42,11 @@ class Weights {
   using Map = std::map<SectorPoint, Complex<Field>>;
 
   Weights(const SectorRules& rules, const Block& block, const Field& field)
-      : rules_(rules), block_(block), field_(field), c_(field.cosine(1)), share_(field.number(over(1, rules.valence))) {}
+      : rules_(rules),
+        block_(block),
+        field_(field),
+        c_(field.cosine(1)),
+        share_(field.number(over(1, rules.valence))) {}
 
   /// Of frequency 0.
   Map of_means(const std::vector<std::size_t>& unknowns, const std::vector<Number>& form) {
@@ -157,7 +161,10 @@ std::optional<std::vector<typename Field::Number>> left_vector(const SectorBlock
 class Stencils {
  public:
   Stencils(const SectorRules& rules, const VertexSmoothness& smoothness, int bits)
-      : rules_(rules), smoothness_(smoothness), set_(smallest_closed_set(rules)), bits_(bits),
+      : rules_(rules),
+        smoothness_(smoothness),
+        set_(smallest_closed_set(rules)),
+        bits_(bits),
         balls_(rules.valence, 2 * bits) {
     if (totient(rules.valence) <= 2 * most_degree) exact_.emplace(rules.valence);
   }
@@ -226,8 +233,8 @@ class Stencils {
     if (own.size() == 1) return own[0][0];
     const auto p = characteristic_polynomial(own, *exact_);
     for (long d = 1; d <= most_denominator; ++d) {
-      const Rational guess =
-          Rational(to_integer(Rational(*smoothness_.subdominant.lower * d), Rounding::nearest)) / Rational(d);
+      const Rational guess = Rational(to_integer(Rational(*smoothness_.subdominant.lower * d), Rounding::nearest)) /
+                             Rational(d);
       if (!smoothness_.subdominant.contains(guess)) continue;
       const CosineField::Number x = exact_->number(LaurentPolynomial(guess));
       CosineField::Number value = exact_->number(0);

@@ -61,8 +61,7 @@ void require_valences(const Scheme& scheme, const char* asked, const Valences& v
   if (!has_vertex_rules(scheme))
     fail(ErrorKind::domain, "{}: {} has no rules at vertices", asked, scheme.specification);
   for (const auto n : valences)
-    if (n < least || n > 1000)
-      fail(ErrorKind::domain, "{}: need valences from {} to 1000, got {}", asked, least, n);
+    if (n < least || n > 1000) fail(ErrorKind::domain, "{}: need valences from {} to 1000, got {}", asked, least, n);
 }
 
 /// For each valence what is proved there.
@@ -110,9 +109,9 @@ py::list stencils_of(const Scheme& scheme, long valence, double seconds, const p
     py::list weights;
     for (const StencilWeight& weight : *stencil)
       weights.append(py::make_tuple(py::tuple(py::cast(weight.at.point)), weight.at.turn, weight.value,
-                                    weight.exact ? std::optional(facts::exact_weight_text(
-                                                       weight, stencil == &found.tangents[1]))
-                                                 : std::nullopt));
+                                    weight.exact
+                                        ? std::optional(facts::exact_weight_text(weight, stencil == &found.tangents[1]))
+                                        : std::nullopt));
     result.append(weights);
   }
   return result;

@@ -48,7 +48,8 @@ Json stencil_json(const VertexStencils::Stencil& stencil, bool with_sine) {
 
 /// Letters, digits and underscores.
 std::string identifier(std::string text) {
-  std::ranges::replace_if(text, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
+  std::ranges::replace_if(
+      text, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
   return text.substr(0, text.find_last_not_of('_') + 1);
 }
 
@@ -56,8 +57,7 @@ std::string weights_in_c(const std::map<SectorPoint, Row>& rows, std::size_t col
   std::string text;
   for (const auto& [at, row] : rows) {
     const StencilWeight* const weight = row[column];
-    const double value =
-        weight ? Rational((*weight->value.lower + *weight->value.upper) / 2).convert_to<double>() : 0;
+    const double value = weight ? Rational((*weight->value.lower + *weight->value.upper) / 2).convert_to<double>() : 0;
     text += fmt::format("  {},", value);
     if (weight && weight->exact) text += fmt::format("  /* {} */", exact_weight_text(*weight, column == 2));
     text += "\n";

@@ -166,12 +166,9 @@ struct Maker {
 
 const std::map<std::string, Maker, std::less<>>& makers() {
   static const std::map<std::string, Maker, std::less<>> table{
-      {"loop", {loop_rules}},
-      {"catmull-clark", {catmull_clark_rules, catmull_clark_over_valence()}},
-      {"doo-sabin", {doo_sabin_rules}},
-      {"midedge", {midedge_rules}},
-      {"butterfly", {butterfly_rules}},
-      {"modified-butterfly", {modified_butterfly_rules}},
+      {"loop", {loop_rules}},           {"catmull-clark", {catmull_clark_rules, catmull_clark_over_valence()}},
+      {"doo-sabin", {doo_sabin_rules}}, {"midedge", {midedge_rules}},
+      {"butterfly", {butterfly_rules}}, {"modified-butterfly", {modified_butterfly_rules}},
       {"sqrt3", {two_step_sqrt3_rules}}};
   return table;
 }

@@ -76,7 +76,8 @@ SectorRule SectorRules::rule_at(const LatticePoint& point) const {
 }
 
 SectorRules SectorRuleFamily::at(long valence) const {
-  require(valence >= least || valence == rules.valence, "rules at a vertex: need valence >= {}, got {}", least, valence);
+  require(valence >= least || valence == rules.valence, "rules at a vertex: need valence >= {}, got {}", least,
+          valence);
   SectorRules result = rules;
   result.valence = valence;
   for (auto& [point, rule] : result.rules)

@@ -70,9 +70,9 @@ struct SectorRuleFamily {
   /// So many sectors that all turns of a rule differ as they do in each valence.
   static constexpr long many = 1'000'000;
 
-  SectorRules rules;             ///< of `many` sectors
-  long least;                    ///< at least 5, and not before the regular valence
-  SectorRule over_vertex = {};   ///< what the rule of the vertex has more, over n
+  SectorRules rules;            ///< of `many` sectors
+  long least;                   ///< from here on no rule is one of a single valence, or of the regular one
+  SectorRule over_vertex = {};  ///< what the rule of the vertex has more, over n
 
   /// Those of one valence. Domain: `least` or more, or that of `rules`.
   SectorRules at(long valence) const;

@@ -91,7 +91,7 @@ def outputs(folder, number):
     """(words, option, kind, target) for all that can be written, each target in place of its own."""
     for i, (command, options) in enumerate(COMMANDS):
         for option in options:
-            name, kind = re.fullmatch(r"(--\w+)(.*)", option).groups()
+            name, kind = re.fullmatch(r"(--[\w-]+)(.*)", option).groups()
             place = folder / f"{number}-{i}{name}{kind.replace('/', '')}"
             place.mkdir()
             target = place / ("folder" if kind == "/" else "file" + kind)
@@ -218,11 +218,11 @@ def good_places(folder):
 
 
 def every_option_is_tried():
-    tried = {(command.split()[0], re.match(r"--\w+", option)[0]) for command, options in COMMANDS for option in options}
+    tried = {(command.split()[0], re.match(r"--[\w-]+", option)[0]) for command, options in COMMANDS for option in options}
     text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     for command in re.findall(r"^  ([a-z]+)  ", text[text.index("Subcommands"):], re.M):
         usage = subprocess.run([program, command, "--help"], capture_output=True, text=True, check=True).stdout
-        for option in re.findall(r"^  (--\w+)", usage, re.M):
+        for option in re.findall(r"^  (--[\w-]+)", usage, re.M):
             if option in OPTIONS and (command, option) not in tried:
                 failures.append(f"subcert {command} {option} is not tried here")
 

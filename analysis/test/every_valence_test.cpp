@@ -18,7 +18,7 @@ using subcert::testing::rounds;
 namespace {
 
 constexpr slong bits = 64;
-const LatticePoint edge{1, 0};
+const LatticePoint centre{0, 0}, edge{1, 0};
 
 EveryValence proof(const SectorRuleFamily& family, const std::string& scheme, long first) {
   return every_valence(family, part_of(scheme), first, {Deadline::in(100)});
@@ -101,6 +101,21 @@ TEST_CASE("eigenvalues of all valences hold those of each") {
         CHECK(holds(leader->value, vertex_smoothness(vertex_rules(scheme, valence), part_of(scheme)).subdominant));
       low = high;
     }
+  }
+}
+
+TEST_CASE("a leader of frequency 1 is told where eigenvalues grow with the cosine, and not where they fall") {
+  // Edges at the vertex have the eigenvalue 1/2 - 2 beside + 2 beside cos(2 pi k/n).
+  for (const long sign : {1L, -1L}) {
+    CAPTURE(sign);
+    SectorRuleFamily family = vertex_rule_family("loop");
+    const Rational beside = over(sign, 16), itself = over(1, 2) - 2 * beside;
+    family.rules.rules[edge] = {{{{centre, 0}, over(1, 2)},
+                                 {{edge, 0}, itself},
+                                 {{edge, 1}, beside},
+                                 {{edge, SectorRuleFamily::many - 1}, beside}}};
+    FamilySpectrum spectrum(family, smallest_closed_set(family.at(SectorRuleFamily::many)));
+    CHECK(spectrum.leader_on(0, over(1, 100), bits).has_value() == (sign > 0));
   }
 }
 

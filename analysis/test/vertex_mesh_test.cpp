@@ -1,7 +1,7 @@
 // Schemes as their papers write them, on meshes that know nothing but their faces: what shrinks at a vertex, and how
 // fast, against the eigenvalues that are proved.
 
-#include <subcert/analysis/vertex/vertex_smoothness.hpp>
+#include <subcert/analysis/vertex/vertex_stencils.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
@@ -251,7 +251,78 @@ void check_rates(const std::string& scheme, Mesh (*step)(const Mesh&), int steps
   }
 }
 
+/// The neighbours of the first vertex in their order, one way or the other, and the vertices across the faces between.
+struct Ring {
+  std::vector<std::size_t> neighbours, across;
+
+  explicit Ring(const Mesh& mesh) {
+    std::map<std::size_t, std::map<std::size_t, std::size_t>> beside;  // of two neighbours: what is across their face
+    for (const Face& face : mesh.faces) {
+      const std::size_t at = static_cast<std::size_t>(std::find(face.begin(), face.end(), 0U) - face.begin());
+      const std::size_t sides = face.size();
+      if (at == sides) continue;
+      const std::size_t next = face[(at + 1) % sides], last = face[(at + sides - 1) % sides];
+      beside[next][last] = beside[last][next] = face[(at + 2) % sides];
+    }
+    for (std::size_t at = beside.begin()->first, last = beside[at].begin()->first; neighbours.size() < beside.size();) {
+      const auto& [next, opposite] = beside[at].begin()->first == last ? *beside[at].rbegin() : *beside[at].begin();
+      neighbours.push_back(at);
+      across.push_back(opposite);
+      last = std::exchange(at, next);
+    }
+  }
+};
+
+Number value_of(const VertexStencils::Stencil& stencil, const Mesh& mesh) {
+  const Ring ring(mesh);
+  Number sum = 0;
+  for (const StencilWeight& weight : stencil) {
+    const auto t = static_cast<std::size_t>(weight.at.turn);
+    const LatticePoint& point = weight.at.point;
+    REQUIRE((point == LatticePoint{0, 0} || point == LatticePoint{1, 0} || point == LatticePoint{1, 1}));
+    const std::size_t at = point[0] == 0 ? 0 : point[1] == 0 ? ring.neighbours[t] : ring.across[t];
+    sum += Number(weight.value.lower->convert_to<double>()) * mesh.values[at];
+  }
+  return sum;
+}
+
+void check_stencils(const std::string& scheme, Mesh (*step)(const Mesh&), int steps_in_one) {
+  Random random;
+  const RegularPart part = regular_part(vertex_rules(scheme, 3), {Deadline::in(20)});
+  for (const long n : {3L, 4L, 5L, 6L, 7L, 9L}) {
+    CAPTURE(scheme, n);
+    const SectorRules rules = vertex_rules(scheme, n);
+    const VertexSmoothness at = vertex_smoothness(rules, part);
+    const VertexStencils stencils = vertex_stencils(rules, at);
+    // Of any data: waves of three frequencies.
+    Mesh mesh = fan(n, rules.lattice == SectorLattice::triangles, 0, random);
+    for (const long k : {1L, n / 2}) {
+      const Mesh more = fan(n, rules.lattice == SectorLattice::triangles, k, random);
+      for (std::size_t i = 0; i < mesh.values.size(); ++i) mesh.values[i] += more.values[i];
+    }
+    const auto size = [&] {
+      const Number x = value_of(stencils.tangents[0], mesh), y = value_of(stencils.tangents[1], mesh);
+      return Number(sqrt(x * x + y * y));
+    };
+    const Number limit = value_of(stencils.limit, mesh), before = size();
+    REQUIRE(before > 1e-4);
+    for (int level = 0; level < 40; ++level) {
+      for (int i = 0; i < steps_in_one; ++i) mesh = step(mesh);
+      mesh = mesh.cropped(4);
+      if (level < 3) CHECK(abs(value_of(stencils.limit, mesh) - limit) < 1e-12);
+      if (level == 0) CHECK(abs(size() / before - Number(at.subdominant.lower->convert_to<double>())) < 1e-10);
+    }
+    CHECK(abs(mesh.values[0] - limit) < 1e-6);
+  }
+}
+
 }  // namespace
+
+TEST_CASE("stencils keep limits and scale tangents of meshes that know their faces alone") {
+  check_stencils("loop", loop_step, 1);
+  check_stencils("catmull-clark", catmull_clark_step, 1);
+  check_stencils("sqrt3", sqrt3_step, 2);
+}
 
 TEST_CASE("meshes that know their faces alone shrink at vertices by the proved eigenvalues") {
   check_rates("loop", loop_step, 1);

@@ -1,3 +1,5 @@
+#include "vertex_parts.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/vertex/vertex_smoothness.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -7,15 +9,9 @@
 #include <numbers>
 
 using namespace subcert;
+using subcert::testing::part_of;
 
 namespace {
-
-const RegularPart& part_of(const std::string& scheme) {
-  static std::map<std::string, RegularPart> known;
-  const auto found = known.find(scheme);
-  if (found != known.end()) return found->second;
-  return known.emplace(scheme, regular_part(vertex_rules(scheme, 3), {Deadline::in(20)})).first->second;
-}
 
 VertexSmoothness smoothness(const std::string& scheme, long valence) {
   return vertex_smoothness(vertex_rules(scheme, valence), part_of(scheme));

@@ -1,5 +1,7 @@
 #include "characteristic_map.hpp"
 
+#include "kernel_vector.hpp"
+
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 
@@ -15,29 +17,6 @@ using Point = Turning<Ball>;
 Ball determinant_of(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
 
 bool is_positive(const Ball& value) { return Ball(0, value.bits()).is_less(value); }
-
-/// The kernel of a matrix of rank n - 1, one entry 1.
-std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Ball>>& matrix, slong bits) {
-  const std::size_t n = matrix.size();
-  if (n == 1) return std::vector<Ball>{Ball(1, bits)};
-  for (std::size_t one = 0; one < n; ++one)
-    for (std::size_t dropped = n; dropped-- > 0;) {
-      std::vector<std::vector<Ball>> rows;
-      std::vector<Ball> right;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (i == dropped) continue;
-        rows.emplace_back();
-        for (std::size_t j = 0; j < n; ++j)
-          if (j != one) rows.back().push_back(matrix[i][j]);
-        right.push_back(-matrix[i][one]);
-      }
-      auto solution = solve(rows, right, bits);
-      if (!solution) continue;
-      solution->insert(solution->begin() + static_cast<std::ptrdiff_t>(one), Ball(1, bits));
-      return solution;
-    }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -81,7 +60,7 @@ std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rule
   const SectorBlock<BallField> block(rules, set, frequency, field);
   auto shifted = block.matrix();
   for (std::size_t i = 0; i < shifted.size(); ++i) shifted[i][i] = shifted[i][i] - lambda;
-  const auto vector = kernel_vector(shifted, field.bits());
+  const auto vector = kernel_vector(shifted, field);
   if (!vector) return std::nullopt;
   CharacteristicMap result(rules, forms, frequency, lambda, field);
   result.known_ = block.data(*vector);
@@ -93,14 +72,78 @@ std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rule
   return result;
 }
 
+std::optional<CharacteristicMap> CharacteristicMap::find_near_one(const SectorRules& rules, const ClosedSet& set,
+                                                                  const CellForms& forms, const Ball& lambda,
+                                                                  const Ball& decay, const BallField& field) {
+  // All data of a rule turn with w, and their weights sum to 1.
+  const auto turns = [](const auto& entry) { return entry.second.rings.empty(); };
+  const LatticePoint corner{0, 0};
+  if (rules.lattice != SectorLattice::dual || !std::ranges::all_of(rules.rules, turns) || set.rules.count(corner) == 0)
+    return std::nullopt;
+  CharacteristicMap result(rules, forms, 1, lambda, field);
+  const slong bits = field.bits();
+  const Ball zero(0, bits), half(Rational(1) / 2, bits);
+  result.near_one_ = NearOne{2 - field.cosine(1) * 2, decay};
+  // The corner is its own mirror image, a positive multiple of 1 + w: rho = 0 and s = 1/2. The others are the fixed
+  // point of an affine map, found from its values at 0 and at the unit vectors.
+  std::vector<LatticePoint> points;
+  for (const auto& [point, rule] : set.rules)
+    if (point != corner) points.push_back(point);
+  const auto image_of = [&](std::size_t one) {
+    std::vector<Ball> image;
+    result.known_ = {{corner, {zero, half}}};
+    for (std::size_t i = 0; i < points.size(); ++i)
+      result.known_[points[i]] = {Ball(2 * i == one ? 1 : 0, bits), Ball(2 * i + 1 == one ? 1 : 0, bits)};
+    for (const LatticePoint& point : points) {
+      const Point value = result.new_value(set.rules.at(point));
+      image.push_back(value.x);
+      image.push_back(value.y);
+    }
+    return image;
+  };
+  const std::size_t n = 2 * points.size();
+  const std::vector<Ball> constant = image_of(n);
+  std::vector<std::vector<Ball>> matrix(n, std::vector<Ball>(n, zero));
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::vector<Ball> image = image_of(j);
+    for (std::size_t i = 0; i < n; ++i) matrix[i][j] = Ball(i == j ? 1 : 0, bits) - (image[i] - constant[i]);
+  }
+  const auto solution = solve(matrix, constant, bits);
+  if (!solution) return std::nullopt;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.known_[points[i]] = {(*solution)[2 * i], (*solution)[2 * i + 1]};
+  return result;
+}
+
+Turning<Ball> CharacteristicMap::datum_turned(Turning<Ball> value, long times) const {
+  if (!near_one_) return value.turned(times, block_.twice_cosine());
+  // With e = w - 1 and e^2 = -delta (1 + e).
+  for (; times > 0; --times) {
+    value.x = value.x - value.y;
+    value.y = value.y + near_one_->delta * value.x + 1;
+  }
+  for (; times < 0; ++times) {
+    value.y = value.y - near_one_->delta * value.x - 1;
+    value.x = value.x + value.y;
+  }
+  return value;
+}
+
+Turning<Ball> CharacteristicMap::new_value(const SectorRule& rule) const {
+  const auto value_at = [&](const LatticePoint& datum) { return data_at(datum); };
+  if (!near_one_) return inverse_ * block_.value(rule, value_at);
+  Point sum{near_one_->decay, Ball(0, field_.bits())};
+  for (const SectorTerm& term : rule.terms)
+    sum = sum +
+          field_.number(term.weight) * datum_turned(value_at(term.at.point), least_turns(term.at.turn, rules_.valence));
+  return inverse_ * sum;
+}
+
 Turning<Ball> CharacteristicMap::data_at(const LatticePoint& point) const {
   const SectorPoint at = *in_sector(point, rules_.lattice, rules_.valence);
-  const auto known = known_.find(at.point);
-  const Point own = known != known_.end() ? known->second : [&] {
-    const Point sum = block_.value(rules_.rule_at(at.point), [&](const LatticePoint& datum) { return data_at(datum); });
-    return known_.emplace(at.point, inverse_ * sum).first->second;
-  }();
-  return own.turned(least_turns(at.turn, rules_.valence), block_.twice_cosine());
+  auto known = known_.find(at.point);
+  if (known == known_.end()) known = known_.emplace(at.point, new_value(rules_.rule_at(at.point))).first;
+  return datum_turned(known->second, least_turns(at.turn, rules_.valence));
 }
 
 long CharacteristicMap::radius() const {
@@ -251,6 +294,10 @@ Ball CharacteristicMap::values_on(const Cell& cell, const Rational& a, const Rat
   return hull;
 }
 
+Ball CharacteristicMap::half_plane_form_on(const Cell& cell) const {
+  return near_one_ ? near_one_->delta * values_on(cell, 1, 0) + 1 : values_on(cell, 1, 1);
+}
+
 MapProof CharacteristicMap::prove(int most_levels) const {
   MapProof proof;
   if (!forms_.are_known()) {
@@ -289,7 +336,7 @@ MapProof CharacteristicMap::prove(int most_levels) const {
   else
     proof.regular.reason = "the Jacobian of the characteristic map is not proved to keep its sign";
   if (!proof.regular.is_yes()) return proof;
-  if (all([&](const Cell& cell) { return is_positive(values_on(cell, 1, 1)); }))
+  if (all([&](const Cell& cell) { return is_positive(half_plane_form_on(cell)); }))
     proof.half_plane = {Truth::yes, "each sector is mapped into a half plane"};
   else
     proof.half_plane.reason = "a sector is not proved to be mapped into a half plane";

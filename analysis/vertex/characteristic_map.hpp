@@ -56,6 +56,13 @@ class CharacteristicMap {
   static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
                                                long frequency, const Ball& lambda, const BallField& field);
 
+  /// The same for a frequency 1 and 1/n in an interval from 0 on, where lambda = 1 - decay delta, delta = 2 - 2 cos(2
+  /// pi/n), so that for n -> infinity z is constant: the data are x = rho and y = s of z = 1 + delta rho + s (w - 1).
+  /// Domain: a dual lattice.
+  static std::optional<CharacteristicMap> find_near_one(const SectorRules& rules, const ClosedSet& set,
+                                                        const CellForms& forms, const Ball& lambda, const Ball& decay,
+                                                        const BallField& field);
+
   /// z at a point of the plane of sector 0, or in the sectors beside it.
   Turning<Ball> data_at(const LatticePoint& point) const;
   /// Cuts squares up to `most_levels` times. Domain: frequency 1.
@@ -72,6 +79,14 @@ class CharacteristicMap {
                     const BallField& field)
       : rules_(rules), forms_(forms), field_(field), block_(rules, {}, frequency, field), inverse_(1 / lambda) {}
 
+  struct NearOne {
+    Ball delta, decay;
+  };
+  Turning<Ball> datum_turned(Turning<Ball> value, long times) const;
+  /// By a rule, divided by lambda.
+  Turning<Ball> new_value(const SectorRule& rule) const;
+  /// Where positive on a cell, F is in the half plane of its sector.
+  Ball half_plane_form_on(const Cell& cell) const;
   long radius() const;
   /// Whether in the windows of the ring the rules are those of the mask in the plane: beyond the ring they are then.
   bool is_plane_on_ring() const;
@@ -93,6 +108,7 @@ class CharacteristicMap {
   BallField field_;
   SectorBlock<BallField> block_;
   Ball inverse_;
+  std::optional<NearOne> near_one_ = std::nullopt;
   mutable std::map<LatticePoint, Turning<Ball>> known_;
 };
 

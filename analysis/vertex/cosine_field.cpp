@@ -8,19 +8,6 @@
 namespace subcert::vertex {
 namespace {
 
-/// cos(k t) as a polynomial in cos(t).
-LaurentPolynomial chebyshev(long k) {
-  LaurentPolynomial last = 1, current = LaurentPolynomial::monomial(1, 1);
-  if (k == 0) return last;
-  const LaurentPolynomial twice = LaurentPolynomial::monomial(2, 1);
-  for (; k > 1; --k) {
-    LaurentPolynomial next = twice * current - last;
-    last = std::move(current);
-    current = std::move(next);
-  }
-  return current;
-}
-
 struct Division {
   LaurentPolynomial quotient, remainder;
 };
@@ -58,14 +45,22 @@ FieldPolynomial reduced(FieldPolynomial a, const FieldPolynomial& b, FieldPolyno
 
 }  // namespace
 
-Ball BallField::number(const LaurentPolynomial& p) const {
-  Ball value(0, bits_);
-  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * first_ + Ball(p.coefficient(k), bits_);
-  return value;
+LaurentPolynomial chebyshev(long k) {
+  LaurentPolynomial last = 1, current = LaurentPolynomial::monomial(1, 1);
+  if (k == 0) return last;
+  const LaurentPolynomial twice = LaurentPolynomial::monomial(2, 1);
+  for (; k > 1; --k) {
+    LaurentPolynomial next = twice * current - last;
+    last = std::move(current);
+    current = std::move(next);
+  }
+  return current;
 }
 
-Ball BallField::cosine_of(long k) const {
-  return cos(Ball::pi(bits_) * Ball(Rational(Integer(2 * k), Integer(valence_)), bits_));
+Ball BallField::number(const LaurentPolynomial& p) const {
+  Ball value(0, bits());
+  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * first_ + Ball(p.coefficient(k), bits());
+  return value;
 }
 
 CosineField::CosineField(long valence) {
@@ -96,31 +91,6 @@ CosineField::Number CosineField::Number::inverse() const {
 }
 
 CosineField::Number CosineField::cosine(long k) const { return number(chebyshev(k)); }
-
-FieldPolynomial characteristic_polynomial(const std::vector<std::vector<CosineField::Number>>& matrix,
-                                          const CosineField& field) {
-  // M_1 = A, c_j = -tr(M_j)/j, M_(j+1) = A (M_j + c_j) [Faddeev and LeVerrier].
-  const std::size_t n = matrix.size();
-  FieldPolynomial result(n + 1, field.number(1));
-  auto product = matrix;
-  for (std::size_t j = 1; j <= n; ++j) {
-    CosineField::Number trace = field.number(0);
-    for (std::size_t i = 0; i < n; ++i) trace = trace + product[i][i];
-    result[n - j] = field.number(LaurentPolynomial(Rational(-1) / Rational(static_cast<long>(j)))) * trace;
-    if (j == n) break;
-    for (std::size_t i = 0; i < n; ++i) product[i][i] = product[i][i] + result[n - j];
-    auto next = matrix;
-    for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t c = 0; c < n; ++c) {
-        next[r][c] = field.number(0);
-        for (std::size_t k = 0; k < n; ++k)
-          if (!matrix[r][k].is_zero() && !product[k][c].is_zero())
-            next[r][c] = next[r][c] + matrix[r][k] * product[k][c];
-      }
-    product = std::move(next);
-  }
-  return result;
-}
 
 FieldPolynomial gcd(FieldPolynomial a, FieldPolynomial b) {
   trim(a);

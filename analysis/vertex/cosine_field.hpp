@@ -10,24 +10,27 @@
 
 namespace subcert::vertex {
 
+/// cos(k t) as a polynomial in cos(t). Domain: k >= 0.
+LaurentPolynomial chebyshev(long k);
+
 /// Numbers known to so many bits.
 class BallField {
  public:
   using Number = Ball;
-  BallField(long valence, slong bits) : valence_(valence), bits_(bits), first_(cosine_of(1)) {}
+  BallField(long valence, slong bits) : BallField(Ball(Rational(Integer(1), Integer(valence)), bits)) {}
+  /// For all 1/n in a ball.
+  explicit BallField(const Ball& over_valence) : over_valence_(over_valence), first_(cosine_of(1)) {}
 
   /// A polynomial in c = cos(2 pi/n).
   Ball number(const LaurentPolynomial& p) const;
-  Ball number(long value) const { return {value, bits_}; }
+  Ball number(long value) const { return {value, bits()}; }
   /// cos(2 pi k/n).
   Ball cosine(long k) const { return k == 1 ? first_ : cosine_of(k); }
-  slong bits() const { return bits_; }
+  slong bits() const { return over_valence_.bits(); }
 
  private:
-  Ball cosine_of(long k) const;
-  long valence_;
-  slong bits_;
-  Ball first_;
+  Ball cosine_of(long k) const { return cos(Ball::pi(bits()) * over_valence_ * (2 * k)); }
+  Ball over_valence_, first_;
 };
 
 /// Q(c): polynomials in c of a degree below that of the minimal polynomial of c.
@@ -69,9 +72,6 @@ class CosineField {
 /// Polynomials over the field, the lowest coefficient first. Canonical: the last coefficient is not zero.
 using FieldPolynomial = std::vector<CosineField::Number>;
 
-/// det(x - matrix). Domain: square. Cost: a product of matrices per row.
-FieldPolynomial characteristic_polynomial(const std::vector<std::vector<CosineField::Number>>& matrix,
-                                          const CosineField& field);
 /// Monic. Domain: not both zero.
 FieldPolynomial gcd(FieldPolynomial a, FieldPolynomial b);
 /// p(x^2).

@@ -58,6 +58,13 @@ class SectorBlock {
  public:
   using Number = typename Field::Number;
   using Matrix = std::vector<std::vector<Number>>;
+  /// What an unknown is of z at its point: all of it, where w is real; z itself, which is real; u of z = u (1 + w); or
+  /// x or y of z = x + y w, which also gives z at the mirror image.
+  enum class Part { all, alone, with_next, x, y };
+  struct Unknown {
+    LatticePoint point;
+    Part part;
+  };
 
   /// Domain: 0 <= k <= n/2; rules that are symmetric. The field gives number(weight) and cosine(k).
   SectorBlock(const SectorRules& rules, const ClosedSet& set, long frequency, const Field& field)
@@ -72,6 +79,7 @@ class SectorBlock {
 
   const Matrix& matrix() const { return matrix_; }
   std::size_t size() const { return unknowns_; }
+  const Unknown& unknown(std::size_t i) const { return named_[i]; }
 
   /// z on the closed set, from the unknowns.
   std::map<LatticePoint, Turning<Number>> data(const std::vector<Number>& unknowns) const {
@@ -129,7 +137,12 @@ class SectorBlock {
       Form form(unknowns_, zero());
       const SectorPoint image = mirror_image(point, rules_);
       form[next].x = one;
+      named_.push_back({point, is_real()              ? Part::all
+                               : place == Place::both ? Part::x
+                               : image.turn == 0      ? Part::with_next
+                                                      : Part::alone});
       if (place == Place::both) {
+        named_.push_back({point, Part::y});
         form[next + 1].y = one;
         Form other(unknowns_, zero());
         for (std::size_t i = next; i < next + 2; ++i)
@@ -164,6 +177,7 @@ class SectorBlock {
   Field field_;
   Number twice_cosine_;
   std::size_t unknowns_ = 0;
+  std::vector<Unknown> named_;
   std::vector<std::pair<LatticePoint, Place>> first_;
   std::map<LatticePoint, Form> forms_;
   Matrix matrix_;

@@ -1,6 +1,7 @@
 #include "vertex_smoothness.hpp"
 
 #include "characteristic_map.hpp"
+#include "required_rules.hpp"
 #include "vertex_evidence.hpp"
 #include "vertex_spectrum.hpp"
 
@@ -18,18 +19,6 @@ using namespace vertex;
 
 constexpr int most_levels = 7;
 constexpr slong least_bits = 128, most_bits = 512;
-
-/// Whether all rules of the set sum to 1, exactly.
-bool reproduces_constants(const ClosedSet& set, const CosineField& field) {
-  for (const auto& [point, rule] : set.rules) {
-    LaurentPolynomial sum;
-    for (const SectorTerm& term : rule.terms) sum += term.weight;
-    for (const RingTerm& ring : rule.rings)
-      if (ring.frequency == 0) sum += ring.weight;
-    if (!field.number(sum - LaurentPolynomial(1)).is_zero()) return false;
-  }
-  return true;
-}
 
 /// Whether the rules are those of the mask itself: the valence is regular, and each weight is that of the mask.
 bool is_regular_vertex(const SectorRules& rules) {
@@ -92,11 +81,7 @@ class VertexProof {
   VertexProof(const SectorRules& rules, const RegularPart& regular)
       : rules_(rules), regular_(regular), set_(smallest_closed_set(rules)) {
     result_.valence = rules.valence;
-    require(regular.mask == rules.mask, "smoothness at a vertex: need the regular part of the same mask");
-    require(turns_with_sectors(rules),
-            "smoothness at a vertex: need a mask and a rule of the vertex that turn with the sectors");
-    require(is_symmetric(rules, set_), "smoothness at a vertex: need rules that are their own mirror images");
-    require(reproduces_constants(set_, CosineField(rules.valence)), "smoothness at a vertex: need weights of sum 1");
+    require_rules(rules, set_, regular, CosineField(rules.valence));
   }
 
   VertexSmoothness run() {

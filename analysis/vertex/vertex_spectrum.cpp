@@ -1,47 +1,11 @@
 #include "vertex_spectrum.hpp"
 
+#include "diagonal_blocks.hpp"
+
 #include <algorithm>
 
 namespace subcert::vertex {
 namespace {
-
-using Unknowns = std::vector<std::size_t>;
-
-/// The strongly connected components: unknowns that depend on each other. In their order the matrix is triangular, with
-/// their blocks on the diagonal.
-template <class Matrix, class IsZero>
-std::vector<Unknowns> diagonal_blocks(const Matrix& matrix, const IsZero& is_zero) {
-  const std::size_t n = matrix.size();
-  std::vector<std::vector<bool>> reaches(n, std::vector<bool>(n, false));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) reaches[i][j] = i == j || !is_zero(matrix[i][j]);
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        if (reaches[i][k] && reaches[k][j]) reaches[i][j] = true;
-  std::vector<Unknowns> blocks;
-  std::vector<bool> done(n, false);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (done[i]) continue;
-    blocks.emplace_back();
-    for (std::size_t j = i; j < n; ++j)
-      if (reaches[i][j] && reaches[j][i]) {
-        done[j] = true;
-        blocks.back().push_back(j);
-      }
-  }
-  return blocks;
-}
-
-template <class Number>
-std::vector<std::vector<Number>> restricted(const std::vector<std::vector<Number>>& matrix, const Unknowns& block) {
-  std::vector<std::vector<Number>> result;
-  for (const std::size_t i : block) {
-    result.emplace_back();
-    for (const std::size_t j : block) result.back().push_back(matrix[i][j]);
-  }
-  return result;
-}
 
 /// The characteristic polynomial of a block of the frequency k over Q(c).
 FieldPolynomial polynomial_of(const SectorRules& rules, const ClosedSet& set, long k, const Unknowns& block,

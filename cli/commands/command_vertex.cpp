@@ -1,11 +1,13 @@
-// subcert vertex SCHEME --valence 3..12 [--certificate DIR]
+// subcert vertex SCHEME --valence 3..12 | --all-valences [--certificate DIR] [--stencils] [--stencils-header FILE]
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/sweeps/number_list.hpp>
 #include <subcert/reports/facts/vertex_facts.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <fmt/ranges.h>
@@ -13,11 +15,14 @@
 namespace subcert::cli {
 namespace {
 
-constexpr int largest_valence = 1000;
+constexpr int largest_valence = 1000, first_of_all = 13;
+constexpr const char* usual_valences = "3..12";
 
 struct VertexOptions : SearchOptions {
   std::string scheme;
-  std::string valence = "3..12";
+  std::string valence = usual_valences;
+  bool all = false, stencils = false;
+  std::string header;
   std::string certificate;
 };
 
@@ -37,6 +42,8 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
 }
 
 ExitCode run(const VertexOptions& options) {
+  if (options.all && options.valence != usual_valences)
+    fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
   const std::vector<int> numbers = sweeps::parse_number_list("--valence", options.valence, 3, largest_valence);
   const Scheme scheme = make_linear_scheme(options.scheme);
   if (!has_vertex_rules(scheme))
@@ -48,7 +55,18 @@ ExitCode run(const VertexOptions& options) {
   const RegularPart regular = regular_part(rules.front(), options.limits());
   options.progress("eigenvalues and characteristic maps");
   const std::vector<VertexSmoothness> valences = vertex_smoothness(rules, regular, options.threads());
-  const Facts list = vertex_facts(scheme, regular, valences);
+  std::optional<EveryValence> rest;
+  if (options.all) {
+    options.progress(fmt::format("all valences from {} on", first_of_all));
+    rest = every_valence(vertex_rule_family(scheme.specification), regular, first_of_all, options.limits());
+  }
+  std::vector<StencilsAt> stencils;
+  if (options.stencils || !options.header.empty())
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      stencils.push_back({rules[i].valence, vertex_stencils(rules[i], valences[i])});
+  if (!options.header.empty()) runtime::write_file(options.header, stencils_header(scheme, stencils));
+  const Facts list = vertex_facts(scheme, regular, valences, rest,
+                                  options.stencils ? stencils : std::vector<StencilsAt>{});
   Json json = page_json(list);
   WrittenCertificates written;
   if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, json);
@@ -56,7 +74,7 @@ ExitCode run(const VertexOptions& options) {
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();
   // More time would only help with the regular part.
-  return exit_code(all_of(valences), regular.c1.is_yes());
+  return exit_code(all_of(valences, rest), regular.c1.is_yes());
 }
 
 }  // namespace
@@ -66,6 +84,9 @@ void add_vertex(Command& app) {
   Command command = add_command(app, "vertex", "Whether surfaces are smooth at vertices of any valence, with proof",
                                 "subcert vertex catmull-clark --valence 3..12", options, [=] { return run(*options); });
   command.option("--valence", options->valence, "Valences, as 3..12 or 3,5,8..10, up to 1000").with_default();
+  command.flag("--all-valences", options->all, "Every valence: 3 to 12 one by one, and from 13 on all at once");
+  command.flag("--stencils", options->stencils, "What each datum counts in the limit point and in two tangents");
+  command.option("--stencils-header", options->header, "Write them as a header of C");
   command.option("--certificate", options->certificate, "Write certificates for 'subcert verify' into this folder");
   add_limits(command, *options);
   std::string known;

@@ -1,5 +1,8 @@
 #include "program.hpp"
 
+#include <fstream>
+#include <iterator>
+
 using namespace subcert::testing;
 
 TEST_CASE("vertex: the fields of the contract") {
@@ -22,6 +25,39 @@ TEST_CASE("vertex: one valence that is not C1 decides for all") {
   CHECK(answer.at("valences")[1].at("c1") == "no");
   CHECK(answer.at("valences")[1].at("frequency") == 2);
   CHECK(answer.at("valences")[1].at("curvature").is_null());
+}
+
+TEST_CASE("vertex: every valence") {
+  const auto answer = run_json("vertex catmull-clark --all-valences");
+  CHECK(answer.at("all") == "yes");
+  CHECK(answer.at("valences").size() == 10);
+  CHECK(answer.at("rest").at("first") == 13);
+  CHECK(answer.at("rest").at("c1") == "yes");
+  CHECK(answer.at("rest").at("open").empty());
+  const auto open = run_json("vertex butterfly --all-valences", 1);
+  CHECK(open.at("all") == "no");
+  CHECK(open.at("rest").at("c1") == "unknown");
+  CHECK(open.at("rest").at("open")[0].at("last").is_null());
+  CHECK(run("vertex loop --all-valences --valence 4").code == 64);
+}
+
+TEST_CASE("vertex: stencils in JSON, and as a header that a compiler of C takes") {
+  const Folder folder;
+  const std::string header = folder / "stencils.h";
+  const auto answer = run_json("vertex loop --valence 4,6 --stencils --stencils-header " + header);
+  const auto& stencils = answer.at("valences")[1].at("stencils");
+  REQUIRE(stencils.at("limit").size() == 7);
+  CHECK(stencils.at("limit")[0].at("exact") == "1/2");
+  CHECK(stencils.at("limit")[3].at("exact") == "1/12");
+  CHECK(stencils.at("limit")[3].at("sector") == 2);
+  CHECK(stencils.at("tangents")[0][1].at("exact") == "1/2");
+  CHECK(stencils.at("tangents")[1][0].at("exact") == "s*(1)");
+  std::ifstream file(header);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  CHECK(text.find("static const int loop_6_data[7][3] = {\n  {0, 0, 0},\n  {1, 0, 0},") != std::string::npos);
+  CHECK(text.find("static const double loop_6_limit[7] = {\n  0.5,  /* 1/2 */") != std::string::npos);
+  CHECK(text.find("0.8660254037844386,  /* s*(1) */") != std::string::npos);
+  CHECK(std::system(("cc -std=c99 -Wall -Werror -Wno-unused -x c -fsyntax-only " + header).c_str()) == 0);
 }
 
 TEST_CASE("vertex: what is open for good, and wrong words") {

@@ -17,7 +17,8 @@ from pathlib import Path
 
 program, checker = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 # those that name something to be written
-OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html", "--junit", "--sarif"}
+OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html", "--junit", "--sarif",
+           "--stencils-header"}
 MAP = "map mask:[-w,0,1/2+w,1,1/2+w,0,-w] --over w=0..1/5 --over t=0..1 --property convergent --resolution 2"
 # a command, and what it can write: of files the ending is given where it matters, folders end with a slash
 COMMANDS = [
@@ -35,7 +36,7 @@ COMMANDS = [
     ("range four-point:w --over w=1/20..1/10 --property convergent", ["--out", "--certificate/"]),
     ("curve four-point:w --over w=1/20..1/16 --pieces 1", ["--out", "--csv", "--plot.svg", "--certificate/"]),
     ("levels four-point:w --over w=1/20..1/16 --property C1", ["--out", "--plot.svg", "--certificate/"]),
-    ("vertex loop --valence 3", ["--out", "--certificate/"]),
+    ("vertex loop --valence 3", ["--out", "--certificate/", "--stencils-header.h"]),
     ("analyze primal:n=1", ["--out", "--plot.svg", "--plot.png"]),
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),
     ("smooth data.csv --scheme primal:n=2", ["--plot.svg"]), ("refine primal:n=2 data.csv", ["--plot.svg"]),
@@ -90,7 +91,7 @@ def outputs(folder, number):
     """(words, option, kind, target) for all that can be written, each target in place of its own."""
     for i, (command, options) in enumerate(COMMANDS):
         for option in options:
-            name, kind = re.fullmatch(r"(--\w+)(.*)", option).groups()
+            name, kind = re.fullmatch(r"(--[\w-]+)(.*)", option).groups()
             place = folder / f"{number}-{i}{name}{kind.replace('/', '')}"
             place.mkdir()
             target = place / ("folder" if kind == "/" else "file" + kind)
@@ -217,11 +218,11 @@ def good_places(folder):
 
 
 def every_option_is_tried():
-    tried = {(command.split()[0], re.match(r"--\w+", option)[0]) for command, options in COMMANDS for option in options}
+    tried = {(command.split()[0], re.match(r"--[\w-]+", option)[0]) for command, options in COMMANDS for option in options}
     text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     for command in re.findall(r"^  ([a-z]+)  ", text[text.index("Subcommands"):], re.M):
         usage = subprocess.run([program, command, "--help"], capture_output=True, text=True, check=True).stdout
-        for option in re.findall(r"^  (--\w+)", usage, re.M):
+        for option in re.findall(r"^  (--[\w-]+)", usage, re.M):
             if option in OPTIONS and (command, option) not in tried:
                 failures.append(f"subcert {command} {option} is not tried here")
 

@@ -3,7 +3,8 @@
 
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
-#include <subcert/analysis/vertex/vertex_smoothness.hpp>
+#include <subcert/analysis/vertex/every_valence.hpp>
+#include <subcert/reports/facts/stencil_facts.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
@@ -55,11 +56,17 @@ py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, co
                         indices_of(counts));
 }
 
+template <class Valences>
+void require_valences(const Scheme& scheme, const char* asked, const Valences& valences, long least) {
+  if (!has_vertex_rules(scheme))
+    fail(ErrorKind::domain, "{}: {} has no rules at vertices", asked, scheme.specification);
+  for (const auto n : valences)
+    if (n < least || n > 1000) fail(ErrorKind::domain, "{}: need valences from {} to 1000, got {}", asked, least, n);
+}
+
 /// For each valence what is proved there.
 py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double seconds, const py::object& progress) {
-  if (!has_vertex_rules(scheme)) fail(ErrorKind::domain, "vertices: {} has no rules at vertices", scheme.specification);
-  for (const int n : valences)
-    if (n < 3 || n > 1000) fail(ErrorKind::domain, "vertices: need valences from 3 to 1000, got {}", n);
+  require_valences(scheme, "vertices", valences, 3);
   const auto found = interruptible(progress, [&] {
     const std::vector<SectorRules> rules = vertex_rules(scheme.specification, valences);
     if (rules.empty()) return std::vector<VertexSmoothness>{};
@@ -77,11 +84,46 @@ py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double
   return result;
 }
 
+py::tuple every_valence_of(const Scheme& scheme, long first, double seconds, const py::object& progress) {
+  require_valences(scheme, "every_valence", std::vector<long>{}, 3);
+  const SectorRuleFamily family = vertex_rule_family(scheme.specification);
+  require_valences(scheme, "every_valence", std::vector<long>{first}, family.least);
+  const EveryValence found = interruptible(progress, [&] {
+    const Budget budget{Deadline::in(seconds)};
+    return every_valence(family, regular_part(family.at(first), budget), first, budget);
+  });
+  py::list open;
+  for (const EveryValence::Range& range : found.open) open.append(py::make_tuple(range.first, range.last));
+  return py::make_tuple(found.first, found.c1, open, found.intervals);
+}
+
+/// (point, sector, weight, exact weight or None) of the limit and of both tangents.
+py::list stencils_of(const Scheme& scheme, long valence, double seconds, const py::object& progress) {
+  require_valences(scheme, "vertex_stencils", std::vector<long>{valence}, 3);
+  const VertexStencils found = interruptible(progress, [&] {
+    const SectorRules rules = vertex_rules(scheme.specification, valence);
+    return vertex_stencils(rules, vertex_smoothness(rules, regular_part(rules, {Deadline::in(seconds)})));
+  });
+  py::list result;
+  for (const auto* stencil : {&found.limit, &found.tangents[0], &found.tangents[1]}) {
+    py::list weights;
+    for (const StencilWeight& weight : *stencil)
+      weights.append(py::make_tuple(py::tuple(py::cast(weight.at.point)), weight.at.turn, weight.value,
+                                    weight.exact
+                                        ? std::optional(facts::exact_weight_text(weight, stencil == &found.tangents[1]))
+                                        : std::nullopt));
+    result.append(weights);
+  }
+  return result;
+}
+
 }  // namespace
 
 void add_meshes(py::module_& module) {
   module.def("refine_mesh", &refine_mesh);
   module.def("vertices", &vertices);
+  module.def("every_valence", &every_valence_of);
+  module.def("vertex_stencils", &stencils_of);
 }
 
 }  // namespace subcert::python

@@ -74,7 +74,15 @@ from ._schemes import (
 )
 from ._sweeps import Atlas, AtlasAnswers, AtlasEntry, SweepAnswer, sweep
 from ._tables import SchemeTable, compare
-from ._vertices import Vertex, vertices
+from ._vertices import (
+    EveryValence,
+    StencilWeight,
+    Vertex,
+    VertexStencils,
+    every_valence,
+    vertex_stencils,
+    vertices,
+)
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 

@@ -189,6 +189,12 @@ def refine_mesh(
 def vertices(
     scheme: Any, valences: Sequence[int], budget: float, progress: _Progress
 ) -> list[tuple[Any, ...]]: ...
+def every_valence(
+    scheme: Any, first: int, budget: float, progress: _Progress
+) -> tuple[int, Any, list[tuple[int, Optional[int]]], int]: ...
+def vertex_stencils(
+    scheme: Any, valence: int, budget: float, progress: _Progress
+) -> list[list[tuple[tuple[int, int], int, Any, Optional[str]]]]: ...
 def smooth(
     y: _Array,
     x: Optional[_Array],

@@ -248,3 +248,24 @@ def test_surfaces_at_vertices_of_any_valence():
         subcert.vertices("loop", [2])
     with pytest.raises(subcert.DomainError, match="no rules at vertices"):
         subcert.vertices("primal:n=2")
+
+
+def test_stencils_at_vertices():
+    regular = subcert.vertex_stencils("catmull-clark", 4)
+    assert [(at.point, at.exact) for at in regular.limit[::4]] == [((0, 0), "4/9"), ((1, 0), "1/9"), ((1, 1), "1/36")]
+    assert sum(at.weight.lower for at in regular.limit) <= 1 <= sum(at.weight.upper for at in regular.limit)
+    assert len(regular.tangents) == 2 and regular.tangents[0][0].sector == 0
+    assert subcert.vertex_stencils("butterfly:w=1/16", 8).tangents == ([], [])
+    with pytest.raises(subcert.DomainError, match="from 3 to 1000"):
+        subcert.vertex_stencils("loop", 2)
+
+
+def test_surfaces_at_vertices_of_every_valence():
+    assert subcert.every_valence("loop", 7).c1.is_yes
+    butterfly = subcert.every_valence("butterfly:w=1/16")
+    assert butterfly.c1.is_unknown and butterfly.open == [(13, None)] and butterfly.intervals == 0
+    for first in (6, 1001):
+        with pytest.raises(subcert.DomainError, match="from 7 to 1000"):
+            subcert.every_valence("loop", first)
+    with pytest.raises(subcert.DomainError, match="no rules at vertices"):
+        subcert.every_valence("primal:n=2")

@@ -53,23 +53,47 @@ std::string reasons(const std::vector<VertexSmoothness>& valences) {
   return text;
 }
 
-}  // namespace
-
-Truth all_of(const std::vector<VertexSmoothness>& valences) {
-  const auto is = [&](Truth truth) { return [=](const VertexSmoothness& at) { return at.c1.truth == truth; }; };
-  if (std::ranges::any_of(valences, is(Truth::no))) return Truth::no;
-  return std::ranges::all_of(valences, is(Truth::yes)) ? Truth::yes : Truth::unknown;
+Fact of_rest(const EveryValence& rest) {
+  Json open = Json::array();
+  for (const EveryValence::Range& range : rest.open)
+    open.push_back({{"first", range.first}, {"last", range.last ? Json(*range.last) : Json()}});
+  const std::string how = rest.c1.is_yes() ? fmt::format("proved in {} intervals of 1/n", rest.intervals)
+                                           : rest.c1.reason;
+  return {"rest",
+          fmt::format("n >= {}", rest.first),
+          to_text(rest.c1.truth),
+          how,
+          {{"first", rest.first},
+           {"c1", to_text(rest.c1.truth)},
+           {"reason", rest.c1.reason},
+           {"open", open},
+           {"intervals", rest.intervals},
+           {"squares", rest.squares}}};
 }
 
-Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences) {
+}  // namespace
+
+Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest) {
+  const auto is = [&](Truth truth) { return [=](const VertexSmoothness& at) { return at.c1.truth == truth; }; };
+  if (std::ranges::any_of(valences, is(Truth::no))) return Truth::no;
+  const bool all = std::ranges::all_of(valences, is(Truth::yes)) && (!rest || rest->c1.is_yes());
+  return all ? Truth::yes : Truth::unknown;
+}
+
+Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences,
+                   const std::optional<EveryValence>& rest, const std::vector<StencilsAt>& stencils) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"regular_exponent", "regular part", cell(regular.exponent), "exponent away from vertices",
                   enclosure_json(regular.exponent)});
   list.push_back(decided("regular_c1", "C1 there", regular.c1));
   Json rows = Json::array();
   for (const VertexSmoothness& at : valences) rows.push_back(row(at));
+  for (std::size_t i = 0; i < stencils.size(); ++i) rows[i]["stencils"] = stencils_json(stencils[i].stencils);
   list.push_back({"valences", "at a vertex", table(valences), {}, rows});
   if (const std::string why = reasons(valences); !why.empty()) list.push_back({{}, "why", why, {}, {}});
+  if (rest) list.push_back(of_rest(*rest));
+  for (const StencilsAt& at : stencils)
+    list.push_back({{}, fmt::format("n = {}", at.valence), stencils_table(at.stencils), {}, {}});
   list.push_back({{},
                   "C1 means",
                   "for all initial data but a set of measure zero the surface is, near the vertex, the graph of a C1 "
@@ -77,7 +101,8 @@ Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::
                   {},
                   {}});
   // Some valences say nothing of all, but that not all are.
-  list.push_back(member("all", to_text(all_of(valences) == Truth::no ? Truth::no : Truth::unknown)));
+  const Truth all = all_of(valences, rest);
+  list.push_back(member("all", to_text(rest || all == Truth::no ? all : Truth::unknown)));
   return list;
 }
 

@@ -2,18 +2,22 @@
 /// Facts about the surfaces of a scheme at vertices.
 
 #include "fact.hpp"
+#include "stencil_facts.hpp"
 
-#include <subcert/analysis/vertex/vertex_smoothness.hpp>
+#include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <vector>
 
 namespace subcert::facts {
 
-/// What is proved of a scheme at the vertices of each valence, in a table. Domain: at least one valence.
-Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences);
+/// What is proved of a scheme at the vertices of each valence, in a table, of all that follow, and of stencils. Domain:
+/// at least one valence; where there is a `rest`, all up to the first of it; stencils of all or of none.
+Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences,
+                   const std::optional<EveryValence>& rest = std::nullopt,
+                   const std::vector<StencilsAt>& stencils = {});
 
 /// Of all these valences: no where it is no for one.
-Truth all_of(const std::vector<VertexSmoothness>& valences);
+Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest = std::nullopt);
 
 }  // namespace subcert::facts

@@ -122,6 +122,21 @@ TEST_CASE("rules at vertices have the weights that are printed") {
               {{{{0, 0}, 0}, 0.75}, {{{1, 0}, 0}, 3.0 / 8}, {{{1, 0}, 2}, -1.0 / 8}});
 }
 
+TEST_CASE("rules of all valences are those of each") {
+  for (const std::string& name : schemes_with_vertex_rules()) {
+    const SectorRuleFamily family = vertex_rule_family(name == "butterfly" ? "butterfly:w=1/16" : name);
+    CHECK_THROWS_AS(family.at(family.least - 1), Error);
+    for (const long n : {family.least, 8L, 12L, 13L, 101L, 1000L}) {
+      const SectorRules all = family.at(n), own = rules_of(name, n);
+      CHECK(all.rules.size() == own.rules.size());
+      for (const LatticePoint& point : first_points(own, n > 50 ? 2 : 7)) {
+        CAPTURE(name, n, point);
+        check_equal(weights_of(all, point), weights_of(own, point));
+      }
+    }
+  }
+}
+
 TEST_CASE("rules at vertices are refused where there are none") {
   CHECK_THROWS_AS(vertex_rules("loop", 2), Error);
   CHECK_THROWS_AS(vertex_rules("quincunx", 5), Error);

@@ -107,10 +107,15 @@ SectorRules loop_rules(const LatticeMask& mask, long n) {
 
 SectorRules catmull_clark_rules(const LatticeMask& mask, long n) {
   SectorRules result{n, SectorLattice::quads, mask};
-  SectorRule& vertex = add(result.rules[centre], centre, Rational(1 - over(7, 4 * n)));
-  add_ring(vertex, ray, 0, over(3, 2 * n));
-  add_ring(vertex, diagonal, 0, over(1, 4 * n));
+  add(result.rules[centre], centre, Rational(1));
   return result;
+}
+
+SectorRule catmull_clark_over_valence() {
+  SectorRule vertex;
+  add(vertex, centre, over(-7, 4));
+  add_ring(vertex, ray, 0, over(3, 2));
+  return add_ring(vertex, diagonal, 0, over(1, 4));
 }
 
 SectorRules doo_sabin_rules(const LatticeMask& mask, long n) {
@@ -150,19 +155,33 @@ SectorRules two_step_sqrt3_rules(const LatticeMask& mask, long n) {
   return result;
 }
 
-using Maker = std::function<SectorRules(const LatticeMask&, long)>;
+struct Maker {
+  std::function<SectorRules(const LatticeMask&, long)> rules;
+  SectorRule over_vertex = {};
+
+  SectorRuleFamily of(const LatticeMask& mask, long valence, long least) const {
+    return {rules(mask, valence), least, over_vertex};
+  }
+};
 
 const std::map<std::string, Maker, std::less<>>& makers() {
   static const std::map<std::string, Maker, std::less<>> table{
-      {"loop", loop_rules},           {"catmull-clark", catmull_clark_rules},
-      {"doo-sabin", doo_sabin_rules}, {"midedge", midedge_rules},
-      {"butterfly", butterfly_rules}, {"modified-butterfly", modified_butterfly_rules},
-      {"sqrt3", two_step_sqrt3_rules}};
+      {"loop", {loop_rules}},           {"catmull-clark", {catmull_clark_rules, catmull_clark_over_valence()}},
+      {"doo-sabin", {doo_sabin_rules}}, {"midedge", {midedge_rules}},
+      {"butterfly", {butterfly_rules}}, {"modified-butterfly", {modified_butterfly_rules}},
+      {"sqrt3", {two_step_sqrt3_rules}}};
   return table;
 }
 
-auto maker_of(const Scheme& scheme) {
+auto found_maker(const Scheme& scheme) {
   return makers().find(scheme.specification.substr(0, scheme.specification.find(':')));
+}
+
+const Maker& maker_of(const Scheme& scheme) {
+  const auto maker = found_maker(scheme);
+  require(maker != makers().end(), "rules at a vertex: need one of {}, got {}",
+          fmt::join(schemes_with_vertex_rules(), ", "), scheme.specification);
+  return maker->second;
 }
 
 }  // namespace
@@ -172,10 +191,13 @@ SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPo
 SectorRules vertex_rules(std::string_view specification, long valence) {
   require(valence >= 3, "rules at a vertex: need valence >= 3, got {}", valence);
   const Scheme scheme = make_linear_scheme(specification);
-  const auto maker = maker_of(scheme);
-  require(maker != makers().end(), "rules at a vertex: need one of {}, got {}",
-          fmt::join(schemes_with_vertex_rules(), ", "), scheme.specification);
-  return maker->second(scheme.mask, valence);
+  return maker_of(scheme).of(scheme.mask, valence, valence).at(valence);
+}
+
+SectorRuleFamily vertex_rule_family(std::string_view specification) {
+  const Scheme scheme = make_linear_scheme(specification);
+  // The rules of smaller valences, and of regular ones, are their own.
+  return maker_of(scheme).of(scheme.mask, SectorRuleFamily::many, 7);
 }
 
 std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences) {
@@ -184,7 +206,7 @@ std::vector<SectorRules> vertex_rules(std::string_view specification, const std:
   return result;
 }
 
-bool has_vertex_rules(const Scheme& scheme) { return maker_of(scheme) != makers().end(); }
+bool has_vertex_rules(const Scheme& scheme) { return found_maker(scheme) != makers().end(); }
 
 std::vector<std::string> schemes_with_vertex_rules() {
   std::vector<std::string> names;

@@ -27,6 +27,9 @@ bool has_vertex_rules(const Scheme& scheme);
 /// The same for several valences, in their order.
 std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences);
 
+/// The same of all valences from a least one on, where no rule is one of a single valence any more.
+SectorRuleFamily vertex_rule_family(std::string_view specification);
+
 /// The rule of one step of sqrt3 at a vertex of any valence; its other points are the middles of triangles.
 SectorRule sqrt3_vertex_rule();
 

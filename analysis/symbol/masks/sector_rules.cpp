@@ -75,6 +75,31 @@ SectorRule SectorRules::rule_at(const LatticePoint& point) const {
   return result;
 }
 
+SectorRules SectorRuleFamily::at(long valence) const {
+  require(valence >= least || valence == rules.valence, "rules at a vertex: need valence >= {}, got {}", least,
+          valence);
+  SectorRules result = rules;
+  result.valence = valence;
+  for (auto& [point, rule] : result.rules)
+    for (SectorTerm& term : rule.terms) {
+      const long turns = 2 * term.at.turn > rules.valence ? term.at.turn - rules.valence : term.at.turn;
+      term.at = turned({term.at.point, 0}, turns, rules.lattice, valence);
+    }
+  if (over_vertex.terms.empty() && over_vertex.rings.empty()) return result;
+  const LaurentPolynomial share = Rational(Integer(1), Integer(valence));
+  SectorRule& vertex = result.rules[{0, 0}];
+  const auto add = [&](auto& sum, const auto& more, const auto& place) {
+    for (auto term : more) {
+      term.weight *= share;
+      const auto own = std::ranges::find(sum, place(term), place);
+      own == sum.end() ? sum.push_back(term) : void(own->weight += term.weight);
+    }
+  };
+  add(vertex.terms, over_vertex.terms, [](const SectorTerm& term) { return term.at; });
+  add(vertex.rings, over_vertex.rings, [](const RingTerm& ring) { return std::pair(ring.point, ring.frequency); });
+  return result;
+}
+
 std::vector<std::pair<SectorPoint, Enclosure>> weights_at(const SectorRule& rule, SectorLattice lattice, long valence,
                                                           int bits) {
   const slong working = bits + 30;

@@ -65,6 +65,19 @@ struct SectorRules {
   SectorRule rule_at(const LatticePoint& point) const;
 };
 
+/// The rules of one scheme at vertices of every valence from a least one on.
+struct SectorRuleFamily {
+  /// So many sectors that all turns of a rule differ as they do in each valence.
+  static constexpr long many = 1'000'000;
+
+  SectorRules rules;            ///< of `many` sectors
+  long least;                   ///< from here on no rule is one of a single valence, or of the regular one
+  SectorRule over_vertex = {};  ///< what the rule of the vertex has more, over n
+
+  /// Those of one valence. Domain: `least` or more, or that of `rules`.
+  SectorRules at(long valence) const;
+};
+
 /// a(z) a(z^M), the symbol of two steps with the dilation M. Domain: numbers, two variables.
 MultivariatePolynomial two_step_symbol(const LatticeMask& mask);
 

@@ -22,6 +22,9 @@ constexpr slong precision = 320;
 constexpr int dyadic_bits = 200;
 constexpr long resolved_bits = 20;     // that an eigenvalue may be smaller than the entries
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
+constexpr long least_bits = 150;       // of evidence by balls, relatively
+constexpr double nearly_real = 1e-12, nearly_real_if_multiple = 1e-6,
+                 nearly_double = 1e-7;                              // in doubles, relatively
 constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
 // Of approximate inverses, in bits.
 constexpr long inverse_distance = 72, inverse_accuracy = 60, longest_entry = 4000;
@@ -32,6 +35,12 @@ Rational content(const RationalMatrix& matrix) {
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (std::size_t j = 0; j < matrix.columns(); ++j) numerators = gcd(numerators, numerator(matrix(i, j)));
   return Rational(numerators, common_denominator(matrix));
+}
+
+/// Bits that tell which integer multiple of the content a number of that size is.
+slong bits_to_tell(const RationalMatrix& matrix, const radius::FloatingEigenvalue& size) {
+  const long exponent = std::ilogb(std::abs(size.value)) + size.exponent;
+  return precision + std::max(0L, exponent - static_cast<long>(binary_exponent(content(matrix))));
 }
 
 /// A rational zero of the characteristic polynomial p next to a number: an integer multiple of the content, as matrices
@@ -69,6 +78,25 @@ radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, con
   return {{near.re.convert_to<double>(), near.im.convert_to<double>()}, exponent};
 }
 
+/// In the upper half plane; real, where its imaginary part is small.
+RationalComplex as_found(const radius::FloatingEigenvalue& start, double tolerance) {
+  const double imaginary = std::abs(start.value.imag());
+  const bool real = imaginary <= tolerance * std::abs(start.value);
+  return power(Rational(2), start.exponent) *
+         RationalComplex{Rational(start.value.real()), real ? Rational(0) : Rational(imaginary)};
+}
+
+/// How many bits after the binary point a number next to it gets. Domain: not 0.
+int bits_after_point(const radius::FloatingEigenvalue& start) {
+  const int exponent = std::ilogb(std::abs(start.value)) + static_cast<int>(start.exponent);
+  return dyadic_bits + std::max(0, -exponent - smallest_exponent);
+}
+
+RationalComplex rounded(const RationalComplex& z, int bits) {
+  const Rational unit = power(Rational(2), -bits);
+  return {to_multiple(z.re, unit, Rounding::nearest), to_multiple(z.im, unit, Rounding::nearest)};
+}
+
 /// The centre c of the evidence: rational, near the leading eigenvalue.
 struct Centre {
   RationalComplex point;
@@ -83,18 +111,40 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   const double modulus = std::abs(start.value);
   if (modulus == 0 || simple.length() == 1) return std::nullopt;
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
-  const double imaginary = std::abs(start.value.imag());
-  const bool real = imaginary <= (simple.length() < p.length() ? 1e-6 : 1e-12) * modulus;
-  const ComplexBall near = ball_around({Rational(start.value.real()), real ? Rational(0) : Rational(imaginary)},
-                                       precision);
-  const RationalComplex z = exact_middle(radius::refined_zero(simple, near.scaled(start.exponent)));
-  const int exponent = std::ilogb(modulus) + static_cast<int>(start.exponent);
-  const int bits = dyadic_bits + std::max(0, -exponent - smallest_exponent);
-  if (real)
+  const RationalComplex near = as_found(start, simple.length() < p.length() ? nearly_real_if_multiple : nearly_real);
+  const RationalComplex z = exact_middle(radius::refined_zero(simple, ball_around(near, bits_to_tell(product, start))));
+  const int bits = bits_after_point(start);
+  if (near.im == 0)
     if (const auto exact = rational_eigenvalue(product, p, z.re)) return Centre{{*exact, 0}, exact, bits};
-  const Rational unit = power(Rational(2), -bits);
-  const auto rounded = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
-  return Centre{{rounded(z.re), rounded(z.im)}, std::nullopt, bits};
+  return Centre{rounded(z, bits), std::nullopt, bits};
+}
+
+/// A number c with few bits next to a simple eigenvalue, and how far that one is away at most, by balls: for matrices
+/// with a polynomial of long coefficients, as the polynomial takes much longer. Nothing where the eigenvalue is not
+/// isolated as well as by the polynomial, or may be rational.
+struct NearbyEigenvalue {
+  RationalComplex point;
+  Rational away;
+};
+
+std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product, const Deadline& deadline) {
+  const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
+  if (start.value == 0.0 || start.distance < nearly_double) return std::nullopt;
+  const Rational unit = content(product);
+  const auto nearest = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
+  const RationalComplex near = as_found(start, nearly_real);
+  const Rational size = abs(near.re), rest = abs(nearest(near.re) - near.re);
+  // A rational number, most likely, where few numbers of that size may be rational eigenvalues.
+  if (near.im == 0 && unit > Rational(nearly_real_if_multiple) * size && rest < Rational(nearly_real) * size)
+    return std::nullopt;
+  const auto pair = enclose_eigenpair(product, near, bits_to_tell(product, start), deadline);
+  if (!pair) return std::nullopt;
+  const RationalComplex middle = exact_middle(pair->value), point = rounded(middle, bits_after_point(start));
+  if (middle.im == 0 && overlap(pair->value, ball_around({nearest(middle.re), 0}, pair->value.bits())))
+    return std::nullopt;
+  const Rational away = *abs(pair->value - ball_around(point, precision)).enclosure().upper;
+  if (away * power(Rational(2), least_bits) > *root_enclosure(point.squared_modulus(), 2).lower) return std::nullopt;
+  return NearbyEigenvalue{point, away};
 }
 
 /// q without its zeros that are zeros of p, and 0.
@@ -127,9 +177,24 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
                               const Rational& distance) {
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
   const auto in_time = family.product(word, deadline);
-  const auto characteristic = in_time ? characteristic_polynomial(*in_time, deadline) : std::nullopt;
-  if (!characteristic) return evidence;
+  if (!in_time) return evidence;
   const RationalMatrix& product = *in_time;
+  const int length = static_cast<int>(word.size());
+  const auto eigenvalue_within = [&](const RationalComplex& c, const Rational& away) {
+    evidence.eigenvalue = c;
+    const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
+    const Rational low = *modulus.lower - away;
+    if (low > 0)
+      evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
+  };
+  if (distance == 0 && !deadline.expired() && radius::has_long_characteristic(product)) {
+    if (const auto nearby = nearby_eigenvalue(product, deadline)) {
+      eigenvalue_within(nearby->point, nearby->away);
+      return evidence;
+    }
+  }
+  const auto characteristic = characteristic_polynomial(product, deadline);
+  if (!characteristic) return evidence;
   const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
   // Multiple eigenvalues are found as simple zeros of the squarefree part.
   auto centre = centre_of(product, p, simple, deadline);
@@ -142,23 +207,19 @@ ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>
   }
   evidence.eigenvalue = c;
   if (slope == 0) return evidence;
-  const int length = static_cast<int>(word.size());
-  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
   const auto n = static_cast<long>(family.size());
   const Rational squared_value = value_at(p, c).squared_modulus();
   Rational away = n * *root_enclosure(squared_value / slope, 2).upper;
   if (distance > 0) {
     // The characteristic polynomials of all products, and their derivatives.
     const Rational error = radius::RoundedFamily(family, distance).change_of_products(length),
-                   column = *modulus.upper + one_norm(product);
+                   column = *root_enclosure(c.squared_modulus(), 2).upper + one_norm(product);
     const Rational value = *root_enclosure(squared_value, 2).upper + radius::change_of_product(column, error, n),
                    steep = *root_enclosure(slope, 2).lower - n * radius::change_of_product(column, error, n - 1);
     if (steep <= 0) return evidence;
     away = n * value / steep;
   }
-  const Rational low = *modulus.lower - away;
-  if (low > 0)
-    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
+  eigenvalue_within(c, away);
   if (centre->rational && distance == 0) {
     const Enclosure exact = root_enclosure(abs(*centre->rational), length);
     if (exact.is_exact() && is_largest_root(p, *centre->rational, deadline)) evidence.exact = exact.lower;

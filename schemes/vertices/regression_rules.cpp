@@ -147,10 +147,12 @@ class FanFit {
 
 std::map<LatticePoint, SectorRule> regression_rules_at(const BallRegression& scheme, long valence) {
   const Rational squared = scheme.radius * scheme.radius;
-  require(scheme.lattice == Lattice::equilateral && scheme.weights.empty() && scheme.degree <= 2 &&
-              squared > Rational(9, 4) && squared <= 3,
-          "rules at a vertex: need triangular: with 3/2 < L < 1.732, d <= 2 and a power, not weights, on the "
-          "equilateral grid");
+  require(
+      scheme.lattice == Lattice::equilateral && scheme.weights.empty() && scheme.degree <= 2 &&
+          squared > Rational(9, 4) && squared <= 3,
+      "rules at a vertex: need triangular: with 3/2 < L < 1.732, d <= 2 and a power, not weights, on the equilateral "
+      "grid, got L = {}, d = {}",
+      scheme.radius, scheme.degree);
   require(valence >= 3 && valence <= largest_valence, "rules at a vertex: need 3 <= valence <= {}, got {}",
           largest_valence, valence);
   const FanFit fit(scheme, valence);

@@ -226,32 +226,25 @@ Scheme make_box(const Piece& family, const Piece& body, const std::string& usage
           fmt::format("box spline of {} directions", directions.size()), mask};
 }
 
-Scheme make_triangular(Fields& fields) {
+BallRegression read_ball_regression(Fields& fields) {
   BallRegression scheme;
   const Piece radius = fields.required("L");
   scheme.radius = read_rational(radius);
   if (denominator(scheme.radius) > 1000) fail(radius, "L with a denominator up to 1000");
   if (const auto piece = fields.optional("d")) scheme.degree = static_cast<int>(read_integer(*piece, "d", 0, 6));
-  std::string text = fmt::format("triangular:L={},d={}", scheme.radius, scheme.degree);
   if (const auto piece = fields.optional("grid")) {
     if (piece->text != "equilateral" && piece->text != "rectangular")
       fail(*piece, "grid=equilateral or grid=rectangular");
-    if (piece->text == "rectangular") {
-      scheme.lattice = Lattice::rectangular;
-      text += ",grid=rectangular";
-    }
+    if (piece->text == "rectangular") scheme.lattice = Lattice::rectangular;
   }
   const auto power = fields.optional("power"), weights = fields.optional("weights");
   if (power && weights) fail(*weights, "power or weights, not both");
   if (power) scheme.power = static_cast<int>(read_integer(*power, "power", 0, 8));
-  if (scheme.power > 0) text += fmt::format(",power={}", scheme.power);
   if (weights) {
     for (const Piece& entry : read_list(*weights, ';')) {
       scheme.weights.push_back(read_rational(entry));
       if (scheme.weights.back() <= 0 || entry.text.size() > 40) fail(entry, "a weight > 0 of at most 40 characters");
-      text += (scheme.weights.size() == 1 ? ",weights=[" : ";") + to_text(scheme.weights.back());
     }
-    text += "]";
     const std::vector<Rational> distances = checked(radius, [&] { return ball_distances(scheme); });
     const auto few = distances.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(distances.size(), 8));
     if (distances.size() != scheme.weights.size())
@@ -259,11 +252,23 @@ Scheme make_triangular(Fields& fields) {
                                  fmt::join(distances.begin(), few, ", "), few == distances.end() ? "" : ", ..."));
   }
   fields.finish();
-  return {
-      text,
-      fmt::format("least squares on the {} triangular grid within L = {}, degree {}",
-                  scheme.lattice == Lattice::rectangular ? "rectangular" : "equilateral", scheme.radius, scheme.degree),
-      checked(radius, [&] { return ball_regression_mask(scheme); })};
+  return scheme;
+}
+
+Scheme make_triangular(Fields& fields) {
+  const Piece radius = fields.required("L");
+  const BallRegression scheme = read_ball_regression(fields);
+  const bool rectangular = scheme.lattice == Lattice::rectangular;
+  std::string text = fmt::format("triangular:L={},d={}{}", scheme.radius, scheme.degree,
+                                 rectangular ? ",grid=rectangular" : "");
+  if (scheme.power > 0) text += fmt::format(",power={}", scheme.power);
+  for (std::size_t i = 0; i < scheme.weights.size(); ++i)
+    text += (i == 0 ? ",weights=[" : ";") + to_text(scheme.weights[i]);
+  if (!scheme.weights.empty()) text += "]";
+  return {text,
+          fmt::format("least squares on the {} triangular grid within L = {}, degree {}",
+                      rectangular ? "rectangular" : "equilateral", scheme.radius, scheme.degree),
+          checked(radius, [&] { return ball_regression_mask(scheme); })};
 }
 
 Scheme make_butterfly(Fields& fields) {
@@ -344,6 +349,13 @@ Scheme linear_scheme_of(std::string_view specification) {
 }
 
 }  // namespace
+
+std::optional<BallRegression> specification_text::ball_regression_of(std::string_view specification) {
+  const Piece family = family_of(specification);
+  if (family.text != "triangular") return std::nullopt;
+  Fields fields(family, body_of(specification), "triangular:L=8/5,d=1");
+  return read_ball_regression(fields);
+}
 
 Scheme make_linear_scheme(std::string_view specification) { return from_written(specification, linear_scheme_of); }
 

@@ -2,6 +2,7 @@
 // What the readers of specifications share.
 
 #include "as_written.hpp"
+#include "grid_regression.hpp"
 #include "specification.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
@@ -295,6 +296,9 @@ auto from_fields(Make make) {
     return make(fields);
   };
 }
+
+/// The fits of `triangular:`; nothing for what names another family. Errors: as make_linear_scheme().
+std::optional<BallRegression> ball_regression_of(std::string_view specification);
 
 /// Of vectors of functions by name. Two of them also name families of numbers, which they make as well.
 const std::vector<Family>& named_vectors();

@@ -1,17 +1,13 @@
 #pragma once
-/// The real numbers of the field of exp(2 pi i/n), exact. For sources.
+/// Balls with cos(2 pi/n), and polynomials over the field of that number. For sources.
 
 #include <subcert/analysis/symbol/numbers/balls.hpp>
-#include <subcert/analysis/symbol/polynomials/laurent_polynomial.hpp>
+#include <subcert/analysis/symbol/polynomials/cosine_field.hpp>
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace subcert::vertex {
-
-/// cos(k t) as a polynomial in cos(t). Domain: k >= 0.
-LaurentPolynomial chebyshev(long k);
 
 /// Numbers known to so many bits.
 class BallField {
@@ -31,42 +27,6 @@ class BallField {
  private:
   Ball cosine_of(long k) const { return cos(Ball::pi(bits()) * over_valence_ * (2 * k)); }
   Ball over_valence_, first_;
-};
-
-/// Q(c): polynomials in c of a degree below that of the minimal polynomial of c.
-class CosineField {
- public:
-  explicit CosineField(long valence);
-
-  class Number {
-   public:
-    Number(LaurentPolynomial value, const LaurentPolynomial* modulus) : value_(std::move(value)), modulus_(modulus) {
-      reduce();
-    }
-    const LaurentPolynomial& polynomial() const { return value_; }
-    bool is_zero() const { return value_.is_zero(); }
-    bool is_rational() const { return value_.is_zero() || value_.highest() == 0; }
-    Number operator-() const { return {-value_, modulus_}; }
-    friend Number operator+(const Number& a, const Number& b) { return {a.value_ + b.value_, a.modulus_}; }
-    friend Number operator-(const Number& a, const Number& b) { return {a.value_ - b.value_, a.modulus_}; }
-    friend Number operator*(const Number& a, const Number& b) { return {a.value_ * b.value_, a.modulus_}; }
-    /// Domain: not zero.
-    Number inverse() const;
-
-   private:
-    void reduce();
-    LaurentPolynomial value_;
-    const LaurentPolynomial* modulus_;
-  };
-
-  Number number(const LaurentPolynomial& p) const { return {p, modulus_.get()}; }
-  Number number(long value) const { return number(LaurentPolynomial(Rational(value))); }
-  Number cosine(long k) const;
-  /// The minimal polynomial of c = cos(2 pi/n).
-  const LaurentPolynomial& modulus() const { return *modulus_; }
-
- private:
-  std::shared_ptr<const LaurentPolynomial> modulus_;
 };
 
 /// Polynomials over the field, the lowest coefficient first. Canonical: the last coefficient is not zero.

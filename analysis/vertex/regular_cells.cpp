@@ -21,54 +21,89 @@ std::optional<LatticeMask> divided_along(const LatticeMask& mask, const LatticeP
   return LatticeMask(*quotient * MultivariatePolynomial(2, Rational(m)), m);
 }
 
-/// The operators v(x) = B_d v(y), x = (y + d)/m, of v(x) = (phi(x - k))_k, numerators over one denominator: column p of
-/// B_d has a_{d + p - mk} at k.
+/// The operators v(x) = B_d v(y), x = (y + d)/m, of v(x) = (phi(x - k))_k: column p of B_d has a_{d + p - mk} at k.
 class CellOperators {
  public:
-  using Entry = std::pair<std::size_t, long>;
-  using Matrix = std::vector<std::vector<long>>;  // rows
+  /// Entries in units of 2^-44, each within `error` units of an exact one.
+  struct Product {
+    std::vector<std::vector<long>> rows;
+    Rational error = 0;
+  };
+  static constexpr long one = 1L << 44;
 
-  CellOperators(const LatticeMask& mask, const std::vector<LatticePoint>& window) : m_(mask.arity()) {
+  CellOperators(const LatticeMask& mask, const std::vector<LatticePoint>& window) : size_(window.size()) {
+    const long m = mask.arity();
     Integer common = 1;
     for (const Monomial& term : mask.symbol().terms()) common = lcm(common, denominator(term.coefficient));
-    denominator_ = Rational(common);
-    for (const LatticePoint& d : points_of_box({0, 0}, {m_ - 1, m_ - 1})) {
+    // Longer numerators would be too long for the sums.
+    const Integer scale = std::min(common, Integer(1) << 40);
+    scale_ = scale.convert_to<long>();
+    for (const LatticePoint& d : points_of_box({0, 0}, {m - 1, m - 1})) {
       columns_.emplace_back();
       for (const LatticePoint& p : window) {
         columns_.back().emplace_back();
-        for (std::size_t k = 0; k < window.size(); ++k) {
-          const Rational a = denominator_ * mask.symbol().coefficient(
-                                                {d[0] + p[0] - m_ * window[k][0], d[1] + p[1] - m_ * window[k][1]});
+        Rational sum = 0;
+        for (std::size_t k = 0; k < size_; ++k) {
+          const Rational a = mask.symbol().coefficient(
+              {d[0] + p[0] - m * window[k][0], d[1] + p[1] - m * window[k][1]});
           if (a == 0) continue;
-          columns_.back().back().push_back({k, a.convert_to<long>()});
-          largest_ = std::max(largest_, abs(a));
+          const Integer entry = to_integer(Rational(a * Rational(scale)), Rounding::nearest);
+          columns_.back().back().push_back({k, entry.convert_to<long>()});
+          sum += abs(a) + power(Rational(2), -40);
         }
+        most_ = std::max(most_, sum);
         widest_ = std::max(widest_, columns_.back().back().size());
       }
     }
+    rounded_ = scale == common ? Rational(0) : Rational(Rational(static_cast<long>(widest_)) * power(Rational(2), -40));
   }
 
   std::size_t letters() const { return columns_.size(); }
-  /// Whether the entries of its products with an operator, and sums over a row and a column of 64 times these, fit.
-  bool fits(const Matrix& matrix) const {
-    long entry = 0;
-    for (const std::vector<long>& row : matrix)
-      for (const long value : row) entry = std::max(entry, std::abs(value));
-    const Rational sum = Rational(entry) * largest_ * Rational(static_cast<long>(widest_ * matrix.size()));
-    return 64 * sum < power(Rational(2), 63);
-  }
-  Matrix times(const Matrix& matrix, std::size_t letter) const {
-    Matrix result(matrix.size(), std::vector<long>(matrix.size(), 0));
-    for (std::size_t p = 0; p < matrix.size(); ++p)
-      for (const auto& [k, entry] : columns_[letter][p])
-        for (std::size_t row = 0; row < matrix.size(); ++row) result[row][p] += matrix[row][k] * entry;
+  Product identity() const {
+    Product result{std::vector<std::vector<long>>(size_, std::vector<long>(size_, 0))};
+    for (std::size_t i = 0; i < size_; ++i) result.rows[i][i] = one;
     return result;
   }
-  const Rational& denominator_of_entries() const { return denominator_; }
+  Product times(const Product& product, std::size_t letter) const {
+    Product result{std::vector<std::vector<long>>(size_, std::vector<long>(size_, 0))};
+    for (std::size_t row = 0; row < size_; ++row)
+      for (std::size_t p = 0; p < size_; ++p) {
+        Wide sum = 0;
+        for (const auto& [k, entry] : columns_[letter][p]) sum += static_cast<Wide>(product.rows[row][k]) * entry;
+        result.rows[row][p] = static_cast<long>(sum / scale_);
+      }
+    result.error = product.error * most_ + 1 + rounded_ * Rational(largest(product));
+    return result;
+  }
+  /// Whether what is made of it fits.
+  static bool fits(const Product& product) { return largest(product) < 1L << 52; }
+  /// A bound of |product vector|_1.
+  Rational norm(const Product& product, const std::vector<long>& vector) const {
+    Rational sum = 0;
+    long length = 0;
+    for (const long entry : vector) length += std::abs(entry);
+    for (const std::vector<long>& row : product.rows) {
+      Wide entry = 0;
+      for (std::size_t i = 0; i < size_; ++i) entry += static_cast<Wide>(row[i]) * vector[i];
+      sum += Rational(static_cast<long>(entry < 0 ? -entry : entry));
+    }
+    return (sum + Rational(static_cast<long>(size_) * length) * product.error) / Rational(one);
+  }
 
  private:
-  long m_;
-  Rational denominator_, largest_ = 1;
+  using Entry = std::pair<std::size_t, long>;
+  __extension__ using Wide = __int128;
+
+  static long largest(const Product& product) {
+    long most = 0;
+    for (const std::vector<long>& row : product.rows)
+      for (const long value : row) most = std::max(most, std::abs(value));
+    return most;
+  }
+
+  std::size_t size_;
+  long scale_;
+  Rational most_ = 1, rounded_;  ///< the largest sum of moduli of a column, and of their errors
   std::size_t widest_ = 1;
   std::vector<std::vector<std::vector<Entry>>> columns_;
 };
@@ -82,38 +117,26 @@ class Contraction {
 
   /// With the smallest rates that few words reach.
   std::optional<Rational> bound(const std::vector<long>& base) {
-    const std::size_t size = base.size();
-    CellOperators::Matrix identity(size, std::vector<long>(size, 0));
-    for (std::size_t i = 0; i < size; ++i) identity[i][i] = 1;
     for (const Rational& rate : {Rational(1) / 2, Rational(3) / 4}) {
       largest_ = 0;
       words_ = 0;
-      if (visit(identity, Rational(1), base, rate)) return largest_;
+      if (visit(operators_.identity(), Rational(1), base, rate)) return largest_;
     }
     return std::nullopt;
   }
 
  private:
-  static Rational norm(const CellOperators::Matrix& product, const std::vector<long>& vector) {
-    long sum = 0;
-    for (const std::vector<long>& row : product) {
-      long entry = 0;
-      for (std::size_t i = 0; i < vector.size(); ++i) entry += row[i] * vector[i];
-      sum += std::abs(entry);
-    }
-    return Rational(sum);
-  }
-
-  bool visit(const CellOperators::Matrix& product, const Rational& scale, const std::vector<long>& base,
+  bool visit(const CellOperators::Product& product, const Rational& scale, const std::vector<long>& base,
              const Rational& wanted) {
     Rational rate = 0;
-    for (const std::vector<long>& vector : rest_) rate = std::max(rate, Rational(scale * norm(product, vector)));
+    for (const std::vector<long>& vector : rest_)
+      rate = std::max(rate, Rational(scale * operators_.norm(product, vector)));
     if (rate <= wanted) {
-      largest_ = std::max(largest_, Rational(scale * norm(product, base) / (1 - rate)));
+      largest_ = std::max(largest_, Rational(scale * operators_.norm(product, base) / (1 - rate)));
       return true;
     }
     if (++words_ > most_words || !operators_.fits(product)) return false;
-    const Rational next = scale * Rational(factor_) / operators_.denominator_of_entries();
+    const Rational next = scale * Rational(factor_);
     for (std::size_t letter = 0; letter < operators_.letters(); ++letter)
       if (!visit(operators_.times(product, letter), next, base, wanted)) return false;
     return true;

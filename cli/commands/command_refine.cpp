@@ -202,7 +202,7 @@ ExitCode run(const RefineCommand& options) {
          options.normals ? "--normals"
          : options.join  ? "--join"
                          : "--crease",
-         fmt::join(schemes_with_vertex_rules(), ", "), name);
+         fmt::join(data::schemes_with_mesh_rules(), ", "), name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
   const std::array<bool, 3> closed = closed_directions(options, fewest.size(), boundary);

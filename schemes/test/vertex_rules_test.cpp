@@ -10,9 +10,13 @@ using namespace subcert;
 
 namespace {
 
-SectorRules rules_of(const std::string& name, long valence) {
-  return vertex_rules(name == "butterfly" ? "butterfly:w=1/16" : name, valence);
+/// As it is written with its parameters.
+std::string specification(const std::string& name) {
+  if (name == "butterfly") return "butterfly:w=1/16";
+  return name == "triangular" ? "triangular:L=17/10,d=1,power=2" : name;
 }
+
+SectorRules rules_of(const std::string& name, long valence) { return vertex_rules(specification(name), valence); }
 
 using Weights = std::map<SectorPoint, double>;
 
@@ -44,6 +48,10 @@ void check_equal(const Weights& a, const Weights& b) {
     REQUIRE(b.count(at) == 1);
     CHECK(std::abs(b.at(at) - weight) < 1e-15);
   }
+}
+
+double sine(long multiple, long n) {
+  return std::sin(2 * std::numbers::pi * static_cast<double>(multiple) / static_cast<double>(n));
 }
 
 double cosine(long multiple, long n) {
@@ -122,9 +130,54 @@ TEST_CASE("rules at vertices have the weights that are printed") {
               {{{{0, 0}, 0}, 0.75}, {{{1, 0}, 0}, 3.0 / 8}, {{{1, 0}, 2}, -1.0 / 8}});
 }
 
+TEST_CASE("local regression at vertices keeps what its fits keep") {
+  // In the flat fan: polynomials of the degree, at the vertex and in the middle of an edge.
+  for (const char* name :
+       {"triangular:L=8/5,d=0", "triangular:L=8/5,d=1", "triangular:L=17/10,d=1,power=1",
+        "triangular:L=17/10,d=1,power=8", "triangular:L=8/5,d=2", "triangular:L=1732/1000,d=2,power=3"})
+    for (const long n : {3L, 4L, 5L, 6L, 7L, 8L, 12L, 31L}) {
+      CAPTURE(name, n);
+      const SectorRules rules = vertex_rules(name, n);
+      const int kept = name[std::string(name).find("d=") + 2] - '0';
+      for (const LatticePoint& point : {LatticePoint{0, 0}, LatticePoint{1, 0}}) {
+        const Weights weights = weights_of(rules, point);
+        const double middle = point[0] == 1 ? 0.5 : 0;
+        for (int i = 0; i <= kept; ++i)
+          for (int j = 0; i + j <= kept; ++j) {
+            double sum = 0;
+            for (const auto& [at, weight] : weights) {
+              const auto along = static_cast<double>(at.point[0]), beside = static_cast<double>(at.point[1]);
+              const double x = along * cosine(at.turn, n) + beside * cosine(at.turn + 1, n),
+                           y = along * sine(at.turn, n) + beside * sine(at.turn + 1, n);
+              sum += weight * std::pow(x, i) * std::pow(y, j);
+            }
+            CAPTURE(point, i, j);
+            CHECK(std::abs(sum - std::pow(middle, i) * (j == 0 ? 1 : 0)) < 1e-12);
+          }
+      }
+    }
+}
+
+TEST_CASE("local regression at vertices has the weights of its fits") {
+  // At valence 3 without weights x is 0, 1, -1/2, -1/2, 2, 1/2, 1/2: seven data with the sums 3 and 6 of x and x^2.
+  const Weights edge = weights_of(vertex_rules("triangular:L=8/5,d=1", 3), {1, 0});
+  REQUIRE(edge.size() == 7);
+  const auto line = [](double x) { return 1.0 / 7 + (x - 3.0 / 7) * (1.0 / 2 - 3.0 / 7) / (6 - 9.0 / 7); };
+  CHECK(edge.at({{0, 0}, 0}) == Approx(line(0)).epsilon(1e-12));
+  CHECK(edge.at({{1, 0}, 0}) == Approx(line(1)).epsilon(1e-12));
+  CHECK(edge.at({{1, 0}, 2}) == Approx(line(-0.5)).epsilon(1e-12));
+  CHECK(edge.at({{2, 0}, 0}) == Approx(line(2)).epsilon(1e-12));
+  CHECK(edge.at({{1, 1}, 2}) == Approx(line(0.5)).epsilon(1e-12));
+  const Weights vertex = weights_of(vertex_rules("triangular:L=8/5,d=1", 4), {0, 0});
+  CHECK(vertex.at({{0, 0}, 0}) == Approx(1.0 / 5).epsilon(1e-12));
+  CHECK(weights_of(vertex_rules("triangular:L=8/5,d=2", 4), {0, 0}) == Weights{{{{0, 0}, 0}, 1}});
+}
+
 TEST_CASE("rules of all valences are those of each") {
+  CHECK_THROWS_AS(vertex_rule_family(specification("triangular")), Error);
   for (const std::string& name : schemes_with_vertex_rules()) {
-    const SectorRuleFamily family = vertex_rule_family(name == "butterfly" ? "butterfly:w=1/16" : name);
+    if (name == "triangular") continue;
+    const SectorRuleFamily family = vertex_rule_family(specification(name));
     CHECK_THROWS_AS(family.at(family.least - 1), Error);
     for (const long n : {family.least, 8L, 12L, 13L, 101L, 1000L}) {
       const SectorRules all = family.at(n), own = rules_of(name, n);

@@ -1,6 +1,9 @@
 #include "vertex_rules.hpp"
 
+#include "regression_rules.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/specification_text.hpp>
 
 #include <fmt/ranges.h>
 
@@ -155,21 +158,35 @@ SectorRules two_step_sqrt3_rules(const LatticeMask& mask, long n) {
   return result;
 }
 
-struct Maker {
-  std::function<SectorRules(const LatticeMask&, long)> rules;
-  SectorRule over_vertex = {};
+SectorRules triangular_rules(const Scheme& scheme, long n) {
+  return {n, SectorLattice::triangles, scheme.mask,
+          regression_rules_at(*specification_text::ball_regression_of(scheme.specification), n)};
+}
 
-  SectorRuleFamily of(const LatticeMask& mask, long valence, long least) const {
-    return {rules(mask, valence), least, over_vertex};
+struct Maker {
+  std::function<SectorRules(const Scheme&, long)> rules;
+  SectorRule over_vertex = {};
+  bool of_all_valences = true;  ///< the weights are polynomials in c, and those of the vertex in 1/n, the same for all
+
+  SectorRuleFamily of(const Scheme& scheme, long valence, long least) const {
+    return {rules(scheme, valence), least, over_vertex};
   }
 };
 
+Maker of_mask(SectorRules (*rules)(const LatticeMask&, long), const SectorRule& over_vertex = {}) {
+  return {[rules](const Scheme& scheme, long n) { return rules(scheme.mask, n); }, over_vertex};
+}
+
 const std::map<std::string, Maker, std::less<>>& makers() {
   static const std::map<std::string, Maker, std::less<>> table{
-      {"loop", {loop_rules}},           {"catmull-clark", {catmull_clark_rules, catmull_clark_over_valence()}},
-      {"doo-sabin", {doo_sabin_rules}}, {"midedge", {midedge_rules}},
-      {"butterfly", {butterfly_rules}}, {"modified-butterfly", {modified_butterfly_rules}},
-      {"sqrt3", {two_step_sqrt3_rules}}};
+      {"loop", of_mask(loop_rules)},
+      {"catmull-clark", of_mask(catmull_clark_rules, catmull_clark_over_valence())},
+      {"doo-sabin", of_mask(doo_sabin_rules)},
+      {"midedge", of_mask(midedge_rules)},
+      {"butterfly", of_mask(butterfly_rules)},
+      {"modified-butterfly", of_mask(modified_butterfly_rules)},
+      {"sqrt3", of_mask(two_step_sqrt3_rules)},
+      {"triangular", {triangular_rules, {}, false}}};
   return table;
 }
 
@@ -191,13 +208,16 @@ SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPo
 SectorRules vertex_rules(std::string_view specification, long valence) {
   require(valence >= 3, "rules at a vertex: need valence >= 3, got {}", valence);
   const Scheme scheme = make_linear_scheme(specification);
-  return maker_of(scheme).of(scheme.mask, valence, valence).at(valence);
+  return maker_of(scheme).of(scheme, valence, valence).at(valence);
 }
 
 SectorRuleFamily vertex_rule_family(std::string_view specification) {
   const Scheme scheme = make_linear_scheme(specification);
+  const Maker& maker = maker_of(scheme);
+  require(maker.of_all_valences, "rules at a vertex: those of {} are not the same polynomials for all valences",
+          scheme.specification);
   // The rules of smaller valences, and of regular ones, are their own.
-  return maker_of(scheme).of(scheme.mask, SectorRuleFamily::many, 7);
+  return maker.of(scheme, SectorRuleFamily::many, 7);
 }
 
 std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences) {

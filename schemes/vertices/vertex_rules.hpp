@@ -19,6 +19,8 @@ namespace subcert {
 ///   butterfly           the mask along the edges as they are [DLG90]
 ///   modified-butterfly  (1/4 + cos(2 pi t/n) + cos(4 pi t/n)/2) / n at the edges of vertices with n != 6 [ZSS96]
 ///   sqrt3               two steps, each with the vertex moved by (4 - 2c)/9 towards the mean [Kob00]
+///   triangular          the vertex and its edges by the fits of the mask, to the data in the flat fan: an equilateral
+///                       grid, 9/4 < L^2 <= 3, d <= 2, no weights but a power; regression_rules.hpp
 /// Two steps of the dilations that turn the lattice are one of 2 or 3 times the identity. Domain: valence >= 3. Errors:
 /// throws a SpecificationError for what is no scheme, a domain Error for one that has no rules here.
 SectorRules vertex_rules(std::string_view specification, long valence);

@@ -54,8 +54,14 @@ Rational over(long numerator, long denominator) { return {Integer(numerator), In
 
 }  // namespace
 
+std::vector<std::string> schemes_with_mesh_rules() {
+  std::vector<std::string> names = schemes_with_vertex_rules();
+  std::erase(names, "triangular");  // with more data than those about an edge
+  return names;
+}
+
 bool has_mesh_rules(const std::string& specification) {
-  const std::vector<std::string> names = schemes_with_vertex_rules();
+  const std::vector<std::string> names = schemes_with_mesh_rules();
   return std::ranges::find(names, specification.substr(0, specification.find(':'))) != names.end();
 }
 

@@ -43,6 +43,8 @@ struct TangentWeights {
   double faces;
 };
 
+/// The schemes that refine meshes of any topology, as they may be written but for parameters.
+std::vector<std::string> schemes_with_mesh_rules();
 /// Whether meshes of any topology are refined by the scheme of this canonical specification.
 bool has_mesh_rules(const std::string& specification);
 

@@ -17,13 +17,15 @@
 namespace subcert::cli {
 namespace {
 
-data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples) {
+data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples,
+                               const std::optional<data::GivenPositions>& positions) {
   data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
                              options.constant, options.at == "data"};
   how.path = options.kind() == data::BandKind::simultaneous;
   if (options.select == "cv") how.selection = data::Selection::cross_validation;
   if (options.requested_bands.value_or(0) != 0) how.resamples = bootstrap_drawings;
   how.seed = options.seed;
+  if (positions) how.places = positions->of(samples);
   return smooth(samples, options.scheme, how, options.threads());
 }
 
@@ -72,10 +74,10 @@ void require_l1(const SmoothOptions& options) {
 /// Writes values as soon as their data have come.
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
-  if (options.json || !options.plot.empty() || options.at == "data" || options.irregular == "fit" ||
+  if (options.json || !options.plot.empty() || options.at != "grid" || options.at_positions() || options.irregular == "fit" ||
       !options.samples.by.empty() || options.samples.series == "rows")
     fail(ErrorKind::usage,
-         "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
+         "--stream: expected none of --json, --plot, --at, --at-file, --irregular fit, --by, --series rows");
   if (!noise && options.requested_bands.value_or(0) != 0)
     fail(ErrorKind::usage, "--stream: --bands needs --noise, as its estimate needs all data");
   if (options.kind() == data::BandKind::simultaneous)
@@ -178,20 +180,26 @@ ExitCode run(const SmoothOptions& options) {
   if (options.irregular == "auto" &&
       std::ranges::any_of(groups, [](const data::NamedSamples& samples) { return !samples.uniform(); }))
     options.remark("the positions are not uniform and are taken as they are (--irregular raise refuses them)");
+  std::optional<data::GivenPositions> positions;
+  if (options.at_positions())
+    positions = options.at_file.empty() ? data::GivenPositions::of_list(options.at)
+                                        : data::GivenPositions::of_file(options.samples, options.at_file);
   std::vector<std::unique_ptr<SmoothPage>> pages;
   std::set<std::string> remarks;  // of several groups alike
   const auto remark_once = [&](const std::string& line) {
     if (remarks.insert(line).second) options.remark(line);
   };
   RemarksOnData of_data;
+  std::size_t outside = 0;
   RefusedGroups refused;
   for (data::NamedSamples& samples : groups) {
     std::ranges::for_each(samples.remarks, remark_once);
     if (noise) samples.noise = data::nearest_double(*noise);
     try {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
-      data::SmoothedSamples result = smoothed(options, samples);
+      data::SmoothedSamples result = smoothed(options, samples, positions);
       of_data.add(samples, result);
+      outside = std::max(outside, result.outside);
       if (result.choice && samples.names.size() > 1)
         remark_once("one method is chosen for all columns together; --y NAME chooses it for one alone");
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
@@ -205,6 +213,8 @@ ExitCode run(const SmoothOptions& options) {
          options.samples.by.empty() ? "" : options.samples.by + " " + refused[0].first + ": ", refused[0].second,
          refused.size() > 1 ? "; nor can other groups be smoothed" : "");
   of_data.tell(options);
+  if (outside > 0)
+    options.remark(fmt::format("positions not between the first datum and the last, where values are nan: {}", outside));
   remark_on_refused(options, refused);
   if (!options.plot.empty()) formats::draw_file(figure_of(pages), options.plot);
   if (options.json)
@@ -267,9 +277,12 @@ void add_smooth(Command& app) {
               "Of the output grid where positions are irregular (default: that of most neighbours, or the mean), or of "
               "the data of a stream")
       .exact_number();
-  command.option("--at", options->at, "Where values stand: on the grid of --level, or at the data")
-      .one_of({"grid", "data"})
+  command
+      .option("--at", options->at,
+              "Where values stand: grid, that of --level, data, or positions as 1,2.5,7; nan outside the data")
       .with_default();
+  command.option("--at-file", options->at_file,
+                 "Table of the positions where values stand, in the column named as those of DATA, or the first");
   command.option("--noise", options->noise, "Its standard deviation for weight 1, where it is known").exact_number();
   command.option("--boundary", options->boundary, "How data go on past the ends")
       .one_of(data::smoothing_boundary_names())

@@ -107,7 +107,7 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
 }
 
 std::size_t LocalSmoother::stride() const {
-  if (options().path || !options().sparse || method_.weight == LocalWeight::box) return 1;
+  if (options().path || !options().sparse || !options().places.empty() || method_.weight == LocalWeight::box) return 1;
   double points = static_cast<double>(method_.points);
   if (points == 0 && data().uniform()) points = std::min(2 * method_.width, static_cast<double>(most_points));
   const bool robust = method_.robust > 0;

@@ -18,14 +18,14 @@ namespace subcert::cli {
 namespace {
 
 data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples,
-                               const std::optional<data::GivenPositions>& positions) {
+                               const std::vector<double>& places) {
   data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
                              options.constant, options.at == "data"};
   how.path = options.kind() == data::BandKind::simultaneous;
   if (options.select == "cv") how.selection = data::Selection::cross_validation;
   if (options.requested_bands.value_or(0) != 0) how.resamples = bootstrap_drawings;
   how.seed = options.seed;
-  if (positions) how.places = positions->of(samples);
+  how.places = places;
   return smooth(samples, options.scheme, how, options.threads());
 }
 
@@ -147,6 +147,8 @@ void take_closed(SmoothOptions& options) {
 ExitCode run(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
+  if (!options.at_file.empty() && options.at != "grid")
+    fail(ErrorKind::usage, "--at {} and --at-file: expected one of the two", options.at);
   if (options.kind() == data::BandKind::prediction && options.derivative > 0)
     fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
   if (is_l1_specification(options.scheme)) require_l1(options);
@@ -164,6 +166,8 @@ ExitCode run(const SmoothOptions& options) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
   }
+  if (options.samples.missing == "keep")
+    fail(ErrorKind::usage, "--missing keep: expected --grid, or drop; of rows --at data has values where data are");
   if (!options.samples.keep.empty() && options.at != "data")
     fail(ErrorKind::usage, "--keep needs --at data: other rows have no fields of the table");
   if (!options.scheme.empty()) data::make_smoothing_method(options.scheme);  // a misspelt one before faults of the data
@@ -195,9 +199,10 @@ ExitCode run(const SmoothOptions& options) {
   for (data::NamedSamples& samples : groups) {
     std::ranges::for_each(samples.remarks, remark_once);
     if (noise) samples.noise = data::nearest_double(*noise);
+    const std::vector<double> places = positions ? positions->of(samples) : std::vector<double>();
     try {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
-      data::SmoothedSamples result = smoothed(options, samples, positions);
+      data::SmoothedSamples result = smoothed(options, samples, places);
       of_data.add(samples, result);
       outside = std::max(outside, result.outside);
       if (result.choice && samples.names.size() > 1)
@@ -265,7 +270,11 @@ void add_smooth(Command& app) {
               "names")
       .one_of({"columns", "rows"})
       .with_default();
-  command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
+  command
+      .option("--missing", options->samples.missing,
+              "Missing values: an error, left out, or with --grid left out and kept missing")
+      .one_of({"raise", "drop", "keep"})
+      .with_default();
   command
       .option("--irregular", options->irregular,
               "Positions that are not uniform, or several data at one: an error, or taken as they are, as auto does "

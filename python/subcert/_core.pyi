@@ -204,6 +204,7 @@ def smooth(
     kind: str,
     irregular: Optional[bool],
     at: str,
+    places: Optional[_Array],
     noise: Optional[float],
     select: str,
     resamples: int,
@@ -221,6 +222,7 @@ def smooth_grid(
     kind: str,
     at: str,
     noise: Optional[float],
+    missing: str,
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...

@@ -32,6 +32,7 @@ struct SmoothingOptions {
   /// Positions of the outputs in spacings from the first datum, in order, in place of a grid; smooth() takes those of
   /// the samples, in any order.
   std::vector<double> places = {};
+  bool keep_holes = false;  ///< of grids: NaN beside missing data
 
   bool on_grid() const { return !at_data && places.empty(); }
 };

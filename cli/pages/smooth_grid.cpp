@@ -153,7 +153,7 @@ void draw(const SmoothOptions& options, const DataFile& file, const data::Smooth
   if (file.data.axes.size() != 2 || file.data.dimension != 1)
     fail(ErrorKind::usage, "--plot {}: pictures are of heights; found {} axes and {} numbers at a point", options.plot,
          file.data.axes.size(), file.data.dimension);
-  draw_refined(options.plot, grid.method, {}, file.data, {grid.columns.front().values, 1, grid.axes});
+  draw_refined(options.plot, {}, file.data, {{grid.method, {grid.columns.front().values, 1, grid.axes}}});
 }
 
 }  // namespace

@@ -202,9 +202,10 @@ void add_compare(Command& app) {
                                 [=] { return run(*options); });
   command.option("SCHEME", options->schemes, "Scheme specifications, two or more").required();
   command.option("--html", options->html, "A page with pictures and certificates, all in one file");
-  command.option("--plot", options->plot,
-                 "Draw limits, continuous derivatives and variance curves over each other, as .svg, .png, .pdf, .tex or "
-                 ".html");
+  command.option(
+      "--plot", options->plot,
+      "Draw limits, continuous derivatives and variance curves over each other, as .svg, .png, .pdf, .tex or "
+      ".html");
   command
       .option(
           "--rows", options->rows,

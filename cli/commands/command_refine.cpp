@@ -202,13 +202,15 @@ std::vector<NamedGrid> refined_beside(const RefineCommand& options, const DataFi
     const std::string& name = specification_of(scheme);
     const std::vector<std::size_t> fewest = fewest_points(scheme, how.boundary);
     if (fewest.size() != file.data.axes.size())
-      fail(ErrorKind::usage, "--beside {}: expected a scheme of as many variables as {}", specification, options.scheme);
+      fail(ErrorKind::usage, "--beside {}: expected a scheme of as many variables as {}", specification,
+           options.scheme);
     check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
     auto steps = options.limit
                      ? std::optional(limit_steps(file.data.axes, file.data.dimension, mask_with_limits(scheme), how))
                      : refinement_steps(file.data.axes, file.data.dimension, scheme, how);
-    result.emplace_back(name, without_derivatives(scheme, steps ? data::SlabRefinement(file.data, *std::move(steps)).whole()
-                                                               : refine(file.data, scheme, how)));
+    result.emplace_back(name,
+                        without_derivatives(scheme, steps ? data::SlabRefinement(file.data, *std::move(steps)).whole()
+                                                          : refine(file.data, scheme, how)));
   }
   return result;
 }

@@ -74,8 +74,8 @@ void require_l1(const SmoothOptions& options) {
 /// Writes values as soon as their data have come.
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
-  if (options.json || !options.plot.empty() || options.at != "grid" || options.at_positions() || options.irregular == "fit" ||
-      !options.samples.by.empty() || options.samples.series == "rows")
+  if (options.json || !options.plot.empty() || options.at != "grid" || options.at_positions() ||
+      options.irregular == "fit" || !options.samples.by.empty() || options.samples.series == "rows")
     fail(ErrorKind::usage,
          "--stream: expected none of --json, --plot, --at, --at-file, --irregular fit, --by, --series rows");
   if (!noise && options.requested_bands.value_or(0) != 0)
@@ -219,7 +219,8 @@ ExitCode run(const SmoothOptions& options) {
          refused.size() > 1 ? "; nor can other groups be smoothed" : "");
   of_data.tell(options);
   if (outside > 0)
-    options.remark(fmt::format("positions not between the first datum and the last, where values are nan: {}", outside));
+    options.remark(
+        fmt::format("positions not between the first datum and the last, where values are nan: {}", outside));
   remark_on_refused(options, refused);
   if (!options.plot.empty()) formats::draw_file(figure_of(pages), options.plot);
   if (options.json)

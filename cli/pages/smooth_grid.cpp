@@ -169,7 +169,8 @@ void smooth_grid_file(const SmoothOptions& options, const std::optional<double>&
   how.keep_holes = options.samples.missing == "keep";
   const data::SmoothedGrid grid = smoothed(options, file, how, noise);
   if (grid.unknown > 0)
-    options.remark(fmt::format("too few data in the windows of {} values, which are nan: take more points", grid.unknown));
+    options.remark(
+        fmt::format("too few data in the windows of {} values, which are nan: take more points", grid.unknown));
   if (!options.plot.empty()) draw(options, file, grid);
   const std::vector<std::string> names = names_of(file);
   std::vector<std::vector<GridColumn>> columns;

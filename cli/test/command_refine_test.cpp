@@ -304,7 +304,8 @@ TEST_CASE("refine: several schemes in one picture of the same data") {
   }
   const std::string heights = folder.write("h.csv", "0,1,4,2\n1,2,3,0\n3,1,0,1\n2,2,1,0\n");
   const std::string page = folder / "s.html", cubic = "'tensor:(cubic)x(cubic)'";
-  CHECK(run("refine " + cubic + " " + heights + " --levels 1 --plot " + page + " --beside 'tensor:(dd:n=1)x(cubic)'").code == 0);
+  CHECK(run("refine " + cubic + " " + heights + " --levels 1 --plot " + page + " --beside 'tensor:(dd:n=1)x(cubic)'")
+            .code == 0);
   CHECK(contains(content(page), "tensor:(dd:n=1)x(bspline:degree=3)"));
   check_fails(run("refine chaikin " + data + " --beside dd:n=2"), 64,
               "--beside: expected --plot, whose picture has these schemes, too");

@@ -417,7 +417,8 @@ TEST_CASE("grids with missing data: fits to what is there, holes that are filled
   for (int k = 0; k < 80; ++k) volume += (k == 31 ? "nan" : std::to_string(k)) + "\n";
   const std::string file = folder.write("holes.vtk", volume);
   CHECK(run("smooth " + file + " --grid --bands 0 --scheme local:width=3,d=1").code == 65);
-  const Run filled = run("smooth " + file + " --grid --bands 0 --scheme local:width=3,d=1 --level 0 --missing drop --json");
+  const Run filled = run("smooth " + file +
+                         " --grid --bands 0 --scheme local:width=3,d=1 --level 0 --missing drop --json");
   CHECK(std::abs(nlohmann::json::parse(filled.out).at("rows")[31][3].get<double>() - 31) < 1e-9);
   CHECK(run("smooth " + file + " --grid --scheme local:width=3,d=1 --level 0 --missing keep").out.find("\nnan\n") !=
         std::string::npos);

@@ -221,9 +221,8 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
                 const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
                 const std::string& boundary, double constant, int level, int derivative, double bands,
                 const std::string& kind_name, const std::optional<bool>& irregular, const std::string& at,
-                const std::optional<DoubleArray>& places,
-                const std::optional<double>& noise, const std::string& select, int resamples, std::uint64_t seed,
-                int jobs, const py::object& progress) {
+                const std::optional<DoubleArray>& places, const std::optional<double>& noise, const std::string& select,
+                int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require_choices(level, bands, noise, kind_name, at);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);

@@ -214,11 +214,12 @@ def smooth(
     in their place standard deviations of the noise, which are known with `noise` left out. `bands`: level of the
     confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
     prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this
-    grid, at the data ("data"), or an array of positions, NaN outside the data. `noise`: its standard deviation, where it is known. `select`: by what the method
-    is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the
-    residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where
-    outliers move a linear fit a UserWarning names the method that leaves them out. Raises DataError for samples
-    that cannot be smoothed, DomainError for a scheme without proof of convergence.
+    grid, at the data ("data"), or an array of positions, NaN outside the data. `noise`: its standard deviation,
+    where it is known. `select`: by what the method is chosen, its estimated error ("risk") or cross-validation
+    ("cv"). `resamples`: of l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no bands.
+    `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names the
+    method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
+    without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -255,7 +256,8 @@ def smooth(
             raise DomainError(f"at: need positions in one dimension, got shape {places.shape}")
     if array.ndim in (2, 3):
         grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, missing, _jobs(jobs), progress)
-        curves: dict[str, Any] = {"at as positions": places is not None, "x": x is not None, "weights": weights is not None}
+        curves: dict[str, Any] = {"at as positions": places is not None, "x": x is not None}
+        curves.update(weights=weights is not None)
         curves.update(derivative=derivative, irregular=bool(irregular), spacing=spacing is not None, origin=origin != 0)
         curves.update({"select='cv'": select == "cv", "resamples": resamples})
         return _smooth_grid(array, grid, curves)

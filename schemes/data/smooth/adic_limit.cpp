@@ -33,8 +33,7 @@ AdicLimit::AdicLimit(const Mask& mask, int order) : arity_(mask.arity()) {
   exact_.differences.assign(1, 1);
   for (int k = 0; k < order; ++k) {
     exact_.differences.emplace_back(0);
-    for (std::size_t j = exact_.differences.size() - 1; j > 0; --j)
-      exact_.differences[j] -= exact_.differences[j - 1];
+    for (std::size_t j = exact_.differences.size() - 1; j > 0; --j) exact_.differences[j] -= exact_.differences[j - 1];
   }
   rounded_ = {rounded(exact_.coefficients), rounded(exact_.at_integers), rounded(exact_.differences)};
 }

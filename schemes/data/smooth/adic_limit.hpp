@@ -8,8 +8,8 @@
 namespace subcert::data {
 
 /// phi^(order) at a point and at all its translates by integers, from the digits of the point: v(x) = (phi(x + k))_k
-/// has v(x) = T_e v(a x - e) for 0 <= x < 1 with the first digit e, and v(0) is known. For derivatives the same with the
-/// scheme of divided differences and their limit psi, phi^(order)(x) = sum over j of (-1)^j binomial(order, j)
+/// has v(x) = T_e v(a x - e) for 0 <= x < 1 with the first digit e, and v(0) is known. For derivatives the same with
+/// the scheme of divided differences and their limit psi, phi^(order)(x) = sum over j of (-1)^j binomial(order, j)
 /// psi(x - j), so that no factor grows with the digits.
 class AdicLimit {
  public:
@@ -40,8 +40,8 @@ class AdicLimit {
   int arity_;
   int digits_ = 0;
   long points_ = 1;
-  long first_;         // of the translates
-  long first_index_;   // of the coefficients
+  long first_;        // of the translates
+  long first_index_;  // of the coefficients
   Parts<Rational> exact_;
   Parts<double> rounded_;
 };

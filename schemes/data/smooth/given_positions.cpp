@@ -18,7 +18,9 @@ std::optional<double> date_value(const std::string& field, const DateForm& form)
   return number ? day_of_number(nearest_double(*number)) : std::nullopt;
 }
 
-std::string kind_of(const NamedSamples& samples) { return samples.dates ? "a date written as those of the data" : "a number"; }
+std::string kind_of(const NamedSamples& samples) {
+  return samples.dates ? "a date written as those of the data" : "a number";
+}
 
 }  // namespace
 
@@ -27,7 +29,8 @@ GivenPositions GivenPositions::of_list(const std::string& list) {
   for (std::size_t begin = 0; begin <= list.size();) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::size_t first = list.find_first_not_of(' ', begin), last = list.find_last_not_of(' ', end - 1);
-    if (end == begin || first >= end) fail(ErrorKind::usage, "--at {}: expected grid, data, or positions as 1,2.5,7", list);
+    if (end == begin || first >= end)
+      fail(ErrorKind::usage, "--at {}: expected grid, data, or positions as 1,2.5,7", list);
     result.listed_.push_back(list.substr(first, last - first + 1));
     begin = end + 1;
   }
@@ -50,7 +53,8 @@ std::vector<double> GivenPositions::of(const NamedSamples& samples) const {
                        : number      ? std::optional(nearest_double(*number))
                                      : std::nullopt;
     if (!value || !std::isfinite(*value))
-      fail(ErrorKind::usage, "--at: expected grid, data, or positions, each {}; found {}", kind_of(samples), in_quotes(field));
+      fail(ErrorKind::usage, "--at: expected grid, data, or positions, each {}; found {}", kind_of(samples),
+           in_quotes(field));
     positions.push_back(*value);
   }
   if (!listed_.empty()) return positions;

@@ -31,9 +31,8 @@ LinearSmoother::LinearSmoother(const ExtensionRule& rule, DataSites sites, const
       data_(rule, std::move(sites)),
       scale_(options.on_grid() ? scale : 1),
       outputs_(!options.places.empty() ? options.places.size()
-               : options.at_data
-                   ? data_.count()
-                   : count_outputs(data_.position(static_cast<long>(data_.count()) - 1), scale)),
+               : options.at_data       ? data_.count()
+                                       : count_outputs(data_.position(static_cast<long>(data_.count()) - 1), scale)),
       lowest_(reach.first),
       highest_(reach.second),
       prior_weights_(data_.count(), 1) {

@@ -279,8 +279,8 @@ TEST_CASE("around missing data a grid has the fits to those that are there") {
     const SmoothedGrid smoothed = smooth_grid(grid, "local:width=4,d=" + std::to_string(degree),
                                               {Boundary::regression, 1, 0, 0, false, false}, 1.0, 2);
     CHECK(smoothed.unknown == 0);
-    CHECK(smoothed.missing == static_cast<std::size_t>(std::ranges::count_if(
-                                  grid.values, [](double value) { return std::isnan(value); })));
+    CHECK(smoothed.missing ==
+          static_cast<std::size_t>(std::ranges::count_if(grid.values, [](double value) { return std::isnan(value); })));
     std::vector<double> expected;
     for (int j = 0; j <= 16; ++j)
       for (int i = 0; i <= 20; ++i) expected.push_back(fitted(grid, i / 2.0, j / 2.0, degree, 4));
@@ -301,9 +301,10 @@ TEST_CASE("a line of a grid with missing data is smoothed as rows with missing d
     const auto rows = smooth(samples, "local:width=5,d=1", options).columns[0];
     for (const bool turned : {false, true}) {
       const GridData<double> grid{line, 1, {Axis::of(turned ? 1 : 40), Axis::of(turned ? 40 : 1)}};
-      const SmoothedGrid along = smooth_grid(
-          grid, turned ? "tensor:(local:points=1,d=0)x(local:width=5,d=1)" : "tensor:(local:width=5,d=1)x(local:points=1,d=0)",
-          options, std::nullopt);
+      const SmoothedGrid along = smooth_grid(grid,
+                                             turned ? "tensor:(local:points=1,d=0)x(local:width=5,d=1)"
+                                                    : "tensor:(local:width=5,d=1)x(local:points=1,d=0)",
+                                             options, std::nullopt);
       CAPTURE(to_text(boundary), turned);
       CHECK(most_apart(along.columns[0].values, rows.values) < 1e-12);
       CHECK(most_apart(along.columns[0].deviations, rows.deviations) < 1e-12);

@@ -330,7 +330,8 @@ TEST_CASE("at given places the limit is that of the grid, and polynomials are re
   weights[9] = Rational(1, 3);
   std::vector<double> uneven;
   for (int i = 0; i < 14; ++i) uneven.push_back(i == 0 ? 0 : uneven.back() + 0.75 + 0.5 * (i % 2));
-  for (const auto& [text, degree] : {std::pair{"primal:n=3", 1}, {"dual:n=2", 1}, {"primal:n=3,d=3", 3}, {"ary:a=3,points=5,d=1", 1}}) {
+  for (const auto& [text, degree] :
+       {std::pair{"primal:n=3", 1}, {"dual:n=2", 1}, {"primal:n=3,d=3", 3}, {"ary:a=3,points=5,d=1", 1}}) {
     const Scheme scheme = make_scheme(text);
     for (const DataSites& sites : {DataSites(14), DataSites(14, weights), DataSites(14, {}, uneven)})
       for (const Boundary kind : {Boundary::regression, Boundary::reflect, Boundary::constant, Boundary::periodic}) {

@@ -299,7 +299,10 @@ void add_refine(Command& app) {
   command.flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
   command.flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");
   command.flag("--closed-z", options->closed_directions[2], "The same in the third direction alone");
-  command.option("--boundary", options->boundary, "What rules at the ends read")
+  command
+      .option("--boundary", options->boundary,
+              "What rules at the ends read; an open curve begins and ends at the first and last point where the scheme "
+              "is interpolatory, else near them")
       .one_of(data::refinement_boundary_names())
       .with_default();
   command.option("--constant", options->constant, "The value of --boundary constant")

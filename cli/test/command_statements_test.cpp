@@ -29,6 +29,16 @@ TEST_CASE("statements: the fields of the contract") {
         "dyn-2015/table-3-rates\ndyn-2015/table-3-rates-slope\n");
   CHECK(run("statements list --ids dyn-2015/table-1").out == "dyn-2015/table-1\n");
   CHECK(run("statements list dyn-2015/table-").code == 64);
+  const auto wrong = run_json("statements list --verdict misprint,false").at("statements");
+  CHECK(wrong.size() > 10);
+  std::size_t all = 0;
+  for (const auto& one : run_json("statements list").at("statements"))
+    all += one.at("verdict") == "misprint" || one.at("verdict") == "false" ? 1 : 0;
+  CHECK(wrong.size() == all);
+  for (const auto& one : wrong) CHECK((one.at("verdict") == "misprint" || one.at("verdict") == "false"));
+  check_fails(run("statements list --verdict wrong"), 64,
+              "--verdict wrong: expected false, holds, holds-for-all-n, misprint, not-checkable");
+  check_fails(run("statements check dyn-2015/eq-1 --verdict false"), 64, "--verdict: none of these statements has it");
 
   const Folder folder;
   const std::string page = folder / "page.html";

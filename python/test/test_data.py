@@ -233,7 +233,7 @@ def test_grids_with_missing_data():
 
 def test_values_at_given_positions():
     x = numpy.array([0.0, 0.5, 1, 3, 3, 4, 7, 8, 10])
-    for scheme in ("local:points=4", "primal:n=1", ""):
+    for scheme in ("local:points=4", "primal:n=2", ""):
         found = subcert.smooth(2 * x - 1, x, irregular=True, scheme=scheme, at=[7.25, -1, 0.1, 10], noise=1)
         assert numpy.allclose(found.values, [13.5, numpy.nan, -0.8, 19], atol=1e-9, equal_nan=True)
         assert found.x.tolist() == [7.25, -1, 0.1, 10] and numpy.isnan(found.deviation).tolist() == [0, 1, 0, 0]

@@ -11,16 +11,16 @@
 namespace subcert::data {
 namespace {
 
-/// In the column of dates of the samples, which may be numbers as 20240229.
+/// As in the column of dates of the samples, of numbers as 20240229, or else written for the same zone and unit.
 std::optional<double> date_value(const std::string& field, const DateForm& form) {
   if (const auto value = parse_date(field, form)) return value;
-  const auto number = parse_number(field);
+  for (const Date& reading : readings_of_date(field))
+    if (reading.form.unit() == form.unit() && reading.form.zone == form.zone) return reading.value;
+  const auto number = form.unit() == DateUnit::day ? parse_number(field) : std::nullopt;
   return number ? day_of_number(nearest_double(*number)) : std::nullopt;
 }
 
-std::string kind_of(const NamedSamples& samples) {
-  return samples.dates ? "a date written as those of the data" : "a number";
-}
+std::string kind_of(const NamedSamples& samples) { return samples.dates ? "a date as those of the data" : "a number"; }
 
 }  // namespace
 

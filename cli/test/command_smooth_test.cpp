@@ -188,6 +188,17 @@ TEST_CASE("values stand where positions are named, by a list or by a table") {
   CHECK(run(dated + "3").err.find("each a date as those of the data; found '3'") != std::string::npos);
 }
 
+TEST_CASE("errors of data are weights alone for methods that find the noise by themselves") {
+  const Folder folder;
+  std::string rows = "t,v,s,w\n";
+  for (int i = 0; i < 40; ++i)
+    rows += fmt::format("{},{},{},{}\n", i, i + (i % 7 == 3 ? 9.0 : 0.1 * (i % 3)), i % 2 + 1, i % 2 == 0 ? 1.0 : 0.25);
+  const std::string command = "smooth " + folder.write("d.csv", rows) + " --y v --quiet --scheme ";
+  for (const char* scheme : {"local:points=15,d=1,robust=3", "l1:points=6,iterations=5 --bands 0"})
+    CHECK(run(command + scheme + " --errors s").out == run(command + scheme + " --weights w").out);
+  CHECK(run(command + "local:points=15,d=1,robust=3 --errors s --noise 1").code == 64);
+}
+
 TEST_CASE("a grid with a gap is answered on this grid") {
   const Folder folder;
   std::string table = "time,v\n";

@@ -245,7 +245,8 @@ def smooth(
     if errors is not None:
         if weights is not None:
             raise UsageError("smooth: weights and errors: expected one of the two")
-        weights, noise = _frames.weights_of(errors), 1.0 if noise is None else noise
+        weights = _frames.weights_of(errors)
+        noise = _frames.noise_of_errors(noise, scheme)
     if y is not None or by is not None or keep is not None:
         raise UsageError("smooth: y, by and keep are columns of a table; got an array")
     array = numpy.ascontiguousarray(data, dtype=numpy.float64)

@@ -224,6 +224,12 @@ def weights_of(errors: Any) -> Any:
     return 1 / numbers**2
 
 
+def noise_of_errors(noise: Optional[float], scheme: Any) -> Optional[float]:
+    """Where errors are given: the noise in their units, which robust and l1 methods find by themselves."""
+    finds = str(scheme).startswith("l1") or ("robust=" in str(scheme) and "robust=0" not in str(scheme))
+    return noise if noise is not None or finds else 1.0
+
+
 def _smoothed_rows(
     smooth: Callable[..., Any],
     x: Optional[_Column],
@@ -290,7 +296,7 @@ def smoothed(
         prior = table.numbers(table.name(name, column))
         if name == "errors":
             prior.numbers = weights_of(prior.numbers)
-            options["noise"] = 1.0 if options["noise"] is None else options["noise"]
+            options["noise"] = noise_of_errors(options["noise"], options["scheme"])
     names = [] if keep is None else [keep] if isinstance(keep, (str, int)) else list(keep)
     if names and not (isinstance(options["at"], str) and options["at"] == "data"):
         raise UsageError("keep needs at='data': other rows have no fields of the table")

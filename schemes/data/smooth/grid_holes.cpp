@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace subcert::data {
@@ -59,73 +58,51 @@ class Window {
   Window(const GridHoles& holes, const LocalBasis& x, const LocalBasis& y, const LocalBasis& z)
       : holes_(holes), along_{&x, &y, &z} {}
 
-  /// Calls take(number of the point or `outside`, product of the roots, index in each basis).
-  template <class Take>
-  void visit(const Take& take) const {
-    const auto& [x, y, z] = along_;
-    for (std::size_t c = 0; c < z->data.size(); ++c)
-      for (std::size_t b = 0; b < y->data.size(); ++b)
-        for (std::size_t a = 0; a < x->data.size(); ++a) {
-          const bool inside = x->data[a] != LocalBasis::outside && y->data[b] != LocalBasis::outside &&
-                              z->data[c] != LocalBasis::outside;
-          take(inside ? (z->data[c] * holes_.counts[1] + y->data[b]) * holes_.counts[0] + x->data[a]
-                      : LocalBasis::outside,
-               std::array<std::size_t, 3>{a, b, c});
-        }
-  }
-  bool is_missing(std::size_t point) const { return point != LocalBasis::outside && holes_.missing[point]; }
-
   bool has_missing() const {
-    const auto& [x, y, z] = along_;
-    for (const std::size_t c : z->data)
-      for (const std::size_t b : y->data) {
-        if (b == LocalBasis::outside || c == LocalBasis::outside) continue;
-        const std::size_t line = (c * holes_.counts[1] + b) * holes_.counts[0];
-        for (const std::size_t a : x->data)
-          if (a != LocalBasis::outside && holes_.missing[line + a]) return true;
-      }
-    return false;
-  }
-
-  /// The products of the values at a point, or at the output.
-  void set_products(std::vector<double>& u, const std::optional<std::array<std::size_t, 3>>& point) const {
-    u.clear();
-    const auto value = [&](std::size_t axis, std::size_t k) {
-      return point ? along_[axis]->values[k][(*point)[axis]] : along_[axis]->at[k];
-    };
-    for (std::size_t c = 0; c < along_[2]->at.size(); ++c)
-      for (std::size_t b = 0; b < along_[1]->at.size(); ++b) {
-        const double outer = value(2, c) * value(1, b);
-        for (std::size_t a = 0; a < along_[0]->at.size(); ++a) u.push_back(outer * value(0, a));
-      }
+    bool found = false;
+    visit_lines([&](std::size_t line, std::size_t, std::size_t) {
+      for (std::size_t a = 0; !found && line != LocalBasis::outside && a < along_[0]->data.size(); ++a)
+        found = is_missing(point_of(line, a));
+    });
+    return found;
   }
 
   /// `sums` is as long as the grid has points, of zeros, before and after.
   GridRow row(std::size_t output, std::vector<double>& sums) const {
     GridRow result{output};
     std::vector<double> solution, u;
-    set_products(solution, std::nullopt);
+    const auto& [x, y, z] = along_;
+    set_products(solution, [&](std::size_t axis, std::size_t k) { return along_[axis]->at[k]; });
     GramMatrix gram(solution.size());
-    visit([&](std::size_t point, const auto& at) {
-      if (!is_missing(point)) return;
-      set_products(u, at);
-      gram.take_out(u);
+    visit_lines([&](std::size_t line, std::size_t b, std::size_t c) {
+      if (line == LocalBasis::outside) return;
+      for (std::size_t a = 0; a < x->data.size(); ++a) {
+        if (!is_missing(point_of(line, a))) continue;
+        const std::array<std::size_t, 3> at{a, b, c};
+        set_products(u, [&](std::size_t axis, std::size_t k) { return along_[axis]->values[k][at[axis]]; });
+        gram.take_out(u);
+      }
     });
     if (!gram.factor()) return result;
     result.known = true;
     gram.solve(solution);
-    visit([&](std::size_t point, const auto& at) {
-      if (is_missing(point)) return;
-      set_products(u, at);
-      double weight = 0;
-      for (std::size_t k = 0; k < u.size(); ++k) weight += u[k] * solution[k];
-      for (std::size_t axis = 0; axis < 3; ++axis) weight *= along_[axis]->roots[at[axis]];
-      if (point == LocalBasis::outside) {
-        result.outside += weight;
-        return;
+    std::vector<double> of_line(x->at.size());
+    visit_lines([&](std::size_t line, std::size_t b, std::size_t c) {
+      set_sums(of_line, solution, b, c);
+      const double root = y->roots[b] * z->roots[c];
+      for (std::size_t a = 0; a < x->data.size(); ++a) {
+        const std::size_t point = point_of(line, a);
+        if (is_missing(point)) continue;
+        double weight = 0;
+        for (std::size_t k = 0; k < of_line.size(); ++k) weight += of_line[k] * x->values[k][a];
+        weight *= root * x->roots[a];
+        if (point == LocalBasis::outside) {
+          result.outside += weight;
+          continue;
+        }
+        if (sums[point] == 0) result.terms.emplace_back(point, 0);
+        sums[point] += weight;
       }
-      if (sums[point] == 0) result.terms.emplace_back(point, 0);
-      sums[point] += weight;
     });
     for (auto& [point, weight] : result.terms) {
       weight = std::exchange(sums[point], 0);
@@ -135,6 +112,46 @@ class Window {
   }
 
  private:
+  /// Calls take(number of the first point or `outside`, index in the second basis, in the third) for each line along
+  /// the first axis.
+  template <class Take>
+  void visit_lines(const Take& take) const {
+    const auto& [x, y, z] = along_;
+    for (std::size_t c = 0; c < z->data.size(); ++c)
+      for (std::size_t b = 0; b < y->data.size(); ++b) {
+        const bool inside = y->data[b] != LocalBasis::outside && z->data[c] != LocalBasis::outside;
+        take(inside ? (z->data[c] * holes_.counts[1] + y->data[b]) * holes_.counts[0] : LocalBasis::outside, b, c);
+      }
+  }
+  std::size_t point_of(std::size_t line, std::size_t a) const {
+    const std::size_t datum = along_[0]->data[a];
+    return line == LocalBasis::outside || datum == LocalBasis::outside ? LocalBasis::outside : line + datum;
+  }
+  bool is_missing(std::size_t point) const { return point != LocalBasis::outside && holes_.missing[point]; }
+
+  /// The products of value(axis, k), k of the first axis fastest.
+  template <class Value>
+  void set_products(std::vector<double>& u, const Value& value) const {
+    u.clear();
+    for (std::size_t c = 0; c < along_[2]->at.size(); ++c)
+      for (std::size_t b = 0; b < along_[1]->at.size(); ++b) {
+        const double outer = value(2, c) * value(1, b);
+        for (std::size_t a = 0; a < along_[0]->at.size(); ++a) u.push_back(outer * value(0, a));
+      }
+  }
+
+  /// [k]: what of the products of the solution with the values of a line belongs to the polynomial k of the first axis.
+  void set_sums(std::vector<double>& sums, const std::vector<double>& solution, std::size_t b, std::size_t c) const {
+    const auto& [x, y, z] = along_;
+    std::ranges::fill(sums, 0);
+    auto next = solution.begin();
+    for (std::size_t l = 0; l < z->at.size(); ++l)
+      for (std::size_t m = 0; m < y->at.size(); ++m) {
+        const double outer = z->values[l][c] * y->values[m][b];
+        for (double& sum : sums) sum += outer * *next++;
+      }
+  }
+
   const GridHoles& holes_;
   std::array<const LocalBasis*, 3> along_;
 };

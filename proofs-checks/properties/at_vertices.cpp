@@ -1,7 +1,7 @@
 #include "deciding.hpp"
 
 #include <subcert/analysis/vertex/vertex_smoothness.hpp>
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/proofs-checks/number_list.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ constexpr int smallest_valence = 3, largest_valence = 1000;
 }  // namespace
 
 std::vector<int> valences_of(const std::string& text) {
-  return sweeps::parse_number_list("vertices", text, smallest_valence, largest_valence);
+  return parse_number_list("vertices", text, smallest_valence, largest_valence);
 }
 
 Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, double seconds) {

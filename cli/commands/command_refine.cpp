@@ -193,9 +193,9 @@ ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
   return done;
 }
 
-/// What other schemes make of the same data.
+/// What other schemes make of the same data, of which that many numbers are drawn.
 std::vector<NamedGrid> refined_beside(const RefineCommand& options, const DataFile& file,
-                                      const data::RefineOptions& how) {
+                                      const data::RefineOptions& how, std::size_t drawn) {
   std::vector<NamedGrid> result;
   for (const std::string& specification : options.beside) {
     const AnyScheme scheme = data::make_data_scheme(specification);
@@ -205,6 +205,9 @@ std::vector<NamedGrid> refined_beside(const RefineCommand& options, const DataFi
       fail(ErrorKind::usage, "--beside {}: expected a scheme of as many variables as {}", specification,
            options.scheme);
     check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
+    if (without_derivatives(scheme, file.data).dimension != drawn)
+      fail(ErrorKind::usage, "--beside {}: expected a scheme that reads the columns as {} does", specification,
+           options.scheme);
     auto steps = options.limit
                      ? std::optional(limit_steps(file.data.axes, file.data.dimension, mask_with_limits(scheme), how))
                      : refinement_steps(file.data.axes, file.data.dimension, scheme, how);
@@ -257,9 +260,10 @@ ExitCode run(const RefineCommand& options) {
   };
   const std::vector<data::Axis>& axes = whole ? whole->axes : slabs.axes();
   if (!options.plot.empty()) {
-    std::vector<NamedGrid> drawn = refined_beside(options, file, how);
+    const data::GridData<double> points = without_derivatives(scheme, file.data);
+    std::vector<NamedGrid> drawn = refined_beside(options, file, how, points.dimension);
     drawn.insert(drawn.begin(), {name, without_derivatives(scheme, *whole)});
-    draw_refined(options.plot, file.table, without_derivatives(scheme, file.data), drawn);
+    draw_refined(options.plot, file.table, points, drawn);
   }
   if (options.json) {
     const bool round = fewest.size() == 1 && file.data.axes[0].closed;

@@ -151,7 +151,8 @@ void take_closed(SmoothOptions& options) {
   if (options.samples.x.empty() && options.samples.series == "columns") options.samples.x = "none";
 }
 
-ExitCode run(const SmoothOptions& options) {
+/// Refuses what does not go together.
+void require_one_question(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
   if (!options.at_file.empty() && options.at != "grid")
@@ -162,6 +163,10 @@ ExitCode run(const SmoothOptions& options) {
   if (options.kind() == data::BandKind::prediction && is_robust(options.scheme))
     fail(ErrorKind::usage,
          "--bands-kind prediction: a new datum may be an outlier, of which robust steps know nothing");
+}
+
+ExitCode run(const SmoothOptions& options) {
+  require_one_question(options);
   std::optional<Rational> noise;
   if (!options.noise.empty() &&
       (!(noise = parse_number(options.noise)) || !data::is_noise(data::nearest_double(*noise))))
@@ -236,6 +241,36 @@ ExitCode run(const SmoothOptions& options) {
   return refused.empty() ? done : bad_data;
 }
 
+/// How DATA are read.
+void add_table_options(Command& command, data::SampleOptions& samples) {
+  command.option("--x", samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
+  command.option("--y", samples.y, "Columns of values, by name or number").separated_by_commas();
+  command.option("--weights", samples.weights, "Column of prior weights, inverse to the variance of the noise");
+  command.option("--errors", samples.errors,
+                 "Column of standard deviations of the noise, in place of --weights and --noise");
+  command.option("--by", samples.by, "Column of the names of groups, each smoothed by itself");
+  command.option("--keep", samples.keep, "Columns that go into the answer as they are, with --at data")
+      .separated_by_commas();
+  command.option(
+      "--delimiter", samples.delimiter,
+      "Between the columns: a character, tab or blank (default: the first of ; tab , that the first row has)");
+  command.option("--decimal", samples.decimal, "Decimal mark").one_of({".", ","}).with_default();
+  command.option("--header", samples.header, "Whether the first row has the names of the columns")
+      .one_of({"auto", "yes", "no"})
+      .with_default();
+  command
+      .option("--series", samples.series,
+              "What is one series: a column, or a row, whose positions are the names of the columns, and which --by "
+              "names")
+      .one_of({"columns", "rows"})
+      .with_default();
+  command
+      .option("--missing", samples.missing,
+              "Missing values: an error, left out, or with --grid left out and kept missing")
+      .one_of({"raise", "drop", "keep"})
+      .with_default();
+}
+
 }  // namespace
 
 void add_smooth(Command& app) {
@@ -255,33 +290,7 @@ void add_smooth(Command& app) {
   command.option("--select", options->select, "By what: the estimated error, or cross-validation")
       .one_of({"risk", "cv"})
       .with_default();
-  command.option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
-  command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
-  command.option("--weights", options->samples.weights,
-                 "Column of prior weights, inverse to the variance of the noise");
-  command.option("--errors", options->samples.errors,
-                 "Column of standard deviations of the noise, in place of --weights and --noise");
-  command.option("--by", options->samples.by, "Column of the names of groups, each smoothed by itself");
-  command.option("--keep", options->samples.keep, "Columns that go into the answer as they are, with --at data")
-      .separated_by_commas();
-  command.option(
-      "--delimiter", options->samples.delimiter,
-      "Between the columns: a character, tab or blank (default: the first of ; tab , that the first row has)");
-  command.option("--decimal", options->samples.decimal, "Decimal mark").one_of({".", ","}).with_default();
-  command.option("--header", options->samples.header, "Whether the first row has the names of the columns")
-      .one_of({"auto", "yes", "no"})
-      .with_default();
-  command
-      .option("--series", options->samples.series,
-              "What is one series: a column, or a row, whose positions are the names of the columns, and which --by "
-              "names")
-      .one_of({"columns", "rows"})
-      .with_default();
-  command
-      .option("--missing", options->samples.missing,
-              "Missing values: an error, left out, or with --grid left out and kept missing")
-      .one_of({"raise", "drop", "keep"})
-      .with_default();
+  add_table_options(command, options->samples);
   command
       .option("--irregular", options->irregular,
               "Positions that are not uniform, or several data at one: an error, or taken as they are, as auto does "

@@ -3,10 +3,11 @@
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/runtime/input.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace subcert::data {
 namespace {

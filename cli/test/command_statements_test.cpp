@@ -33,9 +33,9 @@ TEST_CASE("statements: the fields of the contract") {
   CHECK(wrong.size() > 10);
   std::size_t all = 0;
   for (const auto& one : run_json("statements list").at("statements"))
-    all += one.at("verdict") == "misprint" || one.at("verdict") == "false" ? 1 : 0;
+    all += one.at("recorded") == "misprint" || one.at("recorded") == "false" ? 1 : 0;
   CHECK(wrong.size() == all);
-  for (const auto& one : wrong) CHECK((one.at("verdict") == "misprint" || one.at("verdict") == "false"));
+  for (const auto& one : wrong) CHECK((one.at("recorded") == "misprint" || one.at("recorded") == "false"));
   check_fails(run("statements list --verdict wrong"), 64,
               "--verdict wrong: expected false, holds, holds-for-all-n, misprint, not-checkable");
   check_fails(run("statements check dyn-2015/eq-1 --verdict false"), 64, "--verdict: none of these statements has it");

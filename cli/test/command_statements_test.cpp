@@ -32,8 +32,8 @@ TEST_CASE("statements: the fields of the contract") {
   const auto wrong = run_json("statements list --verdict misprint,false").at("statements");
   CHECK(wrong.size() > 10);
   std::size_t all = 0;
-  for (const auto& one : run_json("statements list").at("statements"))
-    all += one.at("recorded") == "misprint" || one.at("recorded") == "false" ? 1 : 0;
+  const auto listed = run_json("statements list").at("statements");
+  for (const auto& one : listed) all += one.at("recorded") == "misprint" || one.at("recorded") == "false" ? 1 : 0;
   CHECK(wrong.size() == all);
   for (const auto& one : wrong) CHECK((one.at("recorded") == "misprint" || one.at("recorded") == "false"));
   check_fails(run("statements list --verdict wrong"), 64,

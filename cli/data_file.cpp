@@ -47,12 +47,12 @@ data::Table read_pieces(const std::string& path, data::RowLines& lines, const da
   return std::move(*all);
 }
 
-DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
+DataFile read_csv(const std::string& path, std::size_t variables, bool pieces, data::Missing missing) {
   if (variables > 2) fail(ErrorKind::usage, "{}: a scheme of three variables needs a volume in a .vtk file", path);
   data::RowLines lines;
-  data::TableForm form;
+  data::TableForm form(missing);
   form.gaps = variables == 1 ? " (subcert smooth fills gaps, with --missing drop)"
-                             : " (grids have no gaps: fill them first)";
+                             : " (subcert smooth --grid fills gaps, with --missing drop)";
   data::Table table = pieces && variables == 1 ? read_pieces(path, lines, form)
                                                : data::parse_table(read_input(path), input_name(path), form);
   for (const std::size_t line : std::exchange(table.lines, {})) lines.add(line);
@@ -70,7 +70,8 @@ DataFile read_csv(const std::string& path, std::size_t variables, bool pieces) {
       variables == 1 ? DataKind::curve : DataKind::matrix, std::move(data), std::move(table), {}, {}, std::move(lines)};
 }
 
-DataFile read_any(const std::string& path, std::size_t variables, bool pieces = false) {
+DataFile read_any(const std::string& path, std::size_t variables, bool pieces = false,
+                  data::Missing missing = data::Missing::refuse) {
   if (data::mesh_format(path)) {
     data::MeshFile mesh = read_mesh_file(path, path, false);
     data::GridData<double> data = take_grid(mesh);
@@ -79,8 +80,8 @@ DataFile read_any(const std::string& path, std::size_t variables, bool pieces = 
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending != ".vtk") return read_csv(path, variables, pieces);
-  data::Volume volume = data::parse_vtk(read_input(path), input_name(path));
+  if (ending != ".vtk") return read_csv(path, variables, pieces, missing);
+  data::Volume volume = data::parse_vtk(read_input(path), input_name(path), missing == data::Missing::keep);
   data::GridData<double> data = std::move(volume.data);
   volume.data.values.clear();
   return {DataKind::volume, std::move(data), {}, {}, std::move(volume)};
@@ -126,8 +127,8 @@ DataFile read_data_file(const std::string& path, std::size_t variables, const st
   return file;
 }
 
-DataFile read_grid_file(const std::string& path) {
-  DataFile file = read_any(path, 2);
+DataFile read_grid_file(const std::string& path, data::Missing missing) {
+  DataFile file = read_any(path, 2, false, missing);
   if (file.kind == DataKind::mesh)
     fail(ErrorKind::usage, "{}: expected a matrix of heights or a .vtk file; found a mesh, whose places are data, too",
          path);

@@ -41,7 +41,7 @@ DataFile read_data_file(const std::string& path, std::size_t variables, const st
 data::MeshFile read_mesh_file(const std::string& path, const std::string& out, bool join);
 
 /// The same for heights or volumes, whatever the number of their axes; a mesh is refused.
-DataFile read_grid_file(const std::string& path);
+DataFile read_grid_file(const std::string& path, data::Missing missing);
 
 /// Throws a data error where a direction has fewer points, of those that are closed and those that are not, or is
 /// closed and repeats its first points at the end.

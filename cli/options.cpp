@@ -273,8 +273,20 @@ std::string commands_about(const CLI::App& app, const std::string& word) {
   constexpr std::size_t shortest = 3, most = 5;
   std::vector<std::string> found;
   const std::string wanted = CLI::detail::to_lower(word);
-  if (wanted == "list" || wanted.starts_with("scheme") || wanted == "families")
-    return "; 'subcert mask --help' lists the schemes";
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> elsewhere{{
+      {"list", "'subcert mask --help' lists the schemes"},
+      {"families", "'subcert mask --help' lists the schemes"},
+      {"schemes", "'subcert mask --help' lists the schemes"},
+      {"scheme", "'subcert mask --help' lists the schemes"},
+      {"plot", "'analyze', 'compare', 'refine' and 'smooth' draw, with --plot FILE"},
+      {"draw", "'analyze', 'compare', 'refine' and 'smooth' draw, with --plot FILE"},
+      {"show", "'subcert analyze SCHEME' tells all about one scheme, with --plot FILE in a picture, too"},
+      {"cite", "the file CITATION.cff says how"},
+      {"licence", "the file LICENSE has it"},
+      {"license", "the file LICENSE has it"},
+  }};
+  for (const auto& [other, meaning] : elsewhere)
+    if (wanted == other) return "; " + std::string(meaning);
   for (const CLI::App* command : app.get_subcommands({})) {
     const std::string name = command->get_name(), meaning = CLI::detail::to_lower(command->get_description());
     const bool near = name.starts_with(wanted) || wanted.starts_with(name) || meaning.find(wanted) != std::string::npos;
@@ -371,6 +383,17 @@ void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& 
   }
 }
 
+/// What a command line that lacks an argument, or has one too many, may have meant.
+std::string meant_by(const CLI::ParseError& error, const std::vector<std::string>& arguments) {
+  if (arguments.size() < 2) return "";
+  const std::string& last = arguments.back();
+  if (dynamic_cast<const CLI::RequiredError*>(&error) && arguments.size() == 2 && std::filesystem::exists(last))
+    return fmt::format("; {} is a file: name a scheme before it, as in 'subcert {} chaikin {}'", printable(last),
+                       arguments.front(), printable(last));
+  const bool too_many = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  return too_many && is_scheme(last) ? "; 'subcert compare' takes several schemes" : "";
+}
+
 /// What CLI11 says of an option that is given more than once, as this program says it.
 std::string in_our_words(const std::string& message) {
   static const std::regex too_often("^(--[a-z-]+): At Most 1 required but received ([0-9]+)$");
@@ -410,7 +433,8 @@ int run_program(const std::string& description, const std::string& footer,
     return left.get_exit_code();
   } catch (const CLI::ParseError& error) {
     refuse_unknown_option(app, arguments);
-    fail(ErrorKind::usage, "{}; see 'subcert {}--help'", in_our_words(error.what()), helped(app, arguments));
+    fail(ErrorKind::usage, "{}{}; see 'subcert {}--help'", in_our_words(error.what()), meant_by(error, arguments),
+         helped(app, arguments));
   }
 }
 

@@ -1,7 +1,7 @@
 #include "story_sentences.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/proofs-checks/number_list.hpp>
 #include <subcert/proofs-checks/verdict.hpp>
 
 #include <fmt/ranges.h>
@@ -34,9 +34,8 @@ std::string family_sentence(const BoundsAndExponents& family) {
   return fmt::format(
       "For the {} schemes the exponent is proved to exceed {}, the largest printed bound, for n = {}; from there on it "
       "falls by less than {} from any n to a larger one, and at n = {} it is at least {}.",
-      family.family, largest, sweeps::number_list_text(above),
-      to_decimal(family.dip_from(above.front()), 2, Rounding::up), last,
-      to_fixed(*family.exponents.back().lower, 4, Rounding::down));
+      family.family, largest, number_list_text(above), to_decimal(family.dip_from(above.front()), 2, Rounding::up),
+      last, to_fixed(*family.exponents.back().lower, 4, Rounding::down));
 }
 
 /// The n from which on the printed bounds of all families fall; nothing where they do not.

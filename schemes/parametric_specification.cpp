@@ -305,6 +305,9 @@ Lettered in_one_letter_of(std::string_view specification) {
     return {std::string(specification), std::string(body.text), letters_for({std::string(body.text)}).front()};
   }
   if (!has_letters(family.text)) {
+    const auto& surfaces = multivariate_families();
+    if (std::ranges::any_of(surfaces, [&](const FamilyHelp& one) { return one.family == family.text; }))
+      fail(family, "a family of curves: of surfaces values are answered one by one, as by subcert sweep");
     std::string names = fmt::format(" or {} or {} or {}", regression_usage, matrices_usage, merrien_usage);
     for (const ClassicalFamily& one : classical_families()) names += " or " + one.name + ":w";
     fail(family, std::string("a family of curves with a parameter: ") + mask_usage + names);

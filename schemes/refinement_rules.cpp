@@ -376,7 +376,7 @@ std::optional<std::string> rules_as_written(string_view written) {
   }
 }
 
-std::string rules_text(const Mask& mask) {
+std::string rules_text(const Mask& mask, bool decimals) {
   const LaurentPolynomial& symbol = mask.symbol();
   const long arity = mask.arity();
   const auto index = [](const std::string& i, long shift) { return shift == 0 ? i : fmt::format("{}{:+}", i, shift); };
@@ -387,7 +387,9 @@ std::string rules_text(const Mask& mask) {
     for (long k = symbol.highest(); k >= symbol.lowest(); --k) {
       const Rational weight = symbol.coefficient(k);
       if (modulo(k, arity) != phase || weight == 0) continue;
-      const std::string datum = index("i", (phase - k) / arity), size = to_text(abs(weight));
+      const Rational modulus = abs(weight);
+      const std::string datum = index("i", (phase - k) / arity),
+                        size = decimals ? fmt::format("{}", static_cast<double>(modulus)) : to_text(modulus);
       sum += weight < 0 ? (sum.empty() ? "-" : " - ") : sum.empty() ? "" : " + ";
       sum += fmt::format("{}{}", size == "1" ? "" : size + " ", datum == "i" ? "f_i" : "f_{" + datum + "}");
     }

@@ -16,7 +16,8 @@ namespace subcert {
 /// and for a right side that is not a sum of data, each times a number or a letter.
 std::optional<std::string> rules_as_written(std::string_view text);
 
-/// The rules of a mask, a line each, as `f_{2i} = 3/4 f_i + 1/4 f_{i+1}`, which rules_as_written() reads.
-std::string rules_text(const Mask& mask);
+/// The rules of a mask, a line each, as `f_{2i} = 3/4 f_i + 1/4 f_{i+1}`, which rules_as_written() reads; with
+/// `decimals` the weights as the shortest decimal numbers that read back as the nearest doubles.
+std::string rules_text(const Mask& mask, bool decimals = false);
 
 }  // namespace subcert

@@ -4,6 +4,7 @@
 #include <subcert/cli/checker.hpp>
 #include <subcert/cli/command.hpp>
 #include <subcert/cli/pages/plates.hpp>
+#include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/paper_form.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
 #include <subcert/reports/gallery/gallery.hpp>
@@ -23,7 +24,7 @@ constexpr std::size_t most_lines = 3;   // of a cell
 
 struct CompareOptions : SearchOptions {
   std::vector<std::string> schemes;
-  std::string html;
+  std::string html, plot;
   std::vector<std::string> rows;  ///< labels of facts, or what JSON calls them; none: all
   PaperForm form;
 };
@@ -154,8 +155,22 @@ std::string table_text(const formats::TableRows& rows) {
   return text;
 }
 
+/// Their functions over each other.
+void draw(const std::vector<reports::Plate>& plates, const std::string& plot) {
+  formats::Figure figure{"compare", "", "", 2, {}};
+  for (const reports::PlatePicture& picture : reports::overlaid(plates)) {
+    figure.panels.push_back(picture.panel);
+    figure.panels.back().plain_texts = true;
+    figure.panels.back().key = "below";
+  }
+  if (figure.panels.empty())
+    fail(ErrorKind::undecided, "--plot {}: no two of the schemes have functions of one variable that are drawn", plot);
+  formats::draw_file(figure, plot);
+}
+
 ExitCode run(const CompareOptions& options) {
   require_one_form(options, options.form);
+  require_picture_name(options.plot);
   if (options.schemes.size() < 2)
     fail(ErrorKind::usage, "compare: needs two schemes or more, got '{}'", options.schemes.front());
   std::vector<reports::GalleryScheme> schemes;
@@ -167,6 +182,7 @@ ExitCode run(const CompareOptions& options) {
   if (!options.html.empty()) plate_options.verified = verified;
   const std::vector<reports::Plate> plates = make_plates(schemes, plate_options, options);
   if (!options.html.empty()) runtime::write_file(options.html, reports::comparison_html(plates));
+  if (!options.plot.empty()) draw(plates, options.plot);
   if (options.form.latex)
     answer(options, options.form, paper_table(plates, options.rows));
   else if (options.form.markdown)
@@ -186,6 +202,10 @@ void add_compare(Command& app) {
                                 [=] { return run(*options); });
   command.option("SCHEME", options->schemes, "Scheme specifications, two or more").required();
   command.option("--html", options->html, "A page with pictures and certificates, all in one file");
+  command.option(
+      "--plot", options->plot,
+      "Draw limits, continuous derivatives and variance curves over each other, as .svg, .png, .pdf, .tex or "
+      ".html");
   command
       .option(
           "--rows", options->rows,

@@ -3,7 +3,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/cli/pages/conjecture_page.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/proofs-checks/number_list.hpp>
 
 namespace subcert::cli {
 namespace {
@@ -31,9 +31,9 @@ ExitCode answer(const ConjectureOptions& options, const ConjectureRange& range, 
 }
 
 ExitCode run(const ConjectureOptions& options) {
-  const std::vector<int> n = sweeps::parse_number_list("--n", options.n, 1, largest_n);
-  const std::vector<int> d = sweeps::parse_number_list("--d", options.d, 0, largest_d);
-  const ConjectureRange range{sweeps::number_list_text(n), sweeps::number_list_text(d),
+  const std::vector<int> n = parse_number_list("--n", options.n, 1, largest_n);
+  const std::vector<int> d = parse_number_list("--d", options.d, 0, largest_d);
+  const ConjectureRange range{number_list_text(n), number_list_text(d),
                               sweeps::parse_shard(options.shard).is_whole() ? "" : options.shard,
                               conjectures::distinct_primal_schemes(n, d)};
   if (range.schemes.schemes.empty())

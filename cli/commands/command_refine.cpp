@@ -30,6 +30,7 @@ struct RefineCommand : CommonOptions {
   std::string boundary = data::refinement_boundary_names().front();
   double constant = 0;
   std::string plot;
+  std::vector<std::string> beside;  ///< schemes in the same picture
   bool limit = false;
   bool normals = false;
   bool join = false;
@@ -192,6 +193,31 @@ ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
   return done;
 }
 
+/// What other schemes make of the same data, of which that many numbers are drawn.
+std::vector<NamedGrid> refined_beside(const RefineCommand& options, const DataFile& file,
+                                      const data::RefineOptions& how, std::size_t drawn) {
+  std::vector<NamedGrid> result;
+  for (const std::string& specification : options.beside) {
+    const AnyScheme scheme = data::make_data_scheme(specification);
+    const std::string& name = specification_of(scheme);
+    const std::vector<std::size_t> fewest = fewest_points(scheme, how.boundary);
+    if (fewest.size() != file.data.axes.size())
+      fail(ErrorKind::usage, "--beside {}: expected a scheme of as many variables as {}", specification,
+           options.scheme);
+    check_data(file, options.data, name, fewest, fewest_points(scheme, data::Boundary::periodic));
+    if (without_derivatives(scheme, file.data).dimension != drawn)
+      fail(ErrorKind::usage, "--beside {}: expected a scheme that reads the columns as {} does", specification,
+           options.scheme);
+    auto steps = options.limit
+                     ? std::optional(limit_steps(file.data.axes, file.data.dimension, mask_with_limits(scheme), how))
+                     : refinement_steps(file.data.axes, file.data.dimension, scheme, how);
+    result.emplace_back(name,
+                        without_derivatives(scheme, steps ? data::SlabRefinement(file.data, *std::move(steps)).whole()
+                                                          : refine(file.data, scheme, how)));
+  }
+  return result;
+}
+
 ExitCode run(const RefineCommand& options) {
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const AnyScheme scheme = make_scheme_for_data(options);
@@ -205,6 +231,8 @@ ExitCode run(const RefineCommand& options) {
          fmt::join(data::schemes_with_mesh_rules(), ", "), name);
   const std::vector<std::size_t> fewest = fewest_points(scheme, boundary);
   require_picture_name(options.plot);
+  if (!options.beside.empty() && options.plot.empty())
+    fail(ErrorKind::usage, "--beside: expected --plot, whose picture has these schemes, too");
   const std::array<bool, 3> closed = closed_directions(options, fewest.size(), boundary);
   const std::optional<LatticeMask> mask = options.limit ? std::optional(mask_with_limits(scheme)) : std::nullopt;
   DataFile file = read_data_file(options.data, fewest.size(), closed, !options.json);
@@ -231,9 +259,12 @@ ExitCode run(const RefineCommand& options) {
     slabs.run(take);
   };
   const std::vector<data::Axis>& axes = whole ? whole->axes : slabs.axes();
-  if (!options.plot.empty())
-    draw_refined(options.plot, name, file.table, without_derivatives(scheme, file.data),
-                 without_derivatives(scheme, *whole));
+  if (!options.plot.empty()) {
+    const data::GridData<double> points = without_derivatives(scheme, file.data);
+    std::vector<NamedGrid> drawn = refined_beside(options, file, how, points.dimension);
+    drawn.insert(drawn.begin(), {name, without_derivatives(scheme, *whole)});
+    draw_refined(options.plot, file.table, points, drawn);
+  }
   if (options.json) {
     const bool round = fewest.size() == 1 && file.data.axes[0].closed;
     const auto points = [&](std::ostream& stream) { write_points(stream, file.data.dimension, source); };
@@ -272,7 +303,10 @@ void add_refine(Command& app) {
   command.flag("--closed-x", options->closed_directions[0], "The same in the first direction alone");
   command.flag("--closed-y", options->closed_directions[1], "The same in the second direction alone");
   command.flag("--closed-z", options->closed_directions[2], "The same in the third direction alone");
-  command.option("--boundary", options->boundary, "What rules at the ends read")
+  command
+      .option("--boundary", options->boundary,
+              "What rules at the ends read; an open curve begins and ends at the first and last point where the scheme "
+              "is interpolatory, else near them")
       .one_of(data::refinement_boundary_names())
       .with_default();
   command.option("--constant", options->constant, "The value of --boundary constant")
@@ -280,6 +314,9 @@ void add_refine(Command& app) {
       .with_default();
   add_level_options(command, options->level_options);
   command.option("--plot", options->plot, "Draw data and result, as .svg, .png, .pdf, .tex or .html");
+  command.option("--beside", options->beside, "Another scheme in that picture, once for each")
+      .one_each()
+      .suggest(suggested_schemes);
 }
 
 }  // namespace subcert::cli

@@ -17,13 +17,15 @@
 namespace subcert::cli {
 namespace {
 
-data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples) {
+data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSamples& samples,
+                               const std::vector<double>& places) {
   data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, options.derivative,
                              options.constant, options.at == "data"};
   how.path = options.kind() == data::BandKind::simultaneous;
   if (options.select == "cv") how.selection = data::Selection::cross_validation;
   if (options.requested_bands.value_or(0) != 0) how.resamples = bootstrap_drawings;
   how.seed = options.seed;
+  how.places = places;
   return smooth(samples, options.scheme, how, options.threads());
 }
 
@@ -69,13 +71,20 @@ void require_l1(const SmoothOptions& options) {
     fail(ErrorKind::usage, "--boundary {}: expected interp, mirror or wrap for l1 schemes", options.boundary);
 }
 
+bool is_robust(const std::string& scheme) {
+  return data::is_local_specification(scheme) && data::make_local_polynomial(scheme).robust > 0;
+}
+
+/// Methods for which errors of data are weights alone.
+bool finds_its_noise(const std::string& scheme) { return is_l1_specification(scheme) || is_robust(scheme); }
+
 /// Writes values as soon as their data have come.
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
-  if (options.json || !options.plot.empty() || options.at == "data" || options.irregular == "fit" ||
-      !options.samples.by.empty() || options.samples.series == "rows")
+  if (options.json || !options.plot.empty() || options.at != "grid" || options.at_positions() ||
+      options.irregular == "fit" || !options.samples.by.empty() || options.samples.series == "rows")
     fail(ErrorKind::usage,
-         "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
+         "--stream: expected none of --json, --plot, --at, --at-file, --irregular fit, --by, --series rows");
   if (!noise && options.requested_bands.value_or(0) != 0)
     fail(ErrorKind::usage, "--stream: --bands needs --noise, as its estimate needs all data");
   if (options.kind() == data::BandKind::simultaneous)
@@ -142,26 +151,34 @@ void take_closed(SmoothOptions& options) {
   if (options.samples.x.empty() && options.samples.series == "columns") options.samples.x = "none";
 }
 
-ExitCode run(const SmoothOptions& options) {
+/// Refuses what does not go together.
+void require_one_question(const SmoothOptions& options) {
   if (options.automatic && !options.scheme.empty())
     fail(ErrorKind::usage, "--auto and --scheme: expected one of the two");
+  if (!options.at_file.empty() && options.at != "grid")
+    fail(ErrorKind::usage, "--at {} and --at-file: expected one of the two", options.at);
   if (options.kind() == data::BandKind::prediction && options.derivative > 0)
     fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
   if (is_l1_specification(options.scheme)) require_l1(options);
-  if (options.kind() == data::BandKind::prediction && data::is_local_specification(options.scheme) &&
-      data::make_local_polynomial(options.scheme).robust > 0)
+  if (options.kind() == data::BandKind::prediction && is_robust(options.scheme))
     fail(ErrorKind::usage,
          "--bands-kind prediction: a new datum may be an outlier, of which robust steps know nothing");
+}
+
+ExitCode run(const SmoothOptions& options) {
+  require_one_question(options);
   std::optional<Rational> noise;
   if (!options.noise.empty() &&
       (!(noise = parse_number(options.noise)) || !data::is_noise(data::nearest_double(*noise))))
     fail(ErrorKind::usage, "--noise {}: expected a standard deviation from 1e-150 to 1e150", options.noise);
-  if (!noise && !options.samples.errors.empty()) noise = 1;  // what these are in units of
+  if (!noise && !options.samples.errors.empty() && !finds_its_noise(options.scheme)) noise = 1;  // their unit
   require_picture_name(options.plot);
   if (options.grid) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
   }
+  if (options.samples.missing == "keep")
+    fail(ErrorKind::usage, "--missing keep: expected --grid, or drop; of rows --at data has values where data are");
   if (!options.samples.keep.empty() && options.at != "data")
     fail(ErrorKind::usage, "--keep needs --at data: other rows have no fields of the table");
   if (!options.scheme.empty()) data::make_smoothing_method(options.scheme);  // a misspelt one before faults of the data
@@ -178,20 +195,27 @@ ExitCode run(const SmoothOptions& options) {
   if (options.irregular == "auto" &&
       std::ranges::any_of(groups, [](const data::NamedSamples& samples) { return !samples.uniform(); }))
     options.remark("the positions are not uniform and are taken as they are (--irregular raise refuses them)");
+  std::optional<data::GivenPositions> positions;
+  if (options.at_positions())
+    positions = options.at_file.empty() ? data::GivenPositions::of_list(options.at)
+                                        : data::GivenPositions::of_file(options.samples, options.at_file);
   std::vector<std::unique_ptr<SmoothPage>> pages;
   std::set<std::string> remarks;  // of several groups alike
   const auto remark_once = [&](const std::string& line) {
     if (remarks.insert(line).second) options.remark(line);
   };
   RemarksOnData of_data;
+  std::size_t outside = 0;
   RefusedGroups refused;
   for (data::NamedSamples& samples : groups) {
     std::ranges::for_each(samples.remarks, remark_once);
     if (noise) samples.noise = data::nearest_double(*noise);
+    const std::vector<double> places = positions ? positions->of(samples) : std::vector<double>();
     try {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
-      data::SmoothedSamples result = smoothed(options, samples);
+      data::SmoothedSamples result = smoothed(options, samples, places);
       of_data.add(samples, result);
+      outside = std::max(outside, result.outside);
       if (result.choice && samples.names.size() > 1)
         remark_once("one method is chosen for all columns together; --y NAME chooses it for one alone");
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
@@ -205,6 +229,9 @@ ExitCode run(const SmoothOptions& options) {
          options.samples.by.empty() ? "" : options.samples.by + " " + refused[0].first + ": ", refused[0].second,
          refused.size() > 1 ? "; nor can other groups be smoothed" : "");
   of_data.tell(options);
+  if (outside > 0)
+    options.remark(
+        fmt::format("positions not between the first datum and the last, where values are nan: {}", outside));
   remark_on_refused(options, refused);
   if (!options.plot.empty()) formats::draw_file(figure_of(pages), options.plot);
   if (options.json)
@@ -212,6 +239,36 @@ ExitCode run(const SmoothOptions& options) {
   else
     options.answer([&](std::ostream& stream) { write(pages, stream); });
   return refused.empty() ? done : bad_data;
+}
+
+/// How DATA are read.
+void add_table_options(Command& command, data::SampleOptions& samples) {
+  command.option("--x", samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
+  command.option("--y", samples.y, "Columns of values, by name or number").separated_by_commas();
+  command.option("--weights", samples.weights, "Column of prior weights, inverse to the variance of the noise");
+  command.option("--errors", samples.errors,
+                 "Column of standard deviations of the noise, in place of --weights and --noise");
+  command.option("--by", samples.by, "Column of the names of groups, each smoothed by itself");
+  command.option("--keep", samples.keep, "Columns that go into the answer as they are, with --at data")
+      .separated_by_commas();
+  command.option(
+      "--delimiter", samples.delimiter,
+      "Between the columns: a character, tab or blank (default: the first of ; tab , that the first row has)");
+  command.option("--decimal", samples.decimal, "Decimal mark").one_of({".", ","}).with_default();
+  command.option("--header", samples.header, "Whether the first row has the names of the columns")
+      .one_of({"auto", "yes", "no"})
+      .with_default();
+  command
+      .option("--series", samples.series,
+              "What is one series: a column, or a row, whose positions are the names of the columns, and which --by "
+              "names")
+      .one_of({"columns", "rows"})
+      .with_default();
+  command
+      .option("--missing", samples.missing,
+              "Missing values: an error, left out, or with --grid left out and kept missing")
+      .one_of({"raise", "drop", "keep"})
+      .with_default();
 }
 
 }  // namespace
@@ -233,29 +290,7 @@ void add_smooth(Command& app) {
   command.option("--select", options->select, "By what: the estimated error, or cross-validation")
       .one_of({"risk", "cv"})
       .with_default();
-  command.option("--x", options->samples.x, "Column of positions, by name or number; none: 0, 1, 2, ...");
-  command.option("--y", options->samples.y, "Columns of values, by name or number").separated_by_commas();
-  command.option("--weights", options->samples.weights,
-                 "Column of prior weights, inverse to the variance of the noise");
-  command.option("--errors", options->samples.errors,
-                 "Column of standard deviations of the noise, in place of --weights and --noise");
-  command.option("--by", options->samples.by, "Column of the names of groups, each smoothed by itself");
-  command.option("--keep", options->samples.keep, "Columns that go into the answer as they are, with --at data")
-      .separated_by_commas();
-  command.option(
-      "--delimiter", options->samples.delimiter,
-      "Between the columns: a character, tab or blank (default: the first of ; tab , that the first row has)");
-  command.option("--decimal", options->samples.decimal, "Decimal mark").one_of({".", ","}).with_default();
-  command.option("--header", options->samples.header, "Whether the first row has the names of the columns")
-      .one_of({"auto", "yes", "no"})
-      .with_default();
-  command
-      .option("--series", options->samples.series,
-              "What is one series: a column, or a row, whose positions are the names of the columns, and which --by "
-              "names")
-      .one_of({"columns", "rows"})
-      .with_default();
-  command.option("--missing", options->samples.missing, "Missing values").one_of({"raise", "drop"}).with_default();
+  add_table_options(command, options->samples);
   command
       .option("--irregular", options->irregular,
               "Positions that are not uniform, or several data at one: an error, or taken as they are, as auto does "
@@ -267,9 +302,12 @@ void add_smooth(Command& app) {
               "Of the output grid where positions are irregular (default: that of most neighbours, or the mean), or of "
               "the data of a stream")
       .exact_number();
-  command.option("--at", options->at, "Where values stand: on the grid of --level, or at the data")
-      .one_of({"grid", "data"})
+  command
+      .option("--at", options->at,
+              "Where values stand: grid, that of --level, data, or positions as 1,2.5,7; nan outside the data")
       .with_default();
+  command.option("--at-file", options->at_file,
+                 "Table of the positions where values stand, in the column named as those of DATA, or the first");
   command.option("--noise", options->noise, "Its standard deviation for weight 1, where it is known").exact_number();
   command.option("--boundary", options->boundary, "How data go on past the ends")
       .one_of(data::smoothing_boundary_names())

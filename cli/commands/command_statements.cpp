@@ -8,9 +8,10 @@
 #include <subcert/reports/results.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace subcert::cli {
 namespace {
@@ -21,6 +22,7 @@ using statements::Tier;
 
 struct StatementsOptions : CommonOptions {
   std::vector<std::string> wanted;
+  std::vector<std::string> verdicts;  ///< on record, of which one is asked for; none: any
   bool ids = false;
   bool wide = false;
   std::string page;
@@ -31,8 +33,30 @@ std::string verdict_column(StatementVerdict verdict, const std::optional<Grade>&
   return fmt::format("{:<23}", to_text(verdict) + (grade ? ", " + to_text(*grade) : ""));
 }
 
+/// Those that are asked for. Errors: throws a usage error for an unknown id or verdict.
+std::vector<const Statement*> chosen_statements(const StatementsOptions& options) {
+  std::set<std::string> known;
+  for (const Statement& one : statements::statements()) known.insert(to_text(one.recorded));
+  for (const std::string& verdict : options.verdicts)
+    if (!known.contains(verdict)) fail(ErrorKind::usage, "--verdict {}: expected {}", verdict, fmt::join(known, ", "));
+  std::vector<const Statement*> chosen = statements::select_statements(options.wanted);
+  if (!options.verdicts.empty())
+    std::erase_if(chosen, [&](const Statement* one) {
+      return std::ranges::count(options.verdicts, to_text(one->recorded)) == 0;
+    });
+  if (chosen.empty()) fail(ErrorKind::usage, "--verdict: none of these statements has it");
+  return chosen;
+}
+
+/// The option by which they are chosen.
+void add_verdicts(Command& command, std::vector<std::string>& verdicts) {
+  command.option("--verdict", verdicts, "Only statements with these verdicts on record, as false,misprint")
+      .separated_by_commas()
+      .one_each();
+}
+
 ExitCode list(const StatementsOptions& options) {
-  const auto chosen = statements::select_statements(options.wanted);
+  const auto chosen = chosen_statements(options);
   if (options.json) {
     options.answer(Json{{"statements", statements_json(chosen)}});
     return done;
@@ -81,8 +105,8 @@ std::string outcome_text(const Statement& statement, const Outcome& outcome) {
 }
 
 ExitCode run_checks(const StatementsOptions& options) {
-  const auto results = statements::check_statements(statements::select_statements(options.wanted),
-                                                    options.wide ? Tier::wide : Tier::quick, options.threads(),
+  const auto results = statements::check_statements(chosen_statements(options), options.wide ? Tier::wide : Tier::quick,
+                                                    options.threads(),
                                                     [&](const std::string& id) { options.progress(id); });
   options.end_progress();
   if (!options.page.empty()) runtime::write_file(options.page, reports::errata_page(results, {}));
@@ -123,6 +147,7 @@ void add_statements(Command& app) {
                                      [=] { return list(*list_options); });
   list_command.option("ID", list_options->wanted, meaning).suggest(suggestions);
   list_command.flag("--ids", list_options->ids, "Only the ids, one a line");
+  add_verdicts(list_command, list_options->verdicts);
 
   group.run_without_subcommand([=] { return static_cast<int>(list(*list_options)); });
 
@@ -131,6 +156,7 @@ void add_statements(Command& app) {
                                       "subcert statements check dyn-2015/eq-2", check_options,
                                       [=] { return run_checks(*check_options); });
   check_command.option("ID", check_options->wanted, meaning).suggest(suggestions);
+  add_verdicts(check_command, check_options->verdicts);
   check_command.flag("--wide", check_options->wide, "Larger ranges");
   check_command.option("--page", check_options->page, "Write the page 'errata and confirmations' there");
 }

@@ -5,7 +5,7 @@
 #include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/proofs-checks/number_list.hpp>
 #include <subcert/reports/facts/vertex_facts.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
@@ -44,7 +44,7 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
 ExitCode run(const VertexOptions& options) {
   if (options.all && options.valence != usual_valences)
     fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
-  const std::vector<int> numbers = sweeps::parse_number_list("--valence", options.valence, 3, largest_valence);
+  const std::vector<int> numbers = parse_number_list("--valence", options.valence, 3, largest_valence);
   const Scheme scheme = make_linear_scheme(options.scheme);
   if (!has_vertex_rules(scheme))
     fail(ErrorKind::usage, "{}: has no rules at vertices; these have: {}", scheme.specification,

@@ -40,25 +40,32 @@ void require_drawable(const std::string& plot, const data::GridData<double>& dat
          (k == 1 ? " coordinate" : " coordinates"));
 }
 
-void draw_refined(const std::string& plot, const std::string& scheme, const data::Table& table,
-                  const data::GridData<double>& data, const data::GridData<double>& refined) {
+void draw_refined(const std::string& plot, const data::Table& table, const data::GridData<double>& data,
+                  const std::vector<NamedGrid>& refined) {
   if (data.axes.size() == 2) {
-    formats::draw_surfaces({drawn_surface(data, "data"), drawn_surface(refined, scheme)}, plot);
+    std::vector<formats::DrawnSurface> surfaces{drawn_surface(data, "data")};
+    for (const auto& [scheme, grid] : refined) surfaces.push_back(drawn_surface(grid, scheme));
+    formats::draw_surfaces(surfaces, plot);
     return;
   }
+  const bool several = refined.size() > 1;
+  const std::string title = several ? "" : refined.front().first;
   const bool plane = data.dimension == 2, named = !table.header.empty();
   // In the plane the data are a polygon, which tells their order.
   formats::Curve points = formats::data_curve(data, "data", plane);
   points.marked = true;
   points.colour = "#999999";
-  formats::Panel panel{scheme,
+  formats::Panel panel{title,
                        plane ? (named ? table.header[0] : "x") : "parameter",
                        plane ? (named ? table.header[1] : "y") : (named ? table.header[0] : "value"),
-                       {points, formats::data_curve(refined, "refined", true)}};
-  panel.curves.back().colour = "#0b559f";
+                       {points}};
+  for (const auto& [scheme, grid] : refined)
+    panel.curves.push_back(formats::data_curve(grid, several ? scheme : "refined", true));
+  if (!several) panel.curves.back().colour = "#0b559f";
   panel.key = "below";
   panel.equal_units = plane;
-  formats::draw_file({"refined", scheme, "", 1, {panel}}, plot);
+  panel.plain_texts = several;
+  formats::draw_file({"refined", title, "", 1, {panel}}, plot);
 }
 
 void require_drawable(const std::string& plot, const Scheme& scheme) {

@@ -8,6 +8,8 @@
 #include <subcert/schemes/specification.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace subcert::cli {
 
@@ -17,10 +19,13 @@ void require_picture_name(const std::string& plot);
 /// Throws a usage error for data that draw_refined() cannot draw.
 void require_drawable(const std::string& plot, const data::GridData<double>& data);
 
-/// Data and what a scheme made of them: curves of one or two coordinates, named by the header of `table`, or surfaces
-/// of one or three. Errors: throws missing_file.
-void draw_refined(const std::string& plot, const std::string& scheme, const data::Table& table,
-                  const data::GridData<double>& data, const data::GridData<double>& refined);
+/// What a scheme made of data, by its name.
+using NamedGrid = std::pair<std::string, data::GridData<double>>;
+
+/// Data and what schemes made of them, in one picture: curves of one or two coordinates, named by the header of
+/// `table`, or surfaces of one or three. Domain: one scheme or more. Errors: throws missing_file.
+void draw_refined(const std::string& plot, const data::Table& table, const data::GridData<double>& data,
+                  const std::vector<NamedGrid>& refined);
 
 /// Throws a usage error for a picture of a limit function of three variables.
 void require_drawable(const std::string& plot, const Scheme& scheme);

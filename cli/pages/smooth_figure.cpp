@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace subcert::cli {
 namespace {
@@ -66,16 +67,27 @@ formats::Curve dots(const SmoothPage& page, const std::vector<double>& values, c
   return curve;
 }
 
+/// The outputs from left to right, without those that lie outside the data.
+std::vector<std::size_t> drawn_outputs(const SmoothPage& page, std::size_t column) {
+  std::vector<std::size_t> outputs;
+  for (std::size_t o = 0; o < page.rows(); ++o)
+    if (!std::isnan(page.result.columns[column].values[o])) outputs.push_back(o);
+  if (page.options.at_positions())
+    std::ranges::stable_sort(outputs, {}, [&](std::size_t o) { return page.result.positions[o]; });
+  return outputs;
+}
+
 formats::Panel panel_of_limit(const SmoothPage& page, std::size_t column) {
   formats::Panel panel = panel_of(page, column);
   if (page.options.derivative == 0) panel.curves.push_back(dots(page, page.samples.columns[column], "data"));
-  formats::Curve limit{"limit", {}, false, true, limit_colour};
-  for (std::size_t o = 0; o < page.rows(); ++o)
+  formats::Curve limit{"limit", {}, page.options.at_positions(), true, limit_colour};
+  const std::vector<std::size_t> outputs = drawn_outputs(page, column);
+  for (const std::size_t o : outputs)
     limit.points.emplace_back(on_axis(page.samples, page.result.positions[o]), page.result.columns[column].values[o]);
   panel.curves.push_back(std::move(limit));
   if (!page.bands) return panel;
   formats::Band band{fmt::format("{:.6g} % band", 100 * page.options.bands()), {}, limit_colour};
-  for (std::size_t o = 0; o < page.rows(); ++o)
+  for (const std::size_t o : outputs)
     band.ends.push_back({on_axis(page.samples, page.result.positions[o]), page.columns[2 * column][o],
                          page.columns[2 * column + 1][o]});
   panel.bands.push_back(std::move(band));

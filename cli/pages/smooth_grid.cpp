@@ -21,15 +21,13 @@ struct GridColumn {
 
 void refuse_options_of_columns(const SmoothOptions& options) {
   const data::SampleOptions& samples = options.samples;
-  if (samples.missing != "raise")
-    fail(ErrorKind::usage, "--grid and --missing {}: expected one of the two; grids have no gaps: fill them first",
-         samples.missing);
   if (!samples.x.empty() || !samples.y.empty() || !samples.weights.empty() || !samples.errors.empty() ||
       !samples.by.empty() || !samples.keep.empty() || options.irregular != "auto" || options.stream ||
-      !samples.spacing.empty() || samples.series != "columns" || options.derivative != 0 || options.select != "risk")
+      !samples.spacing.empty() || samples.series != "columns" || options.derivative != 0 || options.select != "risk" ||
+      options.at_positions())
     fail(ErrorKind::usage,
          "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
-         "--derivative, --select cv, --stream");
+         "--derivative, --select cv, --stream, --at-file, and of --at grid or data");
 }
 
 std::vector<std::string> names_of(const DataFile& file) {
@@ -75,6 +73,9 @@ void write_comments(std::ostream& stream, const SmoothOptions& options, const da
                     const std::vector<std::string>& names) {
   if (options.quiet) return;
   stream << "# scheme " << grid.method << " along each axis, boundary " << options.boundary << "\n";
+  if (grid.missing > 0)
+    stream << fmt::format("# {} missing data, {}\n", grid.missing,
+                          options.samples.missing == "keep" ? "where values are nan" : "left out of the fits");
   if (grid.choice) stream << choice_text(*grid.choice, options);
   for (std::size_t c = 0; c < grid.columns.size(); ++c) stream << noise_line(names[c], *grid.columns[c].noise);
   if (options.bands() != 0)
@@ -128,6 +129,7 @@ Json grid_json(const SmoothOptions& options, const data::SmoothedGrid& grid, con
           {"auto", grid.choice.has_value()},
           {"choice", choice_json(grid.choice)},
           {"boundary", options.boundary},
+          {"missing", grid.missing},
           {"noise", noise},
           {"bands", options.bands()},
           {"bands_kind", options.bands_kind},
@@ -151,19 +153,24 @@ void draw(const SmoothOptions& options, const DataFile& file, const data::Smooth
   if (file.data.axes.size() != 2 || file.data.dimension != 1)
     fail(ErrorKind::usage, "--plot {}: pictures are of heights; found {} axes and {} numbers at a point", options.plot,
          file.data.axes.size(), file.data.dimension);
-  draw_refined(options.plot, grid.method, {}, file.data, {grid.columns.front().values, 1, grid.axes});
+  draw_refined(options.plot, {}, file.data, {{grid.method, {grid.columns.front().values, 1, grid.axes}}});
 }
 
 }  // namespace
 
 void smooth_grid_file(const SmoothOptions& options, const std::optional<double>& noise) {
   refuse_options_of_columns(options);
-  const DataFile file = read_grid_file(options.samples.file);
+  const bool raise = options.samples.missing == "raise";
+  const DataFile file = read_grid_file(options.samples.file, raise ? data::Missing::refuse : data::Missing::keep);
   for (const std::string& line : file.remarks()) options.remark(options.samples.name() + ": " + line);
   data::SmoothingOptions how{*data::parse_boundary(options.boundary), options.level, 0, options.constant,
                              options.at == "data"};
   how.path = options.kind() == data::BandKind::simultaneous;
+  how.keep_holes = options.samples.missing == "keep";
   const data::SmoothedGrid grid = smoothed(options, file, how, noise);
+  if (grid.unknown > 0)
+    options.remark(
+        fmt::format("too few data in the windows of {} values, which are nan: take more points", grid.unknown));
   if (!options.plot.empty()) draw(options, file, grid);
   const std::vector<std::string> names = names_of(file);
   std::vector<std::vector<GridColumn>> columns;

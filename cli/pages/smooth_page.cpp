@@ -84,7 +84,7 @@ SmoothPage::SmoothPage(const SmoothOptions& how, const data::NamedSamples& what,
       samples(what),
       result(std::move(smoothed)),
       bands(how.bands() != 0 && !result.columns.front().deviations.empty()) {
-  if (samples.falling) turn_to_order_of_rows();
+  if (samples.falling && !how.at_positions()) turn_to_order_of_rows();
   columns.reserve(2 * result.columns.size());  // what `table` points to stays
   texts.reserve(2 + samples.kept.size());
   if (!options.samples.by.empty()) add(options.samples.by, std::vector<std::string>(rows(), samples.group));
@@ -166,7 +166,7 @@ Json SmoothPage::json() const {
                  {"boundary", options.boundary},
                  {"origin", to_text(samples.origin)},
                  {"spacing", to_text(samples.spacing)},
-                 {"at", options.at},
+                 {"at", options.at_positions() ? "positions" : options.at},
                  {"level", options.level},
                  {"derivative", options.derivative},
                  {"noise", noise},

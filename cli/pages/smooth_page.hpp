@@ -25,7 +25,10 @@ struct SmoothOptions : CommonOptions {
   double bands() const { return requested_bands.value_or(0.95); }
   std::string bands_kind = "pointwise";
   data::BandKind kind() const { return *data::parse_band_kind(bands_kind); }
-  std::string at = "grid";
+  std::string at = "grid";  ///< or data, or a list of positions
+  std::string at_file;      ///< with a column of positions
+  /// Whether positions are given, by a list or a file.
+  bool at_positions() const { return !at_file.empty() || (at != "grid" && at != "data"); }
   int level = 2;
   int derivative = 0;
   bool closed = false;
@@ -36,7 +39,7 @@ struct SmoothOptions : CommonOptions {
 
 /// What was smoothed, how, and the result as a table: the group, positions, then value, standard deviation, lower and
 /// upper end of the band for each column, then the columns that were kept, as far as there are such. Rows stand in the
-/// order of those that were read.
+/// order of those that were read, or of given positions.
 struct SmoothPage {
   /// `how` and `what` must outlive the page.
   SmoothPage(const SmoothPage&) = delete;

@@ -110,6 +110,18 @@ TEST_CASE("compare: a line a fact, a column a scheme") {
   CHECK(diverging.substr(line + 1, diverging.find('\n', line + 1) - line - 1).ends_with(" none"));
 }
 
+TEST_CASE("compare: functions over each other in one picture") {
+  const Folder folder;
+  const std::string picture = folder / "all.svg";
+  CHECK(run("compare chaikin dd4 ghm loop --rows holder --plot " + picture).code == 0);
+  const std::string drawn = content(picture);
+  for (const char* text : {">bspline:degree=2<", ">dd:n=2<", ">The basic limit function<", ">The variance curve<"})
+    CHECK(contains(drawn, text));
+  check_fails(run("compare loop butterfly --plot " + picture), 2,
+              "--plot " + picture + ": no two of the schemes have functions of one variable that are drawn");
+  CHECK(run("compare chaikin dd4 --plot x.eps").code == 64);
+}
+
 TEST_CASE("compare: rows that are chosen, and a table that a paper's text has room for") {
   CHECK(run("compare chaikin loop --rows holder,'sum rules' --markdown").out ==
         "| scheme | bspline:degree=2 | loop |\n|---|---|---|\n| Hoelder exponent | 2 | 3 |\n"

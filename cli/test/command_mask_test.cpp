@@ -87,7 +87,12 @@ TEST_CASE("mask: the rules for new points, which read back") {
   const Run rules = run("mask dd:n=2,a=3 --rules");
   CHECK(rules.out.starts_with("f_{3i} = f_i\nf_{3i+1} = -5/81 f_{i-1} + "));
   CHECK(run("mask '" + rules.out + "'").out == run("mask dd:n=2,a=3").out);
-  for (const char* refused : {"loop --rules", "ghm --rules", "chaikin --rules --json", "chaikin --rules --latex"}) {
+  CHECK(run("mask chaikin --rules --decimals").out ==
+        "f_{2i} = 0.75 f_i + 0.25 f_{i+1}\nf_{2i+1} = 0.25 f_i + 0.75 f_{i+1}\n");
+  CHECK(run("mask 'mask:[1/3,1,2/3]' --rules --decimals").out ==
+        "f_{2i} = f_i\nf_{2i+1} = 0.6666666666666666 f_i + 0.3333333333333333 f_{i+1}\n");
+  for (const char* refused :
+       {"chaikin --decimals", "loop --rules", "ghm --rules", "chaikin --rules --json", "chaikin --rules --latex"}) {
     CAPTURE(refused);
     CHECK(run(std::string("mask ") + refused).code == 64);
   }

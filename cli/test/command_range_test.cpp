@@ -169,6 +169,12 @@ TEST_CASE("range, curve and map: parameters with names of several letters") {
   CHECK(contains(joined(map.out), "2 for all mu and tau"));
 }
 
+TEST_CASE("range: families of surfaces are said to have no search") {
+  for (const char* family : {"butterfly:w", "kobbelt:w"})
+    CHECK(contains(run(std::string("range ") + family + " --over w=0..1/8 --property C1").err,
+                   "expected a family of curves: of surfaces values are answered one by one, as by subcert sweep"));
+}
+
 TEST_CASE("range: --over names the letter of the family, and one range") {
   check_fails(run("range four-point:w --over v=0..1 --property C1"), 64,
               "--over 'v=0..1': the parameter of the family is w, not 'v'");

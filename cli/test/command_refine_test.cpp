@@ -290,6 +290,30 @@ TEST_CASE("refine: axes with one scale have numbers with one step") {
   CHECK_FALSE(contains(content(picture), ">0.5</tspan>"));
 }
 
+TEST_CASE("refine: several schemes in one picture of the same data") {
+  const Folder folder;
+  const std::string data = folder.write("path.csv", "x,y\n0,0\n4,0\n4,4\n0,4\n2,1\n"), picture = folder / "p.svg";
+  const std::string plot = data + " --closed --quiet --plot " + picture, alone = run("refine chaikin " + plot).out;
+  CHECK(contains(content(picture), ">refined<"));
+  for (const char* limit : {"", " --limit"}) {
+    const Run several = run("refine chaikin " + plot + limit + " --beside dd:n=2 --beside cubic");
+    CHECK(several.code == 0);
+    if (*limit == 0) CHECK(several.out == alone);
+    for (const char* name : {">data<", ">bspline:degree=2<", ">dd:n=2<", ">bspline:degree=3<"})
+      CHECK(contains(content(picture), name));
+  }
+  const std::string heights = folder.write("h.csv", "0,1,4,2\n1,2,3,0\n3,1,0,1\n2,2,1,0\n");
+  const std::string page = folder / "s.html", cubic = "'tensor:(cubic)x(cubic)'";
+  CHECK(run("refine " + cubic + " " + heights + " --levels 1 --plot " + page + " --beside 'tensor:(dd:n=1)x(cubic)'")
+            .code == 0);
+  CHECK(contains(content(page), "tensor:(dd:n=1)x(bspline:degree=3)"));
+  check_fails(run("refine chaikin " + data + " --beside dd:n=2"), 64,
+              "--beside: expected --plot, whose picture has these schemes, too");
+  check_fails(run("refine chaikin " + plot + " --beside " + cubic), 64,
+              "--beside tensor:(cubic)x(cubic): expected a scheme of as many variables as chaikin");
+  CHECK(run("refine chaikin " + plot + " --beside nonsense").code == 64);
+}
+
 TEST_CASE("refine: data go on as the nearest datum, or as a constant") {
   const Folder folder;
   const std::string data = folder.write("d.csv", "1\n3\n"),

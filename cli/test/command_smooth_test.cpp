@@ -145,6 +145,60 @@ TEST_CASE("standard deviations of the noise stand for weights, and known noise")
               zero + ", line 3, column 3: expected a standard deviation from 1e-75 to 1e75; found 0");
 }
 
+TEST_CASE("values stand where positions are named, by a list or by a table") {
+  const Folder folder;
+  const std::string data = folder / "data.csv", places = folder / "places.csv", picture = folder / "plot.svg";
+  std::string rows = "t,v\n", days = "day,v\n";
+  for (int i = 0; i < 20; ++i) {
+    rows += fmt::format("{:.1f},{}\n", 0.1 * (19 - i), 2 * (19 - i));  // falling
+    days += fmt::format("202401{:02},{}\n", i + 1, 3 * i);
+  }
+  std::ofstream(data, std::ios::binary) << rows;
+  for (const char* scheme : {"primal:n=2", "local:points=7,d=1", "l1:points=4,iterations=9"}) {
+    const std::string command = "smooth " + data + " --bands 0 --quiet --scheme " + scheme;
+    const auto json = run_json(command + " --at 1.25,0.3,0.3 --level 5");
+    CHECK(json.at("at") == "positions");
+    REQUIRE(json.at("rows").size() == 3);
+    const double expected[][2] = {{1.25, 25}, {0.3, 6}, {0.3, 6}};
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < 2; ++c) CHECK(std::abs(json.at("rows")[k][c].get<double>() - expected[k][c]) < 1e-9);
+  }
+  std::ofstream(places, std::ios::binary) << "name;t\nb;0.5\na;9\n";
+  const auto listed = run("smooth " + data + " --scheme dd:n=2 --bands 0 --at-file " + places + " --plot " + picture);
+  CHECK(listed.out.find("\n0.5,10,") != std::string::npos);
+  CHECK(listed.out.find("\n9,nan,nan\n") != std::string::npos);
+  CHECK(listed.err.find("positions not between the first datum and the last, where values are nan: 1") !=
+        std::string::npos);
+  CHECK(content(picture).find("<svg") != std::string::npos);
+  CHECK(run_json("smooth " + data + " --bands 0 --quiet --at 9,1").at("rows")[0][1].is_null());
+  for (const char* wrong : {"dat", "1,,2", "1,", "''", "2024-01-01", "data --at-file x", "1 --at-file x", "1 --keep v",
+                            "1 --stream --scheme dd:n=2", "1 --grid"})
+    CHECK(run("smooth " + data + " --at " + wrong).code == 64);
+  CHECK(run("smooth " + data + " --at 99").err.find("between the first datum and the last, 0 and 1.9; found none") !=
+        std::string::npos);
+  CHECK(run("smooth " + data + " --at-file " + folder / "none").code == 66);
+  std::ofstream(places, std::ios::binary) << "t\n0.5\nNA\n";
+  const auto missing = run("smooth " + data + " --at-file " + places);
+  CHECK(missing.code == 65);
+  CHECK(missing.err.find("places.csv, line 3, column 1: expected a number") != std::string::npos);
+
+  std::ofstream(data, std::ios::binary) << days;
+  const std::string dated = "smooth " + data + " --scheme primal:n=1 --bands 0 --quiet --at ";
+  CHECK(run(dated + "2024-01-03,20240105").out.find("20240103,6,0\n20240105,12,0\n") != std::string::npos);
+  CHECK(run(dated + "3").err.find("each a date as those of the data; found '3'") != std::string::npos);
+}
+
+TEST_CASE("errors of data are weights alone for methods that find the noise by themselves") {
+  const Folder folder;
+  std::string rows = "t,v,s,w\n";
+  for (int i = 0; i < 40; ++i)
+    rows += fmt::format("{},{},{},{}\n", i, i + (i % 7 == 3 ? 9.0 : 0.1 * (i % 3)), i % 2 + 1, i % 2 == 0 ? 1.0 : 0.25);
+  const std::string command = "smooth " + folder.write("d.csv", rows) + " --y v --quiet --scheme ";
+  for (const char* scheme : {"local:points=15,d=1,robust=3", "l1:points=6,iterations=5 --bands 0"})
+    CHECK(run(command + scheme + " --errors s").out == run(command + scheme + " --weights w").out);
+  CHECK(run(command + "local:points=15,d=1,robust=3 --errors s --noise 1").code == 64);
+}
+
 TEST_CASE("a grid with a gap is answered on this grid") {
   const Folder folder;
   std::string table = "time,v\n";
@@ -176,8 +230,9 @@ TEST_CASE("data at scattered positions are smoothed, by local polynomials and by
   CHECK(there.at("noise")[0].at("degrees_of_freedom").is_null());
   CHECK(smoothed("").at("scheme").get<std::string>().substr(0, 13) == "local:points=");
   const std::string command = "smooth " + data + " --irregular fit --missing drop ";
-  check_fails(run(command + "--at data --scheme primal:n=2"), 64,
-              "smoothing: the limit of a scheme is known on a grid alone; at the data need local polynomials");
+  const auto of_scheme = smoothed("--at data --scheme primal:n=2 --spacing 1/2");
+  REQUIRE(of_scheme.at("rows").size() == 7);
+  for (const auto& row : of_scheme.at("rows")) CHECK(row[1].get<double>() == Approx(1 + 2 * row[0].get<double>()));
   check_fails(run(command + "--spacing 0"), 64, "--spacing 0: expected a number > 0");
   for (const std::string noise : {"-1", "0", "1e200", "1e-200"})
     check_fails(run(command + "--noise " + noise), 64,
@@ -273,7 +328,7 @@ TEST_CASE("a stream is smoothed as the whole is") {
   };
   fails("", 64, "--stream needs --scheme: the choice needs all data");
   fails("--scheme primal:n=2 --json", 64,
-        "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
+        "--stream: expected none of --json, --plot, --at, --at-file, --irregular fit, --by, --series rows");
   fails("--scheme primal:n=2 --bands 0.9", 64, "--stream: --bands needs --noise, as its estimate needs all data");
   fails("--scheme primal:n=2 --boundary wrap", 64, "a stream has no end that its beginning could follow");
   fails("--scheme l1:points=4", 64, "a stream needs a linear method; l1:points=4,d=1,iterations=6,delta=1e-8 is none");
@@ -322,15 +377,17 @@ TEST_CASE("heights and volumes are smoothed") {
   };
   fails("--select cv", 64,
         "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
-        "--derivative, --select cv, --stream");
+        "--derivative, --select cv, --stream, --at-file, and of --at grid or data");
   fails("--scheme primal:n=1 --by x", 64,
         "--grid: expected none of --x, --y, --weights, --by, --keep, --irregular, --spacing, --series, "
-        "--derivative, --select cv, --stream");
-  fails("--missing drop", 64,
-        "--grid and --missing drop: expected one of the two; grids have no gaps: fill them first");
+        "--derivative, --select cv, --stream, --at-file, and of --at grid or data");
   const std::string gap = folder.write("gap.csv", "1,2\n3,NA\n4,5\n");
   check_fails(run("smooth " + gap + " --grid --scheme primal:n=1"), 65,
-              gap + ", line 2, column 2: expected a finite number; found 'NA' (grids have no gaps: fill them first)");
+              gap +
+                  ", line 2, column 2: expected a finite number; found 'NA' (subcert smooth --grid fills gaps, with "
+                  "--missing drop)");
+  check_fails(run("smooth " + gap + " --grid --missing drop --scheme primal:n=1 --bands 0"), 64,
+              "missing data need local polynomials, as local:points=7,d=1; primal:n=1,d=1 is a scheme");
   check_fails(run("refine primal:n=1 " + gap), 65,
               gap +
                   ", line 2, column 2: expected a finite number; found 'NA' (subcert smooth fills gaps, with --missing "
@@ -342,4 +399,39 @@ TEST_CASE("heights and volumes are smoothed") {
               folder / "m.obj" +
                   ": expected a matrix of heights or a .vtk file; found a mesh, whose places are "
                   "data, too");
+}
+
+TEST_CASE("grids with missing data: fits to what is there, holes that are filled or kept") {
+  const Folder folder;
+  std::string rows;
+  for (int j = 0; j < 9; ++j)
+    for (int i = 0; i < 11; ++i)
+      rows += (i == 4 && j == 3 ? "" : i == 5 && j == 3 ? "NA" : std::to_string(i + 10 * j)) + (i == 10 ? "\n" : ",");
+  const std::string plane = folder.write("holes.csv", rows);
+  const std::string command = "smooth " + plane + " --grid --scheme local:points=5,d=1 --at data --missing ";
+  const auto drop = run_json(command + "drop"), keep = run_json(command + "keep");
+  CHECK(drop.at("missing") == 2);
+  for (std::size_t k = 0; k < 99; ++k) {
+    CHECK(std::abs(drop.at("rows")[k][2].get<double>() - static_cast<double>(k % 11 + 10 * (k / 11))) < 1e-9);
+    for (std::size_t c = 2; c < 6; ++c) CHECK(keep.at("rows")[k][c].is_null() == (k == 37 || k == 38));
+  }
+  CHECK(run(command + "drop").out.find("# 2 missing data, left out of the fits\n") != std::string::npos);
+  CHECK(run(command + "keep").out.find("# 2 missing data, where values are nan\n") != std::string::npos);
+  CHECK(run("smooth " + plane + " --grid --missing drop --plot " + folder / "p.svg").code == 0);
+  check_fails(run(command + "drop --bands-kind simultaneous"), 64,
+              "smoothing: bands at all positions at once need a grid without missing data");
+  check_fails(run("smooth " + plane + " --missing keep"), 64,
+              "--missing keep: expected --grid, or drop; of rows --at data has values where data are");
+
+  std::string volume =
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 5 4 4\nORIGIN 0 0 0\n"
+      "SPACING 1 1 1\nPOINT_DATA 80\nSCALARS d float\nLOOKUP_TABLE default\n";
+  for (int k = 0; k < 80; ++k) volume += (k == 31 ? "nan" : std::to_string(k)) + "\n";
+  const std::string file = folder.write("holes.vtk", volume);
+  CHECK(run("smooth " + file + " --grid --bands 0 --scheme local:width=3,d=1").code == 65);
+  const Run filled = run("smooth " + file +
+                         " --grid --bands 0 --scheme local:width=3,d=1 --level 0 --missing drop --json");
+  CHECK(std::abs(nlohmann::json::parse(filled.out).at("rows")[31][3].get<double>() - 31) < 1e-9);
+  CHECK(run("smooth " + file + " --grid --scheme local:width=3,d=1 --level 0 --missing keep").out.find("\nnan\n") !=
+        std::string::npos);
 }

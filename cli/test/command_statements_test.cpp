@@ -29,6 +29,16 @@ TEST_CASE("statements: the fields of the contract") {
         "dyn-2015/table-3-rates\ndyn-2015/table-3-rates-slope\n");
   CHECK(run("statements list --ids dyn-2015/table-1").out == "dyn-2015/table-1\n");
   CHECK(run("statements list dyn-2015/table-").code == 64);
+  const auto wrong = run_json("statements list --verdict misprint,false").at("statements");
+  CHECK(wrong.size() > 10);
+  std::size_t all = 0;
+  const auto listed = run_json("statements list").at("statements");
+  for (const auto& one : listed) all += one.at("recorded") == "misprint" || one.at("recorded") == "false" ? 1 : 0;
+  CHECK(wrong.size() == all);
+  for (const auto& one : wrong) CHECK((one.at("recorded") == "misprint" || one.at("recorded") == "false"));
+  check_fails(run("statements list --verdict wrong"), 64,
+              "--verdict wrong: expected false, holds, holds-for-all-n, misprint, not-checkable");
+  check_fails(run("statements check dyn-2015/eq-1 --verdict false"), 64, "--verdict: none of these statements has it");
 
   const Folder folder;
   const std::string page = folder / "page.html";

@@ -40,7 +40,7 @@ COMMANDS = [
     ("analyze primal:n=1", ["--out", "--plot.svg", "--plot.png"]),
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),
     ("smooth data.csv --scheme primal:n=2", ["--plot.svg"]), ("refine primal:n=2 data.csv", ["--plot.svg"]),
-    ("check vectors.toml", ["--certificate/"]), ("analyze primal:n=1", ["--html"]), ("compare primal:n=1 dual:n=1", ["--out", "--html"]),
+    ("check vectors.toml", ["--certificate/"]), ("analyze primal:n=1", ["--html"]), ("compare primal:n=1 dual:n=1", ["--out", "--html", "--plot.svg"]),
     ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
     ("experiment fig3 --runs 2", ["--out/"]), ("reproduce dyn-2015 --only masks,fig1", ["--out/"]),
 ]

@@ -173,6 +173,14 @@ TEST_CASE("commands and families that are meant") {
   CHECK(contains(run("statement list").err, "did you mean 'statements'?"));
   for (const char* word : {"list", "schemes", "families"})
     CHECK(contains(run(word).err, "'; 'subcert mask --help' lists the schemes; see 'subcert --help'"));
+  CHECK(
+      contains(run("plot").err, "there is no command 'plot'; 'analyze', 'compare', 'refine' and 'smooth' draw, with"));
+  CHECK(contains(run("license").err, "; the file LICENSE has it"));
+  const Folder folder;
+  const std::string points = folder.write("points.csv", "0,0\n1,0\n");
+  CHECK(contains(run("refine " + points).err,
+                 "points.csv is a file: name a scheme before it, as in 'subcert refine chaikin "));
+  CHECK(contains(run("analyze chaikin dd4").err, "; 'subcert compare' takes several schemes; see 'subcert analyze"));
   CHECK(contains(run("exponent chaikin").err, "there is no command 'exponent'; did you mean one of 'regularity', "));
   CHECK(contains(run("regularity chaikin --juntt x").err, "there is no option '--juntt'; see 'subcert regularity"));
   CHECK(contains(run("regularity chaikin --junit x").err, "there is no option '--junit'; it is one of 'check'; see"));

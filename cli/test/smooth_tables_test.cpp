@@ -376,7 +376,7 @@ TEST_CASE("each row may be a series, whose positions are the names of the column
                 "--series rows: expected none of --x, --y, --weights, --keep, --header no; the first row has the "
                 "positions");
   check_fails(with(lands, "--by land --stream --scheme primal:n=1"), 64,
-              "--stream: expected none of --json, --plot, --at data, --irregular fit, --by, --series rows");
+              "--stream: expected none of --json, --plot, --at, --at-file, --irregular fit, --by, --series rows");
 }
 
 TEST_CASE("a misspelt scheme is named before faults of the data, and words of other programs have their method") {

@@ -1,6 +1,6 @@
 #include "primal_schemes.hpp"
 
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/proofs-checks/number_list.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<std::string> PrimalSchemes::skipped_lines() const {
   std::vector<std::string> lines;
   for (const auto& [group, sizes] : groups) {
     const auto& [degree, beyond] = group;
-    lines.push_back("d = " + std::to_string(degree) + " with n = " + sweeps::number_list_text(sizes) + ": " +
+    lines.push_back("d = " + std::to_string(degree) + " with n = " + number_list_text(sizes) + ": " +
                     (beyond ? "2n data fix no degree above 2n-1; these are the schemes with d = 2n-1"
                             : "the same masks as d = " + std::to_string(degree + 1)));
   }

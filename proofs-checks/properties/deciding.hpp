@@ -23,6 +23,12 @@ Decision decided(bool yes, const std::string& found);
 /// What is asked of ranges and levels. C^0 limits are those of a scheme that converges. Domain: property.of_ranges.
 RangeProperty asked_of(const Property& property, const Expectation& expectation);
 
+/// `3..12` or `3,5,8..10`, up to 1000. Errors: throws ParseError.
+std::vector<int> valences_of(const std::string& text);
+/// Whether limits are C1 at vertices of all valences of the word. Errors: throws a domain error for schemes without
+/// rules there. Cost: as vertex_smoothness().
+Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, double seconds);
+
 /// Of masks that change from level to level. Domain: property.of_levels().
 Decision property_of(const SchemeLevels& levels, const Property& property, const Expectation& expectation,
                      double seconds);

@@ -289,7 +289,9 @@ const std::vector<Property>& known_properties() {
        interpolatory,
        {},
        interpolatory},
-      {"variance", comparison, "the maximum of the variance curve", Expects::comparison, variance, nullptr}};
+      {"variance", comparison, "the maximum of the variance curve", Expects::comparison, variance, nullptr},
+      {"vertices", "valences, as \"3..12\" or 7", "C1 limits at vertices of these valences", Expects::valences, nullptr,
+       smooth_at_vertices}};
   return all;
 }
 

@@ -63,8 +63,8 @@ struct ExpectedScheme {
 };
 
 /// How an expected value is written: true or false; `>= K` with a whole K; a comparison; one, or an integer; [first,
-/// last]; a word.
-enum class Expects { answer, order, comparison, whole_number, ends, word };
+/// last]; a word; valences, `3..12` or 7.
+enum class Expects { answer, order, comparison, whole_number, ends, word, valences };
 
 /// All that is known of a property. A function that is absent: it is none of such schemes.
 struct Property {

@@ -1,5 +1,5 @@
+#include "deciding.hpp"
 #include "mask_list_table.hpp"
-#include "properties.hpp"
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
@@ -64,6 +64,14 @@ void read_comparison(Expectation& to, const toml::node& node, const Property& pr
   refuse(node, property);
 }
 
+bool are_valences(const std::string& text) {
+  try {
+    return !valences_of(text).empty();
+  } catch (const ParseError&) {
+    return false;
+  }
+}
+
 Expectation read_expectation(const Property& property, const toml::node& node, const Place& place) {
   Expectation result{property.name, "", place, "", 0, false, "", std::nullopt};
   if (property.expects == Expects::answer) {
@@ -82,6 +90,11 @@ Expectation read_expectation(const Property& property, const toml::node& node, c
     const auto* word = node.as_string();
     if (!word || (word->get() != "odd" && word->get() != "even" && word->get() != "none")) refuse(node, property);
     result.word = result.expected = word->get();
+  } else if (property.expects == Expects::valences) {
+    if (const auto* one = node.as_integer()) result.word = std::to_string(one->get());
+    if (const auto* list = node.as_string()) result.word = list->get();
+    if (!are_valences(result.word)) refuse(node, property);
+    result.expected = result.word;
   } else {
     read_comparison(result, node, property);
   }
@@ -113,6 +126,9 @@ std::string property_meant(std::string_view word) {
                                                                      {"exponent", "holder"},
                                                                      {"generation", "generates"},
                                                                      {"reproduction", "reproduces"},
+                                                                     {"valence", "vertices"},
+                                                                     {"valences", "vertices"},
+                                                                     {"vertex", "vertices"},
                                                                      {"support_size", "support"}};
   for (const auto& [other, name] : words)
     if (other == word) return fmt::format("; did you mean '{}'?", name);

@@ -178,9 +178,11 @@ py::list candidates_of(const std::optional<data::MethodChoice>& choice) {
 }
 
 /// The axes of a grid of heights or of a volume: the last index of numpy's runs along the first.
-data::GridData<double> grid_of(const DoubleArray& values) {
+data::GridData<double> grid_of(const DoubleArray& values, bool missing) {
   data::GridData<double> grid{numbers_of(values), 1, {}};
-  require_finite(grid.values, "smooth");
+  if (!missing) require_finite(grid.values, "smooth");
+  if (std::ranges::any_of(grid.values, [](double value) { return std::isinf(value); }))
+    fail(ErrorKind::data, "smooth: need finite numbers, or nan, got inf");
   for (py::ssize_t k = values.ndim(); k-- > 0;)
     grid.axes.push_back(data::Axis::of(static_cast<std::size_t>(values.shape(k))));
   return grid;
@@ -189,13 +191,15 @@ data::GridData<double> grid_of(const DoubleArray& values) {
 /// Heights or a volume.
 py::dict smooth_grid(const DoubleArray& values, const std::string& scheme, const std::string& boundary, double constant,
                      int level, double bands, const std::string& kind_name, const std::string& at,
-                     const std::optional<double>& noise, int jobs, const py::object& progress) {
+                     const std::optional<double>& noise, const std::string& missing, int jobs,
+                     const py::object& progress) {
   require_choices(level, bands, noise, kind_name, at);
   require(values.size() > 0, "smooth: need at least one number, got none");
   const data::BandKind kind = *data::parse_band_kind(kind_name);
   data::SmoothingOptions options{boundary_of(boundary), level, 0, constant, at == "data"};
   options.path = kind == data::BandKind::simultaneous;
-  const data::GridData<double> grid = grid_of(values);
+  options.keep_holes = missing == "keep";
+  const data::GridData<double> grid = grid_of(values, missing != "raise");
   data::SmoothedGrid smoothed = interruptible(progress,
                                               [&] { return data::smooth_grid(grid, scheme, options, noise, jobs); });
   py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, kind);
@@ -217,8 +221,8 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
                 const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
                 const std::string& boundary, double constant, int level, int derivative, double bands,
                 const std::string& kind_name, const std::optional<bool>& irregular, const std::string& at,
-                const std::optional<double>& noise, const std::string& select, int resamples, std::uint64_t seed,
-                int jobs, const py::object& progress) {
+                const std::optional<DoubleArray>& places, const std::optional<double>& noise, const std::string& select,
+                int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require_choices(level, bands, noise, kind_name, at);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
@@ -244,13 +248,14 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
   if (select == "cv") options.selection = data::Selection::cross_validation;
   options.resamples = resamples;
   options.seed = seed;
+  if (places) options.places = numbers_of(*places);
   data::SmoothedSamples smoothed = interruptible(
       progress, [&] { return data::smooth(samples, std::string_view(scheme), options, jobs); });
   require(*kind == data::BandKind::pointwise || smoothed.band_method != data::BandMethod::bootstrap,
           "smooth: bands of l1 schemes are pointwise");
   require(*kind != data::BandKind::prediction || smoothed.band_method == data::BandMethod::linear,
           "smooth: a new datum may be an outlier, of which robust steps know nothing");
-  if (x) restore_order(smoothed, order, at == "data");
+  if (x && !places) restore_order(smoothed, order, at == "data");
   const std::size_t outliers = smoothed.columns.front().outliers;
   const std::optional<double> correlated = smoothed.columns.front().correlated;
   py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, *kind);

@@ -210,6 +210,7 @@ def smooth(
     kind: str,
     irregular: Optional[bool],
     at: str,
+    places: Optional[_Array],
     noise: Optional[float],
     select: str,
     resamples: int,
@@ -227,6 +228,7 @@ def smooth_grid(
     kind: str,
     at: str,
     noise: Optional[float],
+    missing: str,
     jobs: int,
     progress: _Progress,
 ) -> dict[str, Any]: ...

@@ -182,7 +182,7 @@ def smooth(
     origin: Exact = 0,
     spacing: Optional[Exact] = None,
     irregular: Optional[bool] = None,
-    at: str = "grid",
+    at: Any = "grid",
     noise: Optional[float] = None,
     select: str = "risk",
     resamples: int = 0,
@@ -202,7 +202,8 @@ def smooth(
     the index of the answer. Without `y` all other columns of numbers are smoothed. `by`: each group of rows by
     itself. `keep`: columns that the answer has, too, with at="data". The columns of the answer are those of the
     command: for v also v_sd, v_lower, v_upper. Dates count in days, or in seconds where one has a time. `missing`:
-    "raise", or "drop" for samples that are NaN or missing and rows without a position.
+    "raise", or "drop" for samples that are NaN or missing and rows without a position; of heights and volumes "keep",
+    too, which leaves them NaN in the answer.
 
     Of an array `x` are the positions, in any order, uniform up to their last decimal place; or `origin` and
     `spacing`, 1 by default. With `irregular` other positions are taken as they are, also several data at one, and
@@ -213,11 +214,12 @@ def smooth(
     in their place standard deviations of the noise, which are known with `noise` left out. `bands`: level of the
     confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
     prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this
-    grid, or at the data ("data"). `noise`: its standard deviation, where it is known. `select`: by what the method
-    is chosen, its estimated error ("risk") or cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the
-    residuals for bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where
-    outliers move a linear fit a UserWarning names the method that leaves them out. Raises DataError for samples
-    that cannot be smoothed, DomainError for a scheme without proof of convergence.
+    grid, at the data ("data"), or an array of positions, NaN outside the data. `noise`: its standard deviation,
+    where it is known. `select`: by what the method is chosen, its estimated error ("risk") or cross-validation
+    ("cv"). `resamples`: of l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no bands.
+    `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names the
+    method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
+    without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -230,8 +232,8 @@ def smooth(
     options = dict(locals())
     import numpy
 
-    if missing not in ("raise", "drop"):
-        raise UsageError(f"missing: expected raise or drop, got {missing!r}")
+    if missing not in ("raise", "drop", "keep"):
+        raise UsageError(f"missing: expected raise, drop or keep, got {missing!r}")
     if data is None:
         data, y = y, None
     if data is None:
@@ -243,16 +245,25 @@ def smooth(
     if errors is not None:
         if weights is not None:
             raise UsageError("smooth: weights and errors: expected one of the two")
-        weights, noise = _frames.weights_of(errors), 1.0 if noise is None else noise
+        weights = _frames.weights_of(errors)
+        noise = _frames.noise_of_errors(noise, scheme)
     if y is not None or by is not None or keep is not None:
         raise UsageError("smooth: y, by and keep are columns of a table; got an array")
     array = numpy.ascontiguousarray(data, dtype=numpy.float64)
+    places = None
+    if not isinstance(at, str):
+        places, at = numpy.atleast_1d(numpy.ascontiguousarray(at, dtype=numpy.float64)), "grid"
+        if places.ndim != 1 or places.size == 0:
+            raise DomainError(f"at: need positions in one dimension, got shape {places.shape}")
     if array.ndim in (2, 3):
-        grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, _jobs(jobs), progress)
-        curves: dict[str, Any] = {"x": x is not None, "weights": weights is not None, "missing": missing == "drop"}
+        grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, missing, _jobs(jobs), progress)
+        curves: dict[str, Any] = {"at as positions": places is not None, "x": x is not None}
+        curves.update(weights=weights is not None)
         curves.update(derivative=derivative, irregular=bool(irregular), spacing=spacing is not None, origin=origin != 0)
         curves.update({"select='cv'": select == "cv", "resamples": resamples})
         return _smooth_grid(array, grid, curves)
+    if missing == "keep":
+        raise UsageError("missing='keep' is of heights and volumes; drop leaves samples out")
     if missing == "drop" and array.ndim == 1:
         array, x, weights = _without_missing(array, x, weights)
     positions = None
@@ -278,6 +289,7 @@ def smooth(
         kind,
         irregular,
         at,
+        places,
         noise,
         select,
         resamples,

@@ -128,6 +128,14 @@ class _Column:
         second = 10**9 * (86400 if self.unit == "D" else 1)
         return self.first + numpy.round(numbers * second).astype("timedelta64[ns]")
 
+    def counted(self, places: Any) -> Any:
+        """The numbers of places that are written as this column."""
+        import numpy
+
+        if self.first is None:
+            return numpy.asarray(places, dtype=numpy.float64)
+        return (numpy.asarray(places, dtype="datetime64[ns]") - self.first) / numpy.timedelta64(1, self.unit)
+
 
 def _column(name: str, values: Any) -> Optional[_Column]:
     """A column of numbers or dates; None for text."""
@@ -216,6 +224,12 @@ def weights_of(errors: Any) -> Any:
     return 1 / numbers**2
 
 
+def noise_of_errors(noise: Optional[float], scheme: Any) -> Optional[float]:
+    """Where errors are given: the noise in their units, which robust and l1 methods find by themselves."""
+    finds = str(scheme).startswith("l1") or ("robust=" in str(scheme) and "robust=0" not in str(scheme))
+    return noise if noise is not None or finds else 1.0
+
+
 def _smoothed_rows(
     smooth: Callable[..., Any],
     x: Optional[_Column],
@@ -241,17 +255,20 @@ def _smoothed_rows(
             raise DataError(f"columns {names}: expected numbers; found a missing value (missing='drop' drops it)")
         prior = numpy.where(missing, 0, 1.0 if prior is None else prior)
     answer: dict[str, Any] = {}
+    if not isinstance(options["at"], str) and x is not None:
+        options = {**options, "at": x.counted(options["at"])}
     for column in values:
         samples = numpy.where(missing, 0, column.numbers[rows])
         found = smooth(samples, None if x is None else x.numbers[rows], weights=prior, **options)
         whole = len(found.values) == len(rows)
+        at_data = isinstance(options["at"], str) and options["at"] == "data"
         stay = rows if whole or prior is None else rows[prior > 0]
         if not answer:
             name = x.name if x is not None else "index" if any(one.name == "x" for one in values) else "x"
             if x is None:
                 answer[name] = found.x
             else:
-                answer[name] = x.raw[stay] if options["at"] == "data" else x.positions(found.x)
+                answer[name] = x.raw[stay] if at_data else x.positions(found.x)
         answer[column.name] = found.values
         for ending, facts in (("sd", found.deviation), ("lower", found.lower), ("upper", found.upper)):
             if facts is not None:
@@ -279,9 +296,9 @@ def smoothed(
         prior = table.numbers(table.name(name, column))
         if name == "errors":
             prior.numbers = weights_of(prior.numbers)
-            options["noise"] = 1.0 if options["noise"] is None else options["noise"]
+            options["noise"] = noise_of_errors(options["noise"], options["scheme"])
     names = [] if keep is None else [keep] if isinstance(keep, (str, int)) else list(keep)
-    if names and options["at"] != "data":
+    if names and not (isinstance(options["at"], str) and options["at"] == "data"):
         raise UsageError("keep needs at='data': other rows have no fields of the table")
     kept = {table.name("keep", one): numpy.asarray(table.columns[table.name("keep", one)]) for one in names}
     group = None if by is None else table.name("by", by)

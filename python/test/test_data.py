@@ -214,6 +214,41 @@ def test_positions_in_any_order():
         subcert.smooth([1.0, 2, 3], [1.0, 1, 1], irregular=True)
 
 
+def test_grids_with_missing_data():
+    heights = numpy.add.outer(numpy.arange(9.0), 2 * numpy.arange(7.0))
+    holes = heights.copy()
+    holes[3, 2:4] = numpy.nan
+    filled = subcert.smooth(holes, missing="drop", scheme="local:points=5,d=1", at="data")
+    assert abs(filled.values - heights).max() < 1e-9
+    kept = subcert.smooth(holes, missing="keep", at="data")
+    assert (numpy.isnan(kept.values) == numpy.isnan(holes)).all()
+    for wrong in ({}, {"missing": "drop", "scheme": "primal:n=2"}, {"missing": "drop", "kind": "simultaneous"}):
+        with pytest.raises(subcert.Error):
+            subcert.smooth(holes, **wrong)
+    with pytest.raises(subcert.DataError, match="inf"):
+        subcert.smooth(heights + numpy.inf, missing="drop")
+    with pytest.raises(subcert.UsageError, match="heights and volumes"):
+        subcert.smooth(heights[0], missing="keep")
+
+
+def test_values_at_given_positions():
+    x = numpy.array([0.0, 0.5, 1, 3, 3, 4, 7, 8, 10])
+    for scheme in ("local:points=4", "primal:n=2", ""):
+        found = subcert.smooth(2 * x - 1, x, irregular=True, scheme=scheme, at=[7.25, -1, 0.1, 10], noise=1)
+        assert numpy.allclose(found.values, [13.5, numpy.nan, -0.8, 19], atol=1e-9, equal_nan=True)
+        assert found.x.tolist() == [7.25, -1, 0.1, 10] and numpy.isnan(found.deviation).tolist() == [0, 1, 0, 0]
+    assert subcert.smooth(x, scheme="dd:n=2", at=2.0).values == [1]
+    days = numpy.array("2024-02-27", "M8[D]") + numpy.arange(6)
+    table = {"day": days, "mass": numpy.arange(6.0)}
+    answer = subcert.smooth(table, scheme="primal:n=1", bands=0, at=numpy.array(["2024-02-29T12"], "M8[h]"))
+    assert answer["day"][0] == numpy.datetime64("2024-02-29T12") and answer["mass"][0] == 2.5
+    for wrong in ([], [[1.0]], [numpy.nan]):
+        with pytest.raises(subcert.DomainError):
+            subcert.smooth(x, scheme="dd:n=2", at=wrong)
+    with pytest.raises(subcert.DataError, match="found none"):
+        subcert.smooth(x, scheme="dd:n=2", at=[99])
+
+
 def savitzky_golay(y, half, degree):
     """Fits to 2 half + 1 data, by least squares of numpy."""
     centres = numpy.clip(numpy.arange(y.size), half, y.size - 1 - half)

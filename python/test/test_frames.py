@@ -184,7 +184,7 @@ def test_what_is_not_installed_is_named(tmp_path, monkeypatch):
         ({"x": "name"}, "column name: expected numbers; found text"),
         ({"by": 9}, "by: expected one of"),
         ({"keep": "z"}, "keep needs at='data'"),
-        ({"missing": "guess"}, "missing: expected raise or drop"),
+        ({"missing": "guess"}, "missing: expected raise, drop or keep"),
         ({"weights": [1, 2]}, "weights: expected the name of a column; got list"),
     ],
 )

@@ -1,6 +1,7 @@
 #include "first_answer.hpp"
 
 #include <subcert/cmake/catch.hpp>
+#include <subcert/cmake/error_kind.hpp>
 #include <subcert/schemes/specification.hpp>
 
 using namespace subcert;
@@ -86,6 +87,25 @@ TEST_CASE("properties of surfaces") {
   CHECK_THAT(error_of(quincunx + "variance = '<= 1'"), Catch::Contains("is no property of surfaces"));
 }
 
+TEST_CASE("surfaces at vertices") {
+  for (const char* text : {"mask = 'loop'\nvertices = 7", "mask = 'loop'\nvertices = '3..6,8'",
+                           "mask = 'catmull-clark'\nvertices = '3'", "mask = 'butterfly:w=1/16'\nvertices = '4..7'"}) {
+    CAPTURE(text);
+    CHECK(first_answer(text).is_yes());
+  }
+  const Decision refuted = first_answer("mask = 'butterfly:w=1/16'\nvertices = '4..9'");
+  CHECK(refuted.is_no());
+  CHECK_THAT(refuted.reason, Catch::StartsWith("at valence 8: "));
+  CHECK(first_answer("mask = 'butterfly:w=1/16'\nvertices = '3..4'").truth == Truth::unknown);
+  CHECK(first_answer("mask = 'butterfly:w=1/16'\nvertices = '3..9'").is_no());
+  for (const char* wrong : {"'2..4'", "1001", "'x'", "true", "''", "7.5"})
+    CHECK_THAT(error_of(std::string("mask = 'loop'\nvertices = ") + wrong),
+               Catch::Contains("'vertices' takes valences, as \"3..12\" or 7"));
+  CHECK_THAT(error_of("mask = 'dd:n=2'\nvertices = 7"), Catch::Contains("is no property of schemes of one variable"));
+  CHECK_THAT(error_of("mask = 'loop'\nvalence = 7"), Catch::Contains("did you mean 'vertices'?"));
+  CHECK_FAILS(first_answer("mask = 'quincunx:'\nvertices = 7"), domain);
+}
+
 TEST_CASE("of rounded coefficients nothing is said that depends on the rounding") {
   for (const char* text : {"sobolev = '>= 0'", "sobolev = '<= 9'", "variance = '<= 9'", "reproduces = 0"}) {
     CAPTURE(text);
@@ -126,8 +146,9 @@ TEST_CASE("bad files are refused with line and column") {
   CHECK(error_of("mask = 'bspline:degree=1'\n smothness = '>= 1'")
             .rfind("line 2, column 2: unknown property 'smothness'; expected mask, name, convergent", 0) == 0);
   CHECK(error_of("msk = 'dd:n=2'\nstable = true")
-            .ends_with("symmetry, stable, interpolatory, variance, for, levels, recurrence, start, masks, period, "
-                       "follows; did you mean 'mask'?"));
+            .ends_with(
+                "symmetry, stable, interpolatory, variance, vertices, for, levels, recurrence, start, masks, period, "
+                "follows; did you mean 'mask'?"));
   CHECK(error_of("[[scheme]]\nscheme = 'dd:n=2'\nstable = true").ends_with("; did you mean 'mask'?"));
   CHECK(error_of("mask = 'dd:n=2'\nC1 = true").ends_with("; did you mean 'smoothness'?"));
   CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = false") ==

@@ -30,7 +30,8 @@ double NumberType::low() const { return with_sign ? -std::ldexp(1, static_cast<i
 double NumberType::high() const { return std::ldexp(1, static_cast<int>(8 * size) - (with_sign ? 1 : 0)) - 1; }
 
 double fitted(double value, const NumberType& type) {
-  return type.whole ? std::clamp(std::round(value), type.low(), type.high()) : value;
+  if (!type.whole) return value;
+  return std::isnan(value) ? 0 : std::clamp(std::round(value), type.low(), type.high());
 }
 
 double read_number(const char* bytes, const NumberType& type, Encoding encoding) {

@@ -27,7 +27,7 @@ double read_number(const char* bytes, const NumberType& type, Encoding encoding)
 /// Appends a number to bytes. A whole type takes the nearest of its numbers. Domain: as read_number().
 void append_number(double value, const NumberType& type, Encoding encoding, std::string& bytes);
 
-/// The nearest number of a whole type, or the value itself.
+/// The nearest number of a whole type, 0 for NaN, or the value itself.
 double fitted(double value, const NumberType& type);
 
 }  // namespace subcert::data

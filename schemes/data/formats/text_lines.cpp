@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace subcert::data {
 
@@ -79,14 +80,14 @@ const char* TextLines::take_bytes(std::size_t count, const std::string& use) {
   return bytes;
 }
 
-std::vector<double> TextLines::take_numbers(std::size_t count, const NumberType& type, Encoding encoding) {
+std::vector<double> TextLines::take_numbers(std::size_t count, const NumberType& type, Encoding encoding, bool gaps) {
   std::vector<double> values;
   if (encoding != Encoding::text) {
     const char* const bytes = take_bytes(count * type.size, "numbers");
     values.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       values.push_back(read_number(bytes + i * type.size, type, encoding));
-      if (!std::isfinite(values.back()))
+      if (!std::isfinite(values.back()) && !(gaps && std::isnan(values.back())))
         fail_file("finite numbers after line " + std::to_string(number_) + "; found " + shortest_text(values.back()) +
                   " as number " + std::to_string(i + 1));
     }
@@ -96,7 +97,7 @@ std::vector<double> TextLines::take_numbers(std::size_t count, const NumberType&
     if (!next(false)) fail_file(std::to_string(count) + " values; found " + std::to_string(values.size()));
     for (std::size_t i = 0; i < words_.size(); ++i) {
       need(values.size() < count, i, "the end of the line after " + std::to_string(count) + " values");
-      values.push_back(number(i));
+      values.push_back(gaps && is_keyword(i, "NAN") ? std::numeric_limits<double>::quiet_NaN() : number(i));
     }
   }
   return values;

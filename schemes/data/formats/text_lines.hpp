@@ -36,8 +36,8 @@ class TextLines {
 
   /// The bytes that follow this line. Errors: throws a data error where the file ends before, with their use.
   const char* take_bytes(std::size_t count, const std::string& use);
-  /// `count` numbers of the lines that follow, or of the bytes. Errors: throw a data error.
-  std::vector<double> take_numbers(std::size_t count, const NumberType& type, Encoding encoding);
+  /// `count` numbers of the lines that follow, or of the bytes; with `gaps` NaN is one. Errors: throw a data error.
+  std::vector<double> take_numbers(std::size_t count, const NumberType& type, Encoding encoding, bool gaps = false);
 
   /// Errors: throw a data error.
   double number(std::size_t i) const;

@@ -50,7 +50,7 @@ struct ReadArray {
 /// Reads the parts of a file after DATASET.
 class VtkReader {
  public:
-  VtkReader(TextLines& lines, Volume& volume) : lines_(lines), volume_(volume) {}
+  VtkReader(TextLines& lines, Volume& volume, bool gaps) : lines_(lines), volume_(volume), gaps_(gaps) {}
 
   void read() {
     read_geometry();
@@ -161,7 +161,7 @@ class VtkReader {
     if (std::exchange(pass_table_name_, false)) lines_.pass_line("LOOKUP_TABLE");
     if (points > 0 && components > most_values / points)
       lines_.fail(0, "at most " + std::to_string(most_values) + " numbers in an array");
-    return lines_.take_numbers(points * components, type, volume_.encoding);
+    return lines_.take_numbers(points * components, type, volume_.encoding, gaps_);
   }
 
   /// Without `arrays` what is read is left out, and may be of any length.
@@ -232,6 +232,7 @@ class VtkReader {
 
   TextLines& lines_;
   Volume& volume_;
+  bool gaps_;
   std::array<std::size_t, 3> counts_{};
   std::size_t points_ = 0;
   bool ended_ = false;
@@ -246,7 +247,7 @@ bool is_colour(const VolumeArray& array) { return array.keyword == "COLOR_SCALAR
 
 }  // namespace
 
-Volume parse_vtk(std::string_view text, const std::string& file) {
+Volume parse_vtk(std::string_view text, const std::string& file, bool gaps) {
   TextLines lines(text, file);
   constexpr std::string_view beginning = "# vtk DataFile Version ";
   if (!lines.next(false) || !text.substr(text.find('#') == 3 ? 3 : 0).starts_with(beginning))
@@ -264,7 +265,7 @@ Volume parse_vtk(std::string_view text, const std::string& file) {
   const bool data_set = lines.is_keyword(0, "DATASET");
   lines.need(data_set && lines.is_keyword(1, "STRUCTURED_POINTS"), data_set ? 1 : 0,
              data_set ? "STRUCTURED_POINTS" : "DATASET");
-  VtkReader(lines, volume).read();
+  VtkReader(lines, volume, gaps).read();
   return volume;
 }
 

@@ -34,9 +34,9 @@ struct Volume {
 
 /// Reads a file with DATASET STRUCTURED_POINTS, as text or in bytes: all arrays of POINT_DATA, also in FIELD. Where
 /// there are none those of CELL_DATA, at the middles of the cells. Normals, lookup tables, METADATA, numbers of points
-/// and fields of the data set are not kept. Keywords may be in small letters. Errors: throws a data error. Ref: [VTK,
-/// "Simple legacy formats"].
-Volume parse_vtk(std::string_view text, const std::string& file);
+/// and fields of the data set are not kept. Keywords may be in small letters. With `gaps` numbers may be NaN. Errors:
+/// throws a data error. Ref: [VTK, "Simple legacy formats"].
+Volume parse_vtk(std::string_view text, const std::string& file, bool gaps = false);
 
 /// Writes such a file piece by piece, with the arrays of `form`, whose data do not matter: what stands before the
 /// arrays, then what stands before each array, and its numbers. Origin and spacing follow the axes. Numbers are written

@@ -19,6 +19,8 @@ struct SmoothedGrid {
   std::vector<Axis> axes;                   ///< of the output
   std::vector<SmoothedColumn> columns;      ///< with the length of one path through all outputs, if wanted
   std::optional<MethodChoice> choice = {};  ///< where it was chosen; `points` are those of the widest window
+  std::size_t missing = 0;                  ///< points without data
+  std::size_t unknown = 0;                  ///< outputs that too few data determine, NaN
 };
 
 /// Smooths along each axis: by the factors of a tensor product `tensor:(A)x(B)`, which may be local polynomials, or by
@@ -26,7 +28,9 @@ struct SmoothedGrid {
 /// choose_grid_method(). Values are combinations of the data whose coefficients are products
 /// of those along the axes, and so are their variances. Noise is independent, of one variance; it is estimated from
 /// second differences along all axes that have three data, one after another, unless `noise`, its standard deviation,
-/// is known. Domain: uniform data without gaps, derivative 0. Errors: throws a usage error for other methods, a domain
+/// is known. A point with a NaN is missing: then methods are local polynomials, whose fits are to the data that are
+/// there; with options.keep_holes outputs beside it, or at it, are NaN. Domain: derivative 0, no missing points where
+/// options.path. Errors: throws a usage error for other methods, a domain
 /// error where convergence has no proof or the axes do not fit, else as smooth(). Cost: outputs times the widths of the
 /// rows. Proof: docs/smoothing.md.
 SmoothedGrid smooth_grid(const GridData<double>& grid, std::string_view specification, const SmoothingOptions& options,
@@ -40,7 +44,8 @@ SmoothedGrid smooth_grid(const GridData<double>& grid, std::string_view specific
 MethodChoice choose_grid_method(const GridData<double>& grid, const SmoothingOptions& options,
                                 const std::vector<NoiseEstimate>& noise, int threads = 1);
 
-/// The noise of each number of the points. Without an axis of three data there is no estimate.
+/// The noise of each number of the points, from the differences without a missing point. Without an axis of three data
+/// there is no estimate.
 std::vector<NoiseEstimate> estimate_noise(const GridData<double>& grid);
 
 }  // namespace subcert::data

@@ -156,6 +156,8 @@ L1Smoother::L1Smoother(const DataDependentScheme& scheme, DataSites sites, const
     data_places_.push_back(sites_.positions.empty() ? Rational(i) : Rational(sites_.positions[i]));
   if (options.at_data)
     places_ = data_places_;
+  else if (!options.places.empty())
+    for (const double place : options.places) places_.emplace_back(place);
   else
     for (std::size_t o = 0, end = count_outputs(length, scale); o < end; ++o)
       places_.push_back(Rational(o) / Rational(scale));
@@ -181,7 +183,7 @@ std::vector<double> L1Smoother::values(const std::vector<double>& data, const st
 
 std::vector<double> L1Smoother::values(const std::vector<double>& data, int threads) const {
   require(data.size() == sites_.count, "smoothing: need {} data, got {}", sites_.count, data.size());
-  const int level = options_.at_data ? 0 : options_.level;
+  const int level = options_.on_grid() ? options_.level : 0;
   return values(data, places_, level + finer_levels, threads);
 }
 
@@ -195,7 +197,7 @@ std::vector<double> L1Smoother::residuals(const std::vector<double>& data, const
 }
 
 L1Smoother::Spread L1Smoother::bootstrap(const std::vector<double>& data, int threads) const {
-  const int levels = (options_.at_data ? 0 : options_.level) + 1;
+  const int levels = (options_.on_grid() ? options_.level : 0) + 1;
   const auto roots = [&](std::size_t i) {
     return sites_.weights.empty() ? 1.0 : std::sqrt(static_cast<double>(sites_.weights[i]));
   };

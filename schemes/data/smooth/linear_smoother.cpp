@@ -29,12 +29,18 @@ LinearSmoother::LinearSmoother(const ExtensionRule& rule, DataSites sites, const
                                std::size_t scale, std::pair<long, long> reach)
     : options_(options),
       data_(rule, std::move(sites)),
-      scale_(options.at_data ? 1 : scale),
-      outputs_(options.at_data ? data_.count()
-                               : count_outputs(data_.position(static_cast<long>(data_.count()) - 1), scale)),
+      scale_(options.on_grid() ? scale : 1),
+      outputs_(!options.places.empty() ? options.places.size()
+               : options.at_data       ? data_.count()
+                                       : count_outputs(data_.position(static_cast<long>(data_.count()) - 1), scale)),
       lowest_(reach.first),
       highest_(reach.second),
       prior_weights_(data_.count(), 1) {
+  if (const std::vector<double>& places = options_.places; !places.empty()) {
+    const double last = data_.position(static_cast<long>(data_.count()) - 1);
+    require(!options_.at_data && std::ranges::is_sorted(places) && places.front() >= 0 && places.back() <= last,
+            "smoothing: need places in order from 0 to {}", last);
+  }
   if (!data_.weighted()) return;
   for (std::size_t i = 0; i < data_.count(); ++i)
     prior_weights_[i] = static_cast<double>(data_.weight(static_cast<long>(i)));
@@ -44,7 +50,7 @@ LinearSmoother::LinearSmoother(const ExtensionRule& rule, DataSites sites, const
 }
 
 Rational LinearSmoother::position(std::size_t output) const {
-  if (options_.at_data) return Rational(data_.position(static_cast<long>(output)));
+  if (!options_.on_grid()) return Rational(rounded_position(output));
   return Rational(output) / Rational(scale_);
 }
 
@@ -63,7 +69,7 @@ template Rational LinearSmoother::prior_weight<Rational>(long) const;
 /// alone, never counts as such.
 std::size_t LinearSmoother::interior_end(std::size_t whole) const {
   const auto count = static_cast<long>(data_.count()), at = static_cast<long>(whole);
-  if (!data_.uniform() || at + lowest_ < 0 || at + highest_ >= count) return whole;
+  if (!data_.uniform() || !options_.places.empty() || at + lowest_ < 0 || at + highest_ >= count) return whole;
   if (prior_weights_[static_cast<std::size_t>(at + lowest_)] == 0) return whole;
   const long end = same_weight_until_.empty()
                        ? count
@@ -192,6 +198,7 @@ class LinearSmoother::PathLength {
 };
 
 double LinearSmoother::rounded_position(std::size_t output) const {
+  if (!options_.places.empty()) return options_.places[output];
   if (options_.at_data) return data_.position(static_cast<long>(output));
   return static_cast<double>(output) / static_cast<double>(scale_);
 }
@@ -293,7 +300,7 @@ std::vector<SmoothedData> LinearSmoother::apply_densely(const Columns& columns, 
   const std::size_t before = begin * scale_, made = std::min(end * scale_, outputs_) - before;
   SmoothedData shared{{}, std::vector<double>(made), {}};
   std::vector<std::vector<double>> values(columns.size(), std::vector<double>(made));
-  const bool at_data = data_.uniform() || options_.at_data;
+  const bool at_data = options_.at_data || (data_.uniform() && options_.on_grid());
   if (at_data) shared.leverages.resize(end - begin);
   PathLength path(prior_weights_);
   const auto leverage = [](const RoundedRow& row, std::size_t datum, std::size_t shift) {

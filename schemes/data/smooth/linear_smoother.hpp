@@ -29,6 +29,12 @@ struct SmoothingOptions {
   Selection selection = Selection::risk;  ///< where no method is named
   int resamples = 0;                      ///< for bands of l1 schemes, 2 or more; 0: no bands
   std::uint64_t seed = 2015;              ///< of what is drawn for these
+  /// Positions of the outputs in spacings from the first datum, in order, in place of a grid; smooth() takes those of
+  /// the samples, in any order.
+  std::vector<double> places = {};
+  bool keep_holes = false;  ///< of grids: NaN beside missing data
+
+  bool on_grid() const { return !at_data && places.empty(); }
 };
 
 /// The value, or a derivative, at one position: a combination of the data.
@@ -52,14 +58,14 @@ struct SmoothedData {
   double path = 0;
 };
 
-/// A linear map from data to values at the multiples of 1 / scale, in spacings from the first datum to the last, or at
-/// the data. Rows that are translates of each other are made once.
+/// A linear map from data to values at the multiples of 1 / scale, in spacings from the first datum to the last, at the
+/// data, or at given places between them. Rows that are translates of each other are made once.
 class LinearSmoother {
  public:
   virtual ~LinearSmoother() = default;
 
   std::size_t outputs() const { return outputs_; }
-  /// Outputs for each spacing, or datum where they stand there.
+  /// Outputs for each spacing; 1 where they stand on no grid.
   std::size_t scale() const { return scale_; }
   Rational position(std::size_t output) const;
 
@@ -89,8 +95,8 @@ class LinearSmoother {
   long highest() const { return highest_; }
 
  protected:
-  /// Domain: scale >= 1, reach.first <= reach.second. Errors: throws a size error beyond most_smoothed_values, or as
-  /// ExtendedData.
+  /// Domain: scale >= 1, reach.first <= reach.second; places in order, between the ends. Errors: throws a
+  /// domain error, a size error beyond most_smoothed_values, or as ExtendedData.
   LinearSmoother(const ExtensionRule& rule, DataSites sites, const SmoothingOptions& options, std::size_t scale,
                  std::pair<long, long> reach);
 
@@ -112,7 +118,7 @@ class LinearSmoother {
   double rounded_position(std::size_t output) const;
   /// Whether it stands where the output before it does, as at data that share a position; so their rows are equal.
   bool repeats(std::size_t output) const {
-    return options_.at_data && output > 0 && rounded_position(output) == rounded_position(output - 1);
+    return !options_.on_grid() && output > 0 && rounded_position(output) == rounded_position(output - 1);
   }
 
   const SmoothingOptions& options() const { return options_; }

@@ -107,7 +107,7 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
 }
 
 std::size_t LocalSmoother::stride() const {
-  if (options().path || !options().sparse || method_.weight == LocalWeight::box) return 1;
+  if (options().path || !options().sparse || !options().places.empty() || method_.weight == LocalWeight::box) return 1;
   double points = static_cast<double>(method_.points);
   if (points == 0 && data().uniform()) points = std::min(2 * method_.width, static_cast<double>(most_points));
   const bool robust = method_.robust > 0;
@@ -204,6 +204,44 @@ class LocalSmoother::Rows : public RowMaker<Number> {
 };
 
 SmoothingRow LocalSmoother::row(std::size_t output) const { return Rows<Rational>(*this).row(output); }
+
+std::vector<LocalBasis> LocalSmoother::bases() const {
+  std::vector<LocalBasis> result;
+  LocalWindows::Window window;
+  std::vector<double> nodes, weights;
+  for (std::size_t o = 0; o < outputs(); ++o) {
+    window = windows_.at(rounded_position(o), window);
+    require_fit(window);
+    windows_.nodes_and_factors(window, nodes, weights);
+    LocalBasis& basis = result.emplace_back();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const long index = windows_.index(window.first + i);
+      const double weight = weights[i] * prior_weight<double>(index);
+      if (!(weight > 0)) continue;
+      const Combination<double> datum = data().at<double>(index);
+      basis.data.push_back(datum.terms.empty() ? LocalBasis::outside : datum.terms.front().first);
+      basis.roots.push_back(std::sqrt(weight));
+      nodes[kept] = nodes[i];
+      weights[kept++] = weight;
+    }
+    nodes.resize(kept);
+    weights.resize(kept);
+    regression_fit::for_terms(nodes, weights, method_.degree, 0.0, 0,
+                              [&](double scale, const std::vector<double>& polynomial) {
+                                double norm = 0;
+                                std::vector<double>& values = basis.values.emplace_back(polynomial);
+                                for (std::size_t i = 0; i < kept; ++i) {
+                                  values[i] *= basis.roots[i];
+                                  norm += values[i] * values[i];
+                                }
+                                norm = std::sqrt(norm);
+                                for (double& value : values) value /= norm;
+                                basis.at.push_back(scale * norm);
+                              });
+  }
+  return result;
+}
 
 std::unique_ptr<LinearSmoother::RowMaker<double>> LocalSmoother::row_maker() const {
   return std::make_unique<Rows<double>>(*this);

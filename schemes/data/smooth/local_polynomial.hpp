@@ -17,6 +17,16 @@ std::string to_text(const LocalPolynomial& method);
 bool is_local_specification(std::string_view specification);
 LocalPolynomial make_local_polynomial(std::string_view specification);
 
+/// What a fit at one output is made of: the data of its window with their weights w_i > 0, and polynomials q_k that are
+/// orthonormal with these weights. The value there is the sum of y_i roots[i] values[k][i] at[k].
+struct LocalBasis {
+  static constexpr std::size_t outside = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> data;            ///< numbers of the data, or `outside` for the constant past an end
+  std::vector<double> roots;                ///< of the weights
+  std::vector<std::vector<double>> values;  ///< [k][i] = roots[i] q_k(position of datum i)
+  std::vector<double> at;                   ///< [k] = q_k(position of the output)
+};
+
 /// The fits of local polynomials at the outputs, without robust steps; a derivative is that of the polynomial fitted
 /// there. With Boundary::regression nothing stands past the ends, and fits near them are one-sided.
 class LocalSmoother : public LinearSmoother {
@@ -26,6 +36,8 @@ class LocalSmoother : public LinearSmoother {
   LocalSmoother(const LocalPolynomial& method, DataSites sites, const SmoothingOptions& options);
 
   SmoothingRow row(std::size_t output) const override;
+  /// Of all outputs, without derivatives. Errors: as row().
+  std::vector<LocalBasis> bases() const;
 
   /// The values at the outputs where prior weights are multiplied by `factors`, one for each datum, and in windows that
   /// would leave no fit by themselves. Of methods with robust steps those with windows of more than 128 data are fitted

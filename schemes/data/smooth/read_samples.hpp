@@ -64,6 +64,25 @@ struct NamedSamples : Samples {
 /// for a grid that is not uniform the worst spacing; of one group among several this is its `refused`.
 std::vector<NamedSamples> read_samples(const SampleOptions& options);
 
+/// Positions that somebody names, as a list `1,2.5,7` or in a column of a table.
+class GivenPositions {
+ public:
+  /// Errors: throws a usage error for an empty list.
+  static GivenPositions of_list(const std::string& list);
+  /// The table is read as that of the samples. Errors: throws a data error.
+  static GivenPositions of_file(const SampleOptions& options, const std::string& file);
+
+  /// Written as those of the samples, in their order; of a table the column that has the name of their positions, or
+  /// the first. Errors: throws a usage error, of a table a data error that names the line, for what is neither a number
+  /// nor, where these have dates, such a date.
+  std::vector<double> of(const NamedSamples& samples) const;
+
+ private:
+  SampleOptions options_;
+  std::string text_;                 // of a table
+  std::vector<std::string> listed_;  // else
+};
+
 /// Samples on a uniform grid that are read as they come. The spacing is that of the options or of the first two rows,
 /// which later positions must keep as uniform ones do.
 class SampleStream {

@@ -90,6 +90,7 @@ RobustFit robust_fit(const LocalPolynomial& method, const DataSites& sites, cons
   there.level = there.derivative = 0;
   there.at_data = true;
   there.path = false;
+  there.places.clear();
   const LocalSmoother at_data(method, sites, there);
   std::vector<double> factors(data.size(), 1);
   std::vector<double> fits = at_data.values(data, factors, threads), residuals = scaled_residuals(sites, data, fits);

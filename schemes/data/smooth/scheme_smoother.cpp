@@ -63,6 +63,7 @@ SmoothingKernel::SmoothingKernel(const Mask& mask, const std::optional<LocalRegr
       scale_(numerator(power(Rational(mask.arity()), options.level)).convert_to<std::size_t>()),
       reach_(std::numeric_limits<long>::max(), std::numeric_limits<long>::min()) {
   for (const Rational& value : phi_.values) phi_rounded_.push_back(static_cast<double>(value));
+  if (!options.places.empty()) limit_.emplace(mask, options.derivative);
   for (std::size_t p = 0; p < scale_; ++p) {
     const Rational position = Rational(p) / Rational(scale_);
     const auto [first, last] = reach_of(position);
@@ -109,7 +110,7 @@ SchemeSmoother::SchemeSmoother(std::shared_ptr<const SmoothingKernel> kernel, Da
     : LinearSmoother(kernel->extension(options.boundary), std::move(sites), options, kernel->scale_, kernel->reach_),
       kernel_(std::move(kernel)) {
   require(!options.at_data || data().uniform(),
-          "smoothing: the limit of a scheme is known on a grid alone; at the data need local polynomials");
+          "smoothing: data that stand on no grid are places of their own for schemes");
 }
 
 /// The place of the datum is that of its rule on uniform data; its window, as many data about the same place.
@@ -174,6 +175,7 @@ class SchemeSmoother::Rows : public RowMaker<Number> {
   explicit Rows(const SchemeSmoother& smoother) : smoother_(smoother), kernel_(*smoother.kernel_) {}
 
   RowOf<Number> row(std::size_t output) override {
+    if (kernel_.limit_) return row_at(smoother_.rounded_position(output));
     const auto& phase = kernel_.phases_[output % smoother_.scale()];
     const long whole = kernel_.fine_ * static_cast<long>(output / smoother_.scale());
     make(whole + phase.first, whole + phase.last);
@@ -190,6 +192,26 @@ class SchemeSmoother::Rows : public RowMaker<Number> {
   }
 
  private:
+  /// At the nearest arity-adic number.
+  RowOf<Number> row_at(double position) {
+    const AdicLimit& limit = *kernel_.limit_;
+    const double whole = std::floor(position);
+    const long nearest = std::lround((position - whole) * static_cast<double>(limit.points()));
+    const Rational x = kernel_.fine_ * (Rational(nearest) / Rational(limit.points()) + kernel_.shift_);
+    const long index = floor_index(x * Rational(limit.points()));
+    const long start = kernel_.fine_ * static_cast<long>(whole) + floor_divide(index, limit.points()) - limit.first();
+    const std::vector<Number> phi = limit.values<Number>(modulo(index, limit.points()));
+    std::size_t first = 0, end = phi.size();
+    while (first < end && phi[first] == 0) ++first;
+    while (first < end && phi[end - 1] == 0) --end;
+    make(start - static_cast<long>(end) + 1, start - static_cast<long>(first));
+    const auto factor = static_cast<Number>(kernel_.factor_);
+    parts_.clear();
+    for (std::size_t k = end; k-- > first;)
+      parts_.emplace_back(&data_[static_cast<std::size_t>(start - static_cast<long>(k) - first_)], factor * phi[k]);
+    return smoother_.to_row(parts_);
+  }
+
   /// Makes the data from first to last and forgets those before.
   void make(long first, long last) {
     while (!data_.empty() && first_ < first) {

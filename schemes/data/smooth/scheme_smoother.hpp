@@ -1,6 +1,7 @@
 #pragma once
 /// The limit of a subdivision scheme from data, with its exact variance.
 
+#include "adic_limit.hpp"
 #include "linear_smoother.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
@@ -49,16 +50,18 @@ class SmoothingKernel {
   std::vector<Phase> phases_;
   std::pair<long, long> reach_;             // of the data that the outputs of the spacing 0 combine
   std::vector<std::vector<double>> nodes_;  // of each rule, from its position
+  std::optional<AdicLimit> limit_;          // of outputs at given places
 };
 
 /// The datum i stands at its position + parametrization of the scheme, so that linear data are reproduced. With prior
 /// weights or positions the first refinement fits with them, and those after it do not know them; a weight 0 leaves the
 /// datum out. The datum of level 1 that would stand at the index u of uniform data is fitted at its place to as many
-/// data as its rule has, about the index that has this place.
+/// data as its rule has, about the index that has this place. Outputs at given places are those at the nearest
+/// arity-adic numbers of AdicLimit, 2^-51 spacings away at most.
 class SchemeSmoother : public LinearSmoother {
  public:
   /// Domain and errors: as SmoothingKernel, with a first fit where the sites have weights or positions; as
-  /// LinearSmoother.
+  /// LinearSmoother; uniform data where outputs stand at them.
   SchemeSmoother(const Mask& mask, const DataSites& sites, const SmoothingOptions& options,
                  const std::optional<LocalRegression>& rules = std::nullopt);
   /// With a kernel that was made with the same level and derivative, and with a first fit where these sites need one.

@@ -6,11 +6,13 @@
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/data/formats/table.hpp>
 #include <subcert/schemes/data/l1/l1_refinement.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace subcert::data {
 
@@ -128,10 +130,9 @@ SmoothedSamples finite(SmoothedSamples result) {
   return result;
 }
 
-}  // namespace
-
-SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
-                       int threads) {
+/// Of options whose places are in spacings and in order.
+SmoothedSamples smooth_in_spacings(const Samples& samples, const SmoothingMethod& method,
+                                   const SmoothingOptions& options, int threads) {
   const auto* scheme = std::get_if<DataDependentScheme>(&method);
   const auto* local = std::get_if<LocalPolynomial>(&method);
   const bool linear = !scheme && !(local && local->robust > 0);
@@ -156,6 +157,82 @@ SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, co
   result.method = to_text(method);
   set_positions_of_data(result, samples, options);
   return finite(std::move(result));
+}
+
+/// From its positions in spacings.
+class Range {
+ public:
+  explicit Range(const Samples& samples)
+      : samples_(samples),
+        last_(static_cast<double>(samples.count()) - 1),
+        ends_(samples.uniform() ? samples.given : samples.positions) {
+    if (!ends_.empty()) ends_ = {ends_.front(), ends_.back()};
+    if (ends_.empty())
+      ends_ = {nearest_double(samples.origin), nearest_double(samples.origin + samples.spacing * Rational(last_))};
+    if (!samples.uniform()) last_ = samples.sites().positions.back();
+  }
+  double first() const { return ends_.front(); }
+  double last() const { return ends_.back(); }
+  bool holds(double position) const { return position >= first() && position <= last(); }
+  double in_spacings(double position) const {
+    const double place = samples_.uniform()
+                             ? nearest_double((decimal_value(position) - samples_.origin) / samples_.spacing)
+                             : (position - samples_.positions.front()) / nearest_double(samples_.spacing);
+    return std::clamp(place, 0.0, last_);
+  }
+
+ private:
+  const Samples& samples_;
+  double last_;
+  std::vector<double> ends_;
+};
+
+/// Puts values of the outputs where they belong; NaN elsewhere.
+void spread(std::vector<double>& values, const std::vector<std::size_t>& outputs, std::size_t count) {
+  if (values.empty()) return;
+  std::vector<double> all(count, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t o = 0; o < outputs.size(); ++o) all[outputs[o]] = values[o];
+  values = std::move(all);
+}
+
+SmoothedSamples smooth_at_places(const Samples& samples, const SmoothingMethod& method, SmoothingOptions options,
+                                 int threads) {
+  require(!options.at_data, "smoothing: need values at the data or at given places, got both");
+  const Range range(samples);
+  std::vector<double> places;
+  places.swap(options.places);
+  std::vector<std::size_t> outputs;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    require(std::isfinite(places[i]), "smoothing: need finite places, got {}", places[i]);
+    if (range.holds(places[i])) outputs.push_back(i);
+  }
+  if (outputs.empty())
+    fail(ErrorKind::data, "expected a position between the first datum and the last, {} and {}; found none",
+         shortest_text(range.first()), shortest_text(range.last()));
+  std::ranges::stable_sort(outputs, {}, [&](std::size_t i) { return places[i]; });
+  for (const std::size_t i : outputs) options.places.push_back(range.in_spacings(places[i]));
+  SmoothedSamples result = smooth_in_spacings(samples, method, options, threads);
+  for (SmoothedColumn& column : result.columns) {
+    spread(column.values, outputs, places.size());
+    spread(column.deviations, outputs, places.size());
+  }
+  result.outside = places.size() - outputs.size();
+  result.positions = std::move(places);
+  return result;
+}
+
+}  // namespace
+
+SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
+                       int threads) {
+  if (options.at_data && !samples.uniform() && std::holds_alternative<Scheme>(method)) {
+    SmoothingOptions there = options;
+    there.at_data = false;
+    there.places = samples.positions;
+    return smooth_at_places(samples, method, std::move(there), threads);
+  }
+  return options.places.empty() ? smooth_in_spacings(samples, method, options, threads)
+                                : smooth_at_places(samples, method, options, threads);
 }
 
 SmoothedSamples smoothed_columns(const Samples& samples, const std::vector<NoiseEstimate>& noise,

@@ -46,6 +46,7 @@ struct SmoothedSamples {
   std::vector<double> positions;       ///< of the values, rounded to nearest
   std::vector<SmoothedColumn> columns;
   BandMethod band_method = BandMethod::linear;
+  std::size_t outside = 0;  ///< of given places, those not between the first datum and the last: NaN there
 };
 
 /// Whether positions that are not uniform are taken as they are where nobody says so: by local polynomials, which are
@@ -55,7 +56,7 @@ bool takes_any_positions(std::string_view specification);
 /// Smooths by a method; derivatives are with respect to the positions of the samples. Domain: for data-dependent
 /// schemes as L1Smoother. Errors: throws NoLimit where convergence, or the smoothness that a derivative needs, has no
 /// proof; a domain error that says what needs a linear method; a data error for too few samples; else as the smoothers
-/// and refine(). Cost: as LinearSmoother::apply.
+/// and refine(); a data error where none of given places lies between the ends. Cost: as LinearSmoother::apply.
 SmoothedSamples smooth(const Samples& samples, const SmoothingMethod& method, const SmoothingOptions& options,
                        int threads = 1);
 

@@ -23,6 +23,7 @@ MeshFile mesh_of(GridData<double> data, MeshFormat format, Encoding encoding = E
   return {mesh_of_grid(std::move(data)), {{"x"}, {"y"}, {"z"}}, format, encoding};
 }
 
+Volume read_vtk(std::string_view text, const std::string& file) { return parse_vtk(text, file); }
 GridData<double> grid_of(MeshFile mesh) { return take_grid(mesh); }
 GridData<double> obj_grid(std::string_view text, const std::string& file) { return grid_of(parse_obj(text, file)); }
 GridData<double> ply_grid(std::string_view text, const std::string& file) { return grid_of(parse_ply(text, file)); }
@@ -263,22 +264,35 @@ TEST_CASE("volumes are read and written") {
   CHECK(to_text(vectors).find("VECTORS v double\n1 2 3\n4 5 6\n") != std::string::npos);
 }
 
+TEST_CASE("numbers of volumes may be missing where somebody asks for it") {
+  const std::string text = replaced(vtk, "1 2 3 4 5 6", "1 NaN 3 4 5 6");
+  CHECK(error_of(read_vtk, text).find("a finite number; found 'NaN'") != std::string::npos);
+  Volume volume = parse_vtk(text, "f", true);
+  CHECK(std::isnan(volume.data.values[1]));
+  CHECK(volume.data.values[2] == 3);
+  volume.encoding = Encoding::big_endian;
+  const std::string bytes = to_text(volume);
+  CHECK(error_of(read_vtk, bytes).find("finite numbers") != std::string::npos);
+  CHECK(std::isnan(parse_vtk(bytes, "f", true).data.values[1]));
+  CHECK_THROWS(parse_vtk(replaced(text, "NaN", "inf"), "f", true));
+}
+
 TEST_CASE("damaged volumes are refused with their place") {
-  CHECK(error_of(parse_vtk, "").find("f: expected a legacy VTK file") == 0);
-  CHECK(error_of(parse_vtk, replaced(vtk, "ASCII", "BINARY")) ==
+  CHECK(error_of(read_vtk, "").find("f: expected a legacy VTK file") == 0);
+  CHECK(error_of(read_vtk, replaced(vtk, "ASCII", "BINARY")) ==
         "f: expected 48 bytes of numbers after line 10; found 27");
-  CHECK(error_of(parse_vtk, replaced(vtk, "STRUCTURED_POINTS", "POLYDATA")) ==
+  CHECK(error_of(read_vtk, replaced(vtk, "STRUCTURED_POINTS", "POLYDATA")) ==
         "f, line 4, word 2: expected STRUCTURED_POINTS; found 'POLYDATA'");
-  CHECK(error_of(parse_vtk, replaced(vtk, "DIMENSIONS 3 2 2", "DIMENSIONS 3 2")).find("line 5, word 4") !=
+  CHECK(error_of(read_vtk, replaced(vtk, "DIMENSIONS 3 2 2", "DIMENSIONS 3 2")).find("line 5, word 4") !=
         std::string::npos);
-  CHECK(error_of(parse_vtk, replaced(vtk, "3 2 2", "99999999 99999999 9")).find("at most 100000000 points") !=
+  CHECK(error_of(read_vtk, replaced(vtk, "3 2 2", "99999999 99999999 9")).find("at most 100000000 points") !=
         std::string::npos);
-  CHECK(error_of(parse_vtk, replaced(vtk, "POINT_DATA 12", "POINT_DATA 11")) ==
+  CHECK(error_of(read_vtk, replaced(vtk, "POINT_DATA 12", "POINT_DATA 11")) ==
         "f, line 8, word 2: expected 12 as DIMENSIONS say; found '11'");
-  CHECK(error_of(parse_vtk, replaced(vtk, "11\n12", "11")) == "f: expected 12 values; found 11");
-  CHECK(error_of(parse_vtk, vtk + "13\n") ==
+  CHECK(error_of(read_vtk, replaced(vtk, "11\n12", "11")) == "f: expected 12 values; found 11");
+  CHECK(error_of(read_vtk, vtk + "13\n") ==
         "f, line 14, word 1: expected the end of the file, or another array; found '13'");
-  CHECK(error_of(parse_vtk, replaced(vtk, "7 8", "7 inf")) ==
+  CHECK(error_of(read_vtk, replaced(vtk, "7 8", "7 inf")) ==
         "f, line 12, word 2: expected a finite number; found 'inf'");
 }
 
@@ -404,7 +418,7 @@ TEST_CASE("volumes have many arrays, fields, cells, bytes") {
   CHECK(to_text(back) == bytes);
   std::size_t whole = 0;  // beginnings that end with an array
   for (std::size_t length = 0; length < bytes.size() - 1; ++length)
-    if (error_of(parse_vtk, bytes.substr(0, length)).empty()) ++whole;
+    if (error_of(read_vtk, bytes.substr(0, length)).empty()) ++whole;
   CHECK(whole == 6);
 
   const Volume cells = parse_vtk(
@@ -413,13 +427,13 @@ TEST_CASE("volumes have many arrays, fields, cells, bytes") {
   CHECK(cells.data.axes[1].count == 3);
   CHECK(cells.origin == std::array<double, 3>{0.5, 0.5, 0});
   CHECK(cells.remarks.front() == "CELL_DATA are taken as data at the middles of the cells");
-  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\nFIELD f 1\ns 1 4 string\na\nb\nc\nd\n") ==
+  CHECK(error_of(read_vtk, begin + "POINT_DATA 4\nFIELD f 1\ns 1 4 string\na\nb\nc\nd\n") ==
         "f, line 16, word 4: expected a type of numbers, as unsigned_char, int, float or double; found 'string'");
-  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\nFIELD f 1\na 1 3 int\n1 2 3\n") ==
+  CHECK(error_of(read_vtk, begin + "POINT_DATA 4\nFIELD f 1\na 1 3 int\n1 2 3\n") ==
         "f, line 16, word 3: expected 4, one for each point; found '3'");
   const std::string shorts = replaced(begin, "ascii", "binary").substr(0, begin.find("FIELD") + 1);
   for (const auto& [type, value] : {std::pair("unsigned_short", 65535.0), {"short", -1.0}})
     CHECK(parse_vtk(shorts + "dimensions 1 1 1\nPOINT_DATA 1\nSCALARS a " + type + "\nLOOKUP_TABLE d\n\xff\xff\n", "f")
               .data.values.front() == value);
-  CHECK(error_of(parse_vtk, begin + "POINT_DATA 4\n") == "f: expected an array of POINT_DATA or CELL_DATA; found none");
+  CHECK(error_of(read_vtk, begin + "POINT_DATA 4\n") == "f: expected an array of POINT_DATA or CELL_DATA; found none");
 }

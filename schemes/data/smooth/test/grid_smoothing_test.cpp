@@ -3,7 +3,9 @@
 #include <subcert/schemes/data/refine/refine.hpp>
 #include <subcert/schemes/data/smooth/grid_smoothing.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace subcert;
@@ -195,4 +197,188 @@ TEST_CASE("what does not smooth grids is refused") {
   CHECK_THROWS_AS(smooth_grid(grid, "tensor:(local:points=3)", {}, std::nullopt), Error);
   CHECK_THROWS_AS(smooth_grid(grid, "tensor:(local:points=3", {}, std::nullopt), Error);
   CHECK_THROWS_AS(smooth_grid(grid, "primal:n=2", {Boundary::regression, 0, 1}, std::nullopt), Error);
+}
+
+namespace {
+
+constexpr double hole = std::numeric_limits<double>::quiet_NaN();
+
+/// Numbers on a grid of two axes, one in `every` missing.
+GridData<double> with_holes(std::size_t columns, std::size_t rows, int every, std::mt19937& engine) {
+  GridData<double> grid{random_numbers(columns * rows, engine), 1, {Axis::of(columns), Axis::of(rows)}};
+  for (double& value : grid.values)
+    if (engine() % static_cast<unsigned>(every) == 0) value = hole;
+  return grid;
+}
+
+/// The solution by elimination with pivots, of normal equations.
+std::vector<double> solved(std::vector<std::vector<double>> matrix, std::vector<double> right) {
+  const std::size_t n = right.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t best = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (std::abs(matrix[i][k]) > std::abs(matrix[best][k])) best = i;
+    std::swap(matrix[k], matrix[best]);
+    std::swap(right[k], right[best]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = matrix[i][k] / matrix[k][k];
+      for (std::size_t j = k; j < n; ++j) matrix[i][j] -= factor * matrix[k][j];
+      right[i] -= factor * right[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) right[k] -= matrix[k][j] * right[j];
+    right[k] /= matrix[k][k];
+  }
+  return right;
+}
+
+/// The fit at (x, y) by monomials, tricube weights of this width and the normal equations.
+double fitted(const GridData<double>& grid, double x, double y, int degree, double width) {
+  std::vector<std::vector<double>> matrix;
+  std::vector<double> right;
+  const auto size = static_cast<std::size_t>((degree + 1) * (degree + 1));
+  matrix.assign(size, std::vector<double>(size));
+  right.assign(size, 0);
+  const auto weight = [&](double u) {
+    u = std::abs(u) / width;
+    return u < 1 ? std::pow(1 - u * u * u, 3) : 0;
+  };
+  for (std::size_t j = 0; j < grid.axes[1].count; ++j)
+    for (std::size_t i = 0; i < grid.axes[0].count; ++i) {
+      const double value = grid.values[j * grid.axes[0].count + i];
+      if (std::isnan(value)) continue;
+      const double a = static_cast<double>(i) - x, b = static_cast<double>(j) - y, w = weight(a) * weight(b);
+      std::vector<double> terms;
+      for (int q = 0; q <= degree; ++q)
+        for (int p = 0; p <= degree; ++p) terms.push_back(std::pow(a, p) * std::pow(b, q));
+      for (std::size_t r = 0; r < size; ++r) {
+        right[r] += w * terms[r] * value;
+        for (std::size_t c = 0; c < size; ++c) matrix[r][c] += w * terms[r] * terms[c];
+      }
+    }
+  return solved(matrix, right).front();
+}
+
+double most_apart(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(std::isnan(a[i]) == std::isnan(b[i]));
+    if (!std::isnan(a[i])) most = std::max(most, std::abs(a[i] - b[i]));
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("around missing data a grid has the fits to those that are there") {
+  std::mt19937 engine(11);
+  for (const int degree : {0, 1, 2}) {
+    const GridData<double> grid = with_holes(11, 9, 12, engine);
+    const SmoothedGrid smoothed = smooth_grid(grid, "local:width=4,d=" + std::to_string(degree),
+                                              {Boundary::regression, 1, 0, 0, false, false}, 1.0, 2);
+    CHECK(smoothed.unknown == 0);
+    CHECK(smoothed.missing ==
+          static_cast<std::size_t>(std::ranges::count_if(grid.values, [](double value) { return std::isnan(value); })));
+    std::vector<double> expected;
+    for (int j = 0; j <= 16; ++j)
+      for (int i = 0; i <= 20; ++i) expected.push_back(fitted(grid, i / 2.0, j / 2.0, degree, 4));
+    CHECK(most_apart(smoothed.columns[0].values, expected) < 1e-8);
+  }
+}
+
+TEST_CASE("a line of a grid with missing data is smoothed as rows with missing data are") {
+  std::mt19937 engine(12);
+  std::vector<double> line = random_numbers(40, engine);
+  Samples samples{{line}, std::vector<Rational>(40, 1)};
+  for (const std::size_t i : {3, 9, 10, 22, 39}) {
+    line[i] = hole;
+    samples.weights[i] = 0;
+  }
+  for (const Boundary boundary : {Boundary::regression, Boundary::reflect, Boundary::constant, Boundary::periodic}) {
+    const SmoothingOptions options{boundary, 1, 0, 0.5, false, false};
+    const auto rows = smooth(samples, "local:width=5,d=1", options).columns[0];
+    for (const bool turned : {false, true}) {
+      const GridData<double> grid{line, 1, {Axis::of(turned ? 1 : 40), Axis::of(turned ? 40 : 1)}};
+      const SmoothedGrid along = smooth_grid(grid,
+                                             turned ? "tensor:(local:points=1,d=0)x(local:width=5,d=1)"
+                                                    : "tensor:(local:width=5,d=1)x(local:points=1,d=0)",
+                                             options, std::nullopt);
+      CAPTURE(to_text(boundary), turned);
+      CHECK(most_apart(along.columns[0].values, rows.values) < 1e-12);
+      CHECK(most_apart(along.columns[0].deviations, rows.deviations) < 1e-12);
+      CHECK(along.columns[0].noise->terms == rows.noise->terms);
+      CHECK(std::abs(along.columns[0].noise->degrees_of_freedom - rows.noise->degrees_of_freedom) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("missing data of grids: what is reproduced, what is not known, what stays a hole") {
+  std::mt19937 engine(13);
+  GridData<double> grid = with_holes(24, 20, 9, engine);
+  GridData<double> whole = grid;
+  for (std::size_t i = 0; i < grid.values.size(); ++i) {
+    const double x = static_cast<double>(i % 24), y = static_cast<double>(i / 24);
+    whole.values[i] = 1 + x - 2 * y + 0.25 * x * y;
+    if (!std::isnan(grid.values[i])) grid.values[i] = whole.values[i];
+  }
+  for (std::size_t j = 4; j < 12; ++j)
+    for (std::size_t i = 4; i < 12; ++i) grid.values[j * 24 + i] = hole;
+  SmoothingOptions options{Boundary::regression, 0, 0, 0, true, false};
+  const SmoothedGrid filled = smooth_grid(grid, "local:points=9,d=1", options, 1.0, 2);
+  CHECK(filled.unknown > 1);
+  CHECK(std::isnan(filled.columns[0].values[8 * 24 + 8]));
+  for (std::size_t i = 0; i < grid.values.size(); ++i) {
+    const double value = filled.columns[0].values[i];
+    CHECK(std::isnan(value) == std::isnan(filled.columns[0].deviations[i]));
+    if (!std::isnan(value)) CHECK(std::abs(value - whole.values[i]) < 1e-9);
+    if (!std::isnan(grid.values[i])) CHECK_FALSE(std::isnan(value));
+  }
+  options.keep_holes = true;
+  const SmoothedGrid kept = smooth_grid(grid, "local:points=9,d=1", options, 1.0);
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    CHECK(std::isnan(kept.columns[0].values[i]) == std::isnan(grid.values[i]));
+  options.at_data = false;
+  options.level = 1;
+  const SmoothedGrid finer = smooth_grid(grid, "local:points=9,d=1", options, 1.0);
+  for (std::size_t j = 0; j < 39; ++j)
+    for (std::size_t i = 0; i < 47; ++i) {
+      bool beside = false;
+      for (const std::size_t b : {j / 2, (j + 1) / 2})
+        for (const std::size_t a : {i / 2, (i + 1) / 2}) beside = beside || std::isnan(grid.values[b * 24 + a]);
+      if (beside) CHECK(std::isnan(finer.columns[0].values[j * 47 + i]));
+      if (!beside) CHECK(std::abs(finer.columns[0].values[j * 47 + i] - 1 - i / 2.0 + j - i * j / 16.0) < 1e-9);
+    }
+  CHECK_FAILS(smooth_grid(grid, "primal:n=2", options, 1.0), domain);
+  CHECK_FAILS(smooth_grid(grid, "local:points=9,d=1", SmoothingOptions{}, 1.0), domain);
+  std::ranges::fill(grid.values, hole);
+  CHECK_FAILS(smooth_grid(grid, "local:points=9,d=1", options, 1.0), data);
+}
+
+TEST_CASE("with a tenth of a grid missing the noise is found, and the choice is nearly as good") {
+  std::mt19937 engine(14);
+  GridData<double> whole{random_numbers(70 * 50, engine), 1, {Axis::of(70), Axis::of(50)}}, grid;
+  std::vector<double> truth;
+  for (std::size_t i = 0; i < whole.values.size(); ++i) {
+    truth.push_back(3 * std::sin(static_cast<double>(i % 70) / 9) * std::cos(static_cast<double>(i / 70) / 7));
+    whole.values[i] = truth[i] + 0.5 * whole.values[i];
+  }
+  grid = whole;
+  for (double& value : grid.values)
+    if (engine() % 10 == 0) value = hole;
+  const NoiseEstimate all = estimate_noise(whole)[0], some = estimate_noise(grid)[0];
+  CHECK(some.terms < all.terms);
+  CHECK(some.degrees_of_freedom < all.degrees_of_freedom);
+  CHECK(some.degrees_of_freedom / static_cast<double>(some.terms) >
+        all.degrees_of_freedom / static_cast<double>(all.terms));  // with fewer neighbours
+  CHECK(std::abs(some.variance - 0.25) < 4 * 0.25 * std::sqrt(2 / some.degrees_of_freedom));
+  const auto error = [&](const GridData<double>& data) {
+    const SmoothedGrid smoothed = smooth_grid(data, "", {Boundary::regression, 0, 0, 0, true, false}, std::nullopt, 2);
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) sum += std::pow(smoothed.columns[0].values[i] - truth[i], 2);
+    return std::sqrt(sum / static_cast<double>(truth.size()));
+  };
+  const double without = error(whole), with = error(grid);
+  CHECK(with < 1.2 * without);
 }

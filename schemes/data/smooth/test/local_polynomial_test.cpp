@@ -323,6 +323,57 @@ TEST_CASE("several functions at once are smoothed as one after another") {
     }
 }
 
+TEST_CASE("values at given positions, in any order, are those of the data there, and NaN where there are none") {
+  subcert::testing::Random random;
+  Samples uneven{{{}, {}}}, even{{{}, {}}};
+  std::vector<double> x;
+  for (int i = 0; i < 60; ++i) {
+    x.push_back((i == 0 ? 2 : x.back()) + static_cast<double>(random.integer(i % 7 == 3 ? 0 : 1, 4)) / 4);
+    for (Samples* samples : {&uneven, &even})
+      for (auto& column : samples->columns) column.push_back(static_cast<double>(random.integer(-99, 99)));
+  }
+  uneven.put_at(x);
+  std::vector<double> grid;
+  for (int i = 0; i < 60; ++i) grid.push_back(0.5 + 0.1 * i);
+  for (double& at : grid) at = std::round(at * 10) / 10;
+  even.put_at(grid);
+  for (const Samples& samples : {uneven, even})
+    for (const char* text : {"local:points=9,d=2", "local:points=9,d=1,robust=2", "primal:n=2", "dual:n=3,d=1", "",
+                             "l1:points=6,d=1,iterations=3"})
+      for (const int derivative : {0, 1}) {
+        if (derivative == 1 && std::string(text).starts_with("l1")) continue;
+        CAPTURE(text, derivative, samples.uniform());
+        SmoothingOptions options{Boundary::regression, 2, derivative, 0, true, false};
+        options.sparse = false;
+        const SmoothedSamples at_data = smooth(samples, text, options);
+        options.at_data = false;
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        std::vector<std::size_t> order;
+        for (int k = 0; k < 30; ++k) order.push_back(static_cast<std::size_t>(random.integer(0, 59)));
+        const std::vector<double>& own = samples.uniform() ? samples.given : samples.positions;
+        for (const std::size_t i : order) options.places.push_back(own[i]);
+        options.places[7] = own.front() - 0.25;
+        options.places[9] = own.back() + 0.25;
+        const SmoothedSamples there = smooth(samples, text, options);
+        CHECK(there.positions == options.places);
+        CHECK(there.outside == 2);
+        for (std::size_t c = 0; c < 2; ++c)
+          for (std::size_t k = 0; k < order.size(); ++k) {
+            const bool outside = k == 7 || k == 9;
+            const double value = there.columns[c].values[k];
+            CHECK(std::isnan(value) == outside);
+            if (outside) continue;
+            CHECK(std::abs(value - at_data.columns[c].values[order[k]]) < 1e-9);
+            if (at_data.columns[c].deviations.empty()) continue;
+            CHECK(std::abs(there.columns[c].deviations[k] - at_data.columns[c].deviations[order[k]]) < 1e-9);
+          }
+        options.places = {own.front() - 1, nan};
+        CHECK_FAILS(smooth(samples, text, options), domain);
+        options.places.pop_back();
+        CHECK_FAILS(smooth(samples, text, options), data);
+      }
+}
+
 TEST_CASE("the order of positions") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const PositionOrder rising = order_of({0, 1, 1, 2}), falling = order_of({3, 2, 2, 1}),
@@ -347,6 +398,5 @@ TEST_CASE("local polynomials that do not exist say why") {
   SmoothingOptions at_data;
   at_data.at_data = true;
   Samples scattered_samples{{{1, 2, 3, 4, 5}}, {}, 0, 1, {0, 1, 3, 4, 5}};
-  CHECK_FAILS(smooth(scattered_samples, "primal:n=2", at_data), domain);
   CHECK_FAILS(smooth(scattered_samples, "bspline:degree=3", {}), domain);
 }

@@ -4,6 +4,7 @@
 #include <subcert/schemes/data/smooth/scheme_smoother.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace subcert;
@@ -280,4 +281,93 @@ TEST_CASE("smoothers that do not exist say why") {
   weights[0] = weights[19] = 1;
   const SchemeSmoother gap(scheme.mask.curve(), {20, weights}, {}, scheme.rules);
   CHECK_THROWS_WITH(gap.row(10), contains("a fit of degree 1 needs 2"));
+}
+
+TEST_CASE("the digits of a point give the values of a limit and of its derivatives there") {
+  Random random;
+  for (const auto& [text, orders] : {std::pair{"primal:n=3", 1},
+                                     {"bspline:degree=4", 3},
+                                     {"dd:n=2", 1},
+                                     {"dual:n=2", 1},
+                                     {"ary:a=3,points=5,d=1", 0},
+                                     {"bspline:degree=3,a=4", 2}}) {
+    const Mask mask = make_scheme(text).mask.curve();
+    for (int order = 0; order <= orders; ++order) {
+      CAPTURE(text, order);
+      const int level = 3;
+      const LimitValues known = limit_values(mask, level, order);
+      const AdicLimit limit(mask, order);
+      const long scale = numerator(power(Rational(mask.arity()), level)).convert_to<long>();
+      for (long index = 0; index < scale; ++index) {
+        const auto exact = limit.values<Rational>(index * (limit.points() / scale));
+        const auto rounded = limit.values<double>(index * (limit.points() / scale));
+        for (std::size_t k = 0; k < exact.size(); ++k) {
+          CHECK(exact[k] == known.at(index + scale * (limit.first() + static_cast<long>(k))));
+          CHECK(std::abs(rounded[k] - static_cast<double>(exact[k])) < 1e-13);
+        }
+        for (const long outside : {limit.first() - 1, limit.first() + static_cast<long>(exact.size())})
+          CHECK(known.at(index + scale * outside) == 0);
+      }
+      // All digits: no error grows with them.
+      const long any = random.integer(0, limit.points() - 1);
+      const auto exact = limit.values<Rational>(any);
+      const auto rounded = limit.values<double>(any);
+      Rational sum = 0;
+      for (std::size_t k = 0; k < exact.size(); ++k) {
+        sum += exact[k];
+        CHECK(std::abs(rounded[k] - static_cast<double>(exact[k])) < 1e-12);
+      }
+      CHECK(sum == (order == 0 ? 1 : 0));
+    }
+  }
+  CHECK_FAILS(AdicLimit(make_scheme("dd:n=2").mask.curve(), 0).values<double>(-1), domain);
+}
+
+TEST_CASE("at given places the limit is that of the grid, and polynomials are reproduced between its points") {
+  Random random;
+  std::vector<Rational> weights(14, 1);
+  weights[5] = 0;
+  weights[9] = Rational(1, 3);
+  std::vector<double> uneven;
+  for (int i = 0; i < 14; ++i) uneven.push_back(i == 0 ? 0 : uneven.back() + 0.75 + 0.5 * (i % 2));
+  for (const auto& [text, degree] :
+       {std::pair{"primal:n=3", 1}, {"dual:n=2", 1}, {"primal:n=3,d=3", 3}, {"ary:a=3,points=5,d=1", 1}}) {
+    const Scheme scheme = make_scheme(text);
+    for (const DataSites& sites : {DataSites(14), DataSites(14, weights), DataSites(14, {}, uneven)})
+      for (const Boundary kind : {Boundary::regression, Boundary::reflect, Boundary::constant, Boundary::periodic}) {
+        CAPTURE(text, sites.weights.size(), sites.positions.size(), to_text(kind));
+        SmoothingOptions options{kind, 2, 0};
+        const SchemeSmoother grid(scheme.mask.curve(), sites, options, scheme.rules);
+        for (std::size_t o = 0; o < grid.outputs(); ++o)
+          if (numerator(power(Rational(2), 40)) % denominator(grid.position(o)) == 0)
+            options.places.push_back(static_cast<double>(grid.position(o)));
+        const SchemeSmoother there(scheme.mask.curve(), sites, options, scheme.rules);
+        std::size_t o = 0;
+        for (std::size_t k = 0; k < there.outputs(); ++k) {
+          while (grid.position(o) != there.position(k)) ++o;
+          const SmoothingRow a = grid.row(o), b = there.row(k);
+          CHECK(a.variance == b.variance);
+          CHECK(a.outside == b.outside);
+          for (std::size_t i = 0; i < 14; ++i) {
+            const auto at = [&](const SmoothingRow& row) {
+              return i < row.first || i >= row.first + row.weights.size() ? Rational(0) : row.weights[i - row.first];
+            };
+            CHECK(at(a) == at(b));
+          }
+        }
+      }
+    SmoothingOptions options;
+    for (int k = 0; k < 6; ++k) options.places.push_back(static_cast<double>(random.integer(0, 13 * 1024)) / 1024);
+    std::ranges::sort(options.places);
+    const SchemeSmoother any(scheme.mask.curve(), 14, options);
+    for (std::size_t o = 0; o < any.outputs(); ++o)
+      for (int q = 0; q <= degree; ++q)
+        if (scheme.mask.curve().arity() == 2)
+          CHECK(apply_exactly(any.row(o), polynomial_data(14, q)) == polynomial_at(any.position(o), q));
+  }
+  for (const std::vector<double>& wrong : {std::vector<double>{2, 1}, {-0.5}, {13.25}}) {
+    SmoothingOptions options;
+    options.places = wrong;
+    CHECK_FAILS(SchemeSmoother(make_scheme("dd:n=2").mask.curve(), 14, options), domain);
+  }
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-namespace subcert::sweeps {
+namespace subcert {
 namespace {
 
 std::optional<int> parse_integer(std::string_view text) {
@@ -54,4 +54,4 @@ std::string number_list_text(const std::vector<int>& numbers) {
   return text;
 }
 
-}  // namespace subcert::sweeps
+}  // namespace subcert

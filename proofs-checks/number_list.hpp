@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace subcert::sweeps {
+namespace subcert {
 
 /// Reads integers and ranges A..B with A <= B, separated by commas; gives them in increasing order, each once. Domain:
 /// 0 <= lowest <= highest. Errors: throws ParseError with the subject, the token, its position and what would be right.
@@ -14,4 +14,4 @@ std::vector<int> parse_number_list(const std::string& subject, std::string_view 
 /// The shortest such text, with ranges for three and more neighbours. Domain: increasing.
 std::string number_list_text(const std::vector<int>& numbers);
 
-}  // namespace subcert::sweeps
+}  // namespace subcert

@@ -1,9 +1,8 @@
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
-#include <subcert/proofs-checks/sweeps/number_list.hpp>
+#include <subcert/proofs-checks/number_list.hpp>
 
 using namespace subcert;
-using namespace subcert::sweeps;
 
 TEST_CASE("lists of integers are read, put in order and printed back") {
   const auto read = [](const char* text) { return parse_number_list("--n", text, 0, 100); };

@@ -245,7 +245,7 @@ void add_build(Command& group) {
   command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none")
       .within(0.001, 1e6);
   command.option("--memory", options->memory, "MiB that a search of one answer may hold; 512 if none")
-      .within(1, 1'000'000);
+      .within(16, 1'000'000);
   command.flag("--certificates", options->certificates, "Certificates of the exponents are kept, too");
   add_sweep_arguments(command, *options);
 }

@@ -4,17 +4,17 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <ctime>
 #include <system_error>
-
-extern char** environ;
 
 namespace subcert::runtime {
 namespace {
@@ -43,6 +43,68 @@ class Pipe {
  private:
   std::array<int, 2> ends_{};
 };
+
+/// A file without a name, closed as a pipe is, which is to be read from its beginning.
+class Input {
+ public:
+  explicit Input(const std::string& text) : file_(memfd_create("input", MFD_CLOEXEC)) {
+    for (std::size_t done = 0; file_ >= 0 && done < text.size();) {
+      const ssize_t count = write(file_, text.data() + done, text.size() - done);
+      if (count < 0 && errno != EINTR) throw_error();
+      done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    }
+    if (file_ < 0 || lseek(file_, 0, SEEK_SET) < 0) throw_error();
+  }
+  ~Input() { close(file_); }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+
+  int reader() const { return file_; }
+
+ private:
+  [[noreturn]] static void throw_error() {
+    throw std::system_error(errno, std::generic_category(), "process: cannot keep its input");
+  }
+  int file_;
+};
+
+/// In a new process, which ends with its parent: becomes the program, or tells the parent why not. Between fork and
+/// exec nothing is allocated, as other threads may hold locks.
+[[noreturn]] void become(const char* program, char* const* arguments, const std::array<int, 3>& streams, pid_t parent,
+                         int trouble) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() == parent) {
+    for (int to = 0; to < 3; ++to) dup2(streams[static_cast<std::size_t>(to)], to);
+    execvp(program, arguments);
+    const int reason = errno;
+    static_cast<void>(!write(trouble, &reason, sizeof reason));
+  }
+  _exit(127);
+}
+
+/// How it ended.
+int wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return status;
+}
+
+/// Starts the program. Errors: throws missing_file.
+pid_t started(const std::string& program, const std::vector<std::string>& arguments, const std::array<int, 3>& streams) {
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  Pipe trouble;
+  const pid_t parent = getpid(), child = fork();
+  if (child == 0) become(program.c_str(), argv.data(), streams, parent, trouble.writer());
+  trouble.close_writer();
+  int reason = child < 0 ? errno : 0;
+  while (child > 0 && read(trouble.reader(), &reason, sizeof reason) < 0 && errno == EINTR) continue;
+  if (child > 0 && reason != 0) wait_for(child);
+  if (reason != 0)
+    fail(ErrorKind::missing_file, "{}: cannot be started: {}", program, std::generic_category().message(reason));
+  return child;
+}
 
 /// Processor time of a process that runs.
 double seconds_of(pid_t child) {
@@ -80,28 +142,16 @@ std::filesystem::path own_program() {
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
-ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments, double most_seconds) {
-  Pipe nothing, output, errors;  // where nothing is mounted there is no /dev/null
-  nothing.close_writer();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, nothing.reader(), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output.writer(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, errors.writer(), STDERR_FILENO);
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  const int started = posix_spawnp(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments,
+                       const ProcessSettings& settings) {
+  const Input input(settings.input);
+  Pipe output, errors;
+  const pid_t child = started(program, arguments, {input.reader(), output.writer(), errors.writer()});
   output.close_writer();
   errors.close_writer();
-  if (started != 0)
-    fail(ErrorKind::missing_file, "{}: cannot be started: {}", program, std::generic_category().message(started));
   ProcessEnd end;
-  read_all(child, most_seconds, output, errors, end);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  read_all(child, settings.most_seconds, output, errors, end);
+  const int status = wait_for(child);
   if (WIFSIGNALED(status))
     end.signal = WTERMSIG(status);
   else

@@ -66,7 +66,7 @@ void read_comparison(Expectation& to, const toml::node& node, const Property& pr
 }
 
 Expectation read_expectation(const Property& property, const toml::node& node, const Place& place) {
-  Expectation result{property.name, "", place, "", 0, false, "", std::nullopt, toml_line(property.name, node)};
+  Expectation result{property.name, "", place, "", 0, false, "", std::nullopt, ""};
   if (property.expects == Expects::answer) {
     const auto* value = node.as_boolean();
     if (!value) refuse(node, property);
@@ -86,6 +86,7 @@ Expectation read_expectation(const Property& property, const toml::node& node, c
   } else {
     read_comparison(result, node, property);
   }
+  result.line = toml_line(property.name, node);
   return result;
 }
 

@@ -4,8 +4,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,28 +44,43 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// A file without a name, closed as a pipe is, which is to be read from its beginning.
+/// What a program reads: one end of a connection, whose other end a limit of files or a reader that leaves does not
+/// disturb.
 class Input {
  public:
-  explicit Input(const std::string& text) : file_(memfd_create("input", MFD_CLOEXEC)) {
-    for (std::size_t done = 0; file_ >= 0 && done < text.size();) {
-      const ssize_t count = write(file_, text.data() + done, text.size() - done);
-      if (count < 0 && errno != EINTR) throw_error();
-      done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-    }
-    if (file_ < 0 || lseek(file_, 0, SEEK_SET) < 0) throw_error();
+  explicit Input(const std::string& text) : text_(text) {
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends_.data()) != 0)
+      throw std::system_error(errno, std::generic_category(), "process: cannot make a connection");
   }
-  ~Input() { close(file_); }
+  ~Input() {
+    close_reader();
+    close_writer();
+  }
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
-  int reader() const { return file_; }
+  int reader() const { return ends_[0]; }
+  /// -1 where nothing is left to be sent.
+  int writer() const { return ends_[1]; }
+  void close_reader() { close_end(ends_[0]); }
+  void send_some() {
+    const ssize_t count = sent_ == text_.size() ? 0
+                                                : send(ends_[1], text_.data() + sent_, text_.size() - sent_,
+                                                       MSG_NOSIGNAL | MSG_DONTWAIT);
+    sent_ += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    if (sent_ == text_.size() || (count < 0 && errno != EINTR && errno != EAGAIN)) close_writer();
+  }
 
  private:
-  [[noreturn]] static void throw_error() {
-    throw std::system_error(errno, std::generic_category(), "process: cannot keep its input");
+  static void close_end(int& end) {
+    if (end >= 0) close(end);
+    end = -1;
   }
-  int file_;
+  void close_writer() { close_end(ends_[1]); }
+
+  const std::string& text_;
+  std::size_t sent_ = 0;
+  std::array<int, 2> ends_{};
 };
 
 /// In a new process, which ends with its parent: becomes the program, or tells the parent why not. Between fork and
@@ -122,15 +137,18 @@ bool read_some(int from, std::string& text) {
   return count > 0 || (count < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
-/// Until both ends are closed.
-void read_all(pid_t child, double most_seconds, const Pipe& output, const Pipe& errors, ProcessEnd& end) {
+/// Until both outputs are closed.
+void exchange(pid_t child, double most_seconds, Input& input, const Pipe& output, const Pipe& errors, ProcessEnd& end) {
   constexpr int pause = 500;  // milliseconds between two looks at the clock
-  std::array<pollfd, 2> open{{{output.reader(), POLLIN, 0}, {errors.reader(), POLLIN, 0}}};
+  std::array<pollfd, 3> open{
+      {{output.reader(), POLLIN, 0}, {errors.reader(), POLLIN, 0}, {input.writer(), POLLOUT, 0}}};
   std::array<std::string*, 2> texts{&end.output, &end.errors};
   while (open[0].fd >= 0 || open[1].fd >= 0) {
     if (poll(open.data(), open.size(), pause) < 0 && errno != EINTR) break;
-    for (std::size_t k = 0; k < open.size(); ++k)
+    for (std::size_t k = 0; k < texts.size(); ++k)
       if (open[k].fd >= 0 && open[k].revents != 0 && !read_some(open[k].fd, *texts[k])) open[k].fd = -1;
+    if (open[2].fd >= 0 && open[2].revents != 0) input.send_some();
+    open[2].fd = input.writer();
     if (seconds_of(child) > most_seconds) kill(child, SIGKILL);
   }
 }
@@ -144,13 +162,14 @@ std::filesystem::path own_program() {
 
 ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments,
                        const ProcessSettings& settings) {
-  const Input input(settings.input);
+  Input input(settings.input);
   Pipe output, errors;
   const pid_t child = started(program, arguments, {input.reader(), output.writer(), errors.writer()});
+  input.close_reader();
   output.close_writer();
   errors.close_writer();
   ProcessEnd end;
-  read_all(child, settings.most_seconds, output, errors, end);
+  exchange(child, settings.most_seconds, input, output, errors, end);
   const int status = wait_for(child);
   if (WIFSIGNALED(status))
     end.signal = WTERMSIG(status);

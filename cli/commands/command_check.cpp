@@ -62,8 +62,15 @@ void add_questions(const std::string& file, const std::vector<SchemeOfFile>& sch
     }
     const auto& scheme = std::get<properties::ExpectedScheme>(one);
     for (const properties::Expectation& expectation : scheme.expectations)
-      questions.push_back({{file, expectation.place, scheme.specification, scheme.name, expectation.property,
-                            expectation.expected, false, {}, false},
+      questions.push_back({{file,
+                            expectation.place,
+                            scheme.specification,
+                            scheme.name,
+                            expectation.property,
+                            expectation.expected,
+                            false,
+                            {},
+                            false},
                            &scheme,
                            &expectation});
   }
@@ -128,7 +135,8 @@ bool answer_by_processes(std::vector<Question>& questions, const CheckOptions& o
   const std::vector<std::string> texts = cases_of(questions);
   std::vector<sweeps::SweepCase> cases;
   for (const std::string& text : texts)
-    cases.push_back({fmt::format("check budget {} memory {} of {}", options.limits.budget, options.limits.memory, text)});
+    cases.push_back(
+        {fmt::format("check budget {} memory {} of {}", options.limits.budget, options.limits.memory, text)});
   sweeps::SweepOptions sweep = sweep_options(options, options, "check");
   std::erase_if(questions, [&](const Question& one) {
     return one.answer.unreadable ? sweep.shard.number > 1 : !sweep.shard.contains(one.number);
@@ -163,8 +171,8 @@ bool answer_by_processes(std::vector<Question>& questions, const CheckOptions& o
 
 /// Of each vector or Hermite scheme of which a question about the scheme itself is answered, one that says what is
 /// proved of it.
-WrittenCertificates write_certificates_of_schemes(const std::vector<Question>& questions,
-                                                  const CheckOptions& options, Json& json) {
+WrittenCertificates write_certificates_of_schemes(const std::vector<Question>& questions, const CheckOptions& options,
+                                                  Json& json) {
   if (options.certificate.empty()) return {};
   std::vector<NamedCertificate> certificates;
   std::set<const Scheme*> seen;

@@ -180,10 +180,11 @@ void add_sweep(Command& app) {
                                 [=] { return run(*options); });
   add_schemes_of_sweep(command, options->schemes);
   command
-      .option("--ask", options->ask,
-              fmt::format("Questions separated by commas; regularity if none. A question is one of the commands {}, with "
-                          "settings that change its answer, as 'vertex --valence 3..50' or 'check smoothness >= 1'",
-                          fmt::join(sweeps::SchemeQuestion::commands(), ", ")))
+      .option(
+          "--ask", options->ask,
+          fmt::format("Questions separated by commas; regularity if none. A question is one of the commands {}, with "
+                      "settings that change its answer, as 'vertex --valence 3..50' or 'check smoothness >= 1'",
+                      fmt::join(sweeps::SchemeQuestion::commands(), ", ")))
       .suggest(question_suggestions);
   command.option("--where", options->where, "Only schemes whose keys meet this, as 'n >= 4 and d == 1'");
   command.option("--expect", options->expect, "What the answers should meet, as 'holder > 1.9 and converges == yes'");

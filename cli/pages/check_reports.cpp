@@ -34,9 +34,9 @@ std::string uri(const std::string& file) {
 }  // namespace
 
 Json property_json(const CheckedProperty& one) {
-  return {{"file", one.file},         {"line", one.place.line},    {"scheme", one.specification},
-          {"name", one.name},         {"property", one.property},  {"expected", one.expected},
-          {"holds", one.holds()},     {"found", one.decision.reason}};
+  return {{"file", one.file},     {"line", one.place.line},      {"scheme", one.specification},
+          {"name", one.name},     {"property", one.property},    {"expected", one.expected},
+          {"holds", one.holds()}, {"found", one.decision.reason}};
 }
 
 std::string property_line(const CheckedProperty& one) {
@@ -63,10 +63,10 @@ std::string junit_text(const std::vector<CheckedProperty>& all) {
     const std::string file = html(visible(one.file)), reason = html(visible(one.decision.reason));
     tests += fmt::format("  <testcase classname=\"{0}\" name=\"{1}\" file=\"{0}\" line=\"{2}\"", file,
                          html(visible(one.claim())), one.place.line);
-    tests += one.is(Truth::yes)  ? "/>\n"
-             : one.is(Truth::no) ? fmt::format("><failure message=\"{}\"/></testcase>\n", reason)
-                                 : fmt::format("><error message=\"{}{}\"/></testcase>\n",
-                                               one.error ? "" : "undecided: ", reason);
+    tests += one.is(Truth::yes) ? "/>\n"
+             : one.is(Truth::no)
+                 ? fmt::format("><failure message=\"{}\"/></testcase>\n", reason)
+                 : fmt::format("><error message=\"{}{}\"/></testcase>\n", one.error ? "" : "undecided: ", reason);
   }
   const std::size_t failures = count(all, Truth::no);
   return fmt::format(
@@ -89,7 +89,8 @@ std::string sarif_text(const std::vector<CheckedProperty>& all) {
          {"kind", open ? "open" : "fail"},
          {"level", open ? "none" : "error"},
          {"message", {{"text", visible(one.claim() + (open ? " is undecided: " : ": ") + one.decision.reason)}}},
-         {"locations", {{{"physicalLocation", {{"artifactLocation", {{"uri", uri(one.file)}}}, {"region", region}}}}}}});
+         {"locations",
+          {{{"physicalLocation", {{"artifactLocation", {{"uri", uri(one.file)}}}, {"region", region}}}}}}});
   }
   const Json driver{{"name", "subcert"}, {"version", formats::version()}, {"rules", std::move(rules)}};
   return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},

@@ -180,9 +180,9 @@ TEST_CASE("check: a crash costs its question alone") {
   // it reads the question, crashes on one and notes the others
   const std::string notes = folder / "notes",
                     worker = write_script(folder, "worker",
-                                           "[ $1 = --version ] && exit\nquestion=$(cat)\ncase \"$question\" in "
-                                           "*sum_rules*) kill -SEGV $$ ;; esac\necho x >>" +
-                                               notes + "\necho \"$question\" | " + SUBCERT_PROGRAM + " \"$@\"\n"),
+                                          "[ $1 = --version ] && exit\nquestion=$(cat)\ncase \"$question\" in "
+                                          "*sum_rules*) kill -SEGV $$ ;; esac\necho x >>" +
+                                              notes + "\necho \"$question\" | " + SUBCERT_PROGRAM + " \"$@\"\n"),
                     report = folder / "report.xml", journal = folder / "journal";
   const Run found = run("check " + file + " --worker " + worker + " --junit " + report + " --journal " + journal);
   CHECK(found.code == 2);
@@ -209,7 +209,8 @@ TEST_CASE("check: questions reach the processes whatever they are about") {
   const Folder folder;
   const std::string file = folder.write(
       "file.toml",
-      "[[scheme]]\nname = 'Δ \"1\"'\nmask = \"\"\"\nmask:[1, 3,\n3, 1]/4\"\"\"\nsupport = [-2, '1']\nconvergent = true\n"
+      "[[scheme]]\nname = 'Δ \"1\"'\nmask = \"\"\"\nmask:[1, 3,\n3, 1]/4\"\"\"\nsupport = [-2, '1']\nconvergent = "
+      "true\n"
       "symmetry = \"even\"\n[[scheme]]\nmask = 'four-point:w'\nlevels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'\n"
       "[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\nperiod = [0, 1]\nholder = '>= 1'\n"
       "[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\nfollows = [[0, 1], [1, 0]]\nholder = '>= 1'\n"

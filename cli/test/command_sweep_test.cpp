@@ -61,8 +61,9 @@ TEST_CASE("sweep: a file has a scheme in each line") {
 
 TEST_CASE("sweep: a crash costs its scheme alone") {
   const Folder folder;
-  const std::string worker = write_script(folder, 
-      "worker", std::string("case \"$*\" in *n=2*) kill -SEGV $$ ;; esac\nexec ") + SUBCERT_PROGRAM + " \"$@\"\n");
+  const std::string worker = write_script(
+      folder, "worker",
+      std::string("case \"$*\" in *n=2*) kill -SEGV $$ ;; esac\nexec ") + SUBCERT_PROGRAM + " \"$@\"\n");
   const Run found = run("sweep 'dd:n=1..3' --in-order --worker " + worker);
   CHECK(found.code == 2);
   CHECK(found.out.find("ended by signal 11") != std::string::npos);
@@ -99,11 +100,13 @@ TEST_CASE("sweep: expectations, conditions, and input from elsewhere") {
 TEST_CASE("sweep: commands with settings, and properties") {
   const Run found = run(
       "sweep dd:n=1..3 loop --in-order --ask 'check smoothness >= 1, check reproduces 3,check symmetry "
-      "even,vertex --valence 3,5' --columns scheme,check.smoothness,check.reproduces,check.symmetry,valences.1.valence");
+      "even,vertex --valence 3,5' --columns "
+      "scheme,check.smoothness,check.reproduces,check.symmetry,valences.1.valence");
   CHECK(found.code == 2);
-  CHECK(found.out ==
-        "scheme,check.smoothness,check.reproduces,check.symmetry,valences.1.valence\ndd:n=1,no,no,no,\ndd:n=2,yes,yes,no,"
-        "\ndd:n=3,yes,no,no,\nloop,yes,no,,5\n");
+  CHECK(
+      found.out ==
+      "scheme,check.smoothness,check.reproduces,check.symmetry,valences.1.valence\ndd:n=1,no,no,no,\ndd:n=2,yes,yes,no,"
+      "\ndd:n=3,yes,no,no,\nloop,yes,no,,5\n");
   CHECK(contains(found.err, "4 schemes, 4 with errors, the first: dd:n=1: dd:n=1: has no rules at vertices"));
   CHECK(run("sweep dd:n=2..3 --ask 'check smoothness >= 1' --expect check.smoothness").code == 0);
   CHECK(run("sweep dd:n=1..2 --ask 'check smoothness >= 1' --expect check.smoothness").code == 1);
@@ -125,7 +128,8 @@ TEST_CASE("sweep: commands with settings, and properties") {
 TEST_CASE("sweep: processes end with the program that asked") {
   const Folder folder;
   const std::string number = folder / "number",
-                    worker = write_script(folder, "worker", "[ $1 = --version ] || echo $$ >" + number + "\nexec sleep 100\n");
+                    worker = write_script(folder, "worker",
+                                          "[ $1 = --version ] || echo $$ >" + number + "\nexec sleep 100\n");
   const std::string quiet = write_script(folder, "quiet", "[ $1 = --version ] && exit; exec " + worker + " \"$@\"\n");
   run_command("(" + std::string(SUBCERT_PROGRAM) + " sweep dd:n=1 --worker " + quiet + " >" + (folder / "out") +
               " & parent=$!; while ! [ -s " + number + " ]; do sleep 0.1; done; kill -9 $parent)");

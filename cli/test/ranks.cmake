@@ -1,4 +1,5 @@
-# Sweeps, checks and atlases of SUBCERT under mpirun with RANKS ranks, in two shards, and by one process: the same bytes.
+# Sweeps, checks and atlases of SUBCERT under mpirun with RANKS ranks, in two shards, and by one process: the same
+# bytes.
 if(NOT MPIRUN)
   message("skipped: built without MPI")
   return()

@@ -319,7 +319,8 @@ const Property* find_property(std::string_view name) {
 
 namespace {
 
-Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation, const SearchLimits& limits) {
+Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits) {
   const auto decide = property.decides(scheme);
   if (!decide) fail(ErrorKind::domain, "has_property: need a property of {}, got '{}'", kind_of(scheme), property.name);
   return decide(scheme, expectation, limits);

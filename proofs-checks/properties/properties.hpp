@@ -20,7 +20,7 @@ using subcert::FileError;
 
 /// Of each search.
 struct SearchLimits {
-  double seconds;                               ///< of processor time
+  double seconds;                             ///< of processor time
   std::size_t memory = std::size_t{1} << 30;  ///< bytes that it may hold
 
   /// From now on.
@@ -28,7 +28,8 @@ struct SearchLimits {
 };
 
 /// One property with what is expected. `expected` is what follows the name in messages: `>= 2`, `yes`, `[-2, 2]`;
-/// `line` says both as the file does. Canonical: of relation/number, yes, word and ends exactly what the property needs is present.
+/// `line` says both as the file does. Canonical: of relation/number, yes, word and ends exactly what the property needs
+/// is present.
 struct Expectation {
   std::string property;
   std::string expected;

@@ -59,7 +59,8 @@ Decision property_of(const SchemeLevels& levels, const Property& property, const
   return {answer, by_exponent(followed.limit->exponent.exponent, asked).reason};
 }
 
-Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation, const SearchLimits& limits) {
+Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits) {
   require_levels(property);
   return by_exponent(exponent_of(list.list, limits.budget()).exponent, asked_of(property, expectation));
 }

@@ -22,7 +22,7 @@ struct Setting {
 /// A command that answers about a scheme.
 struct AnsweringCommand {
   std::string name;
-  std::vector<Setting> settings = {};    ///< that change what it answers
+  std::vector<Setting> settings = {};     ///< that change what it answers
   std::vector<std::string> usually = {};  ///< where none is given
   bool has_budget = true, has_memory = false, has_certificate = false;
 };

@@ -31,7 +31,8 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan);
 SweepCase case_of(const SweepPlan& plan, const std::string& scheme);
 
 /// What answered, a scheme's answers beside each other: {"scheme", "keys", "answers": {QUESTION: ...}, "errors":
-/// {QUESTION: text}}. With certificates there is "certificate", the text of one that the checker accepted, where there is one.
+/// {QUESTION: text}}. With certificates there is "certificate", the text of one that the checker accepted, where there
+/// is one.
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program);
 
 /// Lets the program write a certificate of the exponent; whether it did, and the checker accepted it.

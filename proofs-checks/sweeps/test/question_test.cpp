@@ -22,13 +22,14 @@ TEST_CASE("questions: several, with settings and properties") {
 }
 
 TEST_CASE("questions: what is refused, with its place") {
-  for (const auto& [text, position] : std::vector<std::pair<std::string, std::size_t>>{{"", 1},
-                                                                                       {"jsr", 1},
-                                                                                       {"regularity variance", 12},
-                                                                                       {"regularity --certificate x", 12},
-                                                                                       {"limit --level", 14},
-                                                                                       {"check", 6},
-                                                                                       {"check holder1 > 1", 7}}) {
+  for (const auto& [text, position] :
+       std::vector<std::pair<std::string, std::size_t>>{{"", 1},
+                                                        {"jsr", 1},
+                                                        {"regularity variance", 12},
+                                                        {"regularity --certificate x", 12},
+                                                        {"limit --level", 14},
+                                                        {"check", 6},
+                                                        {"check holder1 > 1", 7}}) {
     CAPTURE(text);
     try {
       SchemeQuestion::parse(text);

@@ -64,9 +64,9 @@ class Input {
   int writer() const { return ends_[1]; }
   void close_reader() { close_end(ends_[0]); }
   void send_some() {
-    const ssize_t count = sent_ == text_.size() ? 0
-                                                : send(ends_[1], text_.data() + sent_, text_.size() - sent_,
-                                                       MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t count = sent_ == text_.size()
+                              ? 0
+                              : send(ends_[1], text_.data() + sent_, text_.size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
     sent_ += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
     if (sent_ == text_.size() || (count < 0 && errno != EINTR && errno != EAGAIN)) close_writer();
   }
@@ -105,7 +105,8 @@ int wait_for(pid_t child) {
 }
 
 /// Starts the program. Errors: throws missing_file.
-pid_t started(const std::string& program, const std::vector<std::string>& arguments, const std::array<int, 3>& streams) {
+pid_t started(const std::string& program, const std::vector<std::string>& arguments,
+              const std::array<int, 3>& streams) {
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);

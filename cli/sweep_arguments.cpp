@@ -65,7 +65,7 @@ void add_sweep_arguments(Command& command, SweepArguments& arguments) {
 }
 
 std::string WorkerArguments::answering_program() const {
-  if (worker.empty()) return runtime::own_program().string();
+  if (const std::string self = runtime::own_program(); worker.empty()) return self.empty() ? "subcert" : self;
   runtime::run_process(worker, {"--version"});  // throws where there is none
   return worker;
 }

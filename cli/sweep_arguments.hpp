@@ -29,7 +29,8 @@ void add_sweep_arguments(Command& command, SweepArguments& arguments);
 struct WorkerArguments {
   std::string worker;
 
-  /// That one, or this program. Errors: throws missing_file where it cannot be started.
+  /// That one, or this program, as it is on the PATH where the system does not say which it is. Errors: throws
+  /// missing_file where it cannot be started.
   std::string answering_program() const;
 };
 

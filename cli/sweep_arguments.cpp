@@ -4,6 +4,7 @@
 #include <subcert/proofs-checks/file_error.hpp>
 #include <subcert/proofs-checks/sweeps/ranks.hpp>
 #include <subcert/reports/formats/provenance.hpp>
+#include <subcert/schemes/data/runtime/process.hpp>
 
 #include <filesystem>
 #include <iostream>
@@ -61,6 +62,16 @@ void add_schemes_of_sweep(Command& command, std::vector<std::string>& schemes) {
 void add_sweep_arguments(Command& command, SweepArguments& arguments) {
   command.option("--journal", arguments.journal, "Keep finished cases there and go on from those it has");
   command.option("--shard", arguments.shard, "Only part I of N, as I/N with I from 1 to N; see 'subcert merge'");
+}
+
+std::string WorkerArguments::answering_program() const {
+  if (const std::string self = runtime::own_program(); worker.empty()) return self.empty() ? "subcert" : self;
+  runtime::run_process(worker, {"--version"});  // throws where there is none
+  return worker;
+}
+
+void add_worker(Command& command, WorkerArguments& arguments) {
+  command.option("--worker", arguments.worker, "Another program that answers, called as this one");
 }
 
 sweeps::SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments,

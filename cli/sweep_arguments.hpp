@@ -25,6 +25,17 @@ struct SweepArguments {
 
 void add_sweep_arguments(Command& command, SweepArguments& arguments);
 
+/// --worker, of commands whose cases are answered by processes.
+struct WorkerArguments {
+  std::string worker;
+
+  /// That one, or this program, as it is on the PATH where the system does not say which it is. Errors: throws
+  /// missing_file where it cannot be started.
+  std::string answering_program() const;
+};
+
+void add_worker(Command& command, WorkerArguments& arguments);
+
 /// What run_sweep takes; progress lines begin with `title`. Errors: throws ParseError for a malformed shard, a usage
 /// error where a launcher started several processes that cannot work together.
 sweeps::SweepOptions sweep_options(const CommonOptions& common, const SweepArguments& arguments,

@@ -70,6 +70,34 @@ std::vector<const toml::table*> tables_of(const toml::table& table, const std::s
   return result;
 }
 
+namespace {
+
+std::string toml_value(const toml::node& value) {
+  if (const auto* text = value.as_string()) {
+    std::string quoted = "\"";
+    for (const char c : text->get()) {
+      const auto byte = static_cast<unsigned char>(c);
+      if (byte < 0x20 || byte == 0x7f)
+        quoted += fmt::format("\\u{:04X}", byte);
+      else
+        quoted.append(c == '"' || c == '\\' ? "\\" : "") += c;
+    }
+    return quoted + '"';
+  }
+  if (const auto* integer = value.as_integer()) return std::to_string(integer->get());
+  if (const auto* answer = value.as_boolean()) return answer->get() ? "true" : "false";
+  if (!value.is_array()) throw FileError(place_of(value), "expected a text, an integer, true, false or a list");
+  std::vector<std::string> parts;
+  for (const toml::node& part : *value.as_array()) parts.push_back(toml_value(part));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string toml_line(std::string_view key, const toml::node& value) {
+  return fmt::format("{} = {}\n", key, toml_value(value));
+}
+
 std::string filled(std::string text, const std::map<std::string, std::string>& values) {
   for (const auto& [name, content] : values) {
     const std::string field = "{" + name + "}";

@@ -45,6 +45,10 @@ V verdict_of(const toml::node& node) {
   return verdict_of<V>(node, text_of(node));
 }
 
+/// `key = value` and the end of the line, in which the value is that of the node. Domain: a text, an integer, true or
+/// false, or a list of such. Errors: for others.
+std::string toml_line(std::string_view key, const toml::node& value);
+
 /// The text with {name} replaced by the value of this name; other braces stay.
 std::string filled(std::string text, const std::map<std::string, std::string>& values);
 

@@ -9,6 +9,9 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
 
 namespace subcert {
 Mask bspline_mask(int degree, int arity) {
@@ -45,20 +48,30 @@ Mask pseudo_spline_mask(const Rational& m, int l) {
   return {LaurentPolynomial(2) * smoothing.shifted(-(orders + 1) / 2) * sum, 2};
 }
 
-Mask four_point_mask(const Rational& w) { return classical_families().front().mask.at(w); }
+Mask four_point_mask(const Rational& w) { return classical_families().front().mask().at(w); }
 
 const std::vector<ClassicalFamily>& classical_families() {
   const auto family = [](std::string name, std::string title, std::string example,
-                         const std::vector<const char*>& coefficients, int arity) {
-    std::vector<RationalFunction> functions;
-    for (const char* coefficient : coefficients) functions.push_back(RationalFunction::parse(coefficient, "w"));
-    return ClassicalFamily{std::move(name), std::move(title), std::move(example),
-                           ParametricMask(functions, -static_cast<long>(functions.size() / 2), arity)};
+                         std::vector<std::string> coefficients, int arity) {
+    struct Made {
+      std::once_flag once;
+      std::optional<ParametricMask> mask;
+    };
+    return ClassicalFamily{
+        std::move(name), std::move(title), std::move(example),
+        [coefficients = std::move(coefficients), arity, made = std::make_shared<Made>()]() -> const ParametricMask& {
+          std::call_once(made->once, [&] {
+            std::vector<RationalFunction> functions;
+            for (const std::string& coefficient : coefficients)
+              functions.push_back(RationalFunction::parse(coefficient, "w"));
+            made->mask = ParametricMask(functions, -static_cast<long>(functions.size() / 2), arity);
+          });
+          return *made->mask;
+        }};
   };
   const auto exponential_six_point = [&] {
-    const std::string first = "(1+2*w)*(1+2*w+2*w^2)*(4*w^2+2*w-1)/(32*w^3*(1+w)^2)",
-                      second = "-(1+4*w)*(4*w^2+2*w-1)/(64*w^3*(1+w)^2)", third = "(1+2*w)/(64*w^3*(1+w)^2)";
-    const char *a = first.c_str(), *b = second.c_str(), *c = third.c_str();
+    const std::string a = "(1+2*w)*(1+2*w+2*w^2)*(4*w^2+2*w-1)/(32*w^3*(1+w)^2)",
+                      b = "-(1+4*w)*(4*w^2+2*w-1)/(64*w^3*(1+w)^2)", c = "(1+2*w)/(64*w^3*(1+w)^2)";
     return family("exponential-six-point",
                   "interpolatory 6-point scheme for 1, x, cos(tx) and x cos(tx) with w = cos t", "1/2",
                   {c, "0", b, "0", a, "1", a, "0", b, "0", c}, 2);

@@ -4,6 +4,10 @@
 #include <subcert/analysis/symbol/masks/mask.hpp>
 #include <subcert/analysis/symbol/masks/parametric_mask.hpp>
 
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace subcert {
 
 /// (1 + z + ... + z^(arity-1))^(degree+1) / arity^degree, centred at 0 or -1/2. Domain: degree >= 1, arity >= 2.
@@ -25,8 +29,8 @@ Mask four_point_mask(const Rational& w);
 /// A family of the literature with the parameter w.
 struct ClassicalFamily {
   std::string name, title;
-  std::string example;  ///< a value of w
-  ParametricMask mask;
+  std::string example;                          ///< a value of w
+  std::function<const ParametricMask&()> mask;  ///< made when it is asked for the first time
 };
 
 /// In the order of docs/schemes.md.

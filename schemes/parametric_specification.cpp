@@ -332,7 +332,7 @@ ParametricScheme make_parametric_scheme(std::string_view text) {
         const auto& [read, name, letter] = lettered;
         if (const ClassicalFamily* classical = classical_family(family.text))
           return ParametricScheme{classical->name + ":" + name, classical->title + " " + name, letter, name,
-                                  classical->mask};
+                                  classical->mask()};
         if (const auto form = form_of(family.text)) return make_matrices(*form, family, body, letter, name);
         return family.text == "regression" ? make_regression(family, body, letter, name)
                                            : make_mask(family, body, letter, name);

@@ -99,7 +99,7 @@ Family at_numbers(const ClassicalFamily& family) {
           from_fields([&family](Fields& fields) {
             const Rational w = read_rational(fields.required("w"));
             fields.finish();
-            return Scheme{family.name + ":w=" + to_text(w), family.title + " " + to_text(w), family.mask.at(w)};
+            return Scheme{family.name + ":w=" + to_text(w), family.title + " " + to_text(w), family.mask().at(w)};
           })};
 }
 

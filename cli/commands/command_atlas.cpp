@@ -28,8 +28,13 @@ constexpr std::size_t most_told = 5;  // schemes of a kind
 struct AtlasOptions : CommonOptions {
   std::string file;
 
-  /// Where entries are added.
-  std::filesystem::path own() const { return file.empty() ? atlas::own_atlas() : std::filesystem::path(file); }
+  /// Where entries are added. Errors: throws a usage error where no place is known.
+  std::filesystem::path own() const {
+    if (!file.empty()) return file;
+    const auto own = atlas::own_atlas();
+    if (!own) fail(ErrorKind::usage, "atlas: neither XDG_DATA_HOME nor HOME is set; expected --atlas FILE");
+    return *own;
+  }
 
   /// What is asked: the file that is named, or else the user's own and the one that came with the program.
   atlas::Atlas atlas(bool may_be_missing) const {
@@ -37,7 +42,7 @@ struct AtlasOptions : CommonOptions {
     std::error_code error;
     if (!file.empty() && (!may_be_missing || std::filesystem::exists(file, error))) return atlas::Atlas({file});
     if (!file.empty()) return atlas::Atlas({});
-    if (std::filesystem::exists(own(), error)) files.push_back(own());
+    if (const auto own = atlas::own_atlas(); own && std::filesystem::exists(*own, error)) files.push_back(*own);
     if (const auto shipped = atlas::shipped_atlas()) files.push_back(*shipped);
     if (files.empty() && !may_be_missing)
       fail(ErrorKind::missing_file, "atlas {}: there is no such file; 'subcert atlas build' makes one", own().string());
@@ -245,7 +250,7 @@ void add_build(Command& group) {
   command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none")
       .within(0.001, 1e6);
   command.option("--memory", options->memory, "MiB that a search of one answer may hold; 512 if none")
-      .within(1, 1'000'000);
+      .within(16, 1'000'000);
   command.flag("--certificates", options->certificates, "Certificates of the exponents are kept, too");
   add_sweep_arguments(command, *options);
 }

@@ -1,50 +1,55 @@
 // subcert check FILE...: expected properties of schemes as a gate for continuous integration
 
 #include <subcert/analysis/symbol/support/parallel.hpp>
-#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/checker.hpp>
-#include <subcert/cli/command.hpp>
+#include <subcert/cli/pages/check_reports.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/sweep_arguments.hpp>
 #include <subcert/proofs-checks/properties/properties.hpp>
-#include <subcert/reports/formats/html.hpp>
-#include <subcert/reports/formats/provenance.hpp>
+#include <subcert/proofs-checks/sweeps/question.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
-#include <functional>
 #include <iostream>
-#include <mutex>
+#include <map>
 #include <new>
 #include <set>
-#include <string_view>
 #include <variant>
 
 namespace subcert::cli {
 namespace {
 
-struct CheckOptions : CommonOptions {
+struct CheckOptions : CommonOptions, SweepArguments, WorkerArguments {
   std::vector<std::string> files;
   std::string junit, sarif;
   std::string certificate;
-  double budget = 20;
+  sweeps::AnswerLimits limits{.budget = 20, .memory = 1024};
+  bool in_process = false;
+
+  /// Whether lines are printed as soon as those before them are there.
+  bool at_once() const { return !json && (out.empty() || out == standard_stream); }
 };
 
 using SchemeOfFile = std::variant<properties::ExpectedScheme, FileError>;
 
-/// One property of one scheme of one file, or a scheme of which nothing can be asked.
+/// An expected property; of a scheme that cannot be read, nothing that could be asked.
 struct Question {
-  std::string file;
-  Place place;
-  std::string specification, name, property, expected;
-  std::function<Decision(double seconds)> decide;
-  bool unreadable = false;
-  const Scheme* itself = nullptr;  ///< the vector or Hermite scheme, where the question is about the scheme itself
+  CheckedProperty answer;
+  const properties::ExpectedScheme* scheme = nullptr;
+  const properties::Expectation* expectation = nullptr;
+  std::size_t number = 0;  ///< of the case that answers
 
-  std::string claim() const { return unreadable ? "the scheme" : name + ": " + property + " " + expected; }
+  /// A file that asks this alone.
+  std::string text() const { return scheme->lines + expectation->line; }
+  /// The vector or Hermite scheme, where the question is about the scheme itself, or null.
+  const Scheme* itself() const {
+    const Scheme* single = scheme ? std::get_if<Scheme>(&scheme->scheme) : nullptr;
+    const bool of_itself = answer.property == "HC" || answer.property == "convergent";
+    return of_itself && single && single->form ? single : nullptr;
+  }
 };
 
 /// Domain: the schemes outlive the questions.
@@ -52,19 +57,22 @@ void add_questions(const std::string& file, const std::vector<SchemeOfFile>& sch
                    std::vector<Question>& questions) {
   for (const SchemeOfFile& one : schemes) {
     if (const auto* error = std::get_if<FileError>(&one)) {
-      const auto raise = [error](double) -> Decision { throw Error(ErrorKind::data, error->message); };
-      questions.push_back({file, error->place, "", "", "", "", raise, true});
+      questions.push_back({{file, error->place, "", "", "", "", true, {Truth::unknown, error->message}, true}});
       continue;
     }
     const auto& scheme = std::get<properties::ExpectedScheme>(one);
-    const Scheme* single = std::get_if<Scheme>(&scheme.scheme);
-    for (const properties::Expectation& expectation : scheme.expectations) {
-      const bool of_itself = expectation.property == "HC" || expectation.property == "convergent";
-      questions.push_back({file, expectation.place, scheme.specification, scheme.name, expectation.property,
-                           expectation.expected,
-                           [&](double seconds) { return has_property(scheme, expectation, seconds); }, false,
-                           of_itself && single && single->form ? single : nullptr});
-    }
+    for (const properties::Expectation& expectation : scheme.expectations)
+      questions.push_back({{file,
+                            expectation.place,
+                            scheme.specification,
+                            scheme.name,
+                            expectation.property,
+                            expectation.expected,
+                            false,
+                            {},
+                            false},
+                           &scheme,
+                           &expectation});
   }
 }
 
@@ -76,159 +84,107 @@ std::vector<SchemeOfFile> read_expected(const std::string& file) {
   }
 }
 
-/// The verdict on one question: `error` where it could not be computed, with the message as its reason.
-struct Answer {
-  Decision decision;
-  bool error = false;
-
-  bool is(Truth truth) const { return !error && decision.truth == truth; }
-};
-
 /// An error in one question is the answer to that question alone.
-Answer answer_to(const Question& question, double seconds) {
+void answer_here(Question& question, const sweeps::AnswerLimits& limits) {
+  CheckedProperty& answer = question.answer;
+  if (answer.unreadable) return;
   try {
-    return {question.decide(seconds)};
+    answer.decision = has_property(*question.scheme, *question.expectation, {limits.budget, limits.memory << 20});
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    return {{Truth::unknown, error.what()}, true};
+    answer.decision = {Truth::unknown, error.what()};
+    answer.error = true;
   }
 }
 
-Json answer_json(const Question& question, const Answer& answer) {
-  return {{"file", question.file},
-          {"line", question.place.line},
-          {"scheme", question.specification},
-          {"name", question.name},
-          {"property", question.property},
-          {"expected", question.expected},
-          {"holds", answer.error ? "error" : to_text(answer.decision.truth)},
-          {"found", answer.decision.reason}};
+/// What a process says of a file with one question; a crash is an error of it.
+Json answer_of_process(const std::string& text, const sweeps::AnswerLimits& limits, const std::string& program) {
+  const sweeps::Reply reply = sweeps::reply_to(check_arguments(limits), {text, sweeps::most_seconds(limits.budget)},
+                                               program);
+  if (reply.answer.is_null()) return {{"holds", "error"}, {"found", reply.error}};
+  const Json& one = reply.answer.at("properties").at(0);
+  return {{"holds", one.at("holds")}, {"found", one.at("found")}};
 }
 
-std::string answer_line(const Question& question, const Answer& answer) {
-  const std::string claim = question.claim();
-  const std::string column = question.unreadable ? ":" + std::to_string(question.place.column) : "";
-  const std::string place = question.file + ":" + std::to_string(question.place.line) + column + ": ";
-  if (answer.is(Truth::yes)) return "holds      " + place + claim + "\n";
-  const std::string verdict = answer.error ? "error      " : answer.is(Truth::no) ? "FAILS      " : "undecided  ";
-  return verdict + place + claim + " (" + visible(answer.decision.reason) + ")\n";
+void take(const Json& found, CheckedProperty& answer) {
+  const auto holds = found.is_null() ? "error" : found.at("holds").get<std::string>();
+  answer.error = holds == "error";
+  answer.decision = {holds == "yes"  ? Truth::yes
+                     : holds == "no" ? Truth::no
+                                     : Truth::unknown,
+                     found.is_null() ? "not computed" : found.at("found").get<std::string>()};
 }
 
-/// Prints the lines of answers in the order of the questions, each as soon as those before it are there. Safe to use
-/// from several threads.
-class Lines {
- public:
-  Lines(const std::vector<Question>& questions, const std::vector<Answer>& answers)
-      : questions_(questions), answers_(answers), known_(questions.size(), false) {}
-
-  void finish(std::size_t i) {
-    const std::scoped_lock lock(mutex_);
-    known_[i] = true;
-    const std::size_t before = printed_;
-    for (; printed_ < known_.size() && known_[printed_]; ++printed_)
-      std::cout << answer_line(questions_[printed_], answers_[printed_]);
-    if (printed_ > before) require_output_written();
+/// The texts of the cases: one for the same questions, which get its number.
+std::vector<std::string> cases_of(std::vector<Question>& questions) {
+  std::vector<std::string> texts;
+  std::map<std::string, std::size_t> numbers;
+  for (Question& one : questions) {
+    if (one.answer.unreadable) continue;
+    const auto [at, is_new] = numbers.try_emplace(one.text(), texts.size());
+    one.number = at->second;
+    if (is_new) texts.push_back(at->first);
   }
-
- private:
-  const std::vector<Question>& questions_;
-  const std::vector<Answer>& answers_;
-  std::mutex mutex_;
-  std::vector<bool> known_;
-  std::size_t printed_ = 0;
-};
-
-/// The report of JUnit, which servers of continuous integration show: a test for each question.
-std::string junit_text(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
-  using formats::html;
-  std::string tests;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const std::string file = html(visible(questions[i].file)), reason = html(visible(answers[i].decision.reason));
-    tests += fmt::format("  <testcase classname=\"{0}\" name=\"{1}\" file=\"{0}\" line=\"{2}\"", file,
-                         html(visible(questions[i].claim())), questions[i].place.line);
-    tests += answers[i].is(Truth::yes)  ? "/>\n"
-             : answers[i].is(Truth::no) ? fmt::format("><failure message=\"{}\"/></testcase>\n", reason)
-                                        : fmt::format("><error message=\"{}{}\"/></testcase>\n",
-                                                      answers[i].error ? "" : "undecided: ", reason);
-  }
-  const auto failures = std::ranges::count_if(answers, [](const Answer& answer) { return answer.is(Truth::no); });
-  const auto right = std::ranges::count_if(answers, [](const Answer& answer) { return answer.is(Truth::yes); });
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"subcert check\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}</testsuite>\n",
-      answers.size(), failures, static_cast<long>(answers.size()) - failures - right, tests);
+  return texts;
 }
 
-/// As a reference of a file in a report: what is no letter, digit or one of -._~/ by its bytes.
-std::string uri(const std::string& file) {
-  std::string result = file.starts_with('/') ? "file://" : "";
-  for (const char c : file) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x80 && (std::isalnum(byte) || std::string_view("-._~/").find(c) != std::string_view::npos)
-                  ? std::string(1, c)
-                  : fmt::format("%{:02X}", byte);
-  }
-  return result;
-}
-
-/// The report in SARIF 2.1.0, which servers show at the lines of the file: what does not hold, each with its property.
-std::string sarif_text(const std::vector<Question>& questions, const std::vector<Answer>& answers) {
-  Json rules = Json::array(), results = Json::array();
-  for (const auto& property : properties::known_properties())
-    rules.push_back({{"id", property.name}, {"shortDescription", {{"text", property.meaning}}}});
-  rules.push_back({{"id", "scheme"}, {"shortDescription", {{"text", "can be read, with its properties"}}}});
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const Question& question = questions[i];
-    const Answer& answer = answers[i];
-    if (answer.is(Truth::yes)) continue;
-    const bool open = !answer.error && !answer.is(Truth::no);
-    const Json region{{"startLine", question.place.line}, {"startColumn", std::max(1U, question.place.column)}};
-    results.push_back(
-        {{"ruleId", question.unreadable ? "scheme" : question.property},
-         {"kind", open ? "open" : "fail"},
-         {"level", open ? "none" : "error"},
-         {"message",
-          {{"text", visible(question.claim() + (open ? " is undecided: " : ": ") + answer.decision.reason)}}},
-         {"locations",
-          {{{"physicalLocation", {{"artifactLocation", {{"uri", uri(question.file)}}}, {"region", region}}}}}}});
-  }
-  const Json driver{{"name", "subcert"}, {"version", formats::version()}, {"rules", std::move(rules)}};
-  return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-              {"version", "2.1.0"},
-              {"runs", {{{"tool", {{"driver", driver}}}, {"results", std::move(results)}}}}}
-             .dump(1) +
-         "\n";
-}
-
-/// `\n3 properties: 2 hold, 0 fail, 1 undecided.`
-std::string counts_text(const std::vector<Answer>& answers) {
-  const auto count = [&](Truth truth) {
-    return std::to_string(std::ranges::count_if(answers, [=](const Answer& answer) { return answer.is(truth); }));
+/// A sweep, each case in a process of its own. Of a shard, the questions of other cases are left out. False on ranks
+/// that only work.
+bool answer_by_processes(std::vector<Question>& questions, const CheckOptions& options) {
+  const std::vector<std::string> texts = cases_of(questions);
+  std::vector<sweeps::SweepCase> cases;
+  for (const std::string& text : texts)
+    cases.push_back(
+        {fmt::format("check budget {} memory {} of {}", options.limits.budget, options.limits.memory, text)});
+  sweeps::SweepOptions sweep = sweep_options(options, options, "check");
+  std::erase_if(questions, [&](const Question& one) {
+    return one.answer.unreadable ? sweep.shard.number > 1 : !sweep.shard.contains(one.number);
+  });
+  std::vector<Json> found(cases.size());
+  std::size_t known = 0;
+  // Those before the first of a case that is not known.
+  const auto take_until = [&](std::size_t number) {
+    for (; known < questions.size() && (questions[known].answer.unreadable || questions[known].number < number);
+         ++known) {
+      CheckedProperty& answer = questions[known].answer;
+      if (!answer.unreadable) take(found[questions[known].number], answer);
+      if (!options.at_once()) continue;
+      std::cout << property_line(answer);
+      require_output_written();
+    }
   };
-  const auto errors = std::ranges::count_if(answers, &Answer::error);
-  return "\n" + std::to_string(answers.size()) + (answers.size() == 1 ? " property: " : " properties: ") +
-         count(Truth::yes) + " hold, " + count(Truth::no) + " fail, " + count(Truth::unknown) + " undecided" +
-         (errors == 0 ? "" : ", " + std::to_string(errors) + (errors == 1 ? " error" : " errors")) + ".\n";
+  if (options.at_once()) sweep.progress = {};
+  sweep.in_order = [&](std::size_t i, const Json& answer) {
+    found[i] = answer;
+    take_until(i + 1);
+  };
+  const std::string program = options.answering_program();
+  const bool is_first = run_sweep(
+                            cases, [&](std::size_t i) { return answer_of_process(texts[i], options.limits, program); },
+                            sweep)
+                            .has_value();
+  options.end_progress();
+  if (is_first) take_until(cases.size());
+  return is_first;
 }
 
 /// Of each vector or Hermite scheme of which a question about the scheme itself is answered, one that says what is
 /// proved of it.
-WrittenCertificates write_certificates_of_schemes(const std::vector<Question>& questions,
-                                                  const std::vector<Answer>& answers, const CheckOptions& options,
+WrittenCertificates write_certificates_of_schemes(const std::vector<Question>& questions, const CheckOptions& options,
                                                   Json& json) {
   if (options.certificate.empty()) return {};
   std::vector<NamedCertificate> certificates;
   std::set<const Scheme*> seen;
   std::string missing;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const Scheme* scheme = questions[i].itself;
-    if (!scheme || (!answers[i].is(Truth::yes) && !answers[i].is(Truth::no)) || !seen.insert(scheme).second) continue;
+  for (const Question& one : questions) {
+    const Scheme* scheme = one.itself();
+    if (!scheme || (!one.answer.is(Truth::yes) && !one.answer.is(Truth::no)) || !seen.insert(scheme).second) continue;
     try {
       certificates.push_back({fmt::format("{:05}-scheme", certificates.size() + 1),
-                              scheme_certificate(*scheme, {Deadline::in(options.budget)})});
+                              scheme_certificate(*scheme, {Deadline::in(options.limits.budget)})});
     } catch (const Error& error) {
-      missing += fmt::format("no certificate of {}: {}\n", questions[i].name, reason_text(error));
+      missing += fmt::format("no certificate of {}: {}\n", one.answer.name, reason_text(error));
     }
   }
   WrittenCertificates written = write_certificates(
@@ -244,27 +200,28 @@ ExitCode run(const CheckOptions& options) {
   for (const std::string& file : options.files) files.push_back(read_expected(file));
   std::vector<Question> questions;
   for (std::size_t i = 0; i < files.size(); ++i) add_questions(input_name(options.files[i]), files[i], questions);
-  std::vector<Answer> answers(questions.size());
-  const bool at_once = !options.json && (options.out.empty() || options.out == standard_stream);
-  Lines lines(questions, answers);
-  parallel_tasks(questions.size(), options.threads(), [&](std::size_t i) {
-    answers[i] = answer_to(questions[i], options.budget);
-    if (at_once) lines.finish(i);
-  });
+  if (options.in_process)
+    parallel_tasks(questions.size(), options.threads(),
+                   [&](std::size_t i) { answer_here(questions[i], options.limits); });
+  else if (!answer_by_processes(questions, options))
+    return done;  // the first rank prints
+  std::vector<CheckedProperty> answers;
+  for (const Question& one : questions) answers.push_back(one.answer);
   Json json{{"properties", Json::array()}};
   std::string text;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    json["properties"].push_back(answer_json(questions[i], answers[i]));
-    if (!at_once) text += answer_line(questions[i], answers[i]);
+  for (const CheckedProperty& one : answers) {
+    json["properties"].push_back(property_json(one));
+    if (options.in_process || !options.at_once()) text += property_line(one);
   }
-  if (!options.junit.empty()) runtime::write_file(options.junit, junit_text(questions, answers));
-  if (!options.sarif.empty()) runtime::write_file(options.sarif, sarif_text(questions, answers));
-  const WrittenCertificates written = write_certificates_of_schemes(questions, answers, options, json);
+  if (!options.junit.empty()) runtime::write_file(options.junit, junit_text(answers));
+  if (!options.sarif.empty()) runtime::write_file(options.sarif, sarif_text(answers));
+  const WrittenCertificates written = write_certificates_of_schemes(questions, options, json);
   options.answer(json, text + counts_text(answers) + written.text);
   written.failure.raise();
-  if (std::ranges::any_of(answers, [](const Answer& answer) { return answer.is(Truth::no); })) return failed;
-  if (std::ranges::any_of(questions, &Question::unreadable)) return bad_data;
-  return std::ranges::all_of(answers, [](const Answer& answer) { return answer.is(Truth::yes); }) ? done : undecided;
+  const auto is_one = [&](Truth truth) { return [=](const CheckedProperty& one) { return one.is(truth); }; };
+  if (std::ranges::any_of(answers, is_one(Truth::no))) return failed;
+  if (std::ranges::any_of(answers, &CheckedProperty::unreadable)) return bad_data;
+  return std::ranges::all_of(answers, is_one(Truth::yes)) ? done : undecided;
 }
 
 }  // namespace
@@ -278,9 +235,16 @@ void add_check(Command& app) {
   command.option("--sarif", options->sarif, "Write what does not hold there, too, as a report in SARIF");
   command.option("--certificate", options->certificate,
                  "Write certificates of what is proved of vector and Hermite schemes themselves into this folder");
-  command.option("--budget", options->budget, "Seconds of processor time for each search")
+  command.option("--budget", options->limits.budget, "Seconds of processor time for each search")
       .within(0.001, 1e6)
       .with_default();
+  command.option("--memory", options->limits.memory, "MiB that each search may hold")
+      .within(16, 1 << 20)
+      .with_default();
+  command.flag("--in-process", options->in_process,
+               "No process for each question: faster for many easy ones, but a crash ends all");
+  add_sweep_arguments(command, *options);
+  add_worker(command, *options);
   std::string known;
   for (const auto& property : properties::known_properties())
     known += "\n  " + property.name + " = " + property.values + "\n      " + property.meaning;

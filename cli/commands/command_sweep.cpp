@@ -5,7 +5,6 @@
 #include <subcert/cli/sweep_arguments.hpp>
 #include <subcert/proofs-checks/sweeps/growth.hpp>
 #include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
-#include <subcert/schemes/data/runtime/process.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,14 +15,14 @@
 namespace subcert::cli {
 namespace {
 
-struct SweepCommandOptions : CommonOptions, SweepArguments {
+struct SweepCommandOptions : CommonOptions, SweepArguments, WorkerArguments {
   std::vector<std::string> schemes;
-  std::vector<std::string> ask, columns;
-  std::string where, expect;
+  std::vector<std::string> columns;
+  std::string ask, where, expect;
   std::optional<double> budget;
   std::optional<int> memory;
   bool in_order = false;
-  std::string certificates, worker, fit;
+  std::string certificates, fit;
 };
 
 constexpr std::size_t most_counterexamples = 5;
@@ -31,7 +30,7 @@ constexpr std::size_t most_counterexamples = 5;
 /// The plan that is given, options over what its file says.
 sweeps::SweepPlan plan_of(const SweepCommandOptions& options) {
   sweeps::SweepPlan plan = plan_of_texts(options.schemes, "sweep");
-  if (!options.ask.empty()) plan.ask = options.ask;
+  if (!options.ask.empty()) plan.ask = sweeps::SchemeQuestion::split(options.ask);
   if (!options.columns.empty()) plan.columns = options.columns;
   if (!options.where.empty()) plan.where = options.where;
   if (!options.expect.empty()) plan.expect = options.expect;
@@ -120,14 +119,19 @@ void tell_growths(const SweepCommandOptions& options, const sweeps::Growths& gro
                     to_text(one.first), to_text(one.last), 100 * one.deviation, one.last_power));
 }
 
+std::vector<Suggestion> question_suggestions() {
+  std::vector<Suggestion> result;
+  for (const std::string& name : sweeps::SchemeQuestion::commands()) result.push_back({name, ""});
+  return result;
+}
+
 ExitCode run(const SweepCommandOptions& options) {
   const sweeps::SweepPlan plan = plan_of(options);
   const std::vector<std::string> schemes = schemes_of_plan(plan);
   if (schemes.empty()) fail(ErrorKind::usage, "sweep: no scheme is left; expected schemes for which {}", plan.where);
   std::vector<sweeps::SweepCase> cases;
   for (const std::string& scheme : schemes) cases.push_back(case_of(plan, scheme));
-  if (!options.worker.empty()) runtime::run_process(options.worker, {"--version"});  // throws where there is none
-  const std::string program = options.worker.empty() ? runtime::own_program().string() : options.worker;
+  const std::string program = options.answering_program();
   std::vector<std::string> columns = plan.columns.empty() ? usual_columns(plan.ask) : plan.columns;
   if (plan.columns.empty() && !plan.expect.empty()) columns.emplace_back("expected");
   const SweepLines lines(options.json, columns);
@@ -176,11 +180,12 @@ void add_sweep(Command& app) {
                                 [=] { return run(*options); });
   add_schemes_of_sweep(command, options->schemes);
   command
-      .option("--ask", options->ask,
-              fmt::format("Commands that answer, some of {}; regularity if none",
-                          fmt::join(sweeps::known_questions(), ", ")))
-      .separated_by_commas()
-      .one_of(sweeps::known_questions());
+      .option(
+          "--ask", options->ask,
+          fmt::format("Questions separated by commas; regularity if none. A question is one of the commands {}, with "
+                      "settings that change its answer, as 'vertex --valence 3..50' or 'check smoothness >= 1'",
+                      fmt::join(sweeps::SchemeQuestion::commands(), ", ")))
+      .suggest(question_suggestions);
   command.option("--where", options->where, "Only schemes whose keys meet this, as 'n >= 4 and d == 1'");
   command.option("--expect", options->expect, "What the answers should meet, as 'holder > 1.9 and converges == yes'");
   command.option("--fit", options->fit,
@@ -190,11 +195,11 @@ void add_sweep(Command& app) {
   command.option("--budget", options->budget, "Seconds of processor time for each answer; 10 if none")
       .within(0.001, 1e6);
   command.option("--memory", options->memory, "MiB that a search of one answer may hold; 512 if none")
-      .within(1, 1'000'000);
+      .within(16, 1'000'000);
   command.option("--certificates", options->certificates,
                  "A folder for certificates of the first schemes that are not as expected");
-  command.option("--worker", options->worker, "Another program that answers, called as this one");
   add_sweep_arguments(command, *options);
+  add_worker(command, *options);
 }
 
 }  // namespace subcert::cli

@@ -39,12 +39,22 @@ std::vector<std::string> usual_columns(const std::vector<std::string>& asked) {
       {"analyze", {"sum_rules", "converges", "holder.lower", "holder.upper"}},
       {"variance", {"mean", "sup.lower", "sup.upper", "inf.lower", "inf.upper"}},
       {"limit", {"maximum.lower", "maximum.upper", "minimum.lower", "minimum.upper"}},
-      {"mask", {"arity", "first_index"}}};
+      {"mask", {"arity", "first_index"}},
+      {"vertex", {"regular_c1.verdict", "all"}},
+      {"levels", {"summary"}},
+      {"range", {"summary"}},
+      {"curve", {"sum_rules"}},
+      {"l1", {"converges", "unique", "lipschitz"}}};
   std::vector<std::string> columns = {"scheme"};
-  for (const auto& [command, members] : of_commands)
-    if (std::ranges::find(asked, command) != asked.end())
-      for (const std::string& member : members)
-        if (std::ranges::find(columns, member) == columns.end()) columns.push_back(member);
+  const auto add = [&](const std::string& member) {
+    if (std::ranges::find(columns, member) == columns.end()) columns.push_back(member);
+  };
+  for (const std::string& question : asked) {
+    const std::string command = question.substr(0, question.find(' '));
+    for (const auto& [name, members] : of_commands)
+      if (name == command) std::ranges::for_each(members, add);
+    for (const std::string& member : sweeps::SchemeQuestion::parse(question).members()) add(member);
+  }
   columns.emplace_back("errors");
   return columns;
 }

@@ -24,7 +24,7 @@ class SweepLines {
   std::vector<std::string> columns_;
 };
 
-/// The columns of a table of answers to these commands.
+/// The columns of a table of answers to these questions.
 std::vector<std::string> usual_columns(const std::vector<std::string>& asked);
 
 }  // namespace subcert::cli

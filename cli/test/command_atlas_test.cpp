@@ -75,6 +75,26 @@ TEST_CASE("atlas: built by a plan, continued, asked") {
   CHECK(run("atlas query interpolatory --atlas " + (atlas.folder / "none")).code == 66);
 }
 
+TEST_CASE("atlas: the one that came with the program") {
+  const Folder folder;
+  const std::string shipped = folder / "share/subcert/atlas.sqlite", program = folder / "bin/subcert";
+  CHECK(run("atlas build chaikin --atlas " + shipped).code == 0);
+  std::filesystem::create_directories(folder / "bin");
+  std::filesystem::copy_file(SUBCERT_PROGRAM, program);
+  const std::string before = content(shipped);
+  const Run found = run_command("env -i " + program + " atlas bspline:degree=2 --no-add");
+  CHECK(found.code == 0);
+  CHECK(contains(found.out, "\nmask                 mask:[1,3,3,1]/4@0\n"));
+  CHECK(contains(run_command("env -i " + program + " atlas query 'arity == 2'").err, "1 of 1 entries"));
+  // what it has not is added to the user's own
+  CHECK(contains(run_command("env -i " + program + " atlas dd:n=2").err, "neither XDG_DATA_HOME nor HOME is set"));
+  const std::string own = "env XDG_DATA_HOME=" + (folder / "data ") + program;
+  CHECK(run_command(own + " atlas dd:n=2").code == 0);
+  CHECK(contains(run_command(own + " atlas query 'arity == 2'").err, "2 of 2 entries"));
+  CHECK(std::filesystem::exists(folder / "data/subcert/atlas.sqlite"));
+  CHECK(content(shipped) == before);
+}
+
 TEST_CASE("atlas: shards, joined, are the whole") {
   const Atlas atlas;
   const std::string schemes = "build 'masks:length=2..4,numerators=5,denominator=4'", all = "query 'arity == 2'";

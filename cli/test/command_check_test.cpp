@@ -171,6 +171,59 @@ TEST_CASE("lines are there before the last question is answered") {
   CHECK(first.out == "holds      " + file + ":3: dd:n=2: reproduces 3\n");
 }
 
+TEST_CASE("check: a crash costs its question alone") {
+  const Folder folder;
+  const std::string file = folder.write("file.toml",
+                                        "[[scheme]]\nmask = 'dd:n=2'\nreproduces = 3\nsum_rules = 4\n"
+                                        "[[scheme]]\nmask = 'dd:n=3'\nreproduces = 5\n"
+                                        "[[scheme]]\nname = 'again'\nmask = 'dd:n=3'\nreproduces = 5\n");
+  // it reads the question, crashes on one and notes the others
+  const std::string notes = folder / "notes",
+                    worker = write_script(folder, "worker",
+                                          "[ $1 = --version ] && exit\nquestion=$(cat)\ncase \"$question\" in "
+                                          "*sum_rules*) kill -SEGV $$ ;; esac\necho x >>" +
+                                              notes + "\necho \"$question\" | " + SUBCERT_PROGRAM + " \"$@\"\n"),
+                    report = folder / "report.xml", journal = folder / "journal";
+  const Run found = run("check " + file + " --worker " + worker + " --junit " + report + " --journal " + journal);
+  CHECK(found.code == 2);
+  CHECK(found.out == "holds      " + file + ":3: dd:n=2: reproduces 3\nerror      " + file +
+                         ":4: dd:n=2: sum_rules 4 (ended by signal 11)\nholds      " + file +
+                         ":7: dd:n=3: reproduces 5\nholds      " + file +
+                         ":11: again: reproduces 5\n\n4 properties: 3 hold, 0 fail, 0 undecided, 1 error.\n");
+  CHECK(contains(content(report), "<error message=\"ended by signal 11\"/>"));
+  CHECK(content(notes) == "x\nx\n");  // the same question is asked once
+  // what is in the journal is not asked again; two shards are the whole
+  CHECK(run("check " + file + " --worker /bin/false --journal " + journal).out == found.out);
+  CHECK(content(notes) == "x\nx\n");
+  CHECK(contains(run("check " + file + " --shard 1/2").out, "\n\n3 properties: 3 hold, "));
+  CHECK(contains(run("check " + file + " --shard 2/2").out, "\n\n1 property: 1 hold, "));
+  CHECK(run("check " + file + " --worker " + (folder / "none")).code == 66);
+  // without processes the same
+  const Run processes = run("check " + file), alone = run("check " + file + " --in-process");
+  CHECK(processes.code == 0);
+  CHECK(alone.code == 0);
+  CHECK(alone.out == processes.out);
+}
+
+TEST_CASE("check: questions reach the processes whatever they are about") {
+  const Folder folder;
+  const std::string file = folder.write(
+      "file.toml",
+      "[[scheme]]\nname = 'Δ \"1\"'\nmask = \"\"\"\nmask:[1, 3,\n3, 1]/4\"\"\"\nsupport = [-2, '1']\nconvergent = "
+      "true\n"
+      "symmetry = \"even\"\n[[scheme]]\nmask = 'four-point:w'\nlevels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'\n"
+      "[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\nperiod = [0, 1]\nholder = '>= 1'\n"
+      "[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\nfollows = [[0, 1], [1, 0]]\nholder = '>= 1'\n"
+      "[[scheme]]\nmask = 'conic-four-point:v'\nlevels = '9/20 <= v <= 1000'\nrecurrence = 'v=sqrt((1+v)/2)'\n"
+      "start = '1/4 <= v0 <= 1000'\nholder = '>= 2'\n[[scheme]]\nmask = 'four-point:w'\nfor = '0.001 <= w < "
+      "0.1927'\nsmoothness = '>= 1'\n");
+  const Run found = run("check " + file);
+  CHECK(found.code == 0);
+  CHECK(contains(found.out, ":6: Δ \"1\": support [-2, 1]\n"));
+  CHECK(contains(found.out, "\n\n8 properties: 8 hold, 0 fail, 0 undecided.\n"));
+  CHECK(run("check " + file + " --in-process").out == found.out);
+}
+
 TEST_CASE("answers as a report of JUnit") {
   const Folder folder;
   const std::string file = folder.write("file.toml",

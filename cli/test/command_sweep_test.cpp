@@ -1,7 +1,6 @@
 #include "program.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -62,10 +61,9 @@ TEST_CASE("sweep: a file has a scheme in each line") {
 
 TEST_CASE("sweep: a crash costs its scheme alone") {
   const Folder folder;
-  const std::string worker = folder.write(
-      "worker",
-      std::string("#!/bin/sh\ncase \"$*\" in *n=2*) kill -SEGV $$ ;; esac\nexec ") + SUBCERT_PROGRAM + " \"$@\"\n");
-  std::filesystem::permissions(worker, std::filesystem::perms::owner_all);
+  const std::string worker = write_script(
+      folder, "worker",
+      std::string("case \"$*\" in *n=2*) kill -SEGV $$ ;; esac\nexec ") + SUBCERT_PROGRAM + " \"$@\"\n");
   const Run found = run("sweep 'dd:n=1..3' --in-order --worker " + worker);
   CHECK(found.code == 2);
   CHECK(found.out.find("ended by signal 11") != std::string::npos);
@@ -97,4 +95,44 @@ TEST_CASE("sweep: expectations, conditions, and input from elsewhere") {
   CHECK(run("sweep 'primal:n=3..1'").code == 64);
   CHECK(run("sweep dd:n=1 --where 'n >= 4'").code == 64);
   CHECK(run("sweep nosuch:3").code == 2);
+}
+
+TEST_CASE("sweep: commands with settings, and properties") {
+  const Run found = run(
+      "sweep dd:n=1..3 loop --in-order --ask 'check smoothness >= 1, check reproduces 3,check symmetry "
+      "even,vertex --valence 3,5' --columns "
+      "scheme,check.smoothness,check.reproduces,check.symmetry,valences.1.valence");
+  CHECK(found.code == 2);
+  CHECK(
+      found.out ==
+      "scheme,check.smoothness,check.reproduces,check.symmetry,valences.1.valence\ndd:n=1,no,no,no,\ndd:n=2,yes,yes,no,"
+      "\ndd:n=3,yes,no,no,\nloop,yes,no,,5\n");
+  CHECK(contains(found.err, "4 schemes, 4 with errors, the first: dd:n=1: dd:n=1: has no rules at vertices"));
+  CHECK(run("sweep dd:n=2..3 --ask 'check smoothness >= 1' --expect check.smoothness").code == 0);
+  CHECK(run("sweep dd:n=1..2 --ask 'check smoothness >= 1' --expect check.smoothness").code == 1);
+  // undecided is open
+  CHECK(run("sweep primal:n=20,d=5 --ask 'check holder >= 4' --budget 0.001 --expect check.holder").code == 2);
+  CHECK(contains(run("sweep four-point:w --ask 'levels --over w=1/1000..19/100 --property C1' --in-order").out,
+                 "four-point:w,\"C1 for every sequence of w from 1/1000 to 19/100"));
+  for (const auto& [ask, message] : std::vector<std::pair<std::string, std::string>>{
+           {"vertx", "position 1: 'vertx'; expected one of regularity, "},
+           {"check", "position 6: ''; expected a property, one of convergent, "},
+           {"mask --out x", "position 6: '--out'; expected no more"},
+           {"vertex --valence", "position 17: ''; expected the value of --valence"}}) {
+    const Run refused = run("sweep loop --ask '" + ask + "'");
+    CHECK(refused.code == 64);
+    CHECK(contains(refused.err, message));
+  }
+}
+
+TEST_CASE("sweep: processes end with the program that asked") {
+  const Folder folder;
+  const std::string number = folder / "number",
+                    worker = write_script(folder, "worker",
+                                          "[ $1 = --version ] || echo $$ >" + number + "\nexec sleep 100\n");
+  const std::string quiet = write_script(folder, "quiet", "[ $1 = --version ] && exit; exec " + worker + " \"$@\"\n");
+  run_command("(" + std::string(SUBCERT_PROGRAM) + " sweep dd:n=1 --worker " + quiet + " >" + (folder / "out") +
+              " & parent=$!; while ! [ -s " + number + " ]; do sleep 0.1; done; kill -9 $parent)");
+  const std::string alive = "kill -0 $(cat " + number + ")";
+  CHECK(run_command("for i in 1 2 3 4 5 6 7 8 9; do " + alive + " || exit 0; sleep 0.2; done; exit 1").code == 0);
 }

@@ -16,8 +16,11 @@ from pathlib import Path
 program, wanted = sys.argv[1], int(sys.argv[2])
 seed = int(sys.argv[3]) if len(sys.argv) > 3 else random.randrange(10**9)
 chance = random.Random(seed)
-SWEEPS = [("7", "--n", "1..9", "--d", "1,3,5"), ("8", "--n", "1..8", "--d", "1,3,5"),
-          ("7", "--n", "2..9", "--d", "1", "--json")]
+SWEEPS = [("conjecture", "7", "--n", "1..9", "--d", "1,3,5"), ("conjecture", "8", "--n", "1..8", "--d", "1,3,5"),
+          ("conjecture", "7", "--n", "2..9", "--d", "1", "--json"),
+          ("sweep", "masks:length=2..4,numerators=3,denominator=2", "--ask", "regularity,check stable", "--in-order",
+           "--quiet"),
+          ("check", str(Path(__file__).parents[2] / "docs" / "examples" / "properties.toml"))]
 kills = ended = 0
 print("seed", seed, flush=True)
 
@@ -77,7 +80,7 @@ def merge_to_the_end(parts, whole):
 def undisturbed(command, folder):
     journal = folder / "undisturbed"
     begin = time.monotonic()
-    done = subprocess.run([program, "conjecture", *command, "--journal", journal, "--jobs", "1"], capture_output=True,
+    done = subprocess.run([program, *command, "--journal", journal, "--jobs", "1"], capture_output=True,
                           check=True)
     return done.stdout, lines_of(journal), time.monotonic() - begin
 
@@ -93,7 +96,7 @@ with tempfile.TemporaryDirectory() as name:
         if sweep not in expected:
             expected[sweep] = undisturbed(sweep, folder)
         printed, lines, seconds = expected[sweep]
-        command, whole = ["conjecture", *sweep], folder / "whole"
+        command, whole = list(sweep), folder / "whole"
         if chance.random() < 0.3:
             parts = [folder / "one", folder / "two"]
             for i, part in enumerate(parts, 1):

@@ -24,7 +24,7 @@ MAP = "map mask:[-w,0,1/2+w,1,1/2+w,0,-w] --over w=0..1/5 --over t=0..1 --proper
 COMMANDS = [
     ("mask primal:n=2", ["--out"]), ("completion bash", ["--out"]), ("limit primal:n=1 --level 2", ["--out"]),
     ("variance primal:n=1", ["--out"]), ("theorem list", ["--out"]), ("statements list", ["--out"]),
-    ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit", "--sarif"]),
+    ("statements check dyn-2015/eq-2", ["--out", "--page"]), ("check properties.toml", ["--out", "--junit", "--sarif", "--journal"]),
     ("conjecture 7 --n 1..2 --d 1", ["--out", "--journal"]),
     ("sweep primal:n=1..2", ["--out", "--journal"]), ("merge journal", ["--out"]),
     ("atlas primal:n=1 --atlas made.sqlite", ["--out", "--certificate"]),

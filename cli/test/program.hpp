@@ -27,6 +27,13 @@ Run run_command(const std::string& command);
 /// Runs the program with these arguments.
 inline Run run(const std::string& arguments) { return run_command(std::string(SUBCERT_PROGRAM) + " " + arguments); }
 
+/// Writes a script of the shell that can be run; its path.
+inline std::string write_script(const Folder& folder, const std::string& name, const std::string& text) {
+  const std::string path = folder.write(name, "#!/bin/sh\n" + text);
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  return path;
+}
+
 /// The lines of a page of facts, those that go on in the next line as one.
 inline std::string joined(const std::string& page) {
   return std::regex_replace(page, std::regex("\n {13}(?=[^ ])"), " ");

@@ -1,4 +1,5 @@
-# Sweeps and atlases of SUBCERT under mpirun with RANKS ranks, in two shards, and by one process: the same bytes.
+# Sweeps, checks and atlases of SUBCERT under mpirun with RANKS ranks, in two shards, and by one process: the same
+# bytes.
 if(NOT MPIRUN)
   message("skipped: built without MPI")
   return()
@@ -23,6 +24,11 @@ endforeach()
 run(out 0 "${SUBCERT}" merge "${WORK}/1.journal" "${WORK}/2.journal" --out "${WORK}/whole.journal")
 run(out 0 ${sweep} --worker /bin/false --journal "${WORK}/whole.journal" --out "${WORK}/shards.csv")
 require_same("${WORK}/alone.csv" "${WORK}/shards.csv")
+
+set(check "${SUBCERT}" check "${CMAKE_CURRENT_LIST_DIR}/../../docs/examples/properties.toml")
+run(out 0 ${check} --out "${WORK}/alone.txt")
+run(out 0 ${mpirun} ${check} --out "${WORK}/ranks.txt")
+require_same("${WORK}/alone.txt" "${WORK}/ranks.txt")
 
 set(query "arity == 2" --json --quiet)
 run(out 0 "${SUBCERT}" atlas build ${schemes} --atlas "${WORK}/alone.sqlite")

@@ -43,6 +43,11 @@ check "[-1,0,9,16,9,0,-1]/16@-3" subcert mask four-point:w=1/16
 check "exponent     1.9901439593863" subcert regularity primal:n=5 --certificate /tmp/s5.cert
 check "6,1" subcert refine chaikin /elsewhere/docs/tutorials/points.csv --levels 0
 check VERIFIED subcert verify /tmp/s5.cert
+if [ -s "$build/atlas.sqlite" ]; then
+  check "mask                 mask:[1,3,3,1]/4@0" subcert atlas chaikin --no-add
+else
+  echo "the build has no atlas"
+fi
 check "usage: subcert-check" subcert-check --help
 awk 'BEGIN { srand(1); for (i = 0; i < 200; i++) print sin(i / 20) + rand() / 5 }' >"$work/root/tmp/data.csv"
 check "x,column 1,column 1_sd,column 1_lower,column 1_upper" subcert smooth /tmp/data.csv --x none

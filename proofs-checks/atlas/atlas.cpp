@@ -59,11 +59,11 @@ void enter(Database& database, const Json& entry, const Json& answers, const std
 
 }  // namespace
 
-std::filesystem::path own_atlas() {
+std::optional<std::filesystem::path> own_atlas() {
   const char* data = std::getenv("XDG_DATA_HOME");
   if (data && *data) return std::filesystem::path(data) / "subcert" / file_name;
   const char* home = std::getenv("HOME");
-  if (!home || !*home) fail(ErrorKind::usage, "atlas: neither XDG_DATA_HOME nor HOME is set; expected --atlas FILE");
+  if (!home || !*home) return std::nullopt;
   return std::filesystem::path(home) / ".local" / "share" / "subcert" / file_name;
 }
 

@@ -13,9 +13,9 @@
 
 namespace subcert::atlas {
 
-/// Where a user's own atlas is: subcert/atlas.sqlite in XDG_DATA_HOME, or else in ~/.local/share. Errors: throws a
-/// usage error where neither that nor HOME is set.
-std::filesystem::path own_atlas();
+/// Where a user's own atlas is: subcert/atlas.sqlite in XDG_DATA_HOME, or else in ~/.local/share; nothing where neither
+/// that nor HOME is set.
+std::optional<std::filesystem::path> own_atlas();
 
 /// The one that came with the program: in the folder of the program, or in ../share/subcert; nothing where there is
 /// none.

@@ -31,8 +31,9 @@ Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation
 
 /// Of masks that change from level to level. Domain: property.of_levels().
 Decision property_of(const SchemeLevels& levels, const Property& property, const Expectation& expectation,
-                     double seconds);
-Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation, double seconds);
+                     const SearchLimits& limits);
+Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits);
 
 /// Whether limits of surfaces are C^k. An exponent above k says yes and one below it no; one that is k says neither.
 Decision smoothness(const MultivariateRegularity& regularity, const Expectation& expectation);

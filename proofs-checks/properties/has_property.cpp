@@ -31,51 +31,51 @@ Decision matches(const Decision& found, bool expected) {
 }
 
 /// By contraction, or by the exponent.
-Decision convergence_of(const Mask& mask, double seconds) {
-  Decision decision = converges(mask, {levels, Deadline::in(seconds)});
+Decision convergence_of(const Mask& mask, const SearchLimits& limits) {
+  Decision decision = converges(mask, {levels, limits.budget().deadline});
   if (decision.truth != Truth::unknown) return decision;
-  return holder_regularity(mask, levels, {Deadline::in(seconds)}).converges;
+  return holder_regularity(mask, levels, limits.budget()).converges;
 }
 
 Decision rounded_coefficients() { return {Truth::unknown, "the coefficients are rounded"}; }
 
 /// For all masks that are meant.
-Regularity regularity_of(const Scheme& scheme, double seconds) {
-  return subcert::regularity_of(scheme.mask, {Deadline::in(seconds)}, of_scheme(scheme, {.levels = levels}));
+Regularity regularity_of(const Scheme& scheme, const SearchLimits& limits) {
+  return subcert::regularity_of(scheme.mask, limits.budget(), of_scheme(scheme, {.levels = levels}));
 }
 
-Decision convergent(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  if (!scheme.rounding) return matches(convergence_of(scheme.mask.curve(), seconds), expectation.yes);
-  const bool converges = *regularity_of(scheme, seconds).curve->exponent.lower > 0;
+Decision convergent(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  if (!scheme.rounding) return matches(convergence_of(scheme.mask.curve(), limits), expectation.yes);
+  const bool converges = *regularity_of(scheme, limits).curve->exponent.lower > 0;
   return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
                  expectation.yes);
 }
 
-Decision smoothness(const Scheme& scheme, const Expectation& expectation, double seconds) {
+Decision smoothness(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   const Mask& mask = scheme.mask.curve();
   if (scheme.rounding) {
-    const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
+    const HolderRegularity regularity = *regularity_of(scheme, limits).curve;
     if (*regularity.exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
     return {has_derivatives(regularity, expectation.number),
             lies_in("the Hoelder exponent", regularity.exponent, expectation.number)};
   }
-  const Decision convergence = converges(mask, {levels, Deadline::in(seconds)});
+  const Decision convergence = converges(mask, {levels, limits.budget().deadline});
   if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
-  const SmoothnessProof proof = proved_smoothness(mask, {levels, Deadline::in(seconds)});
+  const SmoothnessProof proof = proved_smoothness(mask, {levels, limits.budget().deadline});
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
   if (!is_affine(mask)) return {Truth::unknown, proof.obstacle};
-  const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
+  const HolderRegularity regularity = *regularity_of(scheme, limits).curve;
   const std::string found = lies_in("the Hoelder exponent", regularity.exponent, expectation.number);
   const Truth smooth = has_derivatives(regularity, expectation.number);
   if (smooth != Truth::unknown) return {smooth, found};
   return {Truth::unknown, "C^" + std::to_string(proof.order) + " is proved; " + found};
 }
 
-Decision holder(const Scheme& scheme, const Expectation& expectation, double seconds) {
+Decision holder(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   if (!scheme.rounding && !is_affine(scheme.mask.curve()))
     return decided(false, "a coset sum is not 1, so the scheme does not converge");
-  const HolderRegularity regularity = *regularity_of(scheme, seconds).curve;
+  const HolderRegularity regularity = *regularity_of(scheme, limits).curve;
   Enclosure exponent = regularity.exponent;
   if (scheme.rounding && *exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
   // Otherwise the lower end proves nothing.
@@ -83,24 +83,24 @@ Decision holder(const Scheme& scheme, const Expectation& expectation, double sec
   return compare(exponent, expectation, "the exponent");
 }
 
-Decision sobolev(const Scheme& scheme, const Expectation& expectation, double seconds) {
+Decision sobolev(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   if (scheme.rounding) return rounded_coefficients();
   const Mask& mask = scheme.mask.curve();
-  const Decision convergence = convergence_of(mask, seconds);
+  const Decision convergence = convergence_of(mask, limits);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
-  const auto found = sobolev_regularity(mask, Deadline::in(seconds));
+  const auto found = sobolev_regularity(mask, limits.budget().deadline);
   if (!found) return {Truth::unknown, "the spectral radius was not computed in time"};
   return compare(found->exponent, expectation, "the exponent");
 }
 
-Decision variance(const Scheme& scheme, const Expectation& expectation, double seconds) {
+Decision variance(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   if (scheme.rounding) return rounded_coefficients();
   const Mask& mask = scheme.mask.curve();
-  const Decision convergence = convergence_of(mask, seconds);
+  const Decision convergence = convergence_of(mask, limits);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   try {
     VarianceOptions options;
-    options.budget.deadline = Deadline::in(seconds);
+    options.budget = limits.budget();
     return compare(variance_range(mask, options).maximum, expectation, "the maximum");
   } catch (const Error& error) {  // beyond what the library can enclose
     return {Truth::unknown, error.what()};
@@ -114,22 +114,22 @@ Decision whole_number(long value, const Expectation& expectation) {
 }
 
 /// Whether the data are kept at the old places, derivatives per unit of the finer spacing.
-Decision interpolatory(const Scheme& scheme, const Expectation& expectation, double) {
+Decision interpolatory(const Scheme& scheme, const Expectation& expectation, const SearchLimits&) {
   const LatticeMask& mask = scheme.mask;
   const bool kept = keeps_data(mask.terms(), mask.components(), mask.dilation(), scheme.form == VectorForm::hermite);
   return matches({kept ? Truth::yes : Truth::no, ""}, expectation.yes);
 }
 
-Decision stable(const Scheme& scheme, const Expectation& expectation, double seconds) {
+Decision stable(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   if (scheme.rounding)
     return matches(has_stable_shifts(scheme.mask.curve(), scheme.rounding->distance, scheme.rounding->sum_rules),
                    expectation.yes);
-  const Decision convergence = convergence_of(scheme.mask.curve(), seconds);
+  const Decision convergence = convergence_of(scheme.mask.curve(), limits);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
   return matches(has_stable_shifts(scheme.mask.curve()), expectation.yes);
 }
 
-Decision symmetry_of(const Scheme& scheme, const Expectation& expectation, double) {
+Decision symmetry_of(const Scheme& scheme, const Expectation& expectation, const SearchLimits&) {
   const std::string found = word_of(symmetry(scheme.mask.curve()).kind);
   return decided(found == expectation.word, "it is " + found);
 }
@@ -138,19 +138,19 @@ std::string interval_text(const Interval& of) {
   return "[" + subcert::to_text(of.lower) + ", " + subcert::to_text(of.upper) + "]";
 }
 
-Decision support_of(const Scheme& scheme, const Expectation& expectation, double) {
+Decision support_of(const Scheme& scheme, const Expectation& expectation, const SearchLimits&) {
   const Interval found = limit_support(scheme.mask.curve());
   return decided(found == *expectation.ends, "it is " + interval_text(found));
 }
 
-Decision holder_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const Regularity regularity = regularity_of(scheme, seconds);
+Decision holder_of_surface(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const Regularity regularity = regularity_of(scheme, limits);
   if (regularity.converges().is_no()) return decided(false, "not convergent: " + regularity.converges().reason);
   return compare(regularity.exponent(), expectation, "the exponent");
 }
 
-Decision sobolev_of_surface(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const auto found = regularity_of(scheme, seconds).surface->sobolev;
+Decision sobolev_of_surface(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const auto found = regularity_of(scheme, limits).surface->sobolev;
   if (!found) return {Truth::unknown, "the spectral radius was not computed in time"};
   return compare(*found, expectation, "the exponent");
 }
@@ -158,8 +158,8 @@ Decision sobolev_of_surface(const Scheme& scheme, const Expectation& expectation
 /// What is known of a vector of functions. Exponents are those of the worst function and solution.
 const FunctionVector& vector_of(const Regularity& regularity) { return *regularity.surface->vector; }
 
-Decision smoothness_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const Regularity regularity = regularity_of(scheme, seconds);
+Decision smoothness_of_vector(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const Regularity regularity = regularity_of(scheme, limits);
   const FunctionVector& vector = vector_of(regularity);
   if (!vector.continuous.is_yes() || expectation.number == 0) return vector.continuous;
   const Enclosure exponent = regularity.exponent();
@@ -170,16 +170,16 @@ Decision smoothness_of_vector(const Scheme& scheme, const Expectation& expectati
   return {Truth::unknown, found};
 }
 
-Decision holder_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const Regularity regularity = regularity_of(scheme, seconds);
+Decision holder_of_vector(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const Regularity regularity = regularity_of(scheme, limits);
   const FunctionVector& vector = vector_of(regularity);
   if (vector.continuous.is_no()) return decided(false, "no continuous solution: " + vector.continuous.reason);
   return compare(regularity.exponent(), expectation, "the exponent");
 }
 
 /// Of the smallest interval that holds the supports of all functions.
-Decision support_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const Regularity regularity = regularity_of(scheme, seconds);
+Decision support_of_vector(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const Regularity regularity = regularity_of(scheme, limits);
   const FunctionVector& vector = vector_of(regularity);
   if (!vector.continuous.is_yes()) return {vector.continuous.truth, "no continuous solution is proved"};
   if (!vector.values) return {Truth::unknown, "it is computed of one solution alone, and of rational matrices"};
@@ -199,14 +199,14 @@ Decision support_of_vector(const Scheme& scheme, const Expectation& expectation,
   }
 }
 
-Decision sobolev_of_vector(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const auto found = regularity_of(scheme, seconds).surface->sobolev;
+Decision sobolev_of_vector(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const auto found = regularity_of(scheme, limits).surface->sobolev;
   return found ? compare(*found, expectation, "the exponent")
                : Decision{Truth::unknown, "the exponent was not computed"};
 }
 
-Decision hermite(const Scheme& scheme, const Expectation& expectation, double seconds) {
-  const Regularity regularity = regularity_of(scheme, seconds);
+Decision hermite(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
+  const Regularity regularity = regularity_of(scheme, limits);
   const auto& known = vector_of(regularity).hermite;
   if (known->order < 0) return {known->next.truth, known->next.reason};
   const std::string found = fmt::format("HC^{} is proved", known->order);
@@ -216,7 +216,7 @@ Decision hermite(const Scheme& scheme, const Expectation& expectation, double se
 }
 
 /// Of polynomials whose values and derivatives are kept; -1 where not even those of constants are.
-Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation, double) {
+Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation, const SearchLimits&) {
   return whole_number(
       scheme.quadratic ? data::hermite_degree(*scheme.quadratic) : data::hermite_reproduction(scheme.mask).degree,
       expectation);
@@ -227,23 +227,24 @@ Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation
 const std::vector<Property>& known_properties() {
   using Kind = RangeProperty::Kind;
   using E = const Expectation&;
+  using L = const SearchLimits&;
   using S = const Scheme&;
   const char* answer = "true or false";
   const char* whole = "an integer or a comparison";
   const char* comparison = "\">= X\", \"<= X\", \"> X\", \"< X\" or \"= X\"";
-  constexpr auto rules = [](S s, E e, double) { return whole_number(polynomial_reproduction(s.mask).sum_rules, e); };
-  constexpr auto generates = [](S s, E e, double) {
+  constexpr auto rules = [](S s, E e, L) { return whole_number(polynomial_reproduction(s.mask).sum_rules, e); };
+  constexpr auto generates = [](S s, E e, L) {
     return whole_number(polynomial_reproduction(s.mask).generation_degree(), e);
   };
-  constexpr auto reproduces = [](S s, E e, double) {
+  constexpr auto reproduces = [](S s, E e, L) {
     return s.rounding ? rounded_coefficients() : whole_number(polynomial_reproduction(s.mask).reproduction_degree, e);
   };
   static const std::vector<Property> all{
       {"convergent", answer, "uniform convergence for all bounded data", Expects::answer, convergent,
-       [](S s, E e, double time) { return matches(regularity_of(s, time).converges(), e.yes); }, Kind::convergent,
-       [](S s, E e, double time) { return matches(regularity_of(s, time).converges(), e.yes); }},
+       [](S s, E e, L limits) { return matches(regularity_of(s, limits).converges(), e.yes); }, Kind::convergent,
+       [](S s, E e, L limits) { return matches(regularity_of(s, limits).converges(), e.yes); }},
       {"smoothness", "\">= K\"", "C^K limits", Expects::order, smoothness,
-       [](S s, E e, double time) { return smoothness(*regularity_of(s, time).surface, e); }, Kind::smooth,
+       [](S s, E e, L limits) { return smoothness(*regularity_of(s, limits).surface, e); }, Kind::smooth,
        smoothness_of_vector},
       {"holder", comparison, "the Hoelder exponent", Expects::comparison, holder, holder_of_surface, Kind::holder,
        holder_of_vector},
@@ -280,7 +281,7 @@ const std::vector<Property>& known_properties() {
        support_of_vector},
       {"symmetry", "\"odd\", \"even\" or \"none\"", "of the mask", Expects::word, symmetry_of, nullptr},
       {"stable", answer, "stability of the integer shifts", Expects::answer, stable,
-       [](S s, E e, double time) { return matches(regularity_of(s, time).stable(), e.yes); }, Kind::stable},
+       [](S s, E e, L limits) { return matches(regularity_of(s, limits).stable(), e.yes); }, Kind::stable},
       {"interpolatory",
        answer,
        "whether old values are kept",
@@ -320,15 +321,16 @@ const Property* find_property(std::string_view name) {
 
 namespace {
 
-Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation, double seconds) {
+Decision property_of(const Scheme& scheme, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits) {
   const auto decide = property.decides(scheme);
   if (!decide) fail(ErrorKind::domain, "has_property: need a property of {}, got '{}'", kind_of(scheme), property.name);
-  return decide(scheme, expectation, seconds);
+  return decide(scheme, expectation, limits);
 }
 
 /// For all values: every piece is proved, single values of gaps included.
 Decision property_of(const SchemeRange& range, const Property& property, const Expectation& expectation,
-                     double seconds) {
+                     const SearchLimits& limits) {
   if (!property.of_ranges) fail(ErrorKind::domain, "has_property: need a property of ranges, got '{}'", property.name);
   const std::string& letter = range.family.name;
   const auto describe = [&](const RangePiece& piece, const char* verdict) {
@@ -338,7 +340,7 @@ Decision property_of(const SchemeRange& range, const Property& property, const E
                           : " for " + text(piece.low) + " <= " + letter + " <= " + text(piece.high));
   };
   const PropertyRange found = property_range(range.family.mask, asked_of(property, expectation), range.values.low,
-                                             range.values.high, {power(Rational(10), -9), 1, {Deadline::in(seconds)}});
+                                             range.values.high, {power(Rational(10), -9), 1, limits.budget()});
   Decision answer{Truth::yes, ""};
   for (const RangePiece& piece : found.pieces) {
     const bool outside = piece.low == piece.high && ((piece.low == range.values.low && !range.values.low_included) ||
@@ -358,10 +360,10 @@ Decision property_of(const SchemeRange& range, const Property& property, const E
 
 }  // namespace
 
-Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds) {
+Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   const Property* property = find_property(expectation.property);
   if (!property) fail(ErrorKind::domain, "has_property: need a known property, got '{}'", expectation.property);
-  return std::visit([&](const auto& one) { return property_of(one, *property, expectation, seconds); }, scheme.scheme);
+  return std::visit([&](const auto& one) { return property_of(one, *property, expectation, limits); }, scheme.scheme);
 }
 
 }  // namespace subcert::properties

@@ -4,6 +4,7 @@
 #include <subcert/analysis/family/mask_list.hpp>
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/family/recurrence.hpp>
+#include <subcert/analysis/symbol/support/budget.hpp>
 #include <subcert/proofs-checks/file_error.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
@@ -17,8 +18,18 @@ namespace subcert::properties {
 
 using subcert::FileError;
 
-/// One property with what is expected. `expected` is what follows the name in messages: `>= 2`, `yes`, `[-2, 2]`.
-/// Canonical: of relation/number, yes, word and ends exactly what the property needs is present.
+/// Of each search.
+struct SearchLimits {
+  double seconds;                             ///< of processor time
+  std::size_t memory = std::size_t{1} << 30;  ///< bytes that it may hold
+
+  /// From now on.
+  Budget budget() const { return {Deadline::in(seconds), memory}; }
+};
+
+/// One property with what is expected. `expected` is what follows the name in messages: `>= 2`, `yes`, `[-2, 2]`;
+/// `line` says both as the file does. Canonical: of relation/number, yes, word and ends exactly what the property needs
+/// is present.
 struct Expectation {
   std::string property;
   std::string expected;
@@ -28,6 +39,7 @@ struct Expectation {
   bool yes = false;
   std::string word;
   std::optional<Interval> ends;
+  std::string line;
 };
 
 /// The schemes of a family for all values of its parameter between two numbers.
@@ -60,6 +72,7 @@ struct ExpectedScheme {
   std::string specification;
   std::variant<Scheme, SchemeRange, SchemeLevels, SchemeList> scheme;
   std::vector<Expectation> expectations;
+  std::string lines;  ///< of the file that say which scheme it is: TOML, which lines of expectations follow
 };
 
 /// How an expected value is written: true or false; `>= K` with a whole K; a comparison; one, or an integer; [first,
@@ -72,7 +85,7 @@ struct Property {
   std::string values;  ///< that it takes, for messages
   std::string meaning;
   Expects expects;
-  using Decides = Decision (*)(const Scheme& scheme, const Expectation& expectation, double seconds);
+  using Decides = Decision (*)(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits);
   Decides of_curve;
   Decides of_surface;
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
@@ -101,7 +114,7 @@ std::vector<ExpectedScheme> read_expectations(std::string_view text);
 /// Whether the scheme has the property, of a range: for all values of the parameter, of levels: for all sequences that
 /// are meant. The reason says what was found. Domain: a property of surfaces for schemes of two and three variables, of
 /// vectors for masks of matrices, of ranges for ranges, of levels for these. Cost: as the analysis that it needs, with
-/// about this many seconds for each search.
-Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, double seconds);
+/// these limits for each search.
+Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, const SearchLimits& limits);
 
 }  // namespace subcert::properties

@@ -33,11 +33,11 @@ RangeProperty asked_of(const Property& property, const Expectation& expectation)
 }
 
 Decision property_of(const SchemeLevels& levels, const Property& property, const Expectation& expectation,
-                     double seconds) {
+                     const SearchLimits& limits) {
   require_levels(property);
   const RangeProperty asked = asked_of(property, expectation);
   const ParametricMask& mask = levels.family.mask;
-  const Budget budget{Deadline::in(seconds)};
+  const Budget budget = limits.budget();
   const PropertyOfLevels all = property_of_levels(mask, asked, {{levels.values.lower}, {levels.values.upper}}, budget);
   if (!levels.following) {
     std::string found = all.reason;
@@ -48,7 +48,7 @@ Decision property_of(const SchemeLevels& levels, const Property& property, const
     return {all.holds, std::move(found)};
   }
   const auto& [recurrence, start] = *levels.following;
-  const FollowedLevels followed = follow(mask, recurrence, {start}, levels.values, {Deadline::in(seconds)});
+  const FollowedLevels followed = follow(mask, recurrence, {start}, levels.values, limits.budget());
   const Truth answer = followed.have(asked, all.holds);
   const std::string rule = levels.family.name + " = " + recurrence.text();
   if (!followed.way) return {Truth::unknown, rule + " was not proved to lead into the range and to stay in it"};
@@ -59,9 +59,10 @@ Decision property_of(const SchemeLevels& levels, const Property& property, const
   return {answer, by_exponent(followed.limit->exponent.exponent, asked).reason};
 }
 
-Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation, double seconds) {
+Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits) {
   require_levels(property);
-  return by_exponent(exponent_of(list.list, {Deadline::in(seconds)}).exponent, asked_of(property, expectation));
+  return by_exponent(exponent_of(list.list, limits.budget()).exponent, asked_of(property, expectation));
 }
 
 }  // namespace subcert::properties

@@ -3,6 +3,7 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
+#include <subcert/proofs-checks/toml_fields.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,7 +74,7 @@ bool are_valences(const std::string& text) {
 }
 
 Expectation read_expectation(const Property& property, const toml::node& node, const Place& place) {
-  Expectation result{property.name, "", place, "", 0, false, "", std::nullopt};
+  Expectation result{property.name, "", place, "", 0, false, "", std::nullopt, ""};
   if (property.expects == Expects::answer) {
     const auto* value = node.as_boolean();
     if (!value) refuse(node, property);
@@ -98,6 +99,7 @@ Expectation read_expectation(const Property& property, const toml::node& node, c
   } else {
     read_comparison(result, node, property);
   }
+  result.line = toml_line(property.name, node);
   return result;
 }
 
@@ -242,12 +244,15 @@ ExpectedScheme read_scheme(const toml::table& table) {
   std::string specification = std::visit(SpecificationOf{}, scheme);
   const toml::node* mask = table.get("mask");
   const std::string written = mask ? printable(mask->as_string()->get()) : specification;
-  ExpectedScheme result{written, std::move(specification), std::move(scheme), {}};
+  ExpectedScheme result{written, std::move(specification), std::move(scheme), {}, ""};
   const auto* single = std::get_if<Scheme>(&result.scheme);
   const bool range = std::holds_alternative<SchemeRange>(result.scheme);
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
-    if (key.str() != "name" && !find_property(key.str())) continue;
+    if (key.str() != "name" && !find_property(key.str())) {
+      result.lines += toml_line(key.str(), node);
+      continue;
+    }
     if (key.str() == "name") {
       if (!node.is_string()) throw FileError(place_of(node), "'name' takes a string");
       result.name = printable(node.as_string()->get());

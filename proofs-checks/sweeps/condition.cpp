@@ -5,6 +5,7 @@
 #include <subcert/analysis/symbol/support/utf8.hpp>
 
 #include <algorithm>
+#include <charconv>
 
 namespace subcert::sweeps {
 namespace {
@@ -31,6 +32,18 @@ Truth equals(const Enclosure& x, const Rational& y) {
   return x.lower && x.upper && *x.lower == *x.upper ? Truth::yes : Truth::unknown;
 }
 
+/// Of an object the member of this name, of a list that of this number.
+const Json* part_of(const Json& whole, std::string_view name) {
+  if (whole.is_object()) {
+    const auto found = whole.find(std::string(name));
+    return found == whole.end() ? nullptr : &*found;
+  }
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = error == std::errc() && end == name.data() + name.size();
+  return whole.is_array() && is_number && number < whole.size() ? &whole[number] : nullptr;
+}
+
 }  // namespace
 
 Enclosure enclosure_of(const Json& value) {
@@ -44,9 +57,8 @@ const Json* member_at(const Json& answer, std::string_view path) {
   const Json* at = &answer;
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
-    const auto found = at->is_object() ? at->find(std::string(path.substr(begin, end - begin))) : at->end();
-    if (found == at->end()) return nullptr;
-    at = &*found;
+    at = part_of(*at, path.substr(begin, end - begin));
+    if (!at) return nullptr;
     begin = end + 1;
   }
   return at;

@@ -10,7 +10,8 @@
 
 namespace subcert::sweeps {
 
-/// The member of an answer with this path, names between dots; nullptr where there is none.
+/// The member of an answer with this path, names between dots, or numbers from 0 on in lists; nullptr where there is
+/// none.
 const Json* member_at(const Json& answer, std::string_view path);
 
 /// The number, or the enclosure {"lower": ..., "upper": ...}, that a value is; an end that is infinite, or no number,

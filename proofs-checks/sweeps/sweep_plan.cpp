@@ -2,9 +2,9 @@
 
 #include "scheme_grid.hpp"
 
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/proofs-checks/toml_fields.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
-#include <subcert/schemes/data/runtime/process.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,22 +16,6 @@
 
 namespace subcert::sweeps {
 namespace {
-
-/// The arguments of a command that answers about a scheme, before those that all have.
-struct Question {
-  std::string name;
-  std::vector<std::string> arguments = {};
-  bool has_budget = true, has_memory = false, has_certificate = false;
-};
-
-const std::vector<Question>& questions() {
-  static const std::vector<Question> all = {{.name = "regularity", .has_memory = true, .has_certificate = true},
-                                            {.name = "analyze"},
-                                            {.name = "variance"},
-                                            {.name = "limit", .arguments = {"--range"}},
-                                            {.name = "mask", .has_budget = false}};
-  return all;
-}
 
 constexpr const char* certificate_name = "certificate";
 
@@ -63,35 +47,7 @@ Json keys_json(const std::string& scheme) {
   return keys;
 }
 
-/// The last line of what a program said, without its name.
-std::string message_of(const runtime::ProcessEnd& end) {
-  std::string text = end.errors;
-  while (text.ends_with('\n')) text.pop_back();
-  if (const std::size_t line = text.rfind('\n'); line != std::string::npos) text.erase(0, line + 1);
-  if (text.starts_with("subcert: ")) text.erase(0, 9);
-  return text.empty() ? fmt::format("exit code {} without an answer", end.code) : text;
-}
-
-/// How the program answered. A search that does not heed its budget is ended.
-runtime::ProcessEnd asked(const Question& question, const SweepPlan& plan, const std::string& scheme,
-                          const std::string& program) {
-  std::vector<std::string> arguments{question.name, scheme, "--json", "--quiet", "--jobs", "1"};
-  arguments.insert(arguments.end(), question.arguments.begin(), question.arguments.end());
-  if (question.has_budget) arguments.insert(arguments.end(), {"--budget", fmt::format("{}", plan.budget)});
-  if (question.has_memory) arguments.insert(arguments.end(), {"--memory", std::to_string(plan.memory)});
-  return runtime::run_process(program, arguments, 4 * plan.budget + 60);
-}
-
 }  // namespace
-
-const std::vector<std::string>& known_questions() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const Question& question : questions()) result.push_back(question.name);
-    return result;
-  }();
-  return names;
-}
 
 SweepPlan read_sweep_plan(std::string_view toml) {
   SweepPlan plan;
@@ -100,15 +56,17 @@ SweepPlan read_sweep_plan(std::string_view toml) {
   plan.schemes = optional_texts(table, "schemes");
   if (plan.schemes.empty()) throw FileError({1, 1}, "no schemes; expected schemes = [\"primal:n=1..9\", ...]");
   if (table.get("ask")) plan.ask = optional_texts(table, "ask");
-  for (const std::string& name : plan.ask)
-    if (std::ranges::find(known_questions(), name) == known_questions().end())
+  for (std::string& text : plan.ask) try {
+      text = SchemeQuestion::parse(text).text();
+    } catch (const ParseError& error) {
       throw FileError(place_of(*table.get("ask")),
-                      fmt::format("'ask' takes some of {}", fmt::join(known_questions(), ", ")));
+                      fmt::format("'ask' takes questions, got '{}'; expected {}", text, error.expected()));
+    }
   plan.where = optional_text(table, "where");
   plan.expect = optional_text(table, "expect");
   plan.columns = optional_texts(table, "columns");
   plan.budget = number_at(table, "budget", 0.001, 1e6, plan.budget);
-  plan.memory = static_cast<std::size_t>(number_at(table, "memory", 1, 1e6, static_cast<double>(plan.memory)));
+  plan.memory = static_cast<std::size_t>(number_at(table, "memory", 16, 1e6, static_cast<double>(plan.memory)));
   if (const toml::node* node = table.get("certificates")) {
     if (!node->is_boolean()) throw FileError(place_of(*node), "'certificates' takes true or false");
     plan.certificates = node->as_boolean()->get();
@@ -136,23 +94,18 @@ Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const s
   Json result = {
       {"scheme", scheme}, {"keys", keys_json(scheme)}, {"answers", Json::object()}, {"errors", Json::object()}};
   std::optional<runtime::TemporaryFolder> folder;
-  for (Question question : questions()) {
-    if (std::ranges::find(plan.ask, question.name) == plan.ask.end()) continue;
-    if (plan.certificates && question.has_certificate)
-      question.arguments = {"--certificate", folder.emplace() / certificate_name};
-    const runtime::ProcessEnd end = asked(question, plan, scheme, program);
-    Json answer = Json::parse(end.output, nullptr, false);
-    if (end.signal != 0) {
-      result["errors"][question.name] = fmt::format("ended by signal {}", end.signal);
-    } else if (!answer.is_object()) {
-      result["errors"][question.name] = message_of(end);
-    } else {
-      answer.erase("seconds");
-      answer.erase("subcert");
-      if (is_written(answer)) result["certificate"] = content(*folder / certificate_name);
-      answer.erase("certificate");
-      result["answers"][question.name] = std::move(answer);
+  for (const std::string& text : plan.ask) {
+    const SchemeQuestion question = SchemeQuestion::parse(text);
+    const bool is_certified = plan.certificates && question.has_certificate();
+    const std::string file = is_certified ? folder.emplace() / certificate_name : "";
+    auto [answer, error] = question.ask(scheme, plan, program, file);
+    if (answer.is_null()) {
+      result["errors"][text] = error;
+      continue;
     }
+    if (is_written(answer)) result["certificate"] = content(file);
+    answer.erase("certificate");
+    result["answers"][text] = std::move(answer);
   }
   return result;
 }
@@ -164,10 +117,7 @@ SweepCase case_of(const SweepPlan& plan, const std::string& scheme) {
 
 bool write_certificate(const SweepPlan& plan, const std::string& scheme, const std::string& program,
                        const std::string& file) {
-  Question question = questions().front();
-  question.arguments = {"--certificate", file};
-  const Json answer = Json::parse(asked(question, plan, scheme, program).output, nullptr, false);
-  return is_written(answer);
+  return is_written(SchemeQuestion::parse("regularity").ask(scheme, plan, program, file).answer);
 }
 
 const Json* value_of(const Json& answers, std::string_view name) {

@@ -2,6 +2,7 @@
 /// Which schemes a sweep is about, and what is asked of each.
 
 #include "condition.hpp"
+#include "question.hpp"
 #include "sweep.hpp"
 
 #include <optional>
@@ -11,18 +12,13 @@
 
 namespace subcert::sweeps {
 
-struct SweepPlan {
+struct SweepPlan : AnswerLimits {
   std::vector<std::string> schemes;               ///< grids, as schemes_of_grid() reads them
-  std::vector<std::string> ask = {"regularity"};  ///< commands that answer
+  std::vector<std::string> ask = {"regularity"};  ///< texts of questions
   std::string where, expect;                      ///< conditions; empty: none
   std::vector<std::string> columns = {};          ///< of a table; empty: those of the commands
-  double budget = 10;                             ///< seconds of processor time for each answer
-  std::size_t memory = 512;                       ///< MiB for each answer
   bool certificates = false;                      ///< of the exponents go with the answers to `regularity`
 };
-
-/// The commands that may be asked: those that answer about one scheme with --json.
-const std::vector<std::string>& known_questions();
 
 /// Reads a plan: `schemes = ["primal:n=1..60,d={1,3}"]` and perhaps `ask`, `where`, `expect`, `columns`, `budget` and
 /// `memory`. Errors: throws FileError.
@@ -34,9 +30,9 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan);
 /// The case of a scheme: its name and all that its answers depend on.
 SweepCase case_of(const SweepPlan& plan, const std::string& scheme);
 
-/// What answered, a scheme's answers beside each other: {"scheme", "keys", "answers": {COMMAND: ...}, "errors":
-/// {COMMAND: text}}. An answer has neither the time that it took nor the program's name, so it is the same each time.
-/// With certificates there is "certificate", the text of one that the checker accepted, where there is one.
+/// What answered, a scheme's answers beside each other: {"scheme", "keys", "answers": {QUESTION: ...}, "errors":
+/// {QUESTION: text}}. With certificates there is "certificate", the text of one that the checker accepted, where there
+/// is one.
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program);
 
 /// Lets the program write a certificate of the exponent; whether it did, and the checker accepted it.

@@ -34,7 +34,7 @@ py::list check_properties(const std::string& text, double seconds, int jobs, con
   const auto answers = interruptible(progress, [&] {
     std::vector<Decision> decisions(questions.size());
     parallel_tasks(questions.size(), jobs, [&](std::size_t i) {
-      decisions[i] = has_property(*questions[i].first, *questions[i].second, seconds);
+      decisions[i] = has_property(*questions[i].first, *questions[i].second, {seconds});
     });
     return decisions;
   });

@@ -73,9 +73,12 @@ def _value(value: Any) -> Any:
 
 def _member(of: Any, path: str) -> Any:
     for name in path.split("."):
-        if not isinstance(of, Mapping) or name not in of:
+        if isinstance(of, Mapping) and name in of:
+            of = of[name]
+        elif isinstance(of, list) and name.isdigit() and int(name) < len(of):
+            of = of[int(name)]
+        else:
             return None
-        of = of[name]
     return _value(of)
 
 
@@ -91,11 +94,11 @@ def _texts(schemes: Union[str, Scheme, Iterable[Union[str, Scheme]]]) -> list[st
 @dataclasses.dataclass(frozen=True)
 class SweepAnswer:
     """What was answered about a scheme. ``answer["holder"]`` is the member of this name of the first answer that has
-    one, or a key of the scheme, or None; a path as ``"sobolev.exponent"`` goes deeper."""
+    one, or a key of the scheme, or None; a path as ``"sobolev.exponent"`` or ``"valences.0.c1"`` goes deeper."""
 
     scheme: str
     keys: dict[str, str]
-    #: By the name of the command, as it says with --json.
+    #: By the text of the question, as its command says with --json.
     answers: dict[str, Any] = dataclasses.field(repr=False)
     errors: dict[str, str]
     #: Whether it is as expected; None where nothing is.
@@ -120,10 +123,11 @@ def sweep(
     journal: Optional[Path] = None,
     jobs: Optional[int] = None,
 ) -> Iterator[SweepAnswer]:
-    """Asks commands about many schemes, each in a process of its own, and gives the answers in the order of the schemes
-    as soon as they are known. A scheme is one, or a text with lists as ``"primal:n=1..60,d={1,3}"``; `where` and
-    `expect` are conditions as ``"n >= 4"``; with `journal` a sweep that was stopped goes on. Raises UsageError for what
-    cannot be read; what is no scheme has an error among its `errors`.
+    """Asks questions about many schemes, as ``"variance"``, ``"vertex --valence 3..12"`` or ``"check smoothness >= 1"``
+    (docs/sweeps.md), each in a process of its own, and gives the answers in the order of the schemes as soon as they
+    are known. A scheme is one, or a text with lists as ``"primal:n=1..60,d={1,3}"``; `where` and `expect` are
+    conditions as ``"n >= 4"``; with `journal` a sweep that was stopped goes on. Raises UsageError for what cannot be
+    read; what is no scheme has an error among its `errors`.
 
     >>> import subcert
     >>> for answer in subcert.sweep("dd:n=1..3", expect="holder >= 2"):

@@ -17,6 +17,14 @@ def test_answers_come_in_order_with_their_errors():
     assert not answers[3].errors
 
 
+def test_questions_with_settings_and_properties():
+    [loop] = subcert.sweep("loop", ask=["vertex --valence 3,5", "check smoothness >= 1", "check reproduces 3"])
+    assert loop["valences.1.valence"] == 5 and loop["valences.2.c1"] is None
+    assert (loop["check.smoothness"], loop["check.reproduces"]) == (True, False)
+    with pytest.raises(subcert.UsageError, match="'smothness'; expected a property"):
+        list(subcert.sweep("loop", ask=["check smothness >= 1"]))
+
+
 def test_a_sweep_that_is_left_goes_on_from_its_journal(tmp_path):
     journal = tmp_path / "journal"
     for answer in subcert.sweep("dd:n=1..6", journal=journal):

@@ -13,7 +13,7 @@ namespace {
 constexpr Truth yes = Truth::yes, no = Truth::no, unknown = Truth::unknown;
 
 Expectation expected(const std::string& relation, const Rational& number) {
-  Expectation result{"holder", relation + " x", {1, 1}, relation, number, false, "", std::nullopt};
+  Expectation result{"holder", relation + " x", {1, 1}, relation, number, false, "", std::nullopt, ""};
   return result;
 }
 

@@ -10,7 +10,7 @@ namespace subcert::properties::testing {
 /// The answer to the first question of the file.
 inline Decision first_answer(const std::string& text) {
   const auto schemes = read_expectations(text);
-  return has_property(schemes.at(0), schemes.at(0).expectations.at(0), 20);
+  return has_property(schemes.at(0), schemes.at(0).expectations.at(0), {20});
 }
 
 /// Why the file is refused.

@@ -110,7 +110,7 @@ TEST_CASE("plans of sweeps: read, refused, and their schemes") {
   CHECK(plan.memory == 100);
   CHECK(schemes_of_plan(plan) == Texts{"primal:n=2,d=1", "primal:n=3,d=1", "primal:n=4,d=1", "dd:n=2"});
   for (const char* text :
-       {"", "schemes = []", "schemes = 3", "schemes = [\"a\"]\nask = [\"range\"]", "schemes = [\"a\"]\nscheme = 1",
+       {"", "schemes = []", "schemes = 3", "schemes = [\"a\"]\nask = [\"jsr\"]", "schemes = [\"a\"]\nscheme = 1",
         "schemes = [\"a\"]\nbudget = 0", "schemes = [\"a\"]\ncertificates = 1", "schemes ="}) {
     CAPTURE(text);
     CHECK_THROWS_AS(read_sweep_plan(text), FileError);

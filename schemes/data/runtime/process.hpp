@@ -16,10 +16,15 @@ struct ProcessEnd {
 /// The file of the program that runs; empty where the system does not say.
 std::filesystem::path own_program();
 
-/// Runs a program, looked for on the PATH where its name has no slash, without input, and waits for its end. A program
-/// that used more than `most_seconds` of processor time is ended by SIGKILL. Errors: throws missing_file where it
-/// cannot be started. May be called from several threads.
+struct ProcessSettings {
+  std::string input = {};     ///< that it reads
+  double most_seconds = 1e9;  ///< of processor time, after which it is ended by SIGKILL
+};
+
+/// Runs a program, looked for on the PATH where its name has no slash, and waits for its end. If this process ends
+/// before, so does that program. Errors: throws missing_file where it cannot be started. May be called from several
+/// threads.
 ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments,
-                       double most_seconds = 1e9);
+                       const ProcessSettings& settings = {});
 
 }  // namespace subcert::runtime

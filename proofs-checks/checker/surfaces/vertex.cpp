@@ -45,14 +45,13 @@ class Vertex {
     for (const std::string_view field : reader_.take("points", 1, max_points)) {
       const Point point = parse_point(field, 2);
       require(std::ranges::find(points_, point) == points_.end(), "a point occurs twice");
-      require(rules_.is_vertex(point) || is_own(rules_.in_sector(point)), "a point is not one of sector 0");
+      require(rules_.is_canonical(point), "a point is not one of sector 0");
       points_.push_back(point);
     }
     turning_ = points_;
     std::erase_if(turning_, [&](const Point& point) { return rules_.is_vertex(point); });
     require(!turning_.empty(), "no point of a sector is given");
   }
-  static bool is_own(const SectorPoint& at) { return at.turn == 0; }
 
   void read_values() {
     const std::size_t n = turning_.size();

@@ -130,6 +130,7 @@ def rejected():
     yield case("vertex-inverse-coarse", "loop", loop(5), near, edits=[("^inverse 24", "inverse 22")])
     yield case("vertex-points-twice", "doo-sabin", ds, "a point occurs twice", edits=[("^points 0,0", "points 0,0 0,0")])
     yield case("vertex-points-outside", "doo-sabin", ds, "not one of sector 0", edits=[("^points 0,0", "points 0,-1")])
+    yield case("vertex-points-opposite", "doo-sabin", ds, "not one of sector 0", edits=[("^points 0,0", "points -1,-1")])
     yield case("vertex-points-few", "doo-sabin", ds, "has data elsewhere", edits=[("^(points.*) 1,1", r"\1 5,5")])
     yield case("vertex-points-no-vertex", "catmull-clark", vertex_0, "has data elsewhere", edits=[("^points 0,0 ", "points ")])
     yield case("vertex-points-less", "doo-sabin", ds, "a point depends on itself", points=[(0, 0)])

@@ -10,6 +10,9 @@ inline constexpr double grace_of_norms = 0.2;  ///< seconds, for norms of produc
 /// A family: joint_spectral_radius.cpp.
 namespace family {
 inline constexpr double triangular_form = 0.2;
+inline constexpr double grace_of_basis = 0.5;        ///< seconds, to verify such a form
+inline constexpr double first_letter = 0.3;          ///< to prove it, where its polynomial is long,
+inline constexpr double letters = 0.1;               ///< and the others in so much of all
 inline constexpr double symmetries = 0.1;            ///< for balanced blocks, and as much for the symmetries of each
 inline constexpr double first_look = 0.02;           ///< whole, a block: norms and a product
 inline constexpr double least_of_block = 0.05;       ///< whole, however small its part of the work
@@ -94,10 +97,12 @@ inline constexpr double splitting = 0.2;  ///< into diagonal blocks
 
 /// An exponent in one variable: holder_regularity.cpp.
 namespace curve {
-inline constexpr double reduced = 0.7;       ///< the reduced mask, where that one tells the exponent
-inline constexpr double norms = 0.5;         ///< of the difference scheme, level by level
-inline constexpr double convergence = 0.5;   ///< by one product, and then by norms
-inline constexpr double growth_grace = 0.5;  ///< seconds, for norms where the exponent is an integer
+inline constexpr double reduced = 0.7;            ///< the reduced mask, where that one tells the exponent
+inline constexpr double norms = 0.5;              ///< of the difference scheme, level by level
+inline constexpr double convergence = 0.5;        ///< by one product, and then by norms
+inline constexpr double growth_grace = 0.5;       ///< seconds, for norms where the exponent is an integer
+inline constexpr double frequencies = 0.5;        ///< of large matrices, before their radius,
+inline constexpr double frequencies_grace = 0.5;  ///< seconds, after that of others
 }  // namespace curve
 
 /// An exponent in several variables: multivariate_regularity.cpp.

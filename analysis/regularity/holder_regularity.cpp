@@ -174,10 +174,10 @@ JointSpectralRadius radius_or_frequencies(const Mask& derived, const SingleRadiu
   constexpr int cells = 32;
   const bool first = derived.symbol().length() > most_rows / 4 && !single.applies.is_yes();
   std::optional<FrequencyProof> found;
-  if (first) found = frequency_proof(derived, cells, budget.deadline.after(0.5));
+  if (first) found = frequency_proof(derived, cells, budget.deadline.after(shares::frequencies));
   JointSpectralRadius radius = radius_of(derived, single, norms, budget);
   if (radius.exact.is_yes() || radius.is_closed()) return radius;
-  if (!first) found = frequency_proof(derived, cells, budget.deadline.later(0.5));
+  if (!first) found = frequency_proof(derived, cells, budget.deadline.later(shares::frequencies_grace));
   if (!found || found->bound >= *radius.radius.upper) return radius;
   radius.radius.upper = found->bound;
   radius.proof = std::move(*found);

@@ -4,6 +4,7 @@
 #include "modular_meataxe.hpp"
 #include "subspace.hpp"
 
+#include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 
 #include <algorithm>
@@ -175,7 +176,7 @@ BlockTriangular block_triangularise(const MatrixFamily& family, const Deadline& 
     return result;
   }
   // What was found is worth a moment more.
-  if (!radius::has_time_for_elimination(result.basis, deadline.later(0.5)))
+  if (!radius::has_time_for_elimination(result.basis, deadline.later(schedule::family::grace_of_basis)))
     return {{n}, RationalMatrix::identity(n), family.matrices(), {{Truth::unknown, "no time was left to verify it"}}};
   for (const RationalMatrix& matrix : family) {
     result.triangular.push_back(solve(result.basis, matrix * result.basis));

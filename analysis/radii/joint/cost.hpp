@@ -5,6 +5,12 @@
 
 namespace subcert::radius {
 
+/// Whether the characteristic polynomial takes longer than some hundredths of a second.
+bool has_long_characteristic(const RationalMatrix& matrix);
+
+/// An enclosure of an eigenpair by balls. Some tenths of a second are always left.
+bool has_time_for_eigenpair(const RationalMatrix& matrix, const Deadline& deadline);
+
 /// The zeros of a polynomial, its factors, or a greatest common divisor with its derivative.
 bool has_time_for_roots(const LaurentPolynomial& p, const Deadline& deadline);
 

@@ -22,6 +22,9 @@ constexpr slong precision = 320;
 constexpr int dyadic_bits = 200;
 constexpr long resolved_bits = 20;     // that an eigenvalue may be smaller than the entries
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
+constexpr long least_bits = 150;       // of evidence by balls, relatively
+constexpr double nearly_real = 1e-12, nearly_real_if_multiple = 1e-6,
+                 nearly_double = 1e-7;                              // in doubles, relatively
 constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
 // Of approximate inverses, in bits.
 constexpr long inverse_distance = 72, inverse_accuracy = 60, longest_entry = 4000;
@@ -32,6 +35,12 @@ Rational content(const RationalMatrix& matrix) {
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (std::size_t j = 0; j < matrix.columns(); ++j) numerators = gcd(numerators, numerator(matrix(i, j)));
   return Rational(numerators, common_denominator(matrix));
+}
+
+/// Bits that tell which integer multiple of the content a number of that size is.
+slong bits_to_tell(const RationalMatrix& matrix, const radius::FloatingEigenvalue& size) {
+  const long exponent = std::ilogb(std::abs(size.value)) + size.exponent;
+  return precision + std::max(0L, exponent - static_cast<long>(binary_exponent(content(matrix))));
 }
 
 /// A rational zero of the characteristic polynomial p next to a number: an integer multiple of the content, as matrices
@@ -50,6 +59,16 @@ bool is_largest_root(const LaurentPolynomial& p, const Rational& root, const Dea
   return radius::has_time_for_roots(rest, deadline) && *largest_root_modulus(rest).largest.upper < abs(root);
 }
 
+/// Next to a zero of largest modulus. Domain: a zero that is not 0, and time for the zeros.
+RationalComplex largest_zero(const LaurentPolynomial& simple) {
+  const std::vector<ComplexBall> zeros = complex_roots(simple.shifted(-simple.lowest()), precision);
+  const ComplexBall& largest = *std::ranges::max_element(
+      zeros, [](const ComplexBall& a, const ComplexBall& b) { return abs(a).is_less(abs(b)); });
+  RationalComplex z = exact_middle(largest);
+  if (imaginary_part(largest).enclosure().contains(0)) z.im = 0;
+  return z;
+}
+
 /// From doubles; where it is so much smaller than the entries that these may not tell it, from the polynomial.
 radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, const LaurentPolynomial& simple,
                                               const Deadline& deadline) {
@@ -60,13 +79,29 @@ radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, con
   if (!size || p.length() == 1 || (modulus > 0 && std::ilogb(modulus) + found.exponent > *size - resolved_bits) ||
       !radius::has_time_for_roots(p, deadline))
     return found;
-  const std::vector<ComplexBall> zeros = complex_roots(p, precision);
-  const auto largest = std::ranges::max_element(
-      zeros, [](const ComplexBall& a, const ComplexBall& b) { return abs(a).is_less(abs(b)); });
-  const RationalComplex z = exact_middle(*largest);
+  const RationalComplex z = largest_zero(p);
   const long exponent = binary_exponent(one_norm({z}));
   const RationalComplex near = power(Rational(2), -exponent) * z;
   return {{near.re.convert_to<double>(), near.im.convert_to<double>()}, exponent};
+}
+
+/// In the upper half plane; real, where its imaginary part is small.
+RationalComplex as_found(const radius::FloatingEigenvalue& start, double tolerance) {
+  const double imaginary = std::abs(start.value.imag());
+  const bool real = imaginary <= tolerance * std::abs(start.value);
+  return power(Rational(2), start.exponent) *
+         RationalComplex{Rational(start.value.real()), real ? Rational(0) : Rational(imaginary)};
+}
+
+/// How many bits after the binary point a number next to it gets. Domain: not 0.
+int bits_after_point(const radius::FloatingEigenvalue& start) {
+  const int exponent = std::ilogb(std::abs(start.value)) + static_cast<int>(start.exponent);
+  return dyadic_bits + std::max(0, -exponent - smallest_exponent);
+}
+
+RationalComplex rounded(const RationalComplex& z, int bits) {
+  const Rational unit = power(Rational(2), -bits);
+  return {to_multiple(z.re, unit, Rounding::nearest), to_multiple(z.im, unit, Rounding::nearest)};
 }
 
 /// The centre c of the evidence: rational, near the leading eigenvalue.
@@ -83,18 +118,45 @@ std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPoly
   const double modulus = std::abs(start.value);
   if (modulus == 0 || simple.length() == 1) return std::nullopt;
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
-  const double imaginary = std::abs(start.value.imag());
-  const bool real = imaginary <= (simple.length() < p.length() ? 1e-6 : 1e-12) * modulus;
-  const ComplexBall near = ball_around({Rational(start.value.real()), real ? Rational(0) : Rational(imaginary)},
-                                       precision);
-  const RationalComplex z = exact_middle(radius::refined_zero(simple, near.scaled(start.exponent)));
-  const int exponent = std::ilogb(modulus) + static_cast<int>(start.exponent);
-  const int bits = dyadic_bits + std::max(0, -exponent - smallest_exponent);
-  if (real)
+  const RationalComplex near = as_found(start, simple.length() < p.length() ? nearly_real_if_multiple : nearly_real);
+  RationalComplex z = exact_middle(radius::refined_zero(simple, ball_around(near, bits_to_tell(product, start))));
+  const int bits = bits_after_point(start);
+  // Zeros that are one in doubles may have a derivative of 0 between them, where Newton's steps end.
+  const RationalComplex there = rounded(z, bits);
+  if (value_at(simple, there).squared_modulus() * power(Rational(2), bits) >
+          value_at(simple.derivative(), there).squared_modulus() * there.squared_modulus() &&
+      radius::has_time_for_roots(simple, deadline))
+    z = largest_zero(simple);
+  if (near.im == 0)
     if (const auto exact = rational_eigenvalue(product, p, z.re)) return Centre{{*exact, 0}, exact, bits};
-  const Rational unit = power(Rational(2), -bits);
-  const auto rounded = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
-  return Centre{{rounded(z.re), rounded(z.im)}, std::nullopt, bits};
+  return Centre{rounded(z, bits), std::nullopt, bits};
+}
+
+/// A number c with few bits next to a simple eigenvalue, and how far that one is away at most, by balls. Nothing where
+/// it is not isolated as well as by the polynomial, or may be rational.
+struct NearbyEigenvalue {
+  RationalComplex point;
+  Rational away;
+};
+
+std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product, const Deadline& deadline) {
+  const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
+  if (start.value == 0.0 || start.distance < nearly_double) return std::nullopt;
+  const Rational unit = content(product);
+  const auto nearest = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
+  const RationalComplex near = as_found(start, nearly_real);
+  const Rational size = abs(near.re), rest = abs(nearest(near.re) - near.re);
+  // A rational number, most likely, where few numbers of that size may be rational eigenvalues.
+  if (near.im == 0 && unit > Rational(nearly_real_if_multiple) * size && rest < Rational(nearly_real) * size)
+    return std::nullopt;
+  const auto pair = enclose_eigenpair(product, near, bits_to_tell(product, start), deadline);
+  if (!pair) return std::nullopt;
+  const RationalComplex middle = exact_middle(pair->value), point = rounded(middle, bits_after_point(start));
+  if (middle.im == 0 && overlap(pair->value, ball_around({nearest(middle.re), 0}, pair->value.bits())))
+    return std::nullopt;
+  const Rational away = *abs(pair->value - ball_around(point, precision)).enclosure().upper;
+  if (away * power(Rational(2), least_bits) > *root_enclosure(point.squared_modulus(), 2).lower) return std::nullopt;
+  return NearbyEigenvalue{point, away};
 }
 
 /// q without its zeros that are zeros of p, and 0.
@@ -123,42 +185,69 @@ std::string word_text(const std::vector<int>& word) {
   return text;
 }
 
+namespace {
+
+/// Of a product with an eigenvalue within `away` of c.
+void set_eigenvalue(ProductEvidence& evidence, const RationalComplex& c, const Rational& away) {
+  const int length = static_cast<int>(evidence.word.size());
+  evidence.eigenvalue = c;
+  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
+  const Rational low = *modulus.lower - away;
+  if (low > 0)
+    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
+}
+
+}  // namespace
+
+std::optional<ProductEvidence> radius::prove_long_product(const MatrixFamily& family, const std::vector<int>& word,
+                                                          const Deadline& deadline) {
+  if (deadline.expired()) return std::nullopt;
+  const auto product = family.product(word, deadline);
+  if (!product || !has_long_characteristic(*product) || !has_time_for_eigenpair(*product, deadline))
+    return std::nullopt;
+  const auto nearby = nearby_eigenvalue(*product, deadline);
+  if (!nearby) return std::nullopt;
+  ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
+  set_eigenvalue(evidence, nearby->point, nearby->away);
+  return evidence;
+}
+
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline,
                               const Rational& distance) {
+  if (distance == 0)
+    if (auto evidence = radius::prove_long_product(family, word, deadline)) return *std::move(evidence);
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
   const auto in_time = family.product(word, deadline);
-  const auto characteristic = in_time ? characteristic_polynomial(*in_time, deadline) : std::nullopt;
-  if (!characteristic) return evidence;
+  if (!in_time) return evidence;
   const RationalMatrix& product = *in_time;
+  const int length = static_cast<int>(word.size());
+  const auto characteristic = characteristic_polynomial(product, deadline);
+  if (!characteristic) return evidence;
   const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
   // Multiple eigenvalues are found as simple zeros of the squarefree part.
   auto centre = centre_of(product, p, simple, deadline);
   if (!centre) return evidence;
   RationalComplex& c = centre->point;
   Rational slope = value_at(derivative, c).squared_modulus();
-  if (slope == 0 && simple.length() < p.length()) {
+  if (slope == 0) {
     c.re += power(Rational(2), -centre->bits);
     slope = value_at(derivative, c).squared_modulus();
   }
   evidence.eigenvalue = c;
   if (slope == 0) return evidence;
-  const int length = static_cast<int>(word.size());
-  const Enclosure modulus = root_enclosure(c.squared_modulus(), 2);
   const auto n = static_cast<long>(family.size());
   const Rational squared_value = value_at(p, c).squared_modulus();
   Rational away = n * *root_enclosure(squared_value / slope, 2).upper;
   if (distance > 0) {
     // The characteristic polynomials of all products, and their derivatives.
     const Rational error = radius::RoundedFamily(family, distance).change_of_products(length),
-                   column = *modulus.upper + one_norm(product);
+                   column = *root_enclosure(c.squared_modulus(), 2).upper + one_norm(product);
     const Rational value = *root_enclosure(squared_value, 2).upper + radius::change_of_product(column, error, n),
                    steep = *root_enclosure(slope, 2).lower - n * radius::change_of_product(column, error, n - 1);
     if (steep <= 0) return evidence;
     away = n * value / steep;
   }
-  const Rational low = *modulus.lower - away;
-  if (low > 0)
-    evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
+  set_eigenvalue(evidence, c, away);
   if (centre->rational && distance == 0) {
     const Enclosure exact = root_enclosure(abs(*centre->rational), length);
     if (exact.is_exact() && is_largest_root(p, *centre->rational, deadline)) evidence.exact = exact.lower;
@@ -179,7 +268,18 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
   const long bits = std::max(inverse_accuracy + binary_exponent(Rational(column * n * n)), 0L);
   if (bits + std::abs(place) > longest_entry) return std::nullopt;
   result.bits = static_cast<int>(bits);
-  const auto columns = inverse_columns(product, result.point, bits + std::abs(place) + 2 * precision);
+  // Matrices whose powers grow long before they decay take more bits than their entries say: one column tells.
+  const auto is_inverse = [&](const std::vector<ComplexVector>& columns) {
+    ComplexVector rest = product * columns.front();
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] - result.point * columns.front()[i];
+    rest.front().re += 1;
+    return one_norm(rest) < power(Rational(2), -inverse_accuracy);
+  };
+  std::optional<std::vector<ComplexVector>> columns;
+  for (const slong more : {precision / 2, 2 * precision}) {
+    columns = inverse_columns(product, result.point, bits + std::abs(place) + more);
+    if (columns && is_inverse(*columns)) break;
+  }
   if (!columns) return std::nullopt;
   const Rational scale = power(Rational(2), bits);
   for (const ComplexVector& exact : *columns) {

@@ -6,7 +6,8 @@
 namespace subcert {
 
 /// A product of a family with a proved lower bound of its spectral radius: some eigenvalue of the product lies within
-/// size * |p(c) / p'(c)| of the point c = `eigenvalue`, p the characteristic polynomial.
+/// size * |p(c) / p'(c)| of the point c = `eigenvalue`, p the characteristic polynomial; where that polynomial would be
+/// long, a simple eigenvalue is enclosed with its eigenvector.
 struct ProductEvidence {
   std::vector<int> word;  ///< the product M_{word[0]} M_{word[1]} ..., from left to right
   RationalComplex eigenvalue;
@@ -20,8 +21,8 @@ std::string word_text(const std::vector<int>& word);
 
 /// Encloses the leading eigenvalue of a product. `distance`: for all families whose entries differ from these by at
 /// most that. Domain: a word of at least one letter; distance >= 0. Error: about 2^-190, relatively; the lower end is 0
-/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial. Ref: SPEC.md, 4.5
-/// and section 7.
+/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial, or an enclosure by balls
+/// where that is quicker. Ref: SPEC.md, 4.5 and section 7.
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {},
                               const Rational& distance = 0);
 
@@ -37,6 +38,12 @@ struct ApproximateInverse {
 std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family, const ProductEvidence& evidence);
 
 namespace radius {
+
+/// The same by balls alone, for products whose polynomials take long. Nothing for others, and where the leading
+/// eigenvalue is multiple or rational, as far as doubles tell, or is not isolated. Cost: some hundredths of a second for
+/// a size of 100.
+std::optional<ProductEvidence> prove_long_product(const MatrixFamily& family, const std::vector<int>& word,
+                                                  const Deadline& deadline);
 
 /// The evidence for factor times the matrices. Domain: factor > 0.
 ProductEvidence scaled(ProductEvidence evidence, const Rational& factor);

@@ -15,23 +15,38 @@ bool is_better(const JointSpectralRadius& first, const JointSpectralRadius& seco
   return exact ? first.proved_upper() < second.proved_upper() : *first.radius.upper < *second.radius.upper;
 }
 
+/// Doubles misjudge products of large matrices with entries much larger than their eigenvalues, so that their letters
+/// are proved before any search, which may take all of the time. Empty where that is no letter.
+ProductEvidence largest_long_letter(const MatrixFamily& family, const Deadline& deadline) {
+  const Deadline first = deadline.after(shares::first_letter), others = deadline.after(shares::letters);
+  ProductEvidence best;
+  for (int letter = 0; letter < static_cast<int>(family.count()); ++letter) {
+    const auto found = prove_long_product(family, {letter}, letter == 0 ? first : others);
+    if (found && *found->radius.lower > *best.radius.lower) best = *found;
+  }
+  return best;
+}
+
+/// Raises the lower end where this product has a larger radius than the one found.
+void try_product(JointSpectralRadius& radius, ProductEvidence product, const Deadline& deadline) {
+  if (radius.exact.is_yes() || *product.radius.lower <= *radius.radius.lower) return;
+  if (auto* const blocks = std::get_if<BlockProof>(&radius.proof)) {
+    blocks->try_product(product.word, deadline);
+    product = blocks->blocks[blocks->leading].product;
+    if (*product.radius.lower <= *radius.radius.lower) return;
+  }
+  radius.radius.lower = product.radius.lower;
+  radius.product = std::move(product);
+}
+
 }  // namespace
 
 JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius second, const MatrixFamily& family,
                               const Deadline& deadline) {
   if (is_better(second, first)) std::swap(first, second);
   if (first.exact.is_yes() || *second.radius.lower <= *first.radius.lower) return first;
-  ProductEvidence& product = second.product;
-  if (auto* const proof = std::get_if<BlockProof>(&first.proof)) {
-    // It is one of the leading block.
-    proof->try_product(product.word, deadline);
-    product = proof->blocks[proof->leading].product;
-  } else if (second.by_blocks()) {
-    product = prove_product(family, product.word, deadline);
-  }
-  if (*product.radius.lower <= *first.radius.lower) return first;
-  first.radius.lower = product.radius.lower;
-  first.product = std::move(product);
+  if (second.by_blocks() && !first.by_blocks()) second.product = prove_product(family, second.product.word, deadline);
+  try_product(first, std::move(second.product), deadline);
   return first;
 }
 
@@ -50,12 +65,14 @@ JointSpectralRadius best_of_rounds(const MatrixFamily& family, const Budget& bud
                                    const std::function<JointSpectralRadius(const Budget&)>& search) {
   // The grace that proofs of one round took is not the time of the next one.
   const Deadline end = budget.deadline.later(shares::grace_of_rounds);
+  ProductEvidence letter = largest_long_letter(family, budget.deadline);
   std::optional<JointSpectralRadius> best;
   for (const double seconds : seconds_of_rounds(budget.deadline.remaining())) {
     if (best && (best->exact.is_yes() || end.expired())) break;
     JointSpectralRadius found = search({end.at_most(seconds), budget.memory});
     best = best ? better_of(std::move(*best), std::move(found), family, end) : std::move(found);
   }
+  try_product(*best, std::move(letter), end);
   return std::move(*best);
 }
 

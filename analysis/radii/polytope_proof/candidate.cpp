@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace subcert::radius {
 namespace {
@@ -64,7 +65,10 @@ FloatingEigenvalue leading_eigenvalue(const RationalMatrix& matrix) {
   std::size_t leading = 0;
   for (std::size_t k = 0; k < eigenvalues.size(); ++k)
     if (std::abs(eigenvalues[k]) > std::abs(eigenvalues[leading]) * (1 + 1e-12)) leading = k;
-  return {eigenvalues[leading], *exponent};
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < eigenvalues.size(); ++k)
+    if (k != leading) distance = std::min(distance, std::abs(eigenvalues[k] - eigenvalues[leading]));
+  return {eigenvalues[leading], *exponent, distance / std::abs(eigenvalues[leading])};
 }
 
 }  // namespace subcert::radius

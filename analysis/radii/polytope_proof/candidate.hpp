@@ -41,6 +41,7 @@ polytope::Candidate find_product(const MatrixFamily& family, const Deadline& dea
 struct FloatingEigenvalue {
   std::complex<double> value;
   long exponent = 0;
+  double distance = 0;  ///< of the nearest other one, over its modulus
 };
 FloatingEigenvalue leading_eigenvalue(const RationalMatrix& matrix);
 

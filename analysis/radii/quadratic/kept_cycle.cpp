@@ -8,8 +8,6 @@ namespace subcert::quadratic {
 namespace {
 
 constexpr slong eigenvector_bits = 512, bits_per_letter = 16;
-constexpr int refinements = 4;
-constexpr long point_distance = 256;  // of a point from the approximate eigenvalue, relatively, in bits
 constexpr int most_halvings = 40;     // of 1 - kept
 
 /// A row with a bound for the sum of the moduli of real and imaginary parts of
@@ -27,21 +25,9 @@ struct LeftEigenpair {
 
 std::optional<LeftEigenpair> left_eigenpair(const RationalMatrix& product, const RationalComplex& eigenvalue,
                                             slong bits) {
-  const Rational squared = eigenvalue.squared_modulus();
-  if (squared == 0) return std::nullopt;
-  RationalComplex point = eigenvalue;
-  point.re += power(Rational(2), binary_exponent(squared) / 2 - point_distance);
-  const RationalMatrix matrix = transposed(product);
-  const auto columns = inverse_columns(matrix, point, bits);
-  if (!columns) return std::nullopt;
-  ComplexVector near = std::ranges::max(*columns, {}, [](const ComplexVector& x) { return one_norm(x); });
-  std::optional<EigenpairEnclosure> pair;
-  // Each time twice as many digits are right.
-  for (int k = 0; k < refinements; ++k) {
-    pair = enclose_eigenpair(matrix, near, bits);
-    if (!pair) return std::nullopt;
-    std::ranges::transform(pair->vector, near.begin(), exact_middle);
-  }
+  if (eigenvalue.squared_modulus() == 0) return std::nullopt;
+  const auto pair = enclose_eigenpair(transposed(product), eigenvalue, bits);
+  if (!pair) return std::nullopt;
   LeftEigenpair result{{}, abs(pair->value).enclosure()};
   const auto middle = [&](const Enclosure& part) {
     result.row.error += (*part.upper - *part.lower) / 2;

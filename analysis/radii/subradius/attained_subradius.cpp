@@ -14,7 +14,6 @@ namespace subcert::subradius {
 namespace {
 
 constexpr slong eigenpair_bits = 640;
-constexpr int refinements = 3;
 constexpr long rounded_bits = 256;  // of the factors
 
 using IntegerVector = std::vector<Integer>;
@@ -41,12 +40,8 @@ std::optional<NearEigenvector> near_eigenvector(const RationalMatrix& matrix, co
                                                 const Deadline& deadline) {
   ComplexVector near;
   for (const Integer& c : v) near.push_back({Rational(c), 0});
-  std::optional<EigenpairEnclosure> pair;
-  for (int k = 0; k < refinements; ++k) {
-    pair = enclose_eigenpair(matrix, near, eigenpair_bits);
-    if (!pair) return std::nullopt;
-    std::ranges::transform(pair->vector, near.begin(), exact_middle);
-  }
+  const auto pair = enclose_eigenpair(matrix, near, eigenpair_bits);
+  if (!pair) return std::nullopt;
   std::vector<Enclosure> parts;
   for (const ComplexBall& entry : pair->vector) parts.push_back(entry.real().enclosure());
   if (*parts.front().upper < 0)

@@ -13,11 +13,15 @@ struct EigenpairEnclosure {
   std::vector<ComplexBall> vector;
 };
 
-/// Encloses the one eigenpair near an approximation. Domain: a square matrix, a vector of its size that is not 0; its
-/// Rayleigh quotient is taken as the approximate eigenvalue. Nothing where no simple eigenpair is isolated. Cost: a few
-/// products and one inverse of balls of `bits` bits. Ref: [Rum10].
+/// Encloses a simple eigenpair next to an approximation, as exactly as `bits` bits allow; the largest entry of the
+/// vector is 1, and all is real where the approximation is. Domain: a square matrix, a vector of its size that is not 0
+/// (its Rayleigh quotient is taken as the approximate eigenvalue) or a number. Nothing where none
+/// is isolated, or the deadline passes before the last step. Cost: two inverses of numbers of 128 bits, or `bits` where
+/// that is not enough, a product and some images of vectors. Ref: [Rum10].
 std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const ComplexVector& approximation,
-                                                    slong bits);
+                                                    slong bits, const Deadline& deadline = {});
+std::optional<EigenpairEnclosure> enclose_eigenpair(const RationalMatrix& matrix, const RationalComplex& near,
+                                                    slong bits, const Deadline& deadline = {});
 
 /// All eigenvalues of a matrix, in disjoint balls that hold so many each, with multiplicity.
 struct EigenvalueGroup {

@@ -63,6 +63,9 @@ def ending(case, run):
 
 def resources(case, run):
     seconds = run.seconds - checking_seconds(case, run)
+    if seconds > budget_seconds(case):  # of two runs the smaller: what else the machine does only adds to a time
+        again = run.again([*case.arguments, *case.limits])
+        seconds = min(seconds, again.seconds - checking_seconds(case, again))
     if seconds > budget_seconds(case):
         yield "time", f"{seconds:.2f} s of processor time with a budget of {case.budget:g} s"
     if run.mebibytes > case.memory + MEMORY_BESIDE:

@@ -2920,7 +2920,8 @@ var check_certificate = (() => {
       this.powers = [[real.one, real.zero]];
       for (let l = 0; l < this.levels; ++l) this.powers.push(first.times(this.powers[l], lambda));
       this.of_lambda = first.inverse(lambda);
-      this.known = new Map(this.turning.map((p, i) => [String(p), this.values[i]]));
+      this.known = new Map([...this.points.map(p => [String(p), [real.zero, real.zero]]),
+                            ...this.turning.map((p, i) => [String(p), this.values[i]])]);
     }
     show_gap(k) {  // Lemma 53
       const {real} = this, turns = new Turns(real, k), one = [real.one, real.zero];
@@ -2939,10 +2940,6 @@ var check_certificate = (() => {
     }
     value_at(point) {
       const {first} = this, {at, turn} = in_sector(this.sectors, point), key = String(at), zero = [this.real.zero, this.real.zero];
-      if (is_vertex(this.sectors, at)) {
-        demand(this.points.length > this.turning.length, 'the vertex is data, and none of the points');
-        return zero;
-      }
       if (!this.known.has(key)) {
         this.known.set(key, null);
         const total = this.rule_at(at).reduce((all, term) => {
@@ -2982,7 +2979,9 @@ var check_certificate = (() => {
       const reach = most([...this.lattice.mask.values()].map(([k]) => k));
       const own = most([...this.sectors.rules.values()].map(({point}) => point)), r = 2 * (h + reach) + own + 1;
       for (let x = 0; x < this.lattice.m * r; ++x)
-        for (let y = 0; y < this.lattice.m * r; ++y) if (Math.max(x, y) >= r) this.show_on([x, y], 0);
+        for (let y = 0; y < this.lattice.m * r; ++y)
+          if (Math.max(x, y) < r) this.value_at([x, y]);
+          else this.show_on([x, y], 0);
     }
   }
   function check_vertex(reader, {sectors, surface, dilation}) {

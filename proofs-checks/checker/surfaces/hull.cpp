@@ -14,21 +14,26 @@ std::int64_t ceiling_of(std::int64_t x, std::int64_t m) { return (x + remainder(
 }  // namespace
 
 LatticeMask lattice_mask(const Mask& mask, const Dilation& dilation) {
-  LatticeMask result{dilation.rows[0][0], {}, mask.denominator};
-  require(dilation.variables == 2 && result.arity > 1 && dilation.rows[0] == Point{result.arity, 0, 0} &&
-              dilation.rows[1] == Point{0, result.arity, 0},
+  const std::int64_t m = dilation.rows[0][0];
+  require(m > 1 && dilation.rows == Matrix{{{m, 0, 0}, {0, m, 0}, {0, 0, 1}}},
           "the dilation around a vertex is no multiple of the unit matrix of two variables");
+  LatticeMask result{m, {}, mask.denominator};
   for (std::size_t i = 0; i < mask.points(); ++i) {
     if (mask.coefficients[i] == 0) continue;
+    const mpz_class place[]{mask.first[0] + i % mask.sizes[0], mask.first[1] + i / mask.sizes[0]};
     Point k{};
     for (std::size_t v = 0; v < 2; ++v) {
-      const mpz_class index = mask.first[v] + mpz_class(v == 0 ? i % mask.sizes[0] : i / mask.sizes[0]);
-      require(abs(index) <= max_reach, "an index of the mask is too large");
-      k[v] = index.get_si();
+      require(abs(place[v]) <= max_reach, "an index of the mask is too large");
+      k[v] = place[v].get_si();
     }
     result.coefficients[k] = mask.coefficients[i];
   }
   return result;
+}
+
+mpz_class LatticeMask::at(const Point& k) const {
+  const auto place = coefficients.find(k);
+  return place == coefficients.end() ? mpz_class(0) : place->second;
 }
 
 std::set<Point> LatticeMask::window() const {
@@ -64,12 +69,11 @@ LatticeMask LatticeMask::of_differences(std::size_t axis) const {
     for (Point p = k; p[axis] <= end; ++p[axis]) places.insert(p);
   std::map<Point, mpz_class> sums;
   for (const Point& p : places) {  // along the axis one after another
-    const auto at = coefficients.find(p);
-    mpz_class value = at == coefficients.end() ? mpz_class(0) : mpz_class(at->second * arity);
+    mpz_class value = at(p) * arity;
     Point q = p;
     for (std::int64_t j = 1; j < arity; ++j) {
       --q[axis];
-      if (const auto before = result.coefficients.find(q); before != result.coefficients.end()) value -= before->second;
+      value -= result.at(q);
     }
     if (value == 0) continue;
     require(p[axis] <= end - (arity - 1), "the mask does not refine differences along an axis");

@@ -16,6 +16,7 @@ struct LatticeMask {
   std::map<Point, mpz_class> coefficients;  // none 0
   mpz_class denominator = 1;
 
+  mpz_class at(const Point& k) const;
   /// The data that limits on the square from 0 to 1 depend on.
   std::set<Point> window() const;
   /// m a / (1 + z^e + ... + z^((m-1)e)), e the unit vector of the axis. Rejects one with a negative coefficient, or

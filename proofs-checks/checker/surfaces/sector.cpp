@@ -8,13 +8,9 @@ namespace {
 constexpr std::int64_t max_place = 16;  // of a point with a rule of its own, and of its data
 constexpr std::size_t max_rules = 64, max_terms = 1000;
 
-bool is_canonical(const SectorRules& rules, const Point& point) {
-  return rules.is_vertex(point) || (point[0] >= (rules.lattice == SectorLattice::dual ? 0 : 1) && point[1] >= 0);
-}
-
 Point parse_canonical(const SectorRules& rules, std::string_view text) {
   const Point point = parse_point(text, 2, max_place);
-  require(is_canonical(rules, point), "a point of a rule is not one of sector 0");
+  require(rules.is_canonical(point), "a point of a rule is not one of sector 0");
   return point;
 }
 
@@ -46,11 +42,15 @@ Point turned_back(const Point& p, SectorLattice lattice) {
 
 bool SectorRules::is_vertex(const Point& point) const { return lattice != SectorLattice::dual && point == Point{}; }
 
+bool SectorRules::is_canonical(const Point& point) const {
+  return is_vertex(point) || (point[0] >= (lattice == SectorLattice::dual ? 0 : 1) && point[1] >= 0);
+}
+
 SectorPoint SectorRules::in_sector(Point point) const {
   if (is_vertex(point)) return {};
   const long all = lattice == SectorLattice::triangles ? 6 : 4;
   long turns = 0;
-  for (; !is_canonical(*this, point); ++turns) point = turned_back(point, lattice);
+  for (; !is_canonical(point); ++turns) point = turned_back(point, lattice);
   require(2 * turns != all || static_cast<long>(valence) == all, "a rule needs data opposite of its sector");
   return {point, 2 * turns > all ? turns - all : turns};
 }

@@ -36,6 +36,8 @@ struct SectorRules {
   std::map<Point, SectorRule> rules;
 
   bool is_vertex(const Point& point) const;
+  /// Whether it is the vertex or a point of sector 0.
+  bool is_canonical(const Point& point) const;
   /// A point of the plane around sector 0. Rejects one that is opposite of it.
   SectorPoint in_sector(Point point) const;
   /// The image under the turn by one sector of an index of a mask with this arity.

@@ -45,14 +45,13 @@ class Vertex {
     for (const std::string_view field : reader_.take("points", 1, max_points)) {
       const Point point = parse_point(field, 2);
       require(std::ranges::find(points_, point) == points_.end(), "a point occurs twice");
-      require(rules_.is_vertex(point) || is_own(rules_.in_sector(point)), "a point is not one of sector 0");
+      require(rules_.is_canonical(point), "a point is not one of sector 0");
       points_.push_back(point);
     }
     turning_ = points_;
     std::erase_if(turning_, [&](const Point& point) { return rules_.is_vertex(point); });
     require(!turning_.empty(), "no point of a sector is given");
   }
-  static bool is_own(const SectorPoint& at) { return at.turn == 0; }
 
   void read_values() {
     const std::size_t n = turning_.size();
@@ -135,6 +134,7 @@ class Vertex {
     powers_ = {{one, {0, 0}}, Turning{intervals_.number(lambda_), {0, 0}} + both};
     while (powers_.size() <= levels_) powers_.push_back(first_.times(powers_.back(), powers_[1]));
     of_lambda_ = first_.inverse(powers_[1]);
+    for (const Point& point : points_) known_[point] = {};  // stays so at the vertex
     for (std::size_t i = 0; i < values_.size(); ++i) known_[turning_[i]] = values_[i];
   }
 
@@ -168,10 +168,6 @@ class Vertex {
   /// z at a point of the plane around sector 0, outwards from the given ones.
   Turning value_at(const Point& point) {
     const SectorPoint at = rules_.in_sector(point);
-    if (rules_.is_vertex(at.point)) {
-      require(std::ranges::find(points_, at.point) != points_.end(), "the vertex is data, and none of the points");
-      return {};
-    }
     auto known = known_.find(at.point);
     if (known == known_.end()) {
       require(open_.insert(at.point).second, "a point depends on itself");
@@ -217,7 +213,8 @@ class Vertex {
       for (std::int64_t y = 0; y < m; ++y) show_on({m * corner[0] + x, m * corner[1] + y, 0}, level + 1);
   }
 
-  /// On the ring of squares of sector 0 that all others come from, far enough from the vertex.
+  /// On the ring of squares of sector 0 that all others come from, far enough from the vertex; all that is inside comes
+  /// from the points.
   void show_regular() {
     window_ = mask_.window();
     std::int64_t beside = 0, reach = 0, own = 0;
@@ -238,7 +235,10 @@ class Vertex {
     const std::int64_t r = 2 * (beside + reach) + own + 1, end = mask_.arity * r;
     for (std::int64_t x = 0; x < end; ++x)
       for (std::int64_t y = 0; y < end; ++y)
-        if (x >= r || y >= r) show_on({x, y, 0}, 0);
+        if (x >= r || y >= r)
+          show_on({x, y, 0}, 0);
+        else
+          value_at({x, y, 0});
   }
 
   const LatticeMask& mask_;
@@ -265,10 +265,8 @@ class Vertex {
 void check_vertex(const Mask& mask, const Dilation& dilation, const SectorRules& rules, Reader& reader,
                   Arithmetic& arithmetic) {
   const LatticeMask lattice = lattice_mask(mask, dilation);
-  for (const auto& [k, value] : lattice.coefficients) {
-    const auto image = lattice.coefficients.find(rules.turned_index(k, lattice.arity));
-    require(image != lattice.coefficients.end() && image->second == value, "the mask does not turn with the sectors");
-  }
+  for (const auto& [k, value] : lattice.coefficients)
+    require(lattice.at(rules.turned_index(k, lattice.arity)) == value, "the mask does not turn with the sectors");
   check_own_rules(rules);
   Vertex(lattice, rules, reader, reader.take("vertex", 5, 5), arithmetic).check();
 }

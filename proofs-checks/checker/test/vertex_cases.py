@@ -130,12 +130,10 @@ def rejected():
     yield case("vertex-inverse-coarse", "loop", loop(5), near, edits=[("^inverse 24", "inverse 22")])
     yield case("vertex-points-twice", "doo-sabin", ds, "a point occurs twice", edits=[("^points 0,0", "points 0,0 0,0")])
     yield case("vertex-points-outside", "doo-sabin", ds, "not one of sector 0", edits=[("^points 0,0", "points 0,-1")])
+    yield case("vertex-points-opposite", "doo-sabin", ds, "not one of sector 0", edits=[("^points 0,0", "points -1,-1")])
     yield case("vertex-points-few", "doo-sabin", ds, "has data elsewhere", edits=[("^(points.*) 1,1", r"\1 5,5")])
     yield case("vertex-points-no-vertex", "catmull-clark", vertex_0, "has data elsewhere", edits=[("^points 0,0 ", "points ")])
     yield case("vertex-points-less", "doo-sabin", ds, "a point depends on itself", points=[(0, 0)])
-    alone = ("quads:5;1,0=1/2@1,0,0|1/4@1,0,1|1/4@1,0,4;2,0=1/2@0,0,0|1/2@1,0,0" + "".join(
-        f";{p}=1/2@1,0,0|1/2@1,0,1" for p in ("1,1", "2,1", "1,2", "2,2")))
-    yield case("vertex-points-outside-vertex", "catmull-clark", alone, "the vertex is data, and none of the points", points=[(1, 0)])
     yield case("vertex-points-none", "catmull-clark", vertex_0, "no point of a sector is given", edits=[("^points.*", "points 0,0")])
     yield case("vertex-points-many", "doo-sabin", ds, "wrong number of fields", edits=[("^points", "points " + " ".join(f"{k},0" for k in range(9, 79)))])
     yield case("vertex-values-few", "doo-sabin", ds, "wrong number of fields", edits=[(r"^values \S+", "values")])

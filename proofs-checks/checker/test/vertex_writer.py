@@ -170,13 +170,13 @@ def eigenpair(matrix, numbers, first):
     return lam, z, inverse
 
 
-def vertex_lines(mask, arity, text, levels=1, radius_bits=44, points=None):
+def vertex_lines(mask, arity, text, levels=1, radius_bits=44, points=None, first=None):
     rules = Rules(mask, arity, text)
     numbers = Numbers(rules.n)
     points = points or rules.closed_set()
     turning = [p for p in points if not rules.is_vertex(p)]
-    lam, z, inverse = eigenpair(block(rules, turning, numbers), numbers,
-                                (Fraction(1), Fraction(rules.lattice == "dual")))
+    first = first or (1, int(rules.lattice == "dual"))
+    lam, z, inverse = eigenpair(block(rules, turning, numbers), numbers, tuple(map(Fraction, first)))
     def pairs(values, bits):
         return " ".join(str(round(part * 2 ** bits)) for value in values for part in value)
     lines = [f"vertex {BITS} {XBITS} {levels} {round(lam * 2 ** XBITS)} {2 ** (XBITS - radius_bits)}",

@@ -17,9 +17,9 @@ std::vector<int> valences_of(const std::string& text) {
   return parse_number_list("vertices", text, smallest_valence, largest_valence);
 }
 
-Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, double seconds) {
+Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
   const std::vector<SectorRules> rules = vertex_rules(scheme.specification, valences_of(expectation.word));
-  const RegularPart regular = regular_part(rules.front(), {Deadline::in(seconds)});
+  const RegularPart regular = regular_part(rules.front(), limits.budget());
   if (!regular.c1.is_yes()) return {regular.c1.truth, "away from vertices: " + regular.c1.reason};
   Decision answer{Truth::yes, fmt::format("C1 at valences {}", expectation.word)};
   for (const VertexSmoothness& one : vertex_smoothness(rules, regular, 1)) {

@@ -27,7 +27,7 @@ RangeProperty asked_of(const Property& property, const Expectation& expectation)
 std::vector<int> valences_of(const std::string& text);
 /// Whether limits are C1 at vertices of all valences of the word. Errors: throws a domain error for schemes without
 /// rules there. Cost: as vertex_smoothness().
-Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, double seconds);
+Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits);
 
 /// Of masks that change from level to level. Domain: property.of_levels().
 Decision property_of(const SchemeLevels& levels, const Property& property, const Expectation& expectation,

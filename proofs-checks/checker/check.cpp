@@ -473,10 +473,6 @@ class Checker {
 int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   try {
     if (arguments == std::vector<std::string>{"--help"}) throw Rejected{usage, 0};
-    if (arguments.size() == 1 && arguments.front().rfind("--", 0) != 0)
-      throw Rejected{"what is claimed is said here, not in FILE: 'subcert verify " + arguments.front() +
-                         "' takes it from there, and with --print-claim prints how it is said; --help has all forms",
-                     64};
     const Claim claim = read_claim(arguments);
     read(claim.file, 1, [&](Reader& reader) { Checker(claim, reader).run(); });
     out << "VERIFIED " << claim.text << std::endl;

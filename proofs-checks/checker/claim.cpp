@@ -7,6 +7,7 @@
 namespace subcert_check {
 
 const char* const usage =
+    "what is claimed is said here, not in FILE; 'subcert verify FILE' takes it from there\n"
     "usage: subcert-check --mask '[c0,c1,...]/D@first' --arity A [--lower P/Q [--upper P/Q]] FILE\n"
     "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --for 'w=LOW..HIGH'\n"
     "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
@@ -51,7 +52,6 @@ const char* const usage =
     "with\n"
     "                     --attains)\n"
     "a mask and no bounds: its integer shifts are stable\n"
-    "what is claimed is said here, not in FILE; 'subcert verify FILE' takes it from there\n"
     "prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)\n"
     "exit 64: wrong usage, 65: malformed MATRICES, 66: missing file";
 

@@ -21,8 +21,8 @@ std::string word_text(const std::vector<int>& word);
 
 /// Encloses the leading eigenvalue of a product. `distance`: for all families whose entries differ from these by at
 /// most that. Domain: a word of at least one letter; distance >= 0. Error: about 2^-190, relatively; the lower end is 0
-/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial, or an enclosure by balls
-/// where that is quicker. Ref: SPEC.md, 4.5 and section 7.
+/// where no eigenvalue is isolated or the deadline passes. Cost: one characteristic polynomial, or an enclosure by
+/// balls where that is quicker. Ref: SPEC.md, 4.5 and section 7.
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline = {},
                               const Rational& distance = 0);
 
@@ -40,8 +40,8 @@ std::optional<ApproximateInverse> approximate_inverse(const MatrixFamily& family
 namespace radius {
 
 /// The same by balls alone, for products whose polynomials take long. Nothing for others, and where the leading
-/// eigenvalue is multiple or rational, as far as doubles tell, or is not isolated. Cost: some hundredths of a second for
-/// a size of 100.
+/// eigenvalue is multiple or rational, as far as doubles tell, or is not isolated. Cost: some hundredths of a second
+/// for a size of 100.
 std::optional<ProductEvidence> prove_long_product(const MatrixFamily& family, const std::vector<int>& word,
                                                   const Deadline& deadline);
 

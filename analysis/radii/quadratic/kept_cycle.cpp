@@ -8,7 +8,7 @@ namespace subcert::quadratic {
 namespace {
 
 constexpr slong eigenvector_bits = 512, bits_per_letter = 16;
-constexpr int most_halvings = 40;     // of 1 - kept
+constexpr int most_halvings = 40;  // of 1 - kept
 
 /// A row with a bound for the sum of the moduli of real and imaginary parts of
 /// its error.

@@ -114,7 +114,9 @@ class Judges(unittest.TestCase):
         self.assertEqual(kinds(judges.ending, self.case, None, code=64, errors="no"), ["exit 64"])
         self.assertEqual(kinds(judges.ending, self.case, None), ["JSON"])
         self.assertEqual(kinds(judges.resources, self.case, {}, seconds=2.1), [])
-        self.assertEqual(kinds(judges.resources, self.case, {}, seconds=2.3), ["time"])
+        for seconds, found in ((2.3, ["time"]), (2.1, [])):  # of a second run
+            self.assertEqual(kinds(judges.resources, self.case, {}, seconds=2.3,
+                                   again=lambda _, its=seconds: run({}, seconds=its)), found)
         self.assertEqual(kinds(judges.resources, self.case, {}, mebibytes=1300), ["memory"])
         self.assertEqual(kinds(judges.not_empty, self.case, {"a": [enclosure("1", "2"), enclosure("2", "1")]}),
                          ["empty enclosure"])

@@ -31,33 +31,14 @@ std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Bal
 
 std::optional<std::vector<CosineField::Number>> kernel_vector(std::vector<std::vector<CosineField::Number>> matrix,
                                                               const CosineField& field) {
-  // Reduced rows; the one column without a pivot is free.
   const std::size_t n = matrix.size();
-  std::vector<std::size_t> pivots;
-  std::optional<std::size_t> free;
-  for (std::size_t column = 0; column < n; ++column) {
-    const std::size_t row = pivots.size();
-    std::size_t found = row;
-    while (found < n && matrix[found][column].is_zero()) ++found;
-    if (found == n) {
-      if (free) return std::nullopt;
-      free = column;
-      continue;
-    }
-    std::swap(matrix[row], matrix[found]);
-    const CosineField::Number inverse = matrix[row][column].inverse();
-    for (CosineField::Number& entry : matrix[row]) entry = inverse * entry;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == row || matrix[i][column].is_zero()) continue;
-      const CosineField::Number factor = matrix[i][column];
-      for (std::size_t j = column; j < n; ++j) matrix[i][j] = matrix[i][j] - factor * matrix[row][j];
-    }
-    pivots.push_back(column);
-  }
-  if (!free) return std::nullopt;
+  const std::vector<std::size_t> pivots = reduce(matrix);
+  if (pivots.size() + 1 != n) return std::nullopt;
+  std::size_t free = 0;
+  while (free < pivots.size() && pivots[free] == free) ++free;
   std::vector<CosineField::Number> result(n, field.number(0));
-  result[*free] = field.number(1);
-  for (std::size_t row = 0; row < pivots.size(); ++row) result[pivots[row]] = -matrix[row][*free];
+  result[free] = field.number(1);
+  for (std::size_t row = 0; row < pivots.size(); ++row) result[pivots[row]] = -matrix[row][free];
   std::size_t first = 0;
   while (result[first].is_zero()) ++first;
   const CosineField::Number inverse = result[first].inverse();

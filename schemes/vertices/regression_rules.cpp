@@ -80,7 +80,8 @@ class FanFit {
     const Rational ring = power(1 - 1 / (scheme_.radius * scheme_.radius), scheme_.power) * Rational(valence_),
                    part = scheme_.degree < 2 ? Rational(ring / (1 + ring)) : Rational(0);
     SectorRule rule;
-    rule.terms.push_back({{{0, 0}, 0}, LaurentPolynomial(Rational(1 - part))});
+    const SectorPoint vertex{LatticePoint{0, 0}, 0};
+    rule.terms.push_back({vertex, LaurentPolynomial(Rational(1 - part))});
     if (part != 0) rule.rings.push_back({{1, 0}, 0, LaurentPolynomial(part)});
     return rule;
   }
@@ -116,22 +117,9 @@ class FanFit {
   }
 
   std::vector<Number> solved(std::vector<std::vector<Number>> system) const {
-    const std::size_t size = system.size();
-    for (std::size_t k = 0; k < size; ++k) {
-      const auto pivot = std::find_if(system.begin() + static_cast<std::ptrdiff_t>(k), system.end(),
-                                      [k](const std::vector<Number>& row) { return !row[k].is_zero(); });
-      require(pivot != system.end(),
-              "rules at a vertex: the data do not determine polynomials of degree {} at valence {}", scheme_.degree,
-              valence_);
-      std::swap(*pivot, system[k]);
-      const Number inverse = system[k][k].inverse();
-      for (Number& entry : system[k]) entry = inverse * entry;
-      for (std::size_t i = 0; i < size; ++i) {
-        const Number factor = system[i][k];
-        if (i != k)
-          for (std::size_t j = k; j <= size; ++j) system[i][j] = system[i][j] - factor * system[k][j];
-      }
-    }
+    require(reduce(system).back() < system.size(),
+            "rules at a vertex: the data do not determine polynomials of degree {} at valence {}", scheme_.degree,
+            valence_);
     std::vector<Number> solution;
     for (const std::vector<Number>& row : system) solution.push_back(row.back());
     return solution;

@@ -67,4 +67,25 @@ CosineField::Number CosineField::Number::inverse() const {
 
 CosineField::Number CosineField::cosine(long k) const { return number(chebyshev(k)); }
 
+std::vector<std::size_t> reduce(std::vector<std::vector<CosineField::Number>>& rows) {
+  std::vector<std::size_t> pivots;
+  const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+  for (std::size_t column = 0; column < columns; ++column) {
+    const std::size_t row = pivots.size();
+    std::size_t found = row;
+    while (found < rows.size() && rows[found][column].is_zero()) ++found;
+    if (found == rows.size()) continue;
+    std::swap(rows[row], rows[found]);
+    const CosineField::Number inverse = rows[row][column].inverse();
+    for (CosineField::Number& entry : rows[row]) entry = inverse * entry;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i == row || rows[i][column].is_zero()) continue;
+      const CosineField::Number factor = rows[i][column];
+      for (std::size_t j = column; j < columns; ++j) rows[i][j] = rows[i][j] - factor * rows[row][j];
+    }
+    pivots.push_back(column);
+  }
+  return pivots;
+}
+
 }  // namespace subcert

@@ -3,7 +3,9 @@
 
 #include "laurent_polynomial.hpp"
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace subcert {
 
@@ -45,5 +47,8 @@ class CosineField {
  private:
   std::shared_ptr<const LaurentPolynomial> modulus_;
 };
+
+/// Brings rows to reduced echelon form; the columns of the pivots. Domain: rows of one length. Cost: one elimination.
+std::vector<std::size_t> reduce(std::vector<std::vector<CosineField::Number>>& rows);
 
 }  // namespace subcert

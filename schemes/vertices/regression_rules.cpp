@@ -33,10 +33,10 @@ class FanFit {
   SectorRule edge_rule() const {
     // x, the square of y and the squared distance from 1/2 are polynomials in the cosine of the datum.
     const LaurentPolynomial t = LaurentPolynomial::monomial(1, 1), one = 1, quarter = Rational(1, 4);
-    const std::vector<Datum> data{{{0, 0}, 0, 1, 0, 0, quarter},
-                                  {{2, 0}, 0, 1, 2, 0, Rational(9, 4)},
-                                  {{1, 1}, 0, 2, one + t, one - t * t, Rational(5, 4) + t}};
-    const Datum ring{{1, 0}, 0, 1, t, one - t * t, Rational(5, 4) - t};
+    const std::vector<Datum> data{{{0, 0}, 1, 0, 0, quarter},
+                                  {{2, 0}, 1, 2, 0, Rational(9, 4)},
+                                  {{1, 1}, 2, one + t, one - t * t, Rational(5, 4) + t}};
+    const Datum ring{{1, 0}, 1, t, one - t * t, Rational(5, 4) - t};
     const std::size_t size = basis_.size();
     std::vector<std::vector<Number>> system(size, std::vector<Number>(size + 1, field_.number(0)));
     for (std::size_t a = 0; a < size; ++a) {
@@ -53,8 +53,10 @@ class FanFit {
     for (const Datum& datum : data) {
       Number sum = field_.number(0);
       for (std::size_t a = 0; a < size; ++a) sum = sum + solution[a] * field_.number(weight(datum) * value(datum, a));
-      rule.terms.push_back({{datum.point, 0}, sum.polynomial()});
-      if (datum.count == 2) rule.terms.push_back({{datum.point, valence_ - 1}, sum.polynomial()});
+      for (long turn = 0; turn < datum.count; ++turn) {
+        const SectorPoint at{datum.point, turn == 0 ? 0 : valence_ - 1};
+        rule.terms.push_back({at, sum.polynomial()});
+      }
     }
     std::map<long, Number> frequencies;
     for (std::size_t a = 0; a < size; ++a) {
@@ -93,7 +95,6 @@ class FanFit {
   /// `count` points that are equal but for the sign of y.
   struct Datum {
     LatticePoint point;
-    long turn;
     int count;
     LaurentPolynomial x, squared_y, squared_distance;
   };

@@ -35,9 +35,7 @@ class FamilyProof {
     // The weights are affine in 1/n: what holds at two valences holds at all.
     for (const long valence : {SectorRuleFamily::many, 2 * SectorRuleFamily::many}) {
       const SectorRules rules = family.at(valence);
-      ClosedSet set;
-      for (const auto& [point, rule] : set_.rules) set.rules[point] = rules.rule_at(point);
-      require_rules(rules, set, regular, LetterRing(0));
+      require_rules(rules, with_rules_of(rules, set_), regular, LetterRing(0));
     }
     spectrum_.emplace(family, set_);
   }

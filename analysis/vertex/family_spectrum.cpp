@@ -75,9 +75,7 @@ std::vector<LetterPolynomial> FamilySpectrum::polynomials(const SectorRuleFamily
   const long many = SectorRuleFamily::many;
   const auto matrix_of = [&](long valence) {
     const SectorRules rules = family.at(valence);
-    ClosedSet own;
-    for (const auto& [point, rule] : set.rules) own.rules[point] = rules.rule_at(point);
-    return SectorBlock<LetterRing>(rules, own, frequency, ring).matrix();
+    return SectorBlock<LetterRing>(rules, with_rules_of(rules, set), frequency, ring).matrix();
   };
   auto matrix = matrix_of(many);
   const auto other = matrix_of(2 * many);

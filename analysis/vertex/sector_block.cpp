@@ -48,6 +48,11 @@ ClosedSet smallest_closed_set(const SectorRules& rules) {
   return {closure(std::move(recurrent), rules)};
 }
 
+ClosedSet with_rules_of(const SectorRules& rules, ClosedSet set) {
+  for (auto& [point, rule] : set.rules) rule = rules.rule_at(point);
+  return set;
+}
+
 SectorPoint mirror_image(const LatticePoint& point, const SectorRules& rules) {
   return *in_sector({point[1], point[0]}, rules.lattice, rules.valence);
 }

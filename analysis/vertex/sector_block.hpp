@@ -19,6 +19,9 @@ struct ClosedSet {
 /// it, after finitely many steps, alone. Proof: docs/vertices.md.
 ClosedSet smallest_closed_set(const SectorRules& rules);
 
+/// The same points with other rules.
+ClosedSet with_rules_of(const SectorRules& rules, ClosedSet set);
+
 /// The point of the plane of sector 0 that is the mirror image of a point of it, (x, y) -> (y, x).
 SectorPoint mirror_image(const LatticePoint& point, const SectorRules& rules);
 

@@ -46,7 +46,7 @@ class Weights {
         block_(block),
         field_(field),
         c_(field.cosine(1)),
-        share_(field.number(over(1, rules.valence))) {}
+        share_(field.number(LaurentPolynomial(Rational(1, rules.valence)))) {}
 
   /// Of frequency 0.
   Map of_means(const std::vector<std::size_t>& unknowns, const std::vector<Number>& form) {
@@ -65,7 +65,8 @@ class Weights {
   /// Of frequency 1: with the sums g_P of w^-t f_(P, t), each unknown as a complex linear form of the g_P.
   Map of_waves(const std::vector<std::size_t>& unknowns, const std::vector<Number>& form) {
     Map sum;
-    const Number zero = field_.number(0), one = field_.number(1), half = field_.number(over(1, 2));
+    const Number zero = field_.number(0), one = field_.number(1),
+                 half = field_.number(LaurentPolynomial(Rational(1, 2)));
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
       const auto& [point, part] = block_.unknown(unknowns[i]);
       const SectorPoint image = mirror_image(point, rules_);
@@ -91,9 +92,6 @@ class Weights {
   }
 
  private:
-  static LaurentPolynomial over(long numerator, long denominator) {
-    return Rational(Integer(numerator), Integer(denominator));
-  }
   Complex<Field> times(const Complex<Field>& p, const Complex<Field>& q) const {
     return {p.a * q.a + (c_ * c_ - field_.number(1)) * p.b * q.b, p.a * q.b + p.b * q.a};
   }

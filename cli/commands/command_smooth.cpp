@@ -71,13 +71,6 @@ void require_l1(const SmoothOptions& options) {
     fail(ErrorKind::usage, "--boundary {}: expected interp, mirror or wrap for l1 schemes", options.boundary);
 }
 
-bool is_robust(const std::string& scheme) {
-  return data::is_local_specification(scheme) && data::make_local_polynomial(scheme).robust > 0;
-}
-
-/// Methods for which errors of data are weights alone.
-bool finds_its_noise(const std::string& scheme) { return is_l1_specification(scheme) || is_robust(scheme); }
-
 /// Writes values as soon as their data have come.
 void smooth_stream(const SmoothOptions& options, const std::optional<double>& noise) {
   if (options.scheme.empty()) fail(ErrorKind::usage, "--stream needs --scheme: the choice needs all data");
@@ -160,7 +153,7 @@ void require_one_question(const SmoothOptions& options) {
   if (options.kind() == data::BandKind::prediction && options.derivative > 0)
     fail(ErrorKind::usage, "--bands-kind prediction: a new datum has no derivative; leave out --derivative");
   if (is_l1_specification(options.scheme)) require_l1(options);
-  if (options.kind() == data::BandKind::prediction && is_robust(options.scheme))
+  if (options.kind() == data::BandKind::prediction && data::is_robust_specification(options.scheme))
     fail(ErrorKind::usage,
          "--bands-kind prediction: a new datum may be an outlier, of which robust steps know nothing");
 }
@@ -171,7 +164,7 @@ ExitCode run(const SmoothOptions& options) {
   if (!options.noise.empty() &&
       (!(noise = parse_number(options.noise)) || !data::is_noise(data::nearest_double(*noise))))
     fail(ErrorKind::usage, "--noise {}: expected a standard deviation from 1e-150 to 1e150", options.noise);
-  if (!noise && !options.samples.errors.empty() && !finds_its_noise(options.scheme)) noise = 1;  // their unit
+  if (!noise && !options.samples.errors.empty() && !data::finds_its_noise(options.scheme)) noise = 1;  // their unit
   require_picture_name(options.plot);
   if (options.grid) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);

@@ -15,7 +15,7 @@
 namespace subcert::cli {
 namespace {
 
-constexpr int largest_valence = 1000, first_of_all = 13;
+constexpr int first_of_all = 13;
 constexpr const char* usual_valences = "3..12";
 
 struct VertexOptions : SearchOptions {
@@ -44,7 +44,7 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
 ExitCode run(const VertexOptions& options) {
   if (options.all && options.valence != usual_valences)
     fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
-  const std::vector<int> numbers = parse_number_list("--valence", options.valence, 3, largest_valence);
+  const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
   const Scheme scheme = make_linear_scheme(options.scheme);
   if (!has_vertex_rules(scheme))
     fail(ErrorKind::usage, "{}: has no rules at vertices; these have: {}", scheme.specification,
@@ -83,7 +83,9 @@ void add_vertex(Command& app) {
   auto options = std::make_shared<VertexOptions>();
   Command command = add_command(app, "vertex", "Whether surfaces are smooth at vertices of any valence, with proof",
                                 "subcert vertex catmull-clark --valence 3..12", options, [=] { return run(*options); });
-  command.option("--valence", options->valence, "Valences, as 3..12 or 3,5,8..10, up to 1000").with_default();
+  command
+      .option("--valence", options->valence, fmt::format("Valences, as 3..12 or 3,5,8..10, up to {}", largest_valence))
+      .with_default();
   command.flag("--all-valences", options->all, "Every valence: 3 to 12 one by one, and from 13 on all at once");
   command.flag("--stencils", options->stencils, "What each datum counts in the limit point and in two tangents");
   command.option("--stencils-header", options->header, "Write them as a header of C");

@@ -7,11 +7,6 @@
 #include <fmt/format.h>
 
 namespace subcert::properties {
-namespace {
-
-constexpr int smallest_valence = 3, largest_valence = 1000;
-
-}  // namespace
 
 std::vector<int> valences_of(const std::string& text) {
   return parse_number_list("vertices", text, smallest_valence, largest_valence);

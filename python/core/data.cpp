@@ -274,6 +274,7 @@ void add_data(py::module_& module) {
   module.def("refine", &refine);
   module.def("smooth", &smooth);
   module.def("smooth_grid", &smooth_grid);
+  module.def("finds_its_noise", &data::finds_its_noise);
   module.def("remark_on_correlations", &data::remark_on_correlations);
   module.def("all_cores", &all_cores);
 }

@@ -61,12 +61,13 @@ void require_valences(const Scheme& scheme, const char* asked, const Valences& v
   if (!has_vertex_rules(scheme))
     fail(ErrorKind::domain, "{}: {} has no rules at vertices", asked, scheme.specification);
   for (const auto n : valences)
-    if (n < least || n > 1000) fail(ErrorKind::domain, "{}: need valences from {} to 1000, got {}", asked, least, n);
+    if (n < least || n > largest_valence)
+      fail(ErrorKind::domain, "{}: need valences from {} to {}, got {}", asked, least, largest_valence, n);
 }
 
 /// For each valence what is proved there.
 py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double seconds, const py::object& progress) {
-  require_valences(scheme, "vertices", valences, 3);
+  require_valences(scheme, "vertices", valences, smallest_valence);
   const auto found = interruptible(progress, [&] {
     const std::vector<SectorRules> rules = vertex_rules(scheme.specification, valences);
     if (rules.empty()) return std::vector<VertexSmoothness>{};
@@ -85,7 +86,7 @@ py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double
 }
 
 py::tuple every_valence_of(const Scheme& scheme, long first, double seconds, const py::object& progress) {
-  require_valences(scheme, "every_valence", std::vector<long>{}, 3);
+  require_valences(scheme, "every_valence", std::vector<long>{}, smallest_valence);
   const SectorRuleFamily family = vertex_rule_family(scheme.specification);
   require_valences(scheme, "every_valence", std::vector<long>{first}, family.least);
   const EveryValence found = interruptible(progress, [&] {
@@ -99,7 +100,7 @@ py::tuple every_valence_of(const Scheme& scheme, long first, double seconds, con
 
 /// (point, sector, weight, exact weight or None) of the limit and of both tangents.
 py::list stencils_of(const Scheme& scheme, long valence, double seconds, const py::object& progress) {
-  require_valences(scheme, "vertex_stencils", std::vector<long>{valence}, 3);
+  require_valences(scheme, "vertex_stencils", std::vector<long>{valence}, smallest_valence);
   const VertexStencils found = interruptible(progress, [&] {
     const SectorRules rules = vertex_rules(scheme.specification, valence);
     return vertex_stencils(rules, vertex_smoothness(rules, regular_part(rules, {Deadline::in(seconds)})));

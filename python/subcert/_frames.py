@@ -11,6 +11,7 @@ from numbers import Real
 from typing import Any, Callable, Optional, Sequence, Union
 
 from . import _interchange
+from ._calls import core as _core
 from ._errors import DataError, DomainError, Error, UsageError
 
 Name = Union[str, int]
@@ -226,8 +227,7 @@ def weights_of(errors: Any) -> Any:
 
 def noise_of_errors(noise: Optional[float], scheme: Any) -> Optional[float]:
     """Where errors are given: the noise in their units, which robust and l1 methods find by themselves."""
-    finds = str(scheme).startswith("l1") or ("robust=" in str(scheme) and "robust=0" not in str(scheme))
-    return noise if noise is not None or finds else 1.0
+    return noise if noise is not None or _core.finds_its_noise(str(scheme)) else 1.0
 
 
 def _smoothed_rows(

@@ -1,5 +1,7 @@
 #include "regression_rules.hpp"
 
+#include "vertex_rules.hpp"
+
 #include <subcert/analysis/symbol/polynomials/cosine_field.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -9,8 +11,6 @@ namespace subcert {
 namespace {
 
 using Number = CosineField::Number;
-
-constexpr long largest_valence = 1000;
 
 /// A function on the ring, as a polynomial in cos(t), becomes one in exp(it).
 LaurentPolynomial in_exponentials(const LaurentPolynomial& p) {
@@ -71,8 +71,7 @@ class FanFit {
     for (const auto& [frequency, sum] : frequencies) {
       const long multiple = frequency == 0 || 2 * frequency == valence_ ? 1 : 2;
       if (!sum.is_zero())
-        rule.rings.push_back(
-            {ring.point, frequency, Rational(Integer(valence_), Integer(multiple)) * sum.polynomial()});
+        rule.rings.push_back({ring.point, frequency, Rational(valence_, multiple) * sum.polynomial()});
     }
     return rule;
   }
@@ -142,8 +141,8 @@ std::map<LatticePoint, SectorRule> regression_rules_at(const BallRegression& sch
       "rules at a vertex: need triangular: with 3/2 < L < 1.732, d <= 2 and a power, not weights, on the equilateral "
       "grid, got L = {}, d = {}",
       scheme.radius, scheme.degree);
-  require(valence >= 3 && valence <= largest_valence, "rules at a vertex: need 3 <= valence <= {}, got {}",
-          largest_valence, valence);
+  require(valence >= smallest_valence && valence <= largest_valence,
+          "rules at a vertex: need {} <= valence <= {}, got {}", smallest_valence, largest_valence, valence);
   const FanFit fit(scheme, valence);
   return {{{0, 0}, fit.vertex_rule()}, {{1, 0}, fit.edge_rule()}};
 }

@@ -16,8 +16,6 @@ const LatticePoint centre{0, 0}, ray{1, 0}, diagonal{1, 1};
 
 LaurentPolynomial c() { return LaurentPolynomial::monomial(1, 1); }
 
-Rational over(long numerator, long denominator) { return {Integer(numerator), Integer(denominator)}; }
-
 /// The same coefficients at other places.
 template <class Place>
 LatticeMask placed(const MultivariatePolynomial& symbol, int arity, Place place) {
@@ -61,7 +59,7 @@ SectorRule towards_the_mean(const LaurentPolynomial& part) {
 SectorRule mean_of(const std::vector<LatticePoint>& points, const SectorRules& at) {
   SectorRule rule;
   for (const LatticePoint& point : points)
-    rule.terms.push_back({*in_sector(point, at.lattice, at.valence), over(1, static_cast<long>(points.size()))});
+    rule.terms.push_back({*in_sector(point, at.lattice, at.valence), Rational(1, static_cast<long>(points.size()))});
   return rule;
 }
 
@@ -84,27 +82,27 @@ std::map<LatticePoint, SectorRule> sqrt3_rules(const SectorRules& at) {
   const LatticePoint next{0, 1};
   const SectorRule vertex = sqrt3_vertex_rule(), middle = mean_of({centre, ray, next}, at),
                    across = mean_of({ray, next, diagonal}, at);
-  const Rational third = over(1, 3);
+  const Rational third = Rational(1, 3);
   // The middles of the triangles at the vertex have the mean 1/3 of it and 2/3 of that of its neighbours.
   const LaurentPolynomial part = vertex.rings.front().weight, rest = LaurentPolynomial(1) - part;
   std::map<LatticePoint, SectorRule> rules;
-  rules[centre] = towards_the_mean(rest * part + over(2, 3) * part);
+  rules[centre] = towards_the_mean(rest * part + Rational(2, 3) * part);
   add(rules[ray], third, vertex, 0, at);
   add(rules[ray], third, middle, 0, at);
   add(rules[ray], third, middle, -1, at);
   // The middle of the first triangle, with valence 6 from then on, among the new vertices around it.
   SectorRule& inner = rules[diagonal];
-  add(inner, over(2, 3), middle, 0, at);
+  add(inner, Rational(2, 3), middle, 0, at);
   for (const SectorRule& corner : {vertex, sqrt3_regular(ray, at), sqrt3_regular(next, at), across})
-    add(inner, over(1, 18), corner, 0, at);
-  for (const long turns : {-1L, 1L}) add(inner, over(1, 18), middle, turns, at);
+    add(inner, Rational(1, 18), corner, 0, at);
+  for (const long turns : {-1L, 1L}) add(inner, Rational(1, 18), middle, turns, at);
   return rules;
 }
 
 SectorRules loop_rules(const LatticeMask& mask, long n) {
-  const LaurentPolynomial inner = LaurentPolynomial(over(3, 8)) + over(1, 4) * c();
+  const LaurentPolynomial inner = LaurentPolynomial(Rational(3, 8)) + Rational(1, 4) * c();
   SectorRules result{n, SectorLattice::triangles, with_triangles(mask)};
-  result.rules[centre] = towards_the_mean(LaurentPolynomial(over(5, 8)) - inner * inner);
+  result.rules[centre] = towards_the_mean(LaurentPolynomial(Rational(5, 8)) - inner * inner);
   return result;
 }
 
@@ -116,24 +114,24 @@ SectorRules catmull_clark_rules(const LatticeMask& mask, long n) {
 
 SectorRule catmull_clark_over_valence() {
   SectorRule vertex;
-  add(vertex, centre, over(-7, 4));
-  add_ring(vertex, ray, 0, over(3, 2));
-  return add_ring(vertex, diagonal, 0, over(1, 4));
+  add(vertex, centre, Rational(-7, 4));
+  add_ring(vertex, ray, 0, Rational(3, 2));
+  return add_ring(vertex, diagonal, 0, Rational(1, 4));
 }
 
 SectorRules doo_sabin_rules(const LatticeMask& mask, long n) {
   SectorRules result{n, SectorLattice::dual, with_dual_middle(mask)};
-  SectorRule& corner = add(result.rules[centre], centre, over(1, 4));
-  add_ring(corner, centre, 0, over(3, 4));
-  add_ring(corner, centre, 1, over(1, 4));
+  SectorRule& corner = add(result.rules[centre], centre, Rational(1, 4));
+  add_ring(corner, centre, 0, Rational(3, 4));
+  add_ring(corner, centre, 1, Rational(1, 4));
   return result;
 }
 
 SectorRules midedge_rules(const LatticeMask&, long n) {
   SectorRules result{n, SectorLattice::dual, with_dual_middle(make_linear_scheme("zwart-powell:").mask)};
-  SectorRule& corner = add(result.rules[centre], centre, over(1, 2));
-  add(corner, centre, over(1, 4), 1);
-  add(corner, centre, over(1, 4), n - 1);
+  SectorRule& corner = add(result.rules[centre], centre, Rational(1, 2));
+  add(corner, centre, Rational(1, 4), 1);
+  add(corner, centre, Rational(1, 4), n - 1);
   return result;
 }
 
@@ -144,10 +142,10 @@ SectorRules butterfly_rules(const LatticeMask& mask, long n) {
 SectorRules modified_butterfly_rules(const LatticeMask& mask, long n) {
   SectorRules result = butterfly_rules(mask, n);
   if (n == 6) return result;
-  SectorRule& edge = add(result.rules[ray], centre, over(3, 4));
-  add_ring(edge, ray, 0, over(1, 4));
-  add_ring(edge, ray, 1, over(1, 2));
-  if (n > 3) add_ring(edge, ray, 2, over(1, 4));
+  SectorRule& edge = add(result.rules[ray], centre, Rational(3, 4));
+  add_ring(edge, ray, 0, Rational(1, 4));
+  add_ring(edge, ray, 1, Rational(1, 2));
+  if (n > 3) add_ring(edge, ray, 2, Rational(1, 4));
   return result;
 }
 
@@ -203,10 +201,10 @@ const Maker& maker_of(const Scheme& scheme) {
 
 }  // namespace
 
-SectorRule sqrt3_vertex_rule() { return towards_the_mean(over(1, 9) * (LaurentPolynomial(4) - 2 * c())); }
+SectorRule sqrt3_vertex_rule() { return towards_the_mean(Rational(1, 9) * (LaurentPolynomial(4) - 2 * c())); }
 
 SectorRules vertex_rules(std::string_view specification, long valence) {
-  require(valence >= 3, "rules at a vertex: need valence >= 3, got {}", valence);
+  require(valence >= smallest_valence, "rules at a vertex: need valence >= {}, got {}", smallest_valence, valence);
   const Scheme scheme = make_linear_scheme(specification);
   return maker_of(scheme).of(scheme, valence, valence).at(valence);
 }

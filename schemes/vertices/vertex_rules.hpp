@@ -24,6 +24,7 @@ namespace subcert {
 /// Two steps of the dilations that turn the lattice are one of 2 or 3 times the identity. Domain: valence >= 3. Errors:
 /// throws a SpecificationError for what is no scheme, a domain Error for one that has no rules here.
 SectorRules vertex_rules(std::string_view specification, long valence);
+inline constexpr int smallest_valence = 3, largest_valence = 1000;  ///< of what is answered one by one
 bool has_vertex_rules(const Scheme& scheme);
 
 /// The same for several valences, in their order.

@@ -27,14 +27,11 @@ void require_small(const MatrixFamily& family) {
           FamilyLimits::matrices, FamilyLimits::size, FamilyLimits::entries, family.count(), family.size());
 }
 
-/// Raises the lower end where the product of this word has a larger radius than the one found.
+/// Where the block is open.
 void try_product(JointSpectralRadius& block, const MatrixFamily& family, const std::vector<int>& word,
                  const Deadline& deadline) {
-  if (block.exact.is_yes() || block.is_closed()) return;
-  ProductEvidence found = prove_product(family, word, deadline);
-  if (*found.radius.lower <= *block.radius.lower) return;
-  block.radius.lower = found.radius.lower;
-  block.product = std::move(found);
+  if (!block.exact.is_yes() && !block.is_closed())
+    radius::try_product(block, prove_product(family, word, deadline), deadline);
 }
 
 /// The radii of all diagonal blocks, as sharp as the largest needs them.

@@ -70,9 +70,8 @@ RationalComplex largest_zero(const LaurentPolynomial& simple) {
 }
 
 /// From doubles; where it is so much smaller than the entries that these may not tell it, from the polynomial.
-radius::FloatingEigenvalue leading_eigenvalue(const RationalMatrix& product, const LaurentPolynomial& simple,
-                                              const Deadline& deadline) {
-  const radius::FloatingEigenvalue found = radius::leading_eigenvalue(product);
+radius::FloatingEigenvalue leading_eigenvalue(const radius::FloatingEigenvalue& found, const RationalMatrix& product,
+                                              const LaurentPolynomial& simple, const Deadline& deadline) {
   const auto size = binary_exponent(product);
   const LaurentPolynomial p = simple.shifted(-simple.lowest());
   const double modulus = std::abs(found.value);
@@ -112,9 +111,9 @@ struct Centre {
 };
 
 /// Nothing where there is no eigenvalue but 0. `simple`: the squarefree part of p.
-std::optional<Centre> centre_of(const RationalMatrix& product, const LaurentPolynomial& p,
-                                const LaurentPolynomial& simple, const Deadline& deadline) {
-  const radius::FloatingEigenvalue start = leading_eigenvalue(product, simple, deadline);
+std::optional<Centre> centre_of(const RationalMatrix& product, const radius::FloatingEigenvalue& floating,
+                                const LaurentPolynomial& p, const LaurentPolynomial& simple, const Deadline& deadline) {
+  const radius::FloatingEigenvalue start = leading_eigenvalue(floating, product, simple, deadline);
   const double modulus = std::abs(start.value);
   if (modulus == 0 || simple.length() == 1) return std::nullopt;
   // A multiple real eigenvalue may come out as a pair that is off by the root of the rounding.
@@ -139,8 +138,8 @@ struct NearbyEigenvalue {
   Rational away;
 };
 
-std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product, const Deadline& deadline) {
-  const radius::FloatingEigenvalue start = radius::leading_eigenvalue(product);
+std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product,
+                                                  const radius::FloatingEigenvalue& start, const Deadline& deadline) {
   if (start.value == 0.0 || start.distance < nearly_double) return std::nullopt;
   const Rational unit = content(product);
   const auto nearest = [&](const Rational& x) { return to_multiple(x, unit, Rounding::nearest); };
@@ -198,6 +197,15 @@ void set_eigenvalue(ProductEvidence& evidence, const RationalComplex& c, const R
     evidence.radius = {root_enclosure(low, length).lower, root_enclosure(*modulus.upper + away, length).upper};
 }
 
+std::optional<ProductEvidence> proved_by_balls(const RationalMatrix& product, const std::vector<int>& word,
+                                               const radius::FloatingEigenvalue& start, const Deadline& deadline) {
+  const auto nearby = nearby_eigenvalue(product, start, deadline);
+  if (!nearby) return std::nullopt;
+  ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
+  set_eigenvalue(evidence, nearby->point, nearby->away);
+  return evidence;
+}
+
 }  // namespace
 
 std::optional<ProductEvidence> radius::prove_long_product(const MatrixFamily& family, const std::vector<int>& word,
@@ -205,27 +213,25 @@ std::optional<ProductEvidence> radius::prove_long_product(const MatrixFamily& fa
   if (deadline.expired()) return std::nullopt;
   const auto product = family.product(word, deadline);
   if (!product || !has_long_characteristic(*product)) return std::nullopt;
-  const auto nearby = nearby_eigenvalue(*product, deadline);
-  if (!nearby) return std::nullopt;
-  ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
-  set_eigenvalue(evidence, nearby->point, nearby->away);
-  return evidence;
+  return proved_by_balls(*product, word, leading_eigenvalue(*product), deadline);
 }
 
 ProductEvidence prove_product(const MatrixFamily& family, const std::vector<int>& word, const Deadline& deadline,
                               const Rational& distance) {
-  if (distance == 0)
-    if (auto evidence = radius::prove_long_product(family, word, deadline)) return *std::move(evidence);
   ProductEvidence evidence{word, {}, Enclosure::at_least(0), std::nullopt};
+  if (deadline.expired()) return evidence;
   const auto in_time = family.product(word, deadline);
   if (!in_time) return evidence;
   const RationalMatrix& product = *in_time;
+  const radius::FloatingEigenvalue floating = radius::leading_eigenvalue(product);
+  if (distance == 0 && radius::has_long_characteristic(product))
+    if (auto found = proved_by_balls(product, word, floating, deadline)) return *std::move(found);
   const int length = static_cast<int>(word.size());
   const auto characteristic = characteristic_polynomial(product, deadline);
   if (!characteristic) return evidence;
   const LaurentPolynomial &p = *characteristic, simple = squarefree_part(p), derivative = p.derivative();
   // Multiple eigenvalues are found as simple zeros of the squarefree part.
-  auto centre = centre_of(product, p, simple, deadline);
+  auto centre = centre_of(product, floating, p, simple, deadline);
   if (!centre) return evidence;
   RationalComplex& c = centre->point;
   Rational slope = value_at(derivative, c).squared_modulus();

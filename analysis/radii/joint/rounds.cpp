@@ -27,7 +27,8 @@ ProductEvidence largest_long_letter(const MatrixFamily& family, const Deadline& 
   return best;
 }
 
-/// Raises the lower end where this product has a larger radius than the one found.
+}  // namespace
+
 void try_product(JointSpectralRadius& radius, ProductEvidence product, const Deadline& deadline) {
   if (radius.exact.is_yes() || *product.radius.lower <= *radius.radius.lower) return;
   if (auto* const blocks = std::get_if<BlockProof>(&radius.proof)) {
@@ -38,8 +39,6 @@ void try_product(JointSpectralRadius& radius, ProductEvidence product, const Dea
   radius.radius.lower = product.radius.lower;
   radius.product = std::move(product);
 }
-
-}  // namespace
 
 JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius second, const MatrixFamily& family,
                               const Deadline& deadline) {

@@ -7,6 +7,10 @@
 
 namespace subcert::radius {
 
+/// Raises the lower end where this product has a larger radius than the one found, and nothing is exact. By blocks it
+/// is tried in each, in time.
+void try_product(JointSpectralRadius& radius, ProductEvidence product, const Deadline& deadline);
+
 /// What two searches prove of one family: the larger product of both, and the proof that a product attains the radius,
 /// or else that of the smaller bound. Cost: a characteristic polynomial for each block, where one is by blocks.
 JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius second, const MatrixFamily& family,

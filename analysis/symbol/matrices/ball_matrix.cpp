@@ -19,6 +19,12 @@ class ComplexBallMatrix {
   ComplexBallMatrix(std::size_t rows, std::size_t columns) {
     acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
   }
+  /// Of numbers with so many bits.
+  ComplexBallMatrix(const RationalMatrix& matrix, slong bits) : ComplexBallMatrix(matrix.rows(), matrix.columns()) {
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t j = 0; j < matrix.columns(); ++j)
+        acb_set(entry(i, j), ball_around({matrix(i, j), 0}, bits).get());
+  }
   ComplexBallMatrix(const ComplexBallMatrix&) = delete;
   ComplexBallMatrix& operator=(const ComplexBallMatrix&) = delete;
   ~ComplexBallMatrix() { acb_mat_clear(value_); }
@@ -50,14 +56,14 @@ Ball norm(ComplexBallMatrix& matrix) {
 class EigenpairSearch {
  public:
   EigenpairSearch(const RationalMatrix& matrix, const RationalComplex& near, slong bits)
-      : n_(matrix.rows()), bits_(bits), matrix_(n_, n_), vector_(n_, 1), value_(middle(ball_around(near, bits))) {
-    for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t j = 0; j < n_; ++j) acb_set(matrix_.entry(i, j), ball_around({matrix(i, j), 0}, bits).get());
-  }
+      : n_(matrix.rows()),
+        bits_(bits),
+        matrix_(matrix, bits),
+        vector_(n_, 1),
+        value_(middle(ball_around(near, bits))) {}
 
   void start(const ComplexVector& vector) {
-    const Rational unit = power(Rational(2), -binary_exponent(one_norm(vector)));
-    for (std::size_t i = 0; i < n_; ++i) acb_set(vector_.entry(i, 0), ball_around(unit * vector[i], bits_).get());
+    for (std::size_t i = 0; i < n_; ++i) acb_set(vector_.entry(i, 0), ball_around(vector[i], bits_).get());
     normalise();
   }
 
@@ -251,13 +257,11 @@ std::optional<std::vector<EigenvalueGroup>> eigenvalues(const std::vector<std::v
 std::optional<std::vector<ComplexVector>> inverse_columns(const RationalMatrix& matrix, const RationalComplex& point,
                                                           slong bits) {
   const std::size_t n = matrix.rows();
-  ComplexBallMatrix balls(n, n), inverse(n, n);
+  ComplexBallMatrix balls(Rational(-1) * matrix, bits), inverse(n, n);
   const auto add_to_diagonal = [&](ComplexBallMatrix& to, const RationalComplex& number) {
     const ComplexBall ball = ball_around(number, bits);
     for (std::size_t i = 0; i < n; ++i) acb_add(to.entry(i, i), to.entry(i, i), ball.get(), bits);
   };
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) acb_set(balls.entry(i, j), ball_around({-matrix(i, j), 0}, bits).get());
   if (point.im == 0) {
     add_to_diagonal(balls, point);
     if (acb_mat_approx_inv(inverse.get(), balls.get(), bits) == 0) return std::nullopt;

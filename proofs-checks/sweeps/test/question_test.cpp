@@ -1,3 +1,5 @@
+#include "refused.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -22,22 +24,14 @@ TEST_CASE("questions: several, with settings and properties") {
 }
 
 TEST_CASE("questions: what is refused, with its place") {
-  for (const auto& [text, position] :
-       std::vector<std::pair<std::string, std::size_t>>{{"", 1},
-                                                        {"jsr", 1},
-                                                        {"regularity variance", 12},
-                                                        {"regularity --certificate x", 12},
-                                                        {"limit --level", 14},
-                                                        {"check", 6},
-                                                        {"check holder1 > 1", 7}}) {
-    CAPTURE(text);
-    try {
-      SchemeQuestion::parse(text);
-      FAIL("not refused");
-    } catch (const ParseError& error) {
-      CHECK(error.position() == position);
-    }
-  }
+  testing::check_refused({{"", 1},
+                          {"jsr", 1},
+                          {"regularity variance", 12},
+                          {"regularity --certificate x", 12},
+                          {"limit --level", 14},
+                          {"check", 6},
+                          {"check holder1 > 1", 7}},
+                         [](const std::string& text) { SchemeQuestion::parse(text); });
   CHECK_THROWS_AS(SchemeQuestion::split("mask,,variance"), ParseError);
 }
 

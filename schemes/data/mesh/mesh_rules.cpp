@@ -50,8 +50,6 @@ SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
   return split == MeshSplit::middles ? sqrt3_vertex_rule() : rules.rule_at(centre);
 }
 
-Rational over(long numerator, long denominator) { return {Integer(numerator), Integer(denominator)}; }
-
 }  // namespace
 
 std::vector<std::string> schemes_with_mesh_rules() {
@@ -120,7 +118,7 @@ VertexWeights MeshRules::limit_of(const SectorRules& rules) const {
   const RuleWeights vertex(vertex_rule(rules, split_), rules);
   const Interval one = Interval::exactly(1), neighbours = vertex.sum(ray), faces = vertex.sum(diagonal);
   if (split_ != MeshSplit::polygons) {
-    Interval own = Interval::exactly(over(2, 3));
+    Interval own = Interval::exactly(Rational(2, 3));
     if (split_ == MeshSplit::triangles) {
       const RuleWeights edge(rules.rule_at(ray), rules);
       own = edge.sum(ray);

@@ -62,6 +62,10 @@ std::string to_text(const LocalPolynomial& method) {
   return method.robust > 0 ? text + fmt::format(",robust={}", method.robust) : text;
 }
 
+bool is_robust_specification(std::string_view specification) {
+  return is_local_specification(specification) && make_local_polynomial(specification).robust > 0;
+}
+
 bool is_local_specification(std::string_view specification) {
   return specification.substr(0, specification.find(':')) == family_name;
 }

@@ -15,6 +15,8 @@ namespace subcert::data {
 /// of reading: throws a usage error.
 std::string to_text(const LocalPolynomial& method);
 bool is_local_specification(std::string_view specification);
+/// Whether it is that of a local polynomial with robust steps. Errors: as make_local_polynomial().
+bool is_robust_specification(std::string_view specification);
 LocalPolynomial make_local_polynomial(std::string_view specification);
 
 /// What a fit at one output is made of: the data of its window with their weights w_i > 0, and polynomials q_k that are

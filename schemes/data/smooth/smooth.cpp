@@ -260,6 +260,10 @@ bool takes_any_positions(std::string_view specification) {
   return specification.empty() || is_local_specification(specification);
 }
 
+bool finds_its_noise(std::string_view specification) {
+  return is_l1_specification(specification) || is_robust_specification(specification);
+}
+
 SmoothedSamples smooth(const Samples& samples, std::string_view specification, const SmoothingOptions& options,
                        int threads) {
   require_squares(samples);

@@ -53,6 +53,10 @@ struct SmoothedSamples {
 /// made for them, and where the method is chosen.
 bool takes_any_positions(std::string_view specification);
 
+/// Whether errors of data are weights alone: robust and l1 methods find the noise by themselves. Errors: as
+/// make_smoothing_method().
+bool finds_its_noise(std::string_view specification);
+
 /// Smooths by a method; derivatives are with respect to the positions of the samples. Domain: for data-dependent
 /// schemes as L1Smoother. Errors: throws NoLimit where convergence, or the smoothness that a derivative needs, has no
 /// proof; a domain error that says what needs a linear method; a data error for too few samples; else as the smoothers

@@ -8,8 +8,6 @@
 
 namespace subcert::vectors {
 
-namespace shares = schedule::vector;
-
 Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts) {
   if (parts.root == 0) return {MatrixFamily(std::move(matrices))};
   RationalMatrix root = std::move(matrices.back());
@@ -96,7 +94,7 @@ Decision largest_is_attained(const BlockProof& proof, const std::vector<Operator
 /// Of the diagonal blocks over the field of the root, each by itself.
 JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
   const BlockTriangular triangular = block_triangularise(MatrixFamily(operators.matrices()),
-                                                         budget.deadline.after(shares::blocks));
+                                                         budget.deadline.after(schedule::vector::blocks));
   JointSpectralRadius result;
   std::vector<Operators> blocks;
   BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
@@ -107,10 +105,11 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
     blocks.push_back({MatrixFamily(std::move(block)), std::move(root)});
     const Operators& given = blocks.back();
     const bool is_number = triangular.sizes[k] == 2;
-    const auto mirrored = is_number ? std::nullopt : mirror_symmetric(given, budget.deadline.after(shares::mirrors));
+    const auto mirrored = is_number ? std::nullopt
+                                    : mirror_symmetric(given, budget.deadline.after(schedule::vector::mirrors));
     const RealFamily family = on_functions(mirrored.value_or(given), number);
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
-    const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
+    const NormProof norms = norms_of(family, {share.deadline.after(schedule::vector::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
     proof.blocks.push_back(is_number             ? radius_of_field_numbers(given, family)
                            : family.distance > 0 ? radius::RoundedFamily(family.matrices, family.distance,

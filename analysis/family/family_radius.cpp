@@ -195,7 +195,7 @@ Powers<Rational> FamilyRadius::characteristic(const EigenvalueBound& bound, cons
   const std::size_t n = family_.size(), size = pair ? n * (n - 1) / 2 : n;
   const std::size_t factors = bound.word.size() * (pair ? 2 : 1);
   std::vector<std::size_t> sizes = family_.mask.sizes();
-  const Powers<Rational> zero{std::vector<std::size_t>(sizes.size(), 1), {0}};
+  Powers<Rational> zero{std::vector<std::size_t>(sizes.size(), 1), {0}};
   std::size_t terms = 1;
   for (std::size_t& one : sizes) {
     one = (one - 1) * size * factors + 1;

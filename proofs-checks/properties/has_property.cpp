@@ -44,11 +44,12 @@ Regularity regularity_of(const Scheme& scheme, const SearchLimits& limits) {
   return subcert::regularity_of(scheme.mask, limits.budget(), of_scheme(scheme, {.levels = levels}));
 }
 
+Decision convergence_of(const Scheme& scheme, const SearchLimits& limits) {
+  return scheme.rounding ? regularity_of(scheme, limits).converges() : convergence_of(scheme.mask.curve(), limits);
+}
+
 Decision convergent(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
-  if (!scheme.rounding) return matches(convergence_of(scheme.mask.curve(), limits), expectation.yes);
-  const bool converges = *regularity_of(scheme, limits).curve->exponent.lower > 0;
-  return matches({converges ? Truth::yes : Truth::unknown, converges ? "the exponent is positive" : "not proved"},
-                 expectation.yes);
+  return matches(convergence_of(scheme, limits), expectation.yes);
 }
 
 Decision smoothness(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
@@ -121,12 +122,12 @@ Decision interpolatory(const Scheme& scheme, const Expectation& expectation, con
 }
 
 Decision stable(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
-  if (scheme.rounding)
-    return matches(has_stable_shifts(scheme.mask.curve(), scheme.rounding->distance, scheme.rounding->sum_rules),
-                   expectation.yes);
-  const Decision convergence = convergence_of(scheme.mask.curve(), limits);
+  const Decision convergence = convergence_of(scheme, limits);
   if (!convergence.is_yes()) return {Truth::unknown, "convergence is not proved: " + convergence.reason};
-  return matches(has_stable_shifts(scheme.mask.curve()), expectation.yes);
+  const Mask& mask = scheme.mask.curve();
+  return matches(scheme.rounding ? has_stable_shifts(mask, scheme.rounding->distance, scheme.rounding->sum_rules)
+                                 : has_stable_shifts(mask),
+                 expectation.yes);
 }
 
 Decision symmetry_of(const Scheme& scheme, const Expectation& expectation, const SearchLimits&) {

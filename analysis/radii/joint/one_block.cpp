@@ -310,7 +310,7 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
     result.exact = found.exact;
   // Cycles whose eigenvalues have no common polynomial have no certificate, but perhaps an orbit has one.
   const bool unsaid = closed && !polytope->attained && !attained && !result.radius.is_exact();
-  const auto orbit = (result.exact.is_yes() && !unsaid) || enough || lower <= 0
+  auto orbit = (result.exact.is_yes() && !unsaid) || enough || lower <= 0
                          ? std::nullopt
                          : closed_orbit_of(scaled_family, candidate, budget);
   if (orbit && !result.exact.is_yes()) {

@@ -98,7 +98,7 @@ JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) cons
 }
 
 JointSpectralRadius RoundedFamily::radius(const NormProof& known, const Budget& budget, int bits) const {
-  const JointSpectralRadius exact = attained({budget.deadline.after(schedule::rounded::exact), budget.memory}, bits);
+  JointSpectralRadius exact = attained({budget.deadline.after(schedule::rounded::exact), budget.memory}, bits);
   if (exact.exact.is_yes()) return exact;
   // Any bound will do.
   JointSpectralRadius result = family_.size() == 1 ? radius_of_numbers(family_)

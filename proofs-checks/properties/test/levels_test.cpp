@@ -71,7 +71,7 @@ TEST_CASE("properties of levels: what is refused") {
            {slider + "start = 'w0=1'\nconvergent = true", "'start' needs 'levels'"},
            {slider + "period = [0]\nconvergent = true", "'period' needs 'masks'"},
            {masks_of_two + slider + "convergent = true", "'masks' stands without"},
-           {masks_of_two + "period = [2]\nconvergent = true", "expected the number of a mask"},
+           {masks_of_two + "period = [2]\nconvergent = true", "expected the number of a mask, 0 to 1"},
            {masks_of_two, "the scheme has no expected property"},
            {masks_of_two + "interpolatory = true", "is no property of masks that change"},
            {"mask = 'merrien:lambda=-1/8,mu'\nlevels = '0 <= mu <= 1'\nconvergent = true", "masks of numbers"}}) {

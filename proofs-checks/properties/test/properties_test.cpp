@@ -60,6 +60,34 @@ TEST_CASE("properties for all values of a parameter") {
   CHECK(error_of("mask = 'dd:n=2'\nfor = '0 < w < 1'\nconvergent = true").find("family") != std::string::npos);
 }
 
+TEST_CASE("properties of rounded masks") {
+  const std::string root = ",where=2t^2-1:0.7..0.8'\nconvergent = true";
+  CHECK(first_answer("mask = 'mask:[1,1+t,0,-t]" + root).is_no());  // its exponent is 0
+  CHECK(first_answer("mask = 'mask:[t,1,1-t]" + root).is_yes());
+}
+
+TEST_CASE("stability is said of schemes that converge") {
+  for (const char* mask : {"mask:[1,3/2,0,-1/2]", "mask:[1,1+t,0,-t],where=2t^2-1:0.7..0.8"}) {
+    CAPTURE(mask);
+    const Decision answer = first_answer("mask = '" + std::string(mask) + "'\nstable = true");
+    CHECK(answer.truth == Truth::unknown);
+    CHECK_THAT(answer.reason, Catch::StartsWith("convergence is not proved: "));
+  }
+  CHECK(first_answer("mask = 'daubechies:n=3'\nstable = true").is_yes());
+}
+
+TEST_CASE("properties of vectors of functions") {
+  const std::string ghm = "mask = 'ghm'\n";
+  for (const char* text : {"smoothness = '>= 0'", "holder = '>= 1'", "support = [0, 2]"}) {
+    CAPTURE(text);
+    CHECK(first_answer(ghm + text).is_yes());
+  }
+  for (const char* text : {"smoothness = '>= 1'", "holder = '> 1'", "support = [0, 1]"}) {
+    CAPTURE(text);
+    CHECK(first_answer(ghm + text).is_no());
+  }
+}
+
 TEST_CASE("properties of surfaces") {
   const std::string quincunx = "mask = 'quincunx:'\n";
   for (const char* text :

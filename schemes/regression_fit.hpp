@@ -79,7 +79,7 @@ void for_hermite_terms(const std::vector<Number>& nodes, const std::vector<int>&
   struct Polynomial {
     std::vector<std::vector<Number>> at_nodes;
     std::vector<Number> at_x;
-    std::vector<Number> values;  // of the data
+    std::vector<Number> values = {};  // of the data
     Number norm = 0;
   };
   std::vector<Polynomial> made;

@@ -79,7 +79,7 @@ LocalPolynomial make_local_polynomial(std::string_view specification) {
   LocalPolynomial method;
   if (const auto piece = fields.optional("d")) method.degree = static_cast<int>(read_integer(*piece, "d", 0, 20));
   if (const auto piece = fields.optional("points"))
-    method.points = static_cast<std::size_t>(read_integer(*piece, "points", method.degree + 1, most_points));
+    method.points = static_cast<std::size_t>(read_integer(*piece, "points", method.degree / 2 + 1, most_points));
   if (const auto piece = fields.optional("width")) {
     if (method.points > 0) fail(*piece, "points or width, not both");
     const Rational width = specification_text::read_rational(*piece);
@@ -104,6 +104,9 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
       windows_(data(), options.boundary, method) {
   require(options.derivative <= method.degree, "derivative {}: polynomials of degree {} have none", options.derivative,
           method.degree);
+  if (method.points > 0 && method.points * data().kinds() <= static_cast<std::size_t>(method.degree))
+    subcert::fail(ErrorKind::usage, "{}: expected points as an integer from {}{}", to_text(method), method.degree + 1,
+                  data().kinds() == 1 ? "; half as many need values with slopes" : "");
   std::size_t present = 0;
   for (std::size_t i = 0; i < data().count(); i += data().kinds())
     present += data().is_present(static_cast<long>(i)) ? 1 : 0;

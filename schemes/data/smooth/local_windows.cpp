@@ -35,9 +35,9 @@ std::size_t first_after(std::size_t from, std::size_t last, const Before& before
 LocalWindows::LocalWindows(const ExtendedData& data, Boundary boundary, const LocalPolynomial& method)
     : weight_(method.weight),
       degree_(static_cast<std::size_t>(method.degree)),
-      points_(method.points * data.kinds()),
-      width_(method.width),
-      kinds_(data.kinds()) {
+      kinds_(data.kinds()),
+      points_(method.points * kinds_),
+      width_(method.width) {
   require(method.is_complete(), "smoothing: need points or a width for local polynomials");
   std::vector<long> low, high;
   if (boundary != Boundary::regression) {

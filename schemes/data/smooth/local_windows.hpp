@@ -101,9 +101,8 @@ class LocalWindows {
   void take_all_within(Window& window) const;
 
   LocalWeight weight_;
-  std::size_t degree_, points_;  // points: data, each derivative by itself
-  std::size_t kinds_;
-  std::size_t shift_ = 0;  // of numbers of data, modulo the kinds
+  std::size_t degree_, kinds_, points_;  // points: data, each derivative by itself
+  std::size_t shift_ = 0;                // of numbers of data, modulo the kinds
   double width_;
   bool repeated_ = false;  // whether data share positions
   std::vector<double> positions_;

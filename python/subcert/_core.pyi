@@ -212,6 +212,8 @@ def smooth(
     at: str,
     places: Optional[_Array],
     noise: Optional[float],
+    slopes: Optional[_Array],
+    slope_noise: Optional[float],
     select: str,
     resamples: int,
     seed: int,

@@ -46,8 +46,8 @@ struct DataSites {
 class ExtendedData {
  public:
   /// Domain: count >= 1, no `shrink`, weights >= 0, not all 0; as many weights and positions as data, or none; with
-  /// derivatives positions, equal for the data of one, and `regression`, past which nothing is asked for, or `periodic`.
-  /// Errors: throws a domain error.
+  /// derivatives positions, equal for the data of one, and `regression`, past which nothing is asked for, or
+  /// `periodic`. Errors: throws a domain error.
   ExtendedData(const ExtensionRule& rule, DataSites sites);
 
   std::size_t count() const { return sites_.count; }

@@ -158,9 +158,11 @@ TEST_CASE("two points and a box are cubic Hermite interpolation, and slopes of d
   SmoothingOptions options;
   options.places = {0.5, 2};
   const LocalSmoother middle(method, sites, options);
-  CHECK(middle.row(0).weights == std::vector<Rational>{Rational(1, 2), Rational(1, 8), Rational(1, 2), Rational(-1, 8)});
+  CHECK(middle.row(0).weights ==
+        std::vector<Rational>{Rational(1, 2), Rational(1, 8), Rational(1, 2), Rational(-1, 8)});
   CHECK(middle.row(1).first == 2);
-  CHECK(middle.row(1).weights == std::vector<Rational>{Rational(1, 2), Rational(1, 4), Rational(1, 2), Rational(-1, 4)});
+  CHECK(middle.row(1).weights ==
+        std::vector<Rational>{Rational(1, 2), Rational(1, 4), Rational(1, 2), Rational(-1, 4)});
   CHECK_FAILS(LocalSmoother(make_local_polynomial("local:points=2,d=4,weight=box"), sites, options), usage);
   CHECK_FAILS(LocalSmoother(method, 8, options), usage);
 
@@ -169,7 +171,8 @@ TEST_CASE("two points and a box are cubic Hermite interpolation, and slopes of d
   const LocalSmoother observed(make_local_polynomial("local:points=3,d=3,weight=box"), sites, there);
   CHECK(observed.outputs() == 8);
   std::vector<Rational> data;
-  for (std::size_t i = 0; i < 8; ++i) data.push_back(monomial(Rational(sites.positions[i]), 3, static_cast<int>(i % 2)));
+  for (std::size_t i = 0; i < 8; ++i)
+    data.push_back(monomial(Rational(sites.positions[i]), 3, static_cast<int>(i % 2)));
   for (std::size_t i = 0; i < 8; ++i) {
     const std::vector<Rational> row = whole_row(observed.row(i), 8);
     Rational sum = 0;
@@ -279,15 +282,16 @@ TEST_CASE("bands from values and slopes cover as often as they say") {
 }
 
 TEST_CASE("windows for values with slopes are near the best, for values and for slopes") {
-  for (const std::size_t count : {150, 600})
+  for (const std::size_t count : {100, 300})
     for (const Selection selection : {Selection::risk, Selection::cross_validation})
       for (const int derivative : {0, 1}) {
         CAPTURE(count, selection == Selection::risk, derivative);
         double chosen = 0, best = 0;
-        for (unsigned seed = 1; seed <= 6; ++seed) {
+        for (unsigned seed = 1; seed <= 4; ++seed) {
           const Samples samples = hermite_samples(count, 0.2, 0.2, seed, seed % 2 == 0);
           SmoothingOptions options{Boundary::regression, 0, derivative, 0, true};
           options.selection = selection;
+          options.path = false;
           const auto error = [&](const SmoothedSamples& made) {
             double sum = 0;
             for (std::size_t i = 0; i < made.positions.size(); ++i) {

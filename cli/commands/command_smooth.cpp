@@ -34,8 +34,10 @@ data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSa
 class RemarksOnData {
  public:
   void add(const data::NamedSamples& samples, const data::SmoothedSamples& result) {
+    // Of a derivative of values with slopes it is these that were looked at.
+    const std::size_t looked_at = samples.slopes ? samples.names.size() - result.columns.size() : 0;
     for (std::size_t c = 0; c < result.columns.size(); ++c) {
-      const std::string name = samples.names[c] + (samples.group.empty() ? "" : " of " + samples.group);
+      const std::string name = samples.names[looked_at + c] + (samples.group.empty() ? "" : " of " + samples.group);
       if (const auto& correlation = result.columns[c].correlated) correlated_.emplace_back(name, *correlation);
       if (const std::size_t count = result.columns[c].outliers; count > 0) outliers_.emplace_back(name, count);
     }

@@ -225,9 +225,9 @@ def smooth(
     values, with the standard deviation `slope_noise` of their noise, where it is known; of a table the names of their
     columns, one for each of `y`. The answer has those of the fits. `select`: by what the method is chosen, its
     estimated error ("risk") or cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the residuals for
-    bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names the
-    method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
-    without proof of convergence.
+    bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a
+    linear fit a UserWarning names the method that leaves them out. Raises DataError for samples that cannot be
+    smoothed, DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")

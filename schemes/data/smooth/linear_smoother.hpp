@@ -33,7 +33,7 @@ struct SmoothingOptions {
   /// the samples, in any order.
   std::vector<double> places = {};
   bool keep_holes = false;  ///< of grids: NaN beside missing data
-  /// At the data: where these are derivatives, such of the fit, whatever `derivative` is.
+  /// At the data, of values with derivatives: such derivatives of the fit, whatever `derivative` is.
   bool as_observed = false;
 
   bool on_grid() const { return !at_data && places.empty(); }
@@ -126,7 +126,7 @@ class LinearSmoother {
 
   /// Of the value there.
   int derivative(std::size_t output) const {
-    return options_.as_observed ? data_.order(static_cast<long>(output)) : options_.derivative;
+    return options_.as_observed && data_.kinds() > 1 ? data_.order(static_cast<long>(output)) : options_.derivative;
   }
 
   const SmoothingOptions& options() const { return options_; }

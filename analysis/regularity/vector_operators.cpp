@@ -4,6 +4,7 @@
 #include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 
@@ -169,11 +170,15 @@ std::optional<Enclosure> mean_square_radius(const Operators& operators, long num
     const auto found = p_radius(operators.family, 2, bits, deadline);
     return found ? std::optional(found->radius) : std::nullopt;
   }
-  constexpr long spare = 32;
+  constexpr long spare = 32, most_forms = 36;
   Enclosure result = Enclosure::exactly(0);
   for (const Operators& block : FieldBlocks(operators, deadline.after(shares::blocks)).blocks) {
     const auto size = static_cast<long>(block.family.size() / 2);
-    const RealFamily family = on_functions(block, number, (size * (size + 1) / 2) * (bits + spare) + spare);
+    const long forms = size * (size + 1) / 2;
+    if (forms > most_forms)
+      fail(ErrorKind::size, "mean_square_radius: need at most {} forms of degree 2 over a field, got {}", most_forms,
+           forms);
+    const RealFamily family = on_functions(block, number, forms * (bits + spare) + spare);
     const auto found = p_radius(family.matrices, 2, bits, deadline);
     if (!found) return std::nullopt;
     const Rational change = change_of_forms(family) / Rational(static_cast<long>(family.matrices.count()));

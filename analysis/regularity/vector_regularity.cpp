@@ -260,8 +260,9 @@ ComponentRegularity regularity_of_component(const Parts& parts, const std::vecto
   return result;
 }
 
-std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& space, const Parts& parts, const Deadline& deadline,
-                                          int bits) {
+/// By differences of this order.
+std::optional<Enclosure> sobolev_exponent_by(const DifferenceSpace& space, const Parts& parts, const Deadline& deadline,
+                                             int bits) {
   try {
     const auto found = mean_square_radius(operators_of(space, parts), parts.root, bits + bits_of_powers, deadline);
     if (!found) return std::nullopt;
@@ -273,6 +274,21 @@ std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& space, const Pa
     if (error.kind() != ErrorKind::size && error.kind() != ErrorKind::domain) throw;
     return std::nullopt;  // blocks that are too large
   }
+}
+
+/// By differences of this order and, where they are not above the exponent, of higher ones.
+std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& first, const Parts& parts,
+                                          const std::vector<LatticeSequence>& solutions, const Deadline& deadline,
+                                          int bits) {
+  std::optional<Enclosure> result = sobolev_exponent_by(first, parts, deadline, bits);
+  for (int order = first.order + 1; result && !result->upper && order <= most_orders && !deadline.expired(); ++order) {
+    const auto space = value_space(parts.mask, solutions, order);
+    if (!space || space->family.size() > largest_space) break;
+    const auto next = sobolev_exponent_by(*space, parts, deadline, bits);
+    if (!next) break;
+    result = next;
+  }
+  return result;
 }
 
 /// Whether the solutions are continuous, by the exponent of the worst.
@@ -378,7 +394,8 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
   vector.continuous = are_continuous(told.exponent, vector.solutions);
   if (vector.continuous.is_yes()) {
     result.exponent = told.exponent;
-    if (!component) result.sobolev = sobolev_exponent(space, parts, budget.deadline.after(shares::sobolev), bits);
+    if (!component)
+      result.sobolev = sobolev_exponent(space, parts, solutions, budget.deadline.after(shares::sobolev), bits);
     const std::size_t first = component.value_or(0), last = component.value_or(parts.components() - 1);
     for (std::size_t c = first; c <= last; ++c) {
       const double share = 1.0 / static_cast<double>(last + 1 - c);

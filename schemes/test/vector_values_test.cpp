@@ -107,3 +107,30 @@ TEST_CASE("derivatives over a field: Merrien's scheme gives the slopes that it r
   CHECK(slopes.at({1})[0] == QuadraticNumber{Rational(-15, 16), Rational(1, 8), 2});
   CHECK(slopes.at({0})[1] == QuadraticNumber{1});
 }
+
+TEST_CASE("Sobolev exponents over a field are those of rational matrices where a factor makes them so") {
+  const auto sobolev = [](const std::string& text) {
+    const Scheme scheme = make_refinable_scheme(text);
+    REQUIRE(scheme.quadratic);
+    return vector_regularity(*scheme.quadratic, {Deadline::in(20)}).sobolev;
+  };
+  const auto ghm = sobolev(
+      "refinable:[[[12,16*sqrt(2)],[-sqrt(2),-6]],[[12,0],[9*sqrt(2),20]],[[0,0],[9*sqrt(2),-6]],"
+      "[[0,0],[-sqrt(2),0]]]/20@0");
+  REQUIRE(ghm);
+  CHECK(ghm->contains(Rational(3, 2)));
+  CHECK(*ghm->upper - *ghm->lower < Rational(1, 1'000'000'000'000));
+  // cubic Hermite splines with the slopes in units of sqrt(3)
+  const auto cubic = sobolev(
+      "refinable:[[[4,2*sqrt(3)],[-sqrt(3)/3,-1]],[[8,0],[0,4]],[[4,-2*sqrt(3)],[sqrt(3)/3,-1]]]/8@-1");
+  REQUIRE(cubic);
+  CHECK(cubic->contains(Rational(5, 2)));
+  // known by other means to these digits
+  for (const char* name : {"cl:2", "bat:1"}) {
+    CAPTURE(name);
+    const auto found = sobolev(name);
+    REQUIRE(found);
+    CHECK(*found->lower > Rational(105'457, 100'000));
+    CHECK(*found->upper < Rational(105'459, 100'000));
+  }
+}

@@ -64,6 +64,67 @@ void for_terms(const std::vector<Node>& nodes, const std::vector<Number>& weight
   }
 }
 
+/// The same where the datum i is one of the derivative orders[i]: polynomials are orthogonal for <g, h> = sum of
+/// weights[i] g^(orders[i])(nodes[i]) h^(orders[i])(nodes[i]), and their values are those of these derivatives. No
+/// recurrence of three terms holds, as t is not symmetric for this product: each polynomial is made orthogonal to all
+/// before it. Domain: as many weights and orders as nodes; no polynomial of the degree but 0 has all these values 0.
+/// Cost: nodes * degree^2 operations.
+template <class Number, class Take>
+void for_hermite_terms(const std::vector<Number>& nodes, const std::vector<int>& orders,
+                       const std::vector<Number>& weights, int degree, const Number& x, int derivative,
+                       const Take& take) {
+  const std::size_t m = nodes.size();
+  const auto highest = static_cast<std::size_t>(*std::max_element(orders.begin(), orders.end()));
+  // Derivatives [r][i] at the nodes, and [r] at x.
+  struct Polynomial {
+    std::vector<std::vector<Number>> at_nodes;
+    std::vector<Number> at_x;
+    std::vector<Number> values = {};  // of the data
+    Number norm = 0;
+  };
+  std::vector<Polynomial> made;
+  Polynomial next{{highest + 1, std::vector<Number>(m, Number(0))},
+                  std::vector<Number>(static_cast<std::size_t>(derivative) + 1, Number(0))};
+  next.at_nodes[0].assign(m, Number(1));
+  next.at_x[0] = 1;
+  const auto product = [&](const std::vector<Number>& one, const std::vector<Number>& other) {
+    return sum_of<Number>(m, [&](std::size_t i) { return Number(weights[i] * one[i] * other[i]); });
+  };
+  const auto set_values = [&](Polynomial& polynomial) {
+    polynomial.values.resize(m);
+    for (std::size_t i = 0; i < m; ++i)
+      polynomial.values[i] = polynomial.at_nodes[static_cast<std::size_t>(orders[i])][i];
+  };
+  const auto subtract = [](std::vector<Number>& from, const std::vector<Number>& what, const Number& factor) {
+    for (std::size_t i = 0; i < from.size(); ++i) from[i] -= factor * what[i];
+  };
+  for (int k = 0;; ++k) {
+    set_values(next);
+    // Of doubles twice, so that what is left is orthogonal to rounding.
+    for (int pass = 0; pass < (std::is_same_v<Number, double> ? 2 : 1); ++pass)
+      for (const Polynomial& before : made) {
+        const Number factor = product(next.values, before.values) / before.norm;
+        for (std::size_t r = 0; r <= highest; ++r) subtract(next.at_nodes[r], before.at_nodes[r], factor);
+        subtract(next.at_x, before.at_x, factor);
+        subtract(next.values, before.values, factor);
+      }
+    next.norm = product(next.values, next.values);
+    take(Number(next.at_x.back() / next.norm), next.values);
+    if (k == degree) return;
+    made.push_back(next);
+    // The derivative r of t P is t P^(r) + r P^(r-1).
+    for (std::size_t r = highest + 1; r-- > 0;)
+      for (std::size_t i = 0; i < m; ++i) {
+        next.at_nodes[r][i] *= nodes[i];
+        if (r > 0) next.at_nodes[r][i] += Number(static_cast<int>(r)) * next.at_nodes[r - 1][i];
+      }
+    for (std::size_t r = next.at_x.size(); r-- > 0;) {
+      next.at_x[r] *= x;
+      if (r > 0) next.at_x[r] += Number(static_cast<int>(r)) * next.at_x[r - 1];
+    }
+  }
+}
+
 /// Lagrange's formula. Domain: distinct nodes.
 template <class Node, class Number>
 std::vector<Number> interpolation(const std::vector<Node>& nodes, const Number& x) {

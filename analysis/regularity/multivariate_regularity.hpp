@@ -53,8 +53,8 @@ struct FunctionVector {
   /// of 1 and then those of the root. Reduced: each is 1 at a place where the others are 0.
   std::vector<std::vector<Rational>> integrals = {};
   std::optional<std::vector<Rational>> integral = std::nullopt;  ///< that was asked for
-  /// The values at lattice points where there is one solution and the matrices are rational: those of the integral that
-  /// was asked for, or else normalised().
+  /// The values at lattice points where there is one solution: those of the integral that was asked for, or else
+  /// normalised(). With a root of twice as many components, the parts x and then y of x + sqrt(root) y.
   std::optional<LatticeSequence> values = std::nullopt;
   long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none

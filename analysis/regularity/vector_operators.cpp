@@ -1,8 +1,10 @@
 #include "vector_operators.hpp"
 
 #include <subcert/analysis/radii/joint/one_block.hpp>
+#include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/joint/rounded_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
 
@@ -30,9 +32,8 @@ Operators operators_of(const DifferenceSpace& space, const Parts& parts) {
   return {space.family, std::move(root)};
 }
 
-RealFamily on_functions(const Operators& operators, long number) {
+RealFamily on_functions(const Operators& operators, long number, long root_bits) {
   if (!operators.root) return {operators.family};
-  constexpr long root_bits = 512;
   const RationalMatrix basis = basis_of_pairs(RationalMatrix::identity(operators.family.size()), *operators.root);
   const std::size_t size = basis.rows() / 2;
   const Rational value = rounded_root(number, root_bits);
@@ -91,19 +92,31 @@ Decision largest_is_attained(const BlockProof& proof, const std::vector<Operator
   return leader.exact;
 }
 
+/// Diagonal blocks over the field of the root.
+struct FieldBlocks {
+  BlockTriangular triangular;
+  std::vector<Operators> blocks;
+
+  FieldBlocks(const Operators& operators, const Deadline& deadline)
+      : triangular(block_triangularise(MatrixFamily(operators.matrices()), deadline)) {
+    for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
+      std::vector<RationalMatrix> block = triangular.block(k).matrices();
+      RationalMatrix root = std::move(block.back());
+      block.pop_back();
+      blocks.push_back({MatrixFamily(std::move(block)), std::move(root)});
+    }
+  }
+};
+
 /// Of the diagonal blocks over the field of the root, each by itself.
 JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
-  const BlockTriangular triangular = block_triangularise(MatrixFamily(operators.matrices()),
-                                                         budget.deadline.after(schedule::vector::blocks));
+  const FieldBlocks split(operators, budget.deadline.after(schedule::vector::blocks));
+  const BlockTriangular& triangular = split.triangular;
+  const std::vector<Operators>& blocks = split.blocks;
   JointSpectralRadius result;
-  std::vector<Operators> blocks;
   BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
   for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
-    std::vector<RationalMatrix> block = triangular.block(k).matrices();
-    RationalMatrix root = std::move(block.back());
-    block.pop_back();
-    blocks.push_back({MatrixFamily(std::move(block)), std::move(root)});
-    const Operators& given = blocks.back();
+    const Operators& given = blocks[k];
     const bool is_number = triangular.sizes[k] == 2;
     const auto mirrored = is_number ? std::nullopt
                                     : mirror_symmetric(given, budget.deadline.after(schedule::vector::mirrors));
@@ -128,7 +141,54 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   return result;
 }
 
+/// The number is at most 2^this, and above 2^(this - 2). Domain: above 0.
+long power_above(const Rational& number) {
+  return static_cast<long>(msb(numerator(number))) + 1 - static_cast<long>(msb(denominator(number)));
+}
+
+/// The sum over t of |T_t x|^2 as an operator on forms: how far its spectral radius may be from that of the rounded
+/// matrices.
+Rational change_of_forms(const RealFamily& family) {
+  if (family.distance == 0) return 0;
+  const auto n = static_cast<long>(family.matrices.size() * (family.matrices.size() + 1) / 2);
+  Rational largest = 0;
+  for (const RationalMatrix& matrix : family.matrices)
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+      for (std::size_t k = 0; k < matrix.columns(); ++k) largest = std::max(largest, abs(matrix(i, k)));
+  // An entry is a sum of two products of entries for each matrix, a norm at most n times the largest.
+  const Rational products(2 * n * static_cast<long>(family.matrices.count())), near = largest + family.distance;
+  const Rational norms = 2 * products * near * near, moved = products * family.distance * (largest + near);
+  return power(Rational(2), ((n - 1) * power_above(norms) + power_above(moved)) / n + 1);
+}
+
 }  // namespace
+
+std::optional<Enclosure> mean_square_radius(const Operators& operators, long number, int bits,
+                                            const Deadline& deadline) {
+  if (!operators.root) {
+    const auto found = p_radius(operators.family, 2, bits, deadline);
+    return found ? std::optional(found->radius) : std::nullopt;
+  }
+  constexpr long spare = 32, most_forms = 36;
+  Enclosure result = Enclosure::exactly(0);
+  for (const Operators& block : FieldBlocks(operators, deadline.after(schedule::vector::blocks)).blocks) {
+    const auto size = static_cast<long>(block.family.size() / 2);
+    const long forms = size * (size + 1) / 2;
+    if (forms > most_forms)
+      fail(ErrorKind::size, "mean_square_radius: need at most {} forms of degree 2 over a field, got {}", most_forms,
+           forms);
+    const RealFamily family = on_functions(block, number, forms * (bits + spare) + spare);
+    const auto found = p_radius(family.matrices, 2, bits, deadline);
+    if (!found) return std::nullopt;
+    const Rational change = change_of_forms(family) / Rational(static_cast<long>(family.matrices.count()));
+    const Rational& low = *found->radius.lower;
+    const Rational& high = *found->radius.upper;
+    const Rational below = std::max(Rational(0), Rational(low * low - change)), above = high * high + change;
+    result = {std::max(*result.lower, *root_enclosure(below, 2, bits).lower),
+              std::max(*result.upper, *root_enclosure(above, 2, bits).upper)};
+  }
+  return result;
+}
 
 JointSpectralRadius radius_of(const Operators& operators, long number, const Budget& budget, const NormProof& norms,
                               const std::optional<Rational>& target) {

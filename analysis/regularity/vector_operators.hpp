@@ -65,7 +65,14 @@ struct RealFamily {
 /// On the functions themselves, for the square root of this number, or 0. In the basis e_1, J e_1, e_2, J e_2, ... of
 /// the rational space, J the product with the root, e_1, e_2, ... are a basis over the field of the root, with the
 /// entries X(2i, 2k) + sqrt(number) X(2i + 1, 2k).
-RealFamily on_functions(const Operators& operators, long number);
+RealFamily on_functions(const Operators& operators, long number, long root_bits = 512);
+
+/// The 2-radius on the functions: the limit of (mean of |T_w|^2 over the words of k digits)^(1/(2k)). Error and cost:
+/// as p_radius of each block, with roots of so many bits that the zeros of its characteristic polynomial move by less
+/// than 2^-bits. Errors: as p_radius; of kind size for a block of more than 8 functions over a field. Nothing where the
+/// deadline comes first. Ref: [Els85]; docs/vectors.md, section 8.
+std::optional<Enclosure> mean_square_radius(const Operators& operators, long number, int bits,
+                                            const Deadline& deadline);
 
 NormProof norms_of(const RealFamily& family, const Budget& budget);
 

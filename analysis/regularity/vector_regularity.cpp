@@ -2,9 +2,8 @@
 #include "value_space.hpp"
 #include "vector_operators.hpp"
 
-#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/radii/joint/modular_meataxe.hpp>
-#include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -260,11 +259,13 @@ ComponentRegularity regularity_of_component(const Parts& parts, const std::vecto
   return result;
 }
 
-std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& space, const Deadline& deadline, int bits) {
+/// By differences of this order.
+std::optional<Enclosure> sobolev_exponent_by(const DifferenceSpace& space, const Parts& parts, const Deadline& deadline,
+                                             int bits) {
   try {
-    const auto found = p_radius(space.family, 2, bits + bits_of_powers, deadline);
+    const auto found = mean_square_radius(operators_of(space, parts), parts.root, bits + bits_of_powers, deadline);
     if (!found) return std::nullopt;
-    Enclosure result = exponent_of_radius(found->radius, space.dilation.classes(), space.dilation.variables(),
+    Enclosure result = exponent_of_radius(*found, space.dilation.classes(), space.dilation.variables(),
                                           bits + bits_of_powers);
     if (result.upper && *result.upper >= space.order) result = Enclosure::at_least(space.order);
     return result;
@@ -272,6 +273,21 @@ std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& space, const De
     if (error.kind() != ErrorKind::size && error.kind() != ErrorKind::domain) throw;
     return std::nullopt;  // blocks that are too large
   }
+}
+
+/// By differences of this order and, where they are not above the exponent, of higher ones.
+std::optional<Enclosure> sobolev_exponent(const DifferenceSpace& first, const Parts& parts,
+                                          const std::vector<LatticeSequence>& solutions, const Deadline& deadline,
+                                          int bits) {
+  std::optional<Enclosure> result = sobolev_exponent_by(first, parts, deadline, bits);
+  for (int order = first.order + 1; result && !result->upper && order <= most_orders && !deadline.expired(); ++order) {
+    const auto space = value_space(parts.mask, solutions, order);
+    if (!space || space->family.size() > largest_space) break;
+    const auto next = sobolev_exponent_by(*space, parts, deadline, bits);
+    if (!next) break;
+    result = next;
+  }
+  return result;
 }
 
 /// Whether the solutions are continuous, by the exponent of the worst.
@@ -347,8 +363,10 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
     vector.integrals = basis_over_field(integrals, parts.root);
   }
   vector.solutions = parts.root > 0 ? solutions.size() / 2 : solutions.size();
-  if (vector.solutions == 1 && parts.root == 0)
-    vector.values = question.integral ? solutions.front() : normalised(solutions.front());
+  if (vector.solutions == 1)
+    vector.values = question.integral ? solutions.front()
+                    : parts.root == 0 ? normalised(solutions.front())
+                                      : normalised(solutions.front(), parts.components(), parts.root);
   if (solutions.empty()) {
     result.exact = {Truth::no, "there is no continuous solution"};
     vector.continuous = {Truth::no, all.empty() ? "the refinement equation has no solution but 0 at lattice points"
@@ -375,8 +393,9 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
   vector.continuous = are_continuous(told.exponent, vector.solutions);
   if (vector.continuous.is_yes()) {
     result.exponent = told.exponent;
-    if (!component && parts.root == 0)
-      result.sobolev = sobolev_exponent(space, budget.deadline.after(schedule::vector::sobolev), bits);
+    if (!component)
+      result.sobolev = sobolev_exponent(space, parts, solutions, budget.deadline.after(schedule::vector::sobolev),
+                                        bits);
     const std::size_t first = component.value_or(0), last = component.value_or(parts.components() - 1);
     for (std::size_t c = first; c <= last; ++c) {
       const double share = 1.0 / static_cast<double>(last + 1 - c);

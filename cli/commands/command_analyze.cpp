@@ -63,7 +63,8 @@ ExitCode analyze_vector(const Scheme& scheme, const AnalyzeOptions& options) {
   const Regularity found = regularity_of(scheme.mask, {Deadline::in(options.budget)}, of_scheme(scheme));
   const FunctionVector& vector = *found.surface->vector;
   facts::Facts list = regularity_facts(scheme, found, {}, {watch.seconds(), 0, found.is_closed()});
-  if (vector.continuous.is_yes() && vector.values) list.push_back(facts::values_fact(*vector.values));
+  if (vector.continuous.is_yes() && vector.values)
+    list.push_back(facts::values_fact(by_points(*vector.values, scheme.mask.components(), vector.root)));
   const WrittenCertificate certificate = write_scheme_certificate(options.scheme_certificate, scheme,
                                                                   {Deadline::in(options.budget)});
   Json json = page_json(list);

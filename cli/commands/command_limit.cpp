@@ -51,11 +51,11 @@ LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
 /// this order.
 LatticeSequence vector_at_lattice_points(const Scheme& scheme, const LatticePoint& orders,
                                          const LimitCommandOptions& options) {
-  if (options.range || scheme.quadratic)
-    fail(ErrorKind::usage, "{}: need {}, got {}", options.range ? "--range" : "limit",
-         options.range ? "a mask of numbers" : "rational matrices", scheme.specification);
-  const MultivariateRegularity found = vector_regularity(scheme.mask, {Deadline::in(options.budget)},
-                                                         {.integral = scheme.integral});
+  if (options.range) fail(ErrorKind::usage, "--range: need a mask of numbers, got {}", scheme.specification);
+  const Budget budget{Deadline::in(options.budget)};
+  const VectorQuestion question{.integral = scheme.integral};
+  const MultivariateRegularity found = scheme.quadratic ? vector_regularity(*scheme.quadratic, budget, question)
+                                                        : vector_regularity(scheme.mask, budget, question);
   const FunctionVector& vector = *found.vector;
   if (vector.continuous.is_no())
     throw NoLimit(

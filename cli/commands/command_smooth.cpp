@@ -34,8 +34,10 @@ data::SmoothedSamples smoothed(const SmoothOptions& options, const data::NamedSa
 class RemarksOnData {
  public:
   void add(const data::NamedSamples& samples, const data::SmoothedSamples& result) {
+    // Of a derivative of values with slopes it is these that were looked at.
+    const std::size_t looked_at = samples.slopes ? samples.names.size() - result.columns.size() : 0;
     for (std::size_t c = 0; c < result.columns.size(); ++c) {
-      const std::string name = samples.names[c] + (samples.group.empty() ? "" : " of " + samples.group);
+      const std::string name = samples.names[looked_at + c] + (samples.group.empty() ? "" : " of " + samples.group);
       if (const auto& correlation = result.columns[c].correlated) correlated_.emplace_back(name, *correlation);
       if (const std::size_t count = result.columns[c].outliers; count > 0) outliers_.emplace_back(name, count);
     }
@@ -158,12 +160,37 @@ void require_one_question(const SmoothOptions& options) {
          "--bands-kind prediction: a new datum may be an outlier, of which robust steps know nothing");
 }
 
+/// Refuses what values with slopes are not smoothed by.
+void require_values_with_slopes(const SmoothOptions& options) {
+  if (!options.samples.slopes) {
+    if (!options.slope_noise.empty()) fail(ErrorKind::usage, "--slope-noise needs --hermite");
+    return;
+  }
+  if (options.grid || options.stream || options.samples.series == "rows")
+    fail(ErrorKind::usage, "--hermite: expected none of --grid, --stream, --series rows");
+  if (!data::takes_any_positions(options.scheme))
+    fail(ErrorKind::usage, "--hermite: expected local polynomials, as --scheme local:points=21,d=3; found {}",
+         options.scheme);
+  if (options.boundary != "interp" && options.boundary != "wrap")
+    fail(ErrorKind::usage, "--boundary {}: expected interp or wrap with --hermite", options.boundary);
+  if (!options.slope_noise.empty() && data::finds_its_noise(options.scheme))
+    fail(ErrorKind::usage, "--slope-noise: robust steps find the noise by themselves");
+}
+
+/// A standard deviation, where one is given.
+std::optional<Rational> deviation(const char* option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  auto noise = parse_number(text);
+  if (!noise || !data::is_noise(data::nearest_double(*noise)))
+    fail(ErrorKind::usage, "{} {}: expected a standard deviation from 1e-150 to 1e150", option, text);
+  return noise;
+}
+
 ExitCode run(const SmoothOptions& options) {
   require_one_question(options);
-  std::optional<Rational> noise;
-  if (!options.noise.empty() &&
-      (!(noise = parse_number(options.noise)) || !data::is_noise(data::nearest_double(*noise))))
-    fail(ErrorKind::usage, "--noise {}: expected a standard deviation from 1e-150 to 1e150", options.noise);
+  require_values_with_slopes(options);
+  std::optional<Rational> noise = deviation("--noise", options.noise);
+  const std::optional<Rational> slope_noise = deviation("--slope-noise", options.slope_noise);
   if (!noise && !options.samples.errors.empty() && !data::finds_its_noise(options.scheme)) noise = 1;  // their unit
   require_picture_name(options.plot);
   if (options.grid) {
@@ -203,14 +230,16 @@ ExitCode run(const SmoothOptions& options) {
   for (data::NamedSamples& samples : groups) {
     std::ranges::for_each(samples.remarks, remark_once);
     if (noise) samples.noise = data::nearest_double(*noise);
+    if (slope_noise) samples.slope_noise = data::nearest_double(*slope_noise);
     const std::vector<double> places = positions ? positions->of(samples) : std::vector<double>();
     try {
       if (!samples.refused.empty()) fail(ErrorKind::data, "{}", samples.refused);
       data::SmoothedSamples result = smoothed(options, samples, places);
       of_data.add(samples, result);
       outside = std::max(outside, result.outside);
-      if (result.choice && samples.names.size() > 1)
-        remark_once("one method is chosen for all columns together; --y NAME chooses it for one alone");
+      if (result.choice && samples.names.size() > (samples.slopes ? 2 : 1))
+        remark_once(fmt::format("one method is chosen for all columns together; --y {} chooses it for one alone",
+                                samples.slopes ? "NAME,SLOPE" : "NAME"));
       pages.push_back(std::make_unique<SmoothPage>(options, samples, std::move(result)));
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::data) throw;
@@ -302,6 +331,11 @@ void add_smooth(Command& app) {
   command.option("--at-file", options->at_file,
                  "Table of the positions where values stand, in the column named as those of DATA, or the first");
   command.option("--noise", options->noise, "Its standard deviation for weight 1, where it is known").exact_number();
+  command.flag("--hermite", options->samples.slopes,
+               "The columns are values, and then as many of their slopes by the position, as for refine: both are "
+               "fitted together");
+  command.option("--slope-noise", options->slope_noise, "The standard deviation of the noise of slopes for weight 1")
+      .exact_number();
   command.option("--boundary", options->boundary, "How data go on past the ends")
       .one_of(data::smoothing_boundary_names())
       .with_default();

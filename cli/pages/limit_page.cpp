@@ -1,6 +1,6 @@
 #include "limit_page.hpp"
 
-#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <iomanip>
-#include <map>
 #include <sstream>
 
 namespace subcert::cli {
@@ -137,17 +136,15 @@ ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues
 
 ExitCode print_vector_values(const Scheme& scheme, const LatticeSequence& at_lattice_points, const LatticePoint& orders,
                              const LimitPageOptions& options) {
+  constexpr long bits = 256;
   const std::size_t size = scheme.mask.components();
-  std::map<LatticePoint, std::vector<Rational>> values;  // component by component
-  for (const auto& [index, value] : limit_values(scheme.mask, at_lattice_points, options.level, orders)) {
-    const LatticePoint point(index.begin(), std::prev(index.end()));
-    values.try_emplace(point, size, 0).first->second[static_cast<std::size_t>(index.back())] = value;
-  }
+  const FieldValues values = limit_values(scheme.mask, scheme.quadratic, at_lattice_points, options.level, orders);
   if (options.json) {
     Json points = Json::array(), numbers = Json::array();
     for (const auto& [point, vector] : values) {
       points.push_back(point);
-      numbers.push_back(numbers_json(vector));
+      Json& row = numbers.emplace_back(Json::array());
+      for (const QuadraticNumber& value : vector) row.push_back(value.to_text());
     }
     options.answer(Json{{"scheme", scheme.specification},
                         {"dilation", scheme.mask.dilation().rows()},
@@ -162,8 +159,9 @@ ExitCode print_vector_values(const Scheme& scheme, const LatticeSequence& at_lat
   for (std::size_t c = 1; c <= size; ++c) rows.front().push_back(fmt::format("phi_{}", c));
   for (const auto& [index, vector] : values) {
     rows.push_back({point_text(scheme, index, options.level)});
-    for (const Rational& value : vector)
-      rows.back().push_back(options.form.asked_for() ? to_text(value) : to_decimal(value, 15, Rounding::nearest));
+    for (const QuadraticNumber& value : vector)
+      rows.back().push_back(options.form.asked_for() ? value.to_text()
+                                                     : to_decimal(rounded(value, bits), 15, Rounding::nearest));
   }
   print_rows(scheme.specification, std::move(rows), options);
   return done;

@@ -72,8 +72,6 @@ void require_drawable(const std::string& plot, const Scheme& scheme) {
   if (!plot.empty() && scheme.mask.dimension() > 2)
     fail(ErrorKind::usage, "--plot {}: pictures are of functions of one or two variables; {} has {}", plot,
          scheme.specification, scheme.mask.dimension());
-  if (!plot.empty() && scheme.quadratic)
-    fail(ErrorKind::usage, "--plot {}: need rational matrices, got {}", plot, scheme.specification);
 }
 
 void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& convergence) {
@@ -89,14 +87,14 @@ void draw_limit(const std::string& plot, const Scheme& scheme, const Decision& c
 void draw_vector(const std::string& plot, const Scheme& scheme, const FunctionVector& vector) {
   if (!vector.continuous.is_yes() || !vector.values || scheme.mask.dimension() > 1)
     fail(ErrorKind::undecided,
-         "--plot {}: pictures are of vectors of functions of one variable that are proved continuous, with rational "
-         "matrices, one up to a factor; {} is none",
+         "--plot {}: pictures are of vectors of functions of one variable that are proved continuous, one up to "
+         "a factor; {} is none",
          plot, scheme.specification);
   formats::draw_file({"limit",
                       scheme.specification,
                       "",
                       1,
-                      {formats::vector_panel(scheme.mask, *vector.values, scheme.specification)}},
+                      {formats::vector_panel(scheme.mask, scheme.quadratic, *vector.values, scheme.specification)}},
                      plot);
 }
 

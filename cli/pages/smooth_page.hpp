@@ -16,6 +16,7 @@ struct SmoothOptions : CommonOptions {
   data::SampleOptions samples;
   std::string irregular = "auto";  ///< or raise, fit: what positions that are not uniform are
   std::string noise;               ///< its standard deviation, where it is known
+  std::string slope_noise;         ///< that of slopes
   std::string scheme;
   bool automatic = false;
   std::string select = "risk";

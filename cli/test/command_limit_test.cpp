@@ -54,7 +54,10 @@ TEST_CASE("limit: vectors of functions") {
   CHECK(run_json("limit 'vector:" + both + ",integral=[1,-4]' --level 0").at("values") ==
         nlohmann::json::parse(R"([["1","-2"],["0","-2"]])"));
   CHECK(run("limit 'refinable:" + both + ",integral=[0,0]'").code == 64);
-  CHECK(run("limit cl:2").code == 64);
+  // numbers of a field
+  CHECK(run_json("limit cl:2 --level 1").at("values") ==
+        nlohmann::json::parse(R"json([["1/2","-1/4*sqrt(7)"],["1","0"],["1/2","1/4*sqrt(7)"]])json"));
+  CHECK(run("limit cl:2 --level 1").out.find("-0.661437827766148") != std::string::npos);
   CHECK(run("limit ghm --range").code == 64);
 }
 

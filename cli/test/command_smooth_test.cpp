@@ -435,3 +435,56 @@ TEST_CASE("grids with missing data: fits to what is there, holes that are filled
   CHECK(run("smooth " + file + " --grid --scheme local:width=3,d=1 --level 0 --missing keep").out.find("\nnan\n") !=
         std::string::npos);
 }
+
+TEST_CASE("values and their slopes are smoothed together") {
+  const Folder folder;
+  const std::string data = folder / "data.csv";
+  const auto with = [&](const std::string& content, const std::string& arguments) {
+    std::ofstream(data, std::ios::binary) << content;
+    return run("smooth " + data + " --quiet --bands 0 " + arguments);
+  };
+  // Two points and a box: cubic Hermite interpolation, here with the weights 1/2, 1/2 and 1/4, -1/4.
+  const std::string cubic = "t,s,v\n0,0,0\n1,1,3\n3,27,27\n4,64,48\n";
+  CHECK(with(cubic, "--hermite --scheme local:points=2,d=3,weight=box --at 2 --noise 1 --slope-noise 1").out ==
+        "t,s,s_sd,v,v_sd\n2,8,0.7905694150420949,12,1.118033988749895\n");
+  CHECK(with(cubic, "--hermite --scheme local:width=9,d=3 --derivative 2 --at 2 --noise 1").out.rfind("\n2,12", 20) !=
+        std::string::npos);
+  // Columns as for refine: of an even number none has positions.
+  const std::string square = "x,y,dx,dy\n1,0,0,1\n0,1,-1,0\n-1,0,0,-1\n0,-1,1,0\n";
+  const std::string each = "--hermite --scheme local:points=1,d=1,weight=box --at data ";
+  const std::string counted = with(square, each).out;
+  CHECK(counted.starts_with("index,x,x_sd,y,y_sd,dx,dx_sd,dy,dy_sd\n0,1,0.57735"));
+  CHECK(counted == with(square, each + "--closed").out);
+  CHECK(counted == with(square, each + "--x none").out);
+  // A chosen window, pictures and outliers of both kinds.
+  std::string wave = "t,s,v\n";
+  for (int i = 0; i < 60; ++i)
+    wave += fmt::format("{},{},{}\n", 0.1 * i, std::sin(0.1 * i) + 0.1 * ((i * 7919) % 13 - 6) / 6,
+                        i == 30 ? 9 : std::cos(0.1 * i) + 0.1 * ((i * 104'729) % 11 - 5) / 5);
+  with(wave, "--hermite");
+  const auto chosen = run("smooth " + data + " --hermite --plot " + data + ".svg");
+  CHECK(chosen.code == 0);
+  CHECK(chosen.err.find("note: v: 2 outliers move this fit") != std::string::npos);
+  CHECK(content(data + ".svg").find(">residual of v<") != std::string::npos);
+  const auto json = run_json("smooth " + data + " --hermite --scheme local:points=9,d=3,robust=3 --at data");
+  CHECK(json.at("bands_method") == "sandwich");
+  CHECK(json.at("noise").size() == 2);
+  for (const auto& row : json.at("rows")) CHECK(std::abs(row[5].get<double>() - std::cos(row[0].get<double>())) < 0.25);
+
+  check_fails(with(cubic, "--hermite --scheme primal:n=2"), 64,
+              "--hermite: expected local polynomials, as --scheme local:points=21,d=3; found primal:n=2");
+  check_fails(with(cubic, "--hermite --boundary mirror"), 64,
+              "--boundary mirror: expected interp or wrap with --hermite");
+  check_fails(with(cubic, "--hermite --stream --scheme local:points=3"), 64,
+              "--hermite: expected none of --grid, --stream, --series rows");
+  check_fails(with(cubic, "--slope-noise 1"), 64, "--slope-noise needs --hermite");
+  check_fails(with(cubic, "--hermite --slope-noise 0"), 64,
+              "--slope-noise 0: expected a standard deviation from 1e-150 to 1e150");
+  check_fails(with(cubic, "--hermite --slope-noise 1 --scheme local:points=3,robust=1"), 64,
+              "--slope-noise: robust steps find the noise by themselves");
+  check_fails(with(cubic, "--hermite --derivative 2 --irregular fit"), 64,
+              "derivative 2: of values with slopes windows are chosen for these; name points or a width");
+  check_fails(with(cubic, "--scheme local:points=2,d=3 --y s --noise 1 --irregular fit"), 64,
+              "local:points=2,d=3,weight=tricube: expected points as an integer from 4; half as many need values with "
+              "slopes");
+}

@@ -183,7 +183,8 @@ Decision support_of_vector(const Scheme& scheme, const Expectation& expectation,
   const Regularity regularity = regularity_of(scheme, limits);
   const FunctionVector& vector = vector_of(regularity);
   if (!vector.continuous.is_yes()) return {vector.continuous.truth, "no continuous solution is proved"};
-  if (!vector.values) return {Truth::unknown, "it is computed of one solution alone, and of rational matrices"};
+  if (!vector.values || vector.root > 0)
+    return {Truth::unknown, "it is computed of one solution alone, and of rational matrices"};
   try {
     std::optional<Interval> whole;
     std::string each;

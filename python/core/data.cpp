@@ -127,7 +127,7 @@ data::PositionOrder set_positions(data::Samples& samples, const DoubleArray& pos
   require_finite(x, "x");
   data::PositionOrder order = data::order_of(x);
   reorder(x, order.rows);
-  reorder(samples.columns.front(), order.rows);
+  for (auto& column : samples.columns) reorder(column, order.rows);
   reorder(samples.weights, order.rows);
   if (order.repeated && !irregular)
     fail(ErrorKind::data, "x: need one datum for each position, got {} twice; irregular=True takes several",
@@ -216,13 +216,25 @@ py::dict smooth_grid(const DoubleArray& values, const std::string& scheme, const
   return answer;
 }
 
+/// By the positions, one for each value.
+void add_slopes(data::Samples& samples, const DoubleArray& slopes, const std::optional<double>& noise) {
+  samples.columns.push_back(numbers_of(slopes));
+  require_finite(samples.columns.back(), "slopes");
+  require(samples.columns.back().size() == samples.columns.front().size(),
+          "slopes: need as many as samples, {}, got {}", samples.columns.front().size(), samples.columns.back().size());
+  require(!noise || data::is_noise(*noise), "smooth: need 1e-150 <= slope_noise <= 1e150, got {}", noise.value_or(0));
+  samples.slopes = true;
+  samples.slope_noise = noise;
+}
+
 /// `scheme`: a specification, or empty for the choice by estimated error.
 py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const std::vector<Rational>& weights,
                 const Rational& origin, const std::optional<Rational>& spacing, const std::string& scheme,
                 const std::string& boundary, double constant, int level, int derivative, double bands,
                 const std::string& kind_name, const std::optional<bool>& irregular, const std::string& at,
-                const std::optional<DoubleArray>& places, const std::optional<double>& noise, const std::string& select,
-                int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
+                const std::optional<DoubleArray>& places, const std::optional<double>& noise,
+                const std::optional<DoubleArray>& slopes, const std::optional<double>& slope_noise,
+                const std::string& select, int resamples, std::uint64_t seed, int jobs, const py::object& progress) {
   if (y.ndim() != 1) fail(ErrorKind::domain, "smooth: need an array of one dimension, got {}", y.ndim());
   require_choices(level, bands, noise, kind_name, at);
   require(derivative >= 0 && derivative <= 20, "smooth: need 0 <= derivative <= 20, got {}", derivative);
@@ -232,6 +244,7 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
   data::Samples samples{{numbers_of(y)}, weights, origin, spacing.value_or(1)};
   require_finite(samples.columns.front(), "smooth");
   samples.noise = noise;
+  if (slopes) add_slopes(samples, *slopes, slope_noise);
   data::PositionOrder order;
   if (x) order = set_positions(samples, *x, irregular.value_or(data::takes_any_positions(scheme)));
   if (!samples.uniform()) {
@@ -256,11 +269,13 @@ py::dict smooth(const DoubleArray& y, const std::optional<DoubleArray>& x, const
   require(*kind != data::BandKind::prediction || smoothed.band_method == data::BandMethod::linear,
           "smooth: a new datum may be an outlier, of which robust steps know nothing");
   if (x && !places) restore_order(smoothed, order, at == "data");
-  const std::size_t outliers = smoothed.columns.front().outliers;
+  std::size_t outliers = 0;
+  for (const data::SmoothedColumn& column : smoothed.columns) outliers += column.outliers;
   const std::optional<double> correlated = smoothed.columns.front().correlated;
   py::dict answer = column_dict(std::move(smoothed.columns.front()), bands, *kind);
   answer["outliers"] = outliers;
   answer["correlated"] = correlated;
+  if (smoothed.columns.size() == 2) answer["slopes"] = column_dict(std::move(smoothed.columns.back()), bands, *kind);
   if (answer.contains("lower")) answer["bands_method"] = to_text(smoothed.band_method);
   answer["x"] = array_of(std::move(smoothed.positions));
   answer["scheme"] = smoothed.method;

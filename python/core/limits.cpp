@@ -2,7 +2,7 @@
 #include "work.hpp"
 
 #include <subcert/analysis/limit/limit_range.hpp>
-#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -40,28 +40,37 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_val
   return result;
 }
 
-/// The same of all functions of a vector, each value a list.
-std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>> vector_values_of(const Scheme& scheme,
-                                                                                                   int level,
-                                                                                                   double budget) {
+/// The same of all functions of a vector, by the indices of the points.
+FieldValues vector_values_of(const Scheme& scheme, int level, double seconds) {
   require(level >= 0, "limit: need level >= 0, got {}", level);
-  require(!scheme.quadratic, "limit: need rational matrices, got {}", scheme.specification);
-  const FunctionVector vector = *vector_regularity(scheme.mask, {Deadline::in(budget)}, {.integral = scheme.integral})
-                                     .vector;
+  const Budget budget{Deadline::in(seconds)};
+  const VectorQuestion question{.integral = scheme.integral};
+  const FunctionVector vector = scheme.quadratic ? *vector_regularity(*scheme.quadratic, budget, question).vector
+                                                 : *vector_regularity(scheme.mask, budget, question).vector;
   require_convergence(scheme.specification, vector.continuous);
   require(vector.solutions == 1, "{}: need {}", scheme.specification, facts::needed_solution(vector));
-  std::map<LatticePoint, std::vector<Rational>> values;
-  for (const auto& [index, value] : limit_values(scheme.mask, *vector.values, level)) {
-    const LatticePoint point(index.begin(), std::prev(index.end()));
-    values.try_emplace(point, scheme.mask.components(), 0)
-        .first->second[static_cast<std::size_t>(index.back())] = value;
+  return limit_values(scheme.mask, scheme.quadratic, *vector.values, level);
+}
+
+/// Points, and the values there: with `exact` rational numbers or texts, else rounded.
+py::tuple vector_values_of(const Scheme& scheme, int level, double budget, bool exact, const py::object& progress) {
+  constexpr long bits = 64;
+  py::list points, values;
+  for (const auto& [index, numbers] :
+       interruptible(progress, [&] { return vector_values_of(scheme, level, budget); })) {
+    points.append(py::cast(point_at(scheme.mask.dilation(), index, level)));
+    py::list row;
+    for (const QuadraticNumber& number : numbers) {
+      if (!exact)
+        row.append(rounded(number, bits).convert_to<double>());
+      else if (number.root == 0)
+        row.append(py::cast(number.rational));
+      else
+        row.append(number.to_text());
+    }
+    values.append(row);
   }
-  std::pair<std::vector<std::vector<Rational>>, std::vector<std::vector<Rational>>> result;
-  for (auto& [index, list] : values) {
-    result.first.push_back(point_at(scheme.mask.dilation(), index, level));
-    result.second.push_back(std::move(list));
-  }
-  return result;
+  return py::make_tuple(points, values);
 }
 
 }  // namespace
@@ -83,9 +92,10 @@ void add_limits(py::module_& module) {
   module.def("surface_limit_values", [](const Scheme& scheme, int level, double budget, const py::object& progress) {
     return interruptible(progress, [&] { return surface_values_of(scheme, level, budget); });
   });
-  module.def("vector_limit_values", [](const Scheme& scheme, int level, double budget, const py::object& progress) {
-    return interruptible(progress, [&] { return vector_values_of(scheme, level, budget); });
-  });
+  module.def("vector_limit_values",
+             [](const Scheme& scheme, int level, double budget, bool exact, const py::object& progress) {
+               return vector_values_of(scheme, level, budget, exact, progress);
+             });
   module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
     const LimitRange range = interruptible(progress, [&] {
       require_limits(scheme);

@@ -116,8 +116,8 @@ def surface_limit_values(
     scheme: Scheme, level: int, budget: float, progress: _Progress
 ) -> tuple[list[list[Fraction]], list[Fraction]]: ...
 def vector_limit_values(
-    scheme: Scheme, level: int, budget: float, progress: _Progress
-) -> tuple[list[list[Fraction]], list[list[Fraction]]]: ...
+    scheme: Scheme, level: int, budget: float, exact: bool, progress: _Progress
+) -> tuple[list[list[Fraction]], list[list[Any]]]: ...
 def limit_range(scheme: Scheme, width: Fraction, budget: float, progress: _Progress) -> dict[str, Any]: ...
 def variance_grid(scheme: Scheme, level: int, progress: _Progress) -> list[Fraction]: ...
 def variance_range(scheme: Scheme, width: Fraction, budget: float, progress: _Progress) -> dict[str, Any]: ...
@@ -212,6 +212,8 @@ def smooth(
     at: str,
     places: Optional[_Array],
     noise: Optional[float],
+    slopes: Optional[_Array],
+    slope_noise: Optional[float],
     select: str,
     resamples: int,
     seed: int,

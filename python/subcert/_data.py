@@ -125,6 +125,8 @@ class Smoothed:
     """The correlation of neighbouring second differences, where it is beyond that of independent noise, about -2/3."""
     bands_method: Optional[str] = None
     """What the bands are computed from: linear, sandwich or bootstrap."""
+    slopes: Optional["Smoothed"] = None
+    """Of values with slopes: those of the fits."""
 
     def plot(self, ax: Any = None) -> Any:
         """Draws values and band, of heights the values, and returns the axes of matplotlib."""
@@ -133,7 +135,7 @@ class Smoothed:
         return _plots.bands(ax, self.x, self.values, self.lower, self.upper, self.scheme)
 
 
-def _without_missing(array: Any, x: Any, weights: Any) -> tuple[Any, Any, Any]:
+def _without_missing(array: Any, x: Any, weights: Any, slopes: Any) -> tuple[Any, Any, Any, Any]:
     """Without the rows that have no position; weight 0 for those that have no sample."""
     import numpy
 
@@ -142,11 +144,13 @@ def _without_missing(array: Any, x: Any, weights: Any) -> tuple[Any, Any, Any]:
         x = numpy.asarray(x, dtype=numpy.float64)
         there = ~numpy.isnan(x)
         array, x, prior = array[there], x[there], None if prior is None else prior[there]
-    gaps = numpy.isnan(array)
+        slopes = None if slopes is None else slopes[there]
+    gaps = numpy.isnan(array) if slopes is None else numpy.isnan(array) | numpy.isnan(slopes)
     if gaps.any():
         prior = numpy.where(gaps, 0, 1 if prior is None else prior)
         array = numpy.where(gaps, 0, array)
-    return array, x, None if prior is None else prior.tolist()
+        slopes = None if slopes is None else numpy.where(gaps, 0, slopes)
+    return array, x, None if prior is None else prior.tolist(), slopes
 
 
 def _smooth_grid(array: Any, options: tuple[Any, ...], refused: dict[str, Any]) -> Smoothed:
@@ -184,6 +188,8 @@ def smooth(
     irregular: Optional[bool] = None,
     at: Any = "grid",
     noise: Optional[float] = None,
+    slopes: Any = None,
+    slope_noise: Optional[float] = None,
     select: str = "risk",
     resamples: int = 0,
     seed: int = 2015,
@@ -215,11 +221,13 @@ def smooth(
     confidence band, 0 for none. `kind`: pointwise or simultaneous, for the expected value of the limit, or
     prediction, for a new datum. `level`: values at the multiples of arity^-level of the spacing; `at`: on this
     grid, at the data ("data"), or an array of positions, NaN outside the data. `noise`: its standard deviation,
-    where it is known. `select`: by what the method is chosen, its estimated error ("risk") or cross-validation
-    ("cv"). `resamples`: of l1 schemes, drawings of the residuals for bands, with this `seed`; 0: no bands.
-    `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a linear fit a UserWarning names the
-    method that leaves them out. Raises DataError for samples that cannot be smoothed, DomainError for a scheme
-    without proof of convergence.
+    where it is known. `slopes`: those of the samples, by position, which local polynomials fit together with the
+    values, with the standard deviation `slope_noise` of their noise, where it is known; of a table the names of their
+    columns, one for each of `y`. The answer has those of the fits. `select`: by what the method is chosen, its
+    estimated error ("risk") or cross-validation ("cv"). `resamples`: of l1 schemes, drawings of the residuals for
+    bands, with this `seed`; 0: no bands. `boundary`: interp, mirror, nearest, constant or wrap. Where outliers move a
+    linear fit a UserWarning names the method that leaves them out. Raises DataError for samples that cannot be
+    smoothed, DomainError for a scheme without proof of convergence.
 
     >>> import numpy, subcert
     >>> s = subcert.smooth(numpy.arange(12.0), scheme="primal:n=3")
@@ -242,6 +250,8 @@ def smooth(
         for name in ("data", "x", "y", "by", "keep"):
             del options[name]
         return _frames.smoothed(smooth, data, x, y, by, keep, options)
+    if slope_noise is not None and slopes is None:
+        raise UsageError("smooth: slope_noise needs slopes")
     if errors is not None:
         if weights is not None:
             raise UsageError("smooth: weights and errors: expected one of the two")
@@ -258,14 +268,18 @@ def smooth(
     if array.ndim in (2, 3):
         grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, missing, _jobs(jobs), progress)
         curves: dict[str, Any] = {"at as positions": places is not None, "x": x is not None}
-        curves.update(weights=weights is not None)
+        curves.update(weights=weights is not None, slopes=slopes is not None)
         curves.update(derivative=derivative, irregular=bool(irregular), spacing=spacing is not None, origin=origin != 0)
         curves.update({"select='cv'": select == "cv", "resamples": resamples})
         return _smooth_grid(array, grid, curves)
     if missing == "keep":
         raise UsageError("missing='keep' is of heights and volumes; drop leaves samples out")
+    if slopes is not None:
+        slopes = numpy.ascontiguousarray(slopes, dtype=numpy.float64)
+        if slopes.shape != array.shape:
+            raise DomainError(f"slopes: need as many as samples, {array.size}, got shape {slopes.shape}")
     if missing == "drop" and array.ndim == 1:
-        array, x, weights = _without_missing(array, x, weights)
+        array, x, weights, slopes = _without_missing(array, x, weights, slopes)
     positions = None
     if x is not None:
         positions = numpy.ascontiguousarray(x, dtype=numpy.float64)
@@ -291,6 +305,8 @@ def smooth(
         at,
         places,
         noise,
+        slopes,
+        slope_noise,
         select,
         resamples,
         seed,
@@ -304,4 +320,6 @@ def smooth(
     if facts["correlated"] is not None:
         warnings.warn(_core.remark_on_correlations([("data", facts["correlated"])]), stacklevel=2)
     facts["candidates"] = tuple(facts["candidates"])
+    if "slopes" in facts:
+        facts["slopes"] = Smoothed(x=facts["x"], scheme=facts["scheme"], **facts["slopes"])
     return Smoothed(**facts)

@@ -234,6 +234,7 @@ def _smoothed_rows(
     smooth: Callable[..., Any],
     x: Optional[_Column],
     values: Sequence[_Column],
+    slopes: Sequence[_Column],
     rows: Any,
     weights: Any,
     kept: dict[str, Any],
@@ -242,7 +243,7 @@ def _smoothed_rows(
     """The columns of the answer for these rows."""
     import numpy
 
-    missing = numpy.isnan(numpy.array([column.numbers[rows] for column in values])).any(axis=0)
+    missing = numpy.isnan(numpy.array([column.numbers[rows] for column in [*values, *slopes]])).any(axis=0)
     if x is not None:
         lost = numpy.isnan(x.numbers[rows])
         if lost.any() and options["missing"] != "drop":
@@ -257,9 +258,18 @@ def _smoothed_rows(
     answer: dict[str, Any] = {}
     if not isinstance(options["at"], str) and x is not None:
         options = {**options, "at": x.counted(options["at"])}
-    for column in values:
+
+    def add(column: _Column, found: Any) -> None:
+        answer[column.name] = found.values
+        for ending, facts in (("sd", found.deviation), ("lower", found.lower), ("upper", found.upper)):
+            if facts is not None:
+                answer[f"{column.name}_{ending}"] = facts
+
+    of_slopes = []
+    for k, column in enumerate(values):
         samples = numpy.where(missing, 0, column.numbers[rows])
-        found = smooth(samples, None if x is None else x.numbers[rows], weights=prior, **options)
+        given = numpy.where(missing, 0, slopes[k].numbers[rows]) if slopes else None
+        found = smooth(samples, None if x is None else x.numbers[rows], weights=prior, slopes=given, **options)
         whole = len(found.values) == len(rows)
         at_data = isinstance(options["at"], str) and options["at"] == "data"
         stay = rows if whole or prior is None else rows[prior > 0]
@@ -269,10 +279,11 @@ def _smoothed_rows(
                 answer[name] = found.x
             else:
                 answer[name] = x.raw[stay] if at_data else x.positions(found.x)
-        answer[column.name] = found.values
-        for ending, facts in (("sd", found.deviation), ("lower", found.lower), ("upper", found.upper)):
-            if facts is not None:
-                answer[f"{column.name}_{ending}"] = facts
+        add(column, found)
+        of_slopes.append(found.slopes)
+    for column, found in zip(slopes, of_slopes):
+        if found is not None:
+            add(column, found)
     for name, raw in kept.items():
         answer[name] = raw[stay]
     return answer
@@ -302,20 +313,25 @@ def smoothed(
         raise UsageError("keep needs at='data': other rows have no fields of the table")
     kept = {table.name("keep", one): numpy.asarray(table.columns[table.name("keep", one)]) for one in names}
     group = None if by is None else table.name("by", by)
-    used = list(kept) + ([group] if group else []) + ([prior.name] if prior else [])
+    named = options.pop("slopes")
+    named = [] if named is None else [named] if isinstance(named, (str, int)) else list(named)
+    slopes = [table.numbers(table.name("slopes", one)) for one in named]
+    used = list(kept) + ([group] if group else []) + ([prior.name] if prior else []) + [one.name for one in slopes]
     position, values = table.choose(x, y, used)
     count = len(values[0].numbers)
-    for column in values + ([position] if position else []):
+    if slopes and len(slopes) != len(values):
+        raise UsageError(f"slopes: expected one for each column of values, {len(values)}; got {len(slopes)}")
+    for column in values + slopes + ([position] if position else []):
         if len(column.numbers) != count:
             raise DataError(f"column {column.name}: expected {count} rows; found {len(column.numbers)}")
     if group is None:
-        return table.make(_smoothed_rows(smooth, position, values, numpy.arange(count), prior, kept, options))
+        return table.make(_smoothed_rows(smooth, position, values, slopes, numpy.arange(count), prior, kept, options))
     keys = numpy.asarray(table.columns[group])
     parts = []
     left_out: dict[str, str] = {}
     for key, rows in _groups(keys).items():
         try:
-            part = _smoothed_rows(smooth, position, values, numpy.array(rows), prior, kept, options)
+            part = _smoothed_rows(smooth, position, values, slopes, numpy.array(rows), prior, kept, options)
         except DataError as error:
             left_out[str(key)] = str(error)
         except Error as error:

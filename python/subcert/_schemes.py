@@ -549,7 +549,8 @@ class VectorScheme(_OnLattice):
         self, level: int = 2, *, exact: bool = False, budget: float = 60, progress: Progress = None
     ) -> tuple[Any, Any]:
         """The points M^-level i, i with integer coordinates, at which not all functions are 0, and their values there:
-        arrays of numpy of shape (n, dimension) and (n, components), or with `exact` lists of tuples of Fractions. The
+        arrays of numpy of shape (n, dimension) and (n, components), or with `exact` lists of tuples of Fractions, of
+        numbers with a square root of texts such as '1/2-3/4*sqrt(7)'. The
         factor that the equation leaves open is such that the values at integers sum to 1, or that the first is 1.
         Raises DomainError where there is no continuous solution, or not one alone.
 
@@ -558,7 +559,7 @@ class VectorScheme(_OnLattice):
         >>> points[2], values[2]
         ((Fraction(1, 2),), (Fraction(1, 2), Fraction(1, 8)))
         """
-        points, values = _core.vector_limit_values(self._handle, level, budget, progress)
+        points, values = _core.vector_limit_values(self._handle, level, budget, exact, progress)
         if exact:
             return [tuple(point) for point in points], [tuple(numbers) for numbers in values]
         import numpy

@@ -269,3 +269,10 @@ def test_surfaces_at_vertices_of_every_valence():
             subcert.every_valence("loop", first)
     with pytest.raises(subcert.DomainError, match="no rules at vertices"):
         subcert.every_valence("primal:n=2")
+
+
+def test_values_with_a_square_root():
+    pair = subcert.scheme("cl:2")
+    points, values = pair.limit(1, exact=True)
+    assert values[0] == (Fraction(1, 2), "-1/4*sqrt(7)") and points[0] == (Fraction(1, 2),)
+    assert pair.limit(1)[1][0][1] == pytest.approx(-(7**0.5) / 4)

@@ -182,6 +182,40 @@ def test_smoothing_at_scattered_positions():
         subcert.smooth(y, noise=-1.0)
 
 
+def test_values_with_slopes():
+    generator = numpy.random.default_rng(2)
+    x = numpy.sort(generator.uniform(0, 10, 200))
+    y, dy = numpy.sin(x) + generator.normal(0, 0.1, 200), numpy.cos(x) + generator.normal(0, 0.1, 200)
+    found = subcert.smooth(y, x, slopes=dy, at="data")
+    alone = subcert.smooth(y, x, at="data")
+    error = ((found.values - numpy.sin(x)) ** 2).mean()
+    assert error < 0.8 * ((alone.values - numpy.sin(x)) ** 2).mean()
+    assert ((found.slopes.values - numpy.cos(x)) ** 2).mean() < 0.01
+    assert (found.slopes.lower < found.slopes.upper).all()
+    assert found.slopes.noise_variance == pytest.approx(0.01, rel=0.4)
+    # In any order, with rows left out, as a table, and with noise that is known.
+    backwards = subcert.smooth(y[::-1], x[::-1], slopes=dy[::-1], at="data", scheme=found.scheme)
+    assert (backwards.slopes.values[::-1] == found.slopes.values).all()
+    table = {"x": x, "y": y, "dy": dy}
+    made = subcert.smooth(table, x="x", y="y", slopes="dy", at="data", scheme=found.scheme)
+    assert list(made)[5:] == ["dy", "dy_sd", "dy_lower", "dy_upper"]
+    assert (made["y"] == found.values).all() and (made["dy_upper"] == found.slopes.upper).all()
+    gap = {**table, "dy": numpy.where(numpy.arange(200) == 50, numpy.nan, dy)}
+    left = subcert.smooth(gap, x="x", y="y", slopes="dy", at="data", scheme=found.scheme, missing="drop")
+    short = subcert.smooth(numpy.delete(y, 50), numpy.delete(x, 50), slopes=numpy.delete(dy, 50), at="data",
+                           scheme=found.scheme)  # fmt: skip
+    assert left["dy"] == pytest.approx(short.slopes.values) and len(left["x"]) == 199
+    known = subcert.smooth(y, x, slopes=dy, noise=0.1, slope_noise=0.2, scheme="local:points=9,d=3")
+    assert known.slopes.noise_variance == pytest.approx(0.04)
+    assert subcert.smooth(y, x, slopes=dy, derivative=1, scheme="local:points=9,d=3").slopes is None
+    for bad in ({"slope_noise": 1.0}, {"slopes": dy[1:]}, {"slopes": dy, "scheme": "primal:n=2"},
+                {"slopes": dy, "boundary": "mirror"}, {"slopes": dy, "slope_noise": 0.0}):  # fmt: skip
+        with pytest.raises(subcert.Error):
+            subcert.smooth(y, x, irregular=True, **bad)
+    with pytest.raises(subcert.UsageError):
+        subcert.smooth(table, x="x", y=["y"], slopes=["dy", "x"])
+
+
 def test_positions_in_any_order():
     generator = numpy.random.default_rng(2)
     x = generator.integers(0, 40, 120).astype(float)

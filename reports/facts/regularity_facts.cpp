@@ -310,15 +310,16 @@ Fact components_fact(const FunctionVector& vector, int digits) {
   return {"components", "components", text, "", list};
 }
 
-Fact values_fact(const LatticeSequence& values) {
+Fact values_fact(const FieldValues& values) {
   std::string text;
   Json list = Json::array();
-  for (const auto& [index, value] : values) {
-    const LatticePoint point(index.begin(), std::prev(index.end()));
-    text += fmt::format("{}phi_{}({}) = {}", text.empty() ? "" : ", ", index.back() + 1, fmt::join(point, ","),
-                        to_text(value));
-    list.push_back({{"component", index.back() + 1}, {"point", point}, {"value", to_text(value)}});
-  }
+  for (const auto& [point, numbers] : values)
+    for (std::size_t c = 0; c < numbers.size(); ++c) {
+      if (numbers[c].is_zero()) continue;
+      text += fmt::format("{}phi_{}({}) = {}", text.empty() ? "" : ", ", c + 1, fmt::join(point, ","),
+                          numbers[c].to_text());
+      list.push_back({{"component", c + 1}, {"point", point}, {"value", numbers[c].to_text()}});
+    }
   return {"lattice_values", "values", text, "", list};
 }
 

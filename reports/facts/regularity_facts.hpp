@@ -4,6 +4,7 @@
 #include "exponent_formula.hpp"
 #include "fact.hpp"
 
+#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/regularity/sobolev.hpp>
@@ -35,7 +36,7 @@ Fact continuous_fact(const Decision& continuous);
 std::string needed_solution(const FunctionVector& vector);
 
 /// Of a vector of functions, its values at lattice points that are not 0.
-Fact values_fact(const LatticeSequence& values);
+Fact values_fact(const FieldValues& values);
 
 /// The line of the exponent alone. `digits`: at least.
 Fact exponent_fact(const Scheme& scheme, const Regularity& regularity, int digits);

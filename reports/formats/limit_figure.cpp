@@ -1,7 +1,7 @@
 
 #include "limit_figure.hpp"
 
-#include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -124,7 +124,9 @@ Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what, i
   return {title_of(title, what, level), "x", "", {curve}};
 }
 
-Panel vector_panel(const LatticeMask& mask, const LatticeSequence& values, const std::string& title) {
+Panel vector_panel(const LatticeMask& mask, const std::optional<QuadraticMask>& meant, const LatticeSequence& values,
+                   const std::string& title) {
+  constexpr long bits = 64;
   const Interval support = limit_support(mask).front();
   const int level = largest_level(support.width().convert_to<double>(), mask.arity(),
                                   points_of_curve / static_cast<double>(mask.components()));
@@ -134,13 +136,13 @@ Panel vector_panel(const LatticeMask& mask, const LatticeSequence& values, const
     panel.curves.push_back({"phi_" + std::to_string(c + 1), {{support.lower.convert_to<double>(), 0}}});
   long index = floor_index(support.lower * power(Rational(mask.arity()), level)) + 1;
   const long last = ceil_index(support.upper * power(Rational(mask.arity()), level));
-  const LatticeSequence finer = limit_values(mask, values, level);
-  for (; index < last; ++index)
-    for (std::size_t c = 0; c < mask.components(); ++c) {
-      const auto at = finer.find({index, static_cast<long>(c)});
+  const FieldValues finer = limit_values(mask, meant, values, level);
+  for (; index < last; ++index) {
+    const auto at = finer.find({index});
+    for (std::size_t c = 0; c < mask.components(); ++c)
       panel.curves[c].points.emplace_back(static_cast<double>(index) * scale,
-                                          at == finer.end() ? 0 : at->second.convert_to<double>());
-    }
+                                          at == finer.end() ? 0 : rounded(at->second[c], bits).convert_to<double>());
+  }
   for (Curve& curve : panel.curves) curve.points.emplace_back(support.upper.convert_to<double>(), 0);
   return panel;
 }

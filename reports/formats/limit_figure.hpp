@@ -4,6 +4,7 @@
 #include "figure.hpp"
 #include "surface_figure.hpp"
 
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/analysis/transition/lattice_window.hpp>
 #include <subcert/schemes/data/refine/grid_data.hpp>
 
@@ -23,7 +24,8 @@ DrawnSurface limit_surface(const LatticeMask& mask, const std::string& title, Dr
 Panel limit_panel(const Mask& mask, const std::string& title, DrawnLimit what = DrawnLimit::values, int order = 0);
 
 /// All functions of a vector of one variable that is continuous and unique up to a factor.
-Panel vector_panel(const LatticeMask& mask, const LatticeSequence& values, const std::string& title);
+Panel vector_panel(const LatticeMask& mask, const std::optional<QuadraticMask>& meant, const LatticeSequence& values,
+                   const std::string& title);
 
 /// Values over their parameters, or points in the plane by their first two coordinates; a closed curve in the plane
 /// that is `joined` ends where it begins. Domain: one axis.

@@ -224,14 +224,13 @@ void fill_vector(Plate& plate, const PlateOptions& options) {
   else if (plate.vector->solutions != 1)
     plate.notes.push_back("None is drawn of several functions; a picture needs " +
                           facts::needed_solution(*plate.vector) + ".");
-  else if (scheme.quadratic || scheme.mask.dimension() > 1)
-    plate.notes.push_back(fmt::format("Functions {} are not drawn.",
-                                      scheme.quadratic ? "of matrices with square roots" : "of several variables"));
+  else if (scheme.mask.dimension() > 1)
+    plate.notes.emplace_back("Functions of several variables are not drawn.");
   else
     try_part(plate, {}, "picture of the functions", [&] {
       plate.pictures.push_back(
           {"limit", scheme.integral ? "<i>φ</i>" : "<i>φ</i>, up to a factor",
-           formats::vector_panel(scheme.mask, *plate.vector->values, "The functions of the vector")});
+           formats::vector_panel(scheme.mask, scheme.quadratic, *plate.vector->values, "The functions of the vector")});
     });
 }
 

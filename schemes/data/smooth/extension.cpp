@@ -24,7 +24,7 @@ template struct Combination<double>;
 template struct Combination<Rational>;
 
 ExtendedData::ExtendedData(const ExtensionRule& rule, DataSites sites) : rule_(rule), sites_(std::move(sites)) {
-  const auto& [count, weights, positions, before] = sites_;
+  const auto& [count, weights, positions, before, derivatives] = sites_;
   require(count != 0, "ExtendedData: need count >= 1, got 0");
   require(rule.kind != Boundary::shrink, "ExtendedData: need a boundary that continues the data, got shrink");
   if (rule.window == 0 || rule.degree < 0) fail(ErrorKind::domain, "ExtendedData: need window >= 1 and degree >= 0");
@@ -33,6 +33,13 @@ ExtendedData::ExtendedData(const ExtensionRule& rule, DataSites sites) : rule_(r
   if (!positions.empty())
     require(positions.front() == 0 && std::is_sorted(positions.begin(), positions.end()),
             "ExtendedData: need positions from 0 on, in order");
+  require(derivatives >= 0 && count % kinds() == 0 && (derivatives == 0 || !positions.empty()),
+          "ExtendedData: need positions, and {} data at each, got {} in all", kinds(), count);
+  require(derivatives == 0 || rule.kind == Boundary::regression || rule.kind == Boundary::periodic,
+          "smoothing: values with slopes need the boundary interp or wrap (regression, periodic), got {}",
+          to_text(rule.kind));
+  for (std::size_t i = 0; derivatives > 0 && i < count; ++i)
+    require(positions[i] == positions[i - i % kinds()], "ExtendedData: need one position for a value and its slopes");
   if (weights.empty()) return;
   require(weights.size() == count, "ExtendedData: need as many weights as data, got {} for {}", weights.size(), count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,6 +56,10 @@ Rational ExtendedData::mean_weight(long index) const {
   const std::vector<std::size_t> data = fitted_data(index);
   for (const std::size_t i : data) sum += sites_.weights[i];
   return sum / Rational(data.size());
+}
+
+int ExtendedData::order_of_many(long index) const {
+  return static_cast<int>(modulo(index, static_cast<long>(kinds())));
 }
 
 double ExtendedData::position(long index) const {

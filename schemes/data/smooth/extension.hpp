@@ -35,6 +35,7 @@ struct DataSites {
   std::vector<Rational> weights = {};  ///< prior; none: all 1; 0: missing
   std::vector<double> positions = {};  ///< from 0 on, in order, taken as exact; none: 0, 1, 2, ...
   std::size_t before = 0;              ///< data that came before these, for messages
+  int derivatives = 0;  ///< so many data after each value, at its position, are the derivatives of the function there
 
   DataSites(std::size_t number, std::vector<Rational> prior = {}, std::vector<double> at = {})
       : count(number), weights(std::move(prior)), positions(std::move(at)) {}
@@ -44,13 +45,18 @@ struct DataSites {
 /// last position + 1, else with spacing 1.
 class ExtendedData {
  public:
-  /// Domain: count >= 1, no `shrink`, weights >= 0, not all 0; as many weights and positions as data, or none. Errors:
-  /// throws a domain error.
+  /// Domain: count >= 1, no `shrink`, weights >= 0, not all 0; as many weights and positions as data, or none; with
+  /// derivatives positions, equal for the data of one, and `regression`, past which nothing is asked for, or
+  /// `periodic`. Errors: throws a domain error.
   ExtendedData(const ExtensionRule& rule, DataSites sites);
 
   std::size_t count() const { return sites_.count; }
   const DataSites& sites() const { return sites_; }
   bool weighted() const { return !sites_.weights.empty(); }
+  /// Data at one position: a value, and derivatives.
+  std::size_t kinds() const { return static_cast<std::size_t>(sites_.derivatives) + 1; }
+  /// Which derivative of the function the datum with this index is; 0: a value.
+  int order(long index) const { return sites_.derivatives == 0 ? 0 : order_of_many(index); }
   /// Whether the data stand at 0, 1, 2, ...
   bool uniform() const { return sites_.positions.empty(); }
   bool is_inside(long index) const { return index >= 0 && index < static_cast<long>(count()); }
@@ -76,6 +82,7 @@ class ExtendedData {
   /// The data that `regression` fits beyond the end next to `index`.
   std::vector<std::size_t> fitted_data(long index) const;
   Rational mean_weight(long index) const;
+  int order_of_many(long index) const;
 
   ExtensionRule rule_;
   DataSites sites_;

@@ -1,5 +1,6 @@
 #include "grouped_samples.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace subcert::data {
@@ -11,30 +12,35 @@ GroupedSamples::GroupedSamples(const Samples& all, std::vector<NoiseEstimate> of
     return;
   }
   const std::vector<double> weights = all.rounded_weights();
-  const std::size_t groups = all.count() / size;
-  samples.columns.assign(all.columns.size(), std::vector<double>(groups));
+  const std::size_t groups = all.rows() / size, kinds = all.count() / all.rows();
+  samples.columns.assign(all.columns.size(), std::vector<double>(groups * kinds));
+  samples.derivatives = all.derivatives;
   samples.spacing = all.spacing * Rational(size);
   if (weights.empty())
     for (NoiseEstimate& one : noise) one.variance /= static_cast<double>(size);
-  for (std::size_t g = 0; g < groups; ++g) {
-    const std::size_t first = g * size;
-    const auto weight = [&](std::size_t i) { return weights.empty() ? 1 : weights[first + i]; };
+  for (std::size_t k = 0; k < groups * kinds; ++k) {
+    const std::size_t first = k / kinds * size, kind = k % kinds;
+    // Derivatives are by the spacing, which is `size` times as large.
+    const double unit = std::pow(static_cast<double>(size), static_cast<double>(kind));
+    const auto weight = [&](std::size_t i) { return weights.empty() ? 1 : weights[(first + i) * kinds + kind]; };
     double sum = 0;
     for (std::size_t i = 0; i < size; ++i) sum += weight(i);
-    if (!weights.empty()) samples.weights.push_back(Rational(sum));
-    const auto mean = [&](const std::vector<double>& values) {
+    if (!weights.empty()) samples.weights.push_back(Rational(sum / (unit * unit)));
+    const auto mean = [&](const double* values, std::size_t step) {
       double total = 0;
-      for (std::size_t i = 0; i < size; ++i) total += weight(i) * (values[first + i] - values[first]);
-      return sum > 0 ? values[first] + total / sum : values[first];
+      for (std::size_t i = 0; i < size; ++i) total += weight(i) * (values[i * step] - values[0]);
+      return sum > 0 ? values[0] + total / sum : values[0];
     };
-    for (std::size_t c = 0; c < all.columns.size(); ++c) samples.columns[c][g] = mean(all.columns[c]);
-    if (!all.uniform()) samples.positions.push_back(mean(all.positions));
+    for (std::size_t c = 0; c < all.columns.size(); ++c)
+      samples.columns[c][k] = unit * mean(all.columns[c].data() + first * kinds + kind, kinds);
+    if (!all.uniform() && kind == 0) samples.positions.push_back(mean(all.positions.data() + first, 1));
   }
 }
 
 SmoothingOptions at_data(const SmoothingOptions& options) {
   SmoothingOptions there{options.boundary, 0, 0, options.constant, true, false};
   there.selection = options.selection;
+  there.as_observed = true;
   return there;
 }
 

@@ -21,7 +21,7 @@ struct GroupedSamples {
   GroupedSamples(const Samples& all, std::vector<NoiseEstimate> of_data, std::size_t size);
 };
 
-/// Outputs at the data, as methods are judged by.
+/// Outputs at the data, as these are observed, as methods are judged by.
 SmoothingOptions at_data(const SmoothingOptions& options);
 
 /// The mean square of what one leaves of the other, by the weights, all 1 where there are none. Domain: equal lengths,

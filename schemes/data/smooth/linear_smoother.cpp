@@ -36,6 +36,7 @@ LinearSmoother::LinearSmoother(const ExtensionRule& rule, DataSites sites, const
       lowest_(reach.first),
       highest_(reach.second),
       prior_weights_(data_.count(), 1) {
+  require(!options.as_observed || options.at_data, "smoothing: data are observed at the data alone");
   if (const std::vector<double>& places = options_.places; !places.empty()) {
     const double last = data_.position(static_cast<long>(data_.count()) - 1);
     require(!options_.at_data && std::ranges::is_sorted(places) && places.front() >= 0 && places.back() <= last,

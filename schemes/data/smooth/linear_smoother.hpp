@@ -33,6 +33,8 @@ struct SmoothingOptions {
   /// the samples, in any order.
   std::vector<double> places = {};
   bool keep_holes = false;  ///< of grids: NaN beside missing data
+  /// At the data, of values with derivatives: such derivatives of the fit, whatever `derivative` is.
+  bool as_observed = false;
 
   bool on_grid() const { return !at_data && places.empty(); }
 };
@@ -118,7 +120,13 @@ class LinearSmoother {
   double rounded_position(std::size_t output) const;
   /// Whether it stands where the output before it does, as at data that share a position; so their rows are equal.
   bool repeats(std::size_t output) const {
-    return !options_.on_grid() && output > 0 && rounded_position(output) == rounded_position(output - 1);
+    return !options_.on_grid() && !(options_.as_observed && data_.kinds() > 1) && output > 0 &&
+           rounded_position(output) == rounded_position(output - 1);
+  }
+
+  /// Of the value there.
+  int derivative(std::size_t output) const {
+    return options_.as_observed && data_.kinds() > 1 ? data_.order(static_cast<long>(output)) : options_.derivative;
   }
 
   const SmoothingOptions& options() const { return options_; }

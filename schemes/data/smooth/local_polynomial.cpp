@@ -78,7 +78,7 @@ LocalPolynomial make_local_polynomial(std::string_view specification) {
   LocalPolynomial method;
   if (const auto piece = fields.optional("d")) method.degree = static_cast<int>(read_integer(*piece, "d", 0, 20));
   if (const auto piece = fields.optional("points"))
-    method.points = static_cast<std::size_t>(read_integer(*piece, "points", method.degree + 1, most_points));
+    method.points = static_cast<std::size_t>(read_integer(*piece, "points", method.degree / 2 + 1, most_points));
   if (const auto piece = fields.optional("width")) {
     if (method.points > 0) fail(*piece, "points or width, not both");
     const Rational width = specification_text::read_rational(*piece);
@@ -103,15 +103,20 @@ LocalSmoother::LocalSmoother(const LocalPolynomial& method, DataSites sites, con
       windows_(data(), options.boundary, method) {
   require(options.derivative <= method.degree, "derivative {}: polynomials of degree {} have none", options.derivative,
           method.degree);
+  if (method.points > 0 && method.points * data().kinds() <= static_cast<std::size_t>(method.degree))
+    subcert::fail(ErrorKind::usage, "{}: expected points as an integer from {}{}", to_text(method), method.degree + 1,
+                  data().kinds() == 1 ? "; half as many need values with slopes" : "");
   std::size_t present = 0;
-  for (std::size_t i = 0; i < data().count(); ++i) present += data().is_present(static_cast<long>(i)) ? 1 : 0;
+  for (std::size_t i = 0; i < data().count(); i += data().kinds())
+    present += data().is_present(static_cast<long>(i)) ? 1 : 0;
   if (method.points > present)
     fail(ErrorKind::data, "expected at least {} data for {}; found {}", method.points, to_text(method), present);
 }
 
 std::size_t LocalSmoother::stride() const {
   if (options().path || !options().sparse || !options().places.empty() || method_.weight == LocalWeight::box) return 1;
-  double points = static_cast<double>(method_.points);
+  if (options().as_observed && data().kinds() > 1) return 1;  // neighbours differ in kind
+  double points = static_cast<double>(method_.points * data().kinds());
   if (points == 0 && data().uniform()) points = std::min(2 * method_.width, static_cast<double>(most_points));
   const bool robust = method_.robust > 0;
   const bool few = points * static_cast<double>(data().count()) <= most_exact_terms;
@@ -140,8 +145,8 @@ class LocalSmoother::Rows : public RowMaker<Number> {
     window_ = smoother_.windows_.at(smoother_.rounded_position(output), window_);
     smoother_.require_fit(window_);
     set_nodes();
-    const int derivative = smoother_.options().derivative;
-    std::vector<Number> fit = regression_weights(nodes_, weights_, smoother_.method_.degree, Number(0), derivative);
+    const int derivative = smoother_.derivative(output);
+    std::vector<Number> fit = weights_of_fit(derivative);
     for (int k = 0; k < derivative; ++k)
       for (Number& weight : fit) weight /= unit_;
     if (smoother_.data().is_inside(indices_.front()) && smoother_.data().is_inside(indices_.back()))
@@ -152,6 +157,20 @@ class LocalSmoother::Rows : public RowMaker<Number> {
   }
 
  private:
+  std::vector<Number> weights_of_fit(int derivative) const {
+    const int degree = smoother_.method_.degree;
+    if (orders_.empty()) return regression_weights(nodes_, weights_, degree, Number(0), derivative);
+    std::vector<Number> fit(nodes_.size(), Number(0));
+    regression_fit::for_hermite_terms(nodes_, orders_, weights_, degree, Number(0), derivative,
+                                      [&](const Number& scale, const std::vector<Number>& values) {
+                                        for (std::size_t i = 0; i < fit.size(); ++i)
+                                          fit[i] += scale * values[i] * weights_[i];
+                                      });
+    for (std::size_t i = 0; i < fit.size(); ++i)
+      for (int r = 0; r < orders_[i]; ++r) fit[i] *= unit_;
+    return fit;
+  }
+
   RowOf<Number> inner_row(std::vector<Number>& fit) const {
     RowOf<Number> row;
     row.first = static_cast<std::size_t>(indices_.front());
@@ -174,6 +193,17 @@ class LocalSmoother::Rows : public RowMaker<Number> {
   void set_nodes() {
     const LocalWindows& windows = smoother_.windows_;
     unit_ = Number(window_.radius > 0 ? window_.radius : 1.0);
+    set_those_of_values(windows);
+    if (smoother_.data().kinds() == 1) return;
+    orders_.clear();
+    for (std::size_t i = 0; i < indices_.size(); ++i) {
+      orders_.push_back(smoother_.data().order(indices_[i]));
+      for (int r = 0; r < orders_.back(); ++r) weights_[i] /= unit_ * unit_;
+    }
+  }
+
+  /// As if all data were values.
+  void set_those_of_values(const LocalWindows& windows) {
     indices_.clear();
     if constexpr (std::is_same_v<Number, double>) {
       windows.nodes_and_factors(window_, nodes_, weights_);
@@ -204,6 +234,7 @@ class LocalSmoother::Rows : public RowMaker<Number> {
   Number unit_ = 1;
   std::vector<Number> nodes_, weights_;
   std::vector<long> indices_;
+  std::vector<int> orders_;  // none: all 0
 };
 
 SmoothingRow LocalSmoother::row(std::size_t output) const { return Rows<Rational>(*this).row(output); }
@@ -259,16 +290,19 @@ struct ContinuedData {
   std::vector<double> unchanged;  // weights without the factors
 };
 
-/// At 0, of the fit to these data.
-double regression_value(const std::vector<double>& nodes, const std::vector<double>& weights, const double* data,
-                        int degree, int derivative) {
+/// At 0, of the fit to these data; orders: none where all are values.
+double regression_value(const std::vector<double>& nodes, const std::vector<int>& orders,
+                        const std::vector<double>& weights, const double* data, int degree, int derivative) {
   double value = 0;
-  regression_fit::for_terms(nodes, weights, degree, 0.0, derivative,
-                            [&](double scale, const std::vector<double>& polynomial) {
-                              const auto moment = regression_fit::sum_of<double>(
-                                  nodes.size(), [&](std::size_t i) { return weights[i] * polynomial[i] * data[i]; });
-                              value += scale * moment;
-                            });
+  const auto add = [&](double scale, const std::vector<double>& polynomial) {
+    const auto moment = regression_fit::sum_of<double>(
+        nodes.size(), [&](std::size_t i) { return weights[i] * polynomial[i] * data[i]; });
+    value += scale * moment;
+  };
+  if (orders.empty())
+    regression_fit::for_terms(nodes, weights, degree, 0.0, derivative, add);
+  else
+    regression_fit::for_hermite_terms(nodes, orders, weights, degree, 0.0, derivative, add);
   return value;
 }
 
@@ -291,7 +325,8 @@ std::vector<double> LocalSmoother::values(const std::vector<double>& data, const
   std::vector<double> result(made.size());
   parallel_ranges(made.size(), made.size() / outputs_per_thread, threads, [&](std::size_t begin, std::size_t end) {
     LocalWindows::Window window;
-    std::vector<double> nodes, weights;
+    std::vector<double> nodes, weights, own;
+    std::vector<int> orders;
     for (std::size_t o = begin; o < end; ++o) {
       if (o > begin && repeats(made[o]) && made[o - 1] + 1 == made[o]) {
         result[o] = result[o - 1];
@@ -304,9 +339,20 @@ std::vector<double> LocalSmoother::values(const std::vector<double>& data, const
       windows_.nodes_and_factors(window, nodes, weights);
       const double* const prior = (weighted ? all.weights : all.unchanged).data() + window.first;
       for (std::size_t k = 0; k < weights.size(); ++k) weights[k] *= prior[k];
-      result[o] = regression_value(nodes, weights, all.values.data() + window.first, method_.degree,
-                                   options().derivative) /
-                  std::pow(window.radius > 0 ? window.radius : 1, options().derivative);
+      const double unit = window.radius > 0 ? window.radius : 1;
+      const double* observed = all.values.data() + window.first;
+      if (sites.kinds() > 1) {
+        own.assign(observed, observed + weights.size());
+        orders.resize(weights.size());
+        for (std::size_t k = 0; k < weights.size(); ++k) {
+          orders[k] = windows_.order(window.first + k);
+          own[k] *= std::pow(unit, orders[k]);
+          weights[k] /= std::pow(unit, 2 * orders[k]);
+        }
+        observed = own.data();
+      }
+      const int order = derivative(made[o]);
+      result[o] = regression_value(nodes, orders, weights, observed, method_.degree, order) / std::pow(unit, order);
     }
   });
   return between(made, result);

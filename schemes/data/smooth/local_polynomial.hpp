@@ -30,7 +30,8 @@ struct LocalBasis {
 };
 
 /// The fits of local polynomials at the outputs, without robust steps; a derivative is that of the polynomial fitted
-/// there. With Boundary::regression nothing stands past the ends, and fits near them are one-sided.
+/// there. With Boundary::regression nothing stands past the ends, and fits near them are one-sided. Data that are
+/// derivatives, by the index, are fitted by those of the polynomial, together with the values.
 class LocalSmoother : public LinearSmoother {
  public:
   /// Domain: a complete method whose width is in spacings, derivative <= degree. Errors: throws a domain error; a data

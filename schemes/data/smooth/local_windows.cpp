@@ -35,7 +35,8 @@ std::size_t first_after(std::size_t from, std::size_t last, const Before& before
 LocalWindows::LocalWindows(const ExtendedData& data, Boundary boundary, const LocalPolynomial& method)
     : weight_(method.weight),
       degree_(static_cast<std::size_t>(method.degree)),
-      points_(method.points),
+      kinds_(data.kinds()),
+      points_(method.points * kinds_),
       width_(method.width) {
   require(method.is_complete(), "smoothing: need points or a width for local polynomials");
   std::vector<long> low, high;
@@ -53,6 +54,7 @@ LocalWindows::LocalWindows(const ExtendedData& data, Boundary boundary, const Lo
   };
   std::ranges::reverse(low);
   before_ = static_cast<long>(low.size());
+  shift_ = (kinds_ - low.size() % kinds_) % kinds_;
   consecutive = low.empty() || low.front() == -before_;
   if (!high.empty() && high.back() != static_cast<long>(data.count() + high.size()) - 1) consecutive = false;
   for (long i = 0; consecutive && data.weighted() && i < static_cast<long>(data.count()); ++i)
@@ -80,7 +82,8 @@ std::vector<long> LocalWindows::indices_beyond(const ExtendedData& data, long st
     indices.push_back(index);
     different += at != before ? 1 : 0;
     before = at;
-    if (points_ > 0 && indices.size() >= points_ && different > degree_ + 1) return indices;
+    const bool whole = data.order(step < 0 ? index : index + 1) == 0;  // all data of this position are taken
+    if (points_ > 0 && indices.size() >= points_ && different > degree_ + 1 && whole) return indices;
   }
   if (points_ == 0)
     fail(ErrorKind::size, "smoothing: need at most {} data past an end in a window, got more in the width {}", most,

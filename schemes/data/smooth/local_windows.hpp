@@ -3,6 +3,7 @@
 
 #include "extension.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace subcert::data {
 enum class LocalWeight { box, triangle, epanechnikov, biweight, tricube };
 
 /// The fit uses the data within a radius: the distance of the `points`-th nearest datum that is not missing or, with
-/// `width`, that. Ref: [Cle79].
+/// `width`, that. Values with their derivatives count as one datum. Ref: [Cle79].
 struct LocalPolynomial {
   int degree = 1;
   LocalWeight weight = LocalWeight::tricube;
@@ -70,16 +71,24 @@ class LocalWindows {
   double factor(const Window& window, std::size_t k) const;
   /// The positions of the data of a window from its own, in units of its radius, and their factors.
   void nodes_and_factors(const Window& window, std::vector<double>& nodes, std::vector<double>& factors) const;
-  /// Whether data of the window for which counts(k) holds stand at more positions than the degree.
+  /// Which derivative the datum is, 0: a value.
+  int order(std::size_t k) const { return kinds_ == 1 ? 0 : static_cast<int>((k + shift_) % kinds_); }
+  /// Whether data of the window for which counts(k) holds determine a polynomial: a position gives as many conditions
+  /// as it has derivatives 0, 1, ... without a gap, and all together are more than the degree.
   template <class Counts>
   bool determines(const Window& window, const Counts& counts) const {
-    std::size_t different = 0, last = window.end;
-    for (std::size_t k = window.first; k < window.end && different <= degree_; ++k)
-      if (counts(k) && (last == window.end || positions_[k] != positions_[last])) {
+    std::size_t conditions = 0, last = window.end;
+    unsigned seen = 0;  // derivatives at the last position, a bit each
+    for (std::size_t k = window.first; k < window.end && conditions <= degree_; ++k) {
+      if (!counts(k)) continue;
+      if (last == window.end || positions_[k] != positions_[last]) {
+        conditions += static_cast<std::size_t>(std::countr_one(seen));
+        seen = 0;
         last = k;
-        ++different;
       }
-    return different > degree_;
+      seen |= 1U << static_cast<unsigned>(order(k));
+    }
+    return conditions + static_cast<std::size_t>(std::countr_one(seen)) > degree_;
   }
   bool determines(const Window& window) const {
     return determines(window, [&](std::size_t k) { return factor(window, k) > 0; });
@@ -92,7 +101,8 @@ class LocalWindows {
   void take_all_within(Window& window) const;
 
   LocalWeight weight_;
-  std::size_t degree_, points_;
+  std::size_t degree_, kinds_, points_;  // points: data, each derivative by itself
+  std::size_t shift_ = 0;                // of numbers of data, modulo the kinds
   double width_;
   bool repeated_ = false;  // whether data share positions
   std::vector<double> positions_;

@@ -1,6 +1,7 @@
 #include "method_choice.hpp"
 
 #include "grouped_samples.hpp"
+#include "hermite_samples.hpp"
 #include "robust_local.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
@@ -22,7 +23,7 @@ constexpr double least_spread = 1e-12;  // of the mean where a column is no cons
 constexpr double least_rest = 1e-9;     // of 1 where a fit is taken to depend on more than its own datum
 
 void require_data(const char* who, const Samples& samples) {
-  require(samples.count() >= 4, "{}: need at least 4 data, got {}", who, samples.count());
+  require(samples.rows() >= 4, "{}: need at least 4 data, got {}", who, samples.rows());
 }
 
 }  // namespace
@@ -97,8 +98,8 @@ std::string to_text(const SmoothingMethod& method) {
 }
 
 RiskEstimate estimate_risk(const LinearSmoother& smoother, const Samples& samples,
-                           const std::vector<NoiseEstimate>& noise, Selection selection) {
-  const std::vector<double> weights = samples.rounded_weights();
+                           const std::vector<NoiseEstimate>& noise, Selection selection, int order) {
+  const std::vector<double> weights = weights_of_order(samples, order);
   RiskEstimate risk;
   const std::vector<SmoothedData> all = smoother.apply_to(samples.columns);
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
@@ -136,10 +137,10 @@ RiskEstimate estimate_risk(const LinearSmoother& smoother, const Samples& sample
 namespace {
 
 /// Four standard deviations of the mean square of the noise of the data, by their weights.
-double spread_of_noise(const Samples& samples, const std::vector<NoiseEstimate>& noise) {
+double spread_of_noise(const Samples& samples, const std::vector<NoiseEstimate>& noise, int order = 0) {
   double count = 0, total = 0, variance = 0;
   for (const double weight :
-       samples.weights.empty() ? std::vector<double>(samples.count(), 1) : samples.rounded_weights()) {
+       samples.weights.empty() ? std::vector<double>(samples.count(), 1) : weights_of_order(samples, order)) {
     count += weight > 0 ? 1 : 0;
     total += weight;
   }
@@ -192,6 +193,11 @@ std::vector<SmoothingCandidate> rank_schemes(const Samples& samples, const std::
 
 namespace {
 
+/// Of the data at which errors are looked at.
+int judged_order(const Samples& samples, const SmoothingOptions& options) {
+  return samples.derivatives > 0 ? options.derivative : 0;
+}
+
 /// Ranks windows of one degree from the widest on, group size after group size.
 class WindowRanking {
  public:
@@ -203,6 +209,7 @@ class WindowRanking {
   /// Adds the windows of these groups until the bound excludes them; `widest`: these are the largest groups.
   void add(const GroupedSamples& groups, bool widest, std::vector<SmoothingCandidate>& candidates, Bound& bound) {
     const std::vector<std::size_t> sizes = sizes_of(groups, widest);
+    const int order = judged_order(groups.samples, options_);
     double offset = 0;
     for (std::size_t k = sizes.size(); k-- > 0 && !done_;) {
       const std::size_t points = sizes[k] * groups.size;
@@ -212,10 +219,12 @@ class WindowRanking {
       std::vector<SmoothingCandidate> one;
       if (!add_candidate(one, {points, pattern_.degree, to_text(whole), {}}, [&] {
             return estimate_risk(LocalSmoother(method, groups.samples.sites(), at_data(options_)), groups.samples,
-                                 groups.noise, options_.selection);
+                                 groups.noise, options_.selection, order);
           }))
         continue;
       RiskEstimate& risk = one.front().risk;
+      const double unit = std::pow(static_cast<double>(groups.size), -2 * order);
+      risk = {risk.bias_squared * unit, risk.variance * unit};
       if (last_points_ == points) {
         // Both group sizes have this window: their estimates differ by the noise of the noise. Where the bias is large,
         // by the coarseness of the larger groups, and neither matters.
@@ -234,9 +243,11 @@ class WindowRanking {
   std::vector<std::size_t> sizes_of(const GroupedSamples& groups, bool widest) const {
     const Samples& samples = groups.samples;
     const auto missing = static_cast<std::size_t>(std::ranges::count(samples.weights, Rational(0)));
-    const std::size_t last = widest ? samples.count() - missing : coarse_window;
-    const std::size_t first = groups.size == 1 ? std::max(static_cast<std::size_t>(pattern_.degree) + 1, least_)
-                                               : fine_window;
+    const std::size_t kinds = samples.count() / samples.rows();
+    const std::size_t last = widest ? (samples.count() - missing) / kinds : coarse_window;
+    const std::size_t first = groups.size == 1
+                                  ? std::max((static_cast<std::size_t>(pattern_.degree) + kinds) / kinds, least_)
+                                  : fine_window;
     std::vector<std::size_t> sizes;
     for (std::size_t m = first; m < last; m = next_points(m)) sizes.push_back(m);
     if (last >= first) sizes.push_back(last);
@@ -267,11 +278,13 @@ void add_windows(std::vector<SmoothingCandidate>& candidates, const LocalPolynom
     one.degree = degree;
     rankings.emplace_back(one, options, least_points);
   }
-  const std::size_t largest = largest_group(samples.count());
+  const std::size_t largest = largest_group(samples.rows());
   for (std::size_t size = largest; size > 0; size /= 2) {
     if (std::ranges::all_of(rankings, &WindowRanking::done)) break;
     const GroupedSamples groups(samples, noise, size);
-    bound.set_spread(spread_of_noise(groups.samples, groups.noise));
+    const int order = judged_order(samples, options);
+    bound.set_spread(spread_of_noise(groups.samples, groups.noise, order) *
+                     std::pow(static_cast<double>(size), -2 * order));
     for (WindowRanking& ranking : rankings)
       if (!ranking.done()) ranking.add(groups, size == largest, candidates, bound);
   }
@@ -306,6 +319,12 @@ std::vector<SmoothingCandidate> rank_all(const Samples& samples, const std::vect
                                          const SmoothingOptions& options,
                                          const std::optional<LocalPolynomial>& pattern) {
   const LocalPolynomial like = pattern.value_or(LocalPolynomial{});
+  if (samples.derivatives > 0) {
+    require(options.derivative <= samples.derivatives,
+            "derivative {}: of values with slopes windows are chosen for these; name points or a width",
+            options.derivative);
+    return rank_windows(like, pattern ? std::vector{like.degree} : std::vector{1, 3, 5}, samples, noise, options);
+  }
   if (const int derivative = options.derivative; derivative > 0) {
     require(derivative <= last_chosen_derivative, "derivative {}: windows are chosen up to {}", derivative,
             last_chosen_derivative);
@@ -326,7 +345,7 @@ std::vector<SmoothingCandidate> rank_all(const Samples& samples, const std::vect
 
 Samples without_outliers(const Samples& samples, const SmoothingOptions& options, LocalPolynomial pilot, int threads) {
   Samples cleaned = samples;
-  pilot.points = std::min(pilot.points, samples.count());
+  pilot.points = std::min(pilot.points, samples.rows());
   for (auto& column : cleaned.columns)
     column = robust_fit(pilot, samples.sites(), at_data(options), column, threads).pseudodata;
   return cleaned;
@@ -335,7 +354,7 @@ Samples without_outliers(const Samples& samples, const SmoothingOptions& options
 /// Each column, and its noise, divided by the standard deviation of the data about their mean, so that no column
 /// outweighs others by its units.
 Samples in_units_of_spread(Samples samples, std::vector<NoiseEstimate>& noise) {
-  const std::vector<double> weights = samples.rounded_weights();
+  const std::vector<double> weights = weights_of_order(samples, 0);
   const PositionGroup all{0, samples.count()};
   const double sum = weights.empty() ? static_cast<double>(samples.count())
                                      : std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -367,8 +386,8 @@ void require_squares(const Samples& samples) {
 MethodChoice choose_method(const Samples& samples, const SmoothingOptions& options,
                            const std::optional<LocalPolynomial>& pattern, int threads) {
   require_squares(samples);
-  if (samples.count() < 4)
-    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name a scheme", samples.count());
+  if (samples.rows() < 4)
+    fail(ErrorKind::data, "expected at least 4 rows to choose a scheme; found {}; name a scheme", samples.rows());
   std::optional<Samples> cleaned;
   if (pattern && pattern->robust > 0) cleaned = without_outliers(samples, options, pseudodata_pilot, threads);
   const Samples& given = cleaned ? *cleaned : samples;
@@ -378,14 +397,15 @@ MethodChoice choose_method(const Samples& samples, const SmoothingOptions& optio
   std::optional<Samples> comparable;
   if (given.columns.size() > 1) comparable = in_units_of_spread(given, noise);
   std::vector<SmoothingCandidate> candidates = rank_all(comparable ? *comparable : given, noise, options, pattern);
-  if (options.derivative == 0) raise_biases(candidates, spread_of_noise(comparable ? *comparable : given, noise));
+  if (options.derivative <= samples.derivatives)
+    raise_biases(candidates, spread_of_noise(comparable ? *comparable : given, noise, options.derivative));
   const double unit = std::pow(nearest_double(samples.spacing), -2 * options.derivative);
   for (SmoothingCandidate& one : candidates) {
     one.risk = {one.risk.bias_squared * unit, one.risk.variance * unit};
     if (one.range) one.range = {one.range->first * unit, one.range->second * unit};
   }
   SmoothingMethod method = make_smoothing_method(candidates.front().specification);
-  return {std::move(method), std::move(candidates), samples.count()};
+  return {std::move(method), std::move(candidates), samples.rows()};
 }
 
 }  // namespace subcert::data

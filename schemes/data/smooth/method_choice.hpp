@@ -26,10 +26,11 @@ struct RiskEstimate {
 
 /// The risks of all columns, added. With Selection::cross_validation the mean squared error of predicting a datum from
 /// the others, less the variance of the noise, is the total. Domain: a smoother with an output at each datum and
-/// derivative 0, made with the sites of the samples; noise[c] belongs to columns[c]. Ref: [Mal73], [DHHS15, eq. (16)],
-/// [CW79].
+/// derivative 0, made with the sites of the samples; noise[c] belongs to columns[c]. Of data with derivatives the error
+/// is that at the data of one order, as_observed by the smoother. Ref: [Mal73], [DHHS15, eq. (16)], [CW79].
 RiskEstimate estimate_risk(const LinearSmoother& smoother, const Samples& samples,
-                           const std::vector<NoiseEstimate>& noise, Selection selection = Selection::risk);
+                           const std::vector<NoiseEstimate>& noise, Selection selection = Selection::risk,
+                           int order = 0);
 
 /// What smooths data: the limit of a scheme of one variable, local polynomials, or data-dependent refinement.
 using SmoothingMethod = std::variant<Scheme, LocalPolynomial, DataDependentScheme>;

@@ -1,5 +1,7 @@
 #include "noise.hpp"
 
+#include "hermite_samples.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>
@@ -125,7 +127,18 @@ std::vector<NoiseEstimate> estimate_noise(const Samples& samples) {
   if (samples.noise) return std::vector<NoiseEstimate>(samples.columns.size(), known_noise(*samples.noise));
   std::vector<NoiseEstimate> noise;
   const std::vector<double> weights = samples.rounded_weights();
-  for (const auto& column : samples.columns) noise.push_back(estimate_noise(column, weights, samples.positions));
+  for (const auto& column : samples.columns)
+    for (int order = 0; order <= samples.derivatives; ++order) {
+      const NoiseEstimate one = estimate_noise(data_of_order(samples, column, order),
+                                               data_of_order(samples, weights, order), samples.positions);
+      if (order == 0) {
+        noise.push_back(one);
+        continue;
+      }
+      NoiseEstimate& all = noise.back();
+      all = {std::max(all.variance, one.variance), std::min(all.degrees_of_freedom, one.degrees_of_freedom),
+             all.terms + one.terms, all.ties + one.ties};
+    }
   return noise;
 }
 
@@ -183,7 +196,37 @@ void mark_runs(const std::vector<double>& data, const std::vector<double>& weigh
   for (std::size_t i = 0; i < data.size(); ++i) marked[i] = marked[i] || in_runs[i];
 }
 
+/// At the middle of three neighbouring data, NaN elsewhere.
+std::vector<double> second_differences(const std::vector<double>& data, const std::vector<double>& prior_weights,
+                                       const std::vector<double>& positions) {
+  const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
+  std::vector<double> differences(data.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 1; i + 1 < data.size(); ++i)
+    if (is_present(i - 1) && is_present(i) && is_present(i + 1))
+      differences[i] = SecondDifference(i, prior_weights, positions).of(data);
+  return differences;
+}
+
+double bulk_of(const std::vector<double>& differences) {
+  std::vector<double> moduli;
+  for (const double difference : differences)
+    if (!std::isnan(difference)) moduli.push_back(std::abs(difference));
+  if (moduli.empty()) return 0;
+  const auto middle = moduli.begin() + static_cast<std::ptrdiff_t>(moduli.size() / 2);
+  std::nth_element(moduli.begin(), middle, moduli.end());
+  return *middle / normal_quartile;
+}
+
 }  // namespace
+
+double bulk_deviation(const std::vector<double>& data, const std::vector<double>& prior_weights,
+                      const std::vector<double>& positions) {
+  if (has_ties(positions)) {
+    const DifferentPositions means(data, prior_weights, positions);
+    return bulk_deviation(means.data, means.weights, means.positions);
+  }
+  return bulk_of(second_differences(data, prior_weights, positions));
+}
 
 std::size_t count_outliers(const std::vector<double>& data, const std::vector<double>& prior_weights,
                            const std::vector<double>& positions) {
@@ -191,18 +234,8 @@ std::size_t count_outliers(const std::vector<double>& data, const std::vector<do
     const DifferentPositions means(data, prior_weights, positions);
     return count_outliers(means.data, means.weights, means.positions);
   }
-  const auto is_present = [&](std::size_t i) { return at_or_one(prior_weights, i) > 0; };
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> differences(data.size(), none), moduli;
-  for (std::size_t i = 1; i + 1 < data.size(); ++i)
-    if (is_present(i - 1) && is_present(i) && is_present(i + 1)) {
-      differences[i] = SecondDifference(i, prior_weights, positions).of(data);
-      moduli.push_back(std::abs(differences[i]));
-    }
-  if (moduli.empty()) return 0;
-  const auto middle = moduli.begin() + static_cast<std::ptrdiff_t>(moduli.size() / 2);
-  std::nth_element(moduli.begin(), middle, moduli.end());
-  const double deviation = *middle / normal_quartile;
+  const std::vector<double> differences = second_differences(data, prior_weights, positions);
+  const double deviation = bulk_of(differences);
   double all = 0, bulk = 0;
   std::vector<bool> outliers(data.size(), false);
   for (std::size_t i = 1; i + 1 < data.size(); ++i) {

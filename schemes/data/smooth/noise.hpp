@@ -39,8 +39,14 @@ NoiseEstimate known_noise(double deviation);
 NoiseEstimate estimate_noise(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
                              const std::vector<double>& positions = {});
 
-/// That of each column, with the weights and positions of the samples; the known one where they have it.
+/// That of each column, with the weights and positions of the samples; the known one where they have it. Of values with
+/// derivatives the larger variance of both, with the fewer degrees of freedom.
 std::vector<NoiseEstimate> estimate_noise(const Samples& samples);
+
+/// The standard deviation of the bulk of the data: the median modulus of second differences, in units of that of normal
+/// noise; 0 where there are none. Domain: as estimate_noise.
+double bulk_deviation(const std::vector<double>& data, const std::vector<double>& prior_weights = {},
+                      const std::vector<double>& positions = {});
 
 /// How many data stand out from both neighbours, not as steps and bends do, by more than six standard deviations of the
 /// bulk of the data, where such differences raise the estimate of the variance by more than half; else 0. Two to five

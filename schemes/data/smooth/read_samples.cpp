@@ -171,6 +171,7 @@ NamedSamples samples_of(const SampleOptions& options, Table table, const ColumnU
     samples.spacing = *spacing;
   }
   set_rows(options, table, use, samples);
+  samples.slopes = options.slopes;
   remark_on_missing(table, use, samples);
   const auto counts = [&](std::size_t i) { return samples.weights.empty() || samples.weights[i] != 0; };
   for (const std::size_t c : use.kept) {

@@ -27,8 +27,9 @@ struct SampleOptions {
   std::string header = "auto";  ///< or yes, no
   std::string missing = "raise";
   std::string series = "columns";  ///< or rows: each row is one, named by the column `by`
-  bool any_positions = false;      ///< also those that are not uniform, and several data at one
-  std::string spacing;             ///< of the outputs where positions are irregular; empty: as put_at()
+  bool slopes = false;  ///< Samples::slopes; without `x` an even number of columns has no positions, as of refine
+  bool any_positions = false;  ///< also those that are not uniform, and several data at one
+  std::string spacing;         ///< of the outputs where positions are irregular; empty: as put_at()
 
   /// What errors call the file.
   std::string name() const;

@@ -90,6 +90,7 @@ RobustFit robust_fit(const LocalPolynomial& method, const DataSites& sites, cons
   there.level = there.derivative = 0;
   there.at_data = true;
   there.path = false;
+  there.as_observed = true;
   there.places.clear();
   const LocalSmoother at_data(method, sites, there);
   std::vector<double> factors(data.size(), 1);
@@ -109,7 +110,8 @@ RobustFit robust_fit(const LocalPolynomial& method, const DataSites& sites, cons
       const double weight = sites.weights.empty() ? 1 : static_cast<double>(sites.weights[i]);
       freedom += weight * plain.variances[i] - 2 * plain.leverages[i];
     }
-  const bool same = options.at_data && options.derivative == 0 && !options.path;  // outputs
+  const bool values = sites.derivatives == 0 && options.derivative == 0;
+  const bool same = options.at_data && values && !options.path;  // outputs
   const LocalSmoother smoother(method, sites, same ? there : options);
   RobustFit result{
       same ? fits : smoother.values(data, factors, threads), {}, sandwich_noise(influence, freedom), 0, fits};

@@ -161,7 +161,8 @@ ColumnUse find_columns(const SampleOptions& options, const Table& table) {
     use.numbered = true;
     left.erase(left.begin());
   }
-  if (options.x.empty() && left.size() >= fewest) {
+  const bool blocks = options.slopes && use.values.empty() && left.size() % 2 == 0;  // of values and slopes alone
+  if (options.x.empty() && left.size() >= fewest && !blocks) {
     use.x = left.front();
     left.erase(left.begin());
   }

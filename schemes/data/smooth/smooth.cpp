@@ -1,5 +1,6 @@
 #include "smooth.hpp"
 
+#include "hermite_samples.hpp"
 #include "robust_local.hpp"
 #include "uniform_grid.hpp"
 
@@ -81,6 +82,15 @@ void set_positions_of_data(SmoothedSamples& result, const Samples& samples, cons
   if (options.at_data && !own.empty()) result.positions = own;
 }
 
+/// At the data one output for each position, though there be derivatives.
+void leave_values(SmoothedSamples& result, const Samples& samples, const SmoothingOptions& options) {
+  if (!options.at_data) return;
+  for (SmoothedColumn& column : result.columns) {
+    column.values = data_of_order(samples, column.values, 0);
+    column.deviations = data_of_order(samples, column.deviations, 0);
+  }
+}
+
 /// Of the outputs of a grid or, at the data, of these.
 void set_positions(SmoothedSamples& result, const Samples& samples, const SmoothingOptions& options) {
   const std::size_t scale = options.at_data ? 1 : std::size_t{1} << options.level;
@@ -114,6 +124,7 @@ SmoothedSamples smooth_by(const LocalPolynomial& method, const Samples& samples,
     for (double& deviation : fit.deviations) deviation *= unit;
     result.columns.push_back({std::move(fit.values), fit.noise, std::move(fit.deviations), fit.path});
   }
+  leave_values(result, samples, options);
   set_positions(result, samples, options);
   return result;
 }
@@ -148,14 +159,20 @@ SmoothedSamples smooth_in_spacings(const Samples& samples, const SmoothingMethod
   const std::unique_ptr<LinearSmoother> smoother = make_smoother(used, method, options);
   SmoothedSamples result = smoothed_columns(used, estimate_noise(samples), *smoother, options.derivative, 0,
                                             smoother->spacings(), 0);
-  const std::vector<double> weights = samples.rounded_weights();
+  const int order = std::min(options.derivative, samples.derivatives);
+  const std::vector<double> weights = data_of_order(samples, samples.rounded_weights(), order);
   for (std::size_t c = 0; c < samples.columns.size(); ++c) {
-    result.columns[c].outliers = count_outliers(samples.columns[c], weights, samples.positions);
-    if (!samples.noise)
-      result.columns[c].correlated = correlated_differences(samples.columns[c], weights, samples.positions);
+    const std::vector<double> data = data_of_order(samples, samples.columns[c], order);
+    result.columns[c].outliers = count_outliers(data, weights, samples.positions);
+    if (!samples.noise) result.columns[c].correlated = correlated_differences(data, weights, samples.positions);
   }
   result.method = to_text(method);
-  set_positions_of_data(result, samples, options);
+  if (samples.derivatives > 0) {
+    leave_values(result, samples, options);
+    if (options.at_data) set_positions(result, samples, options);
+  } else {
+    set_positions_of_data(result, samples, options);
+  }
   return finite(std::move(result));
 }
 
@@ -164,7 +181,7 @@ class Range {
  public:
   explicit Range(const Samples& samples)
       : samples_(samples),
-        last_(static_cast<double>(samples.count()) - 1),
+        last_(static_cast<double>(samples.rows()) - 1),
         ends_(samples.uniform() ? samples.given : samples.positions) {
     if (!ends_.empty()) ends_ = {ends_.front(), ends_.back()};
     if (ends_.empty())
@@ -264,8 +281,32 @@ bool finds_its_noise(std::string_view specification) {
   return is_l1_specification(specification) || is_robust_specification(specification);
 }
 
+namespace {
+
+/// Of values with slopes: the noise is that of the values, or of the derivative that is asked for.
+SmoothedSamples smooth_with_slopes(const Samples& samples, std::string_view specification,
+                                   const SmoothingOptions& options, int threads) {
+  require(takes_any_positions(specification), "smoothing: values with slopes need local polynomials, local:..., got {}",
+          specification);
+  const Samples joined = with_slopes_after_values(samples, finds_its_noise(specification));
+  SmoothedSamples result = smooth(joined, specification, options, threads);
+  if (options.derivative > 0) return result;
+  SmoothingOptions of_slopes = options;
+  of_slopes.derivative = 1;
+  SmoothedSamples slopes = smooth(joined, make_smoothing_method(result.method), of_slopes, threads);
+  const double unit = nearest_double(samples.spacing);
+  for (SmoothedColumn& column : slopes.columns) {
+    column.noise->variance /= joined.derivative_weight * unit * unit;
+    result.columns.push_back(std::move(column));
+  }
+  return result;
+}
+
+}  // namespace
+
 SmoothedSamples smooth(const Samples& samples, std::string_view specification, const SmoothingOptions& options,
                        int threads) {
+  if (samples.slopes) return smooth_with_slopes(samples, specification, options, threads);
   require_squares(samples);
   std::optional<LocalPolynomial> pattern;
   if (!specification.empty()) {

@@ -129,7 +129,12 @@ double GridPositions::at(std::size_t index) const {
 DataSites Samples::sites() const {
   DataSites sites{count(), weights};
   const double unit = nearest_double(spacing);
-  for (const double x : positions) sites.positions.push_back((x - positions.front()) / unit);
+  sites.derivatives = derivatives;
+  const std::size_t kinds = count() / std::max<std::size_t>(1, rows());
+  if (!uniform() || kinds > 1) sites.positions.reserve(count());
+  for (std::size_t i = 0; i < (uniform() && kinds == 1 ? 0 : rows()); ++i)
+    sites.positions.insert(sites.positions.end(), kinds,
+                           uniform() ? static_cast<double>(i) : (positions[i] - positions.front()) / unit);
   return sites;
 }
 

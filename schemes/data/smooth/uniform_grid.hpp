@@ -70,7 +70,8 @@ class GridPositions {
 };
 
 /// columns[c][i] is the datum of function c at positions[i] or, where there are none, at origin + i * spacing.
-/// Canonical: one column or more, all of one size; as many weights as data, or none; positions likewise.
+/// Canonical: one column or more, all of one size; as many weights as data, or none; positions likewise. With
+/// derivatives (hermite_samples.hpp) i counts the values alone: columns and weights are longer, positions are not.
 struct Samples {
   std::vector<std::vector<double>> columns;
   std::vector<Rational> weights = {};  ///< prior, inverse to the variance of the noise; 0: missing; none: all 1
@@ -80,7 +81,13 @@ struct Samples {
   std::optional<double> noise = {};    ///< standard deviation for weight 1, where it is known
   std::vector<double> given = {};      ///< of uniform data: the positions as they were read, which answers at the data
                                        ///< have; none: those of the grid
+  bool slopes = false;  ///< the columns of the second half are the slopes, by position, of those of the first
+  std::optional<double> slope_noise = {};  ///< standard deviation of their noise for weight 1, where it is known
+  int derivatives = 0;  ///< so many data after each value are derivatives there, by the spacing, with weights of theirs
+  double derivative_weight = 1;  ///< that of a derivative of weight 1
 
+  /// Positions, of which several may be equal.
+  std::size_t rows() const { return count() / (static_cast<std::size_t>(derivatives) + 1); }
   std::size_t count() const { return columns.empty() ? 0 : columns.front().size(); }
   bool uniform() const { return positions.empty(); }
   /// Whether several data have one position.

@@ -389,9 +389,10 @@ TEST_CASE("the order of positions") {
 }
 
 TEST_CASE("local polynomials that do not exist say why") {
-  for (const char* text : {"local:points=1,d=1", "local:points=3,width=2", "local:width=0", "local:weight=round",
+  for (const char* text : {"local:points=1,d=2", "local:points=3,width=2", "local:width=0", "local:weight=round",
                            "local:d=-1", "local:points=3,points=4", "local:x=1"})
     CHECK_FAILS(make_local_polynomial(text), usage);
+  CHECK_FAILS(smooth(Samples{{{1, 2, 3}}}, "local:points=1,d=1", {}), usage);  // of values without slopes
   CHECK_FAILS(smooth(Samples{{{1, 2, 3}}}, "local:points=5", {}), data);
   CHECK_FAILS(smooth(Samples{{{1, 2, 3, 4, 5}}}, "local:width=1/2", {}), data);
   CHECK_FAILS(smooth(Samples{{{1, 2, 3, 4, 5}}}, "local:points=3", {Boundary::regression, 0, 2}), domain);

@@ -214,7 +214,8 @@ class Vertices {
       return false;
     std::optional<Interval> growth = growth_;
     if (leader->high >= intervals_.one() || growth) {
-      if (!may_be_one_ || (!box.from_zero && !growth)) return false;
+      // For n -> infinity 1 is a zero, and all others are below leader->low.
+      if (!may_be_one_ || !(growth || (box.from_zero && leader->low <= intervals_.one()))) return false;
       const auto here = change(first_, letter_c, box.all, *leader);
       if (!here || here->low <= 0) return false;
       growth = growth ? Interval{std::min(growth->low, here->low), std::max(growth->high, here->high)} : *here;

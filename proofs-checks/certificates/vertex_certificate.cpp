@@ -12,7 +12,7 @@ namespace subcert {
 namespace {
 
 constexpr int bits = 128, value_bits = 64, radius_bits = 24, inverse_bits = 24, most_levels = 8, most_power = 12,
-              most_cuts = 1, most_halvings = 12;
+              most_halvings = 12;
 constexpr long most_turn = 3;
 
 std::string polynomial_in_c(const LaurentPolynomial& p) {
@@ -109,7 +109,7 @@ Certificate vertex_certificate(const SectorRuleFamily& family, const Multivariat
                                                smoothness.c1, smoothness.evidence.has_value());
   const Rational scale = power(Rational(2), radius_bits);
   const Rational start = Rational(to_integer(Rational(smoothness.evidence->subdominant * scale), Rounding::nearest)) / scale;
-  std::string text = fmt::format("vertices {} {} {} {}\npoints", bits, most_cuts, most_halvings, to_text(start));
+  std::string text = fmt::format("vertices {} {} {}\npoints", bits, most_halvings, to_text(start));
   for (const LatticePoint& point : smoothness.evidence->points) text += fmt::format(" {}", fmt::join(point, ","));
   certificate.sections.push_back({text + "\n"});
   return certificate;

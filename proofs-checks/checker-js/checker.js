@@ -3130,10 +3130,10 @@ var check_certificate = (() => {
   class Vertices {
     constructor(sectors, lattice, reader) {
       Object.assign(this, {sectors, lattice, reader});
-      const fields = reader.read('vertices', 4);
+      const fields = reader.read('vertices', 3);
       this.real = new Intervals(small(fields[0], 64, 1024), Infinity);
-      [this.levels, this.halvings] = [small(fields[1], 0, 8), small(fields[2], 0, 16)];
-      [this.near] = this.real.of(rational(fields[3]));
+      this.halvings = small(fields[1], 0, 16);
+      [this.near] = this.real.of(rational(fields[2]));
       this.p = new IntervalPolynomials(this.real);
       this.ring = ring_of(sectors, lattice);
     }
@@ -3174,7 +3174,6 @@ var check_certificate = (() => {
       [this.first, this.general] = [this.polynomial(1), this.polynomial(null)];
       const constants = this.polynomial(0);
       for (let i = constants.length - 2; i >= 0; --i) constants[i] = letter_sum(constants[i], constants[i + 1]);
-      demand(!constants[0].size, 'constants are no eigenvector');
       this.constants = constants.slice(1);
       this.named = [...named].filter(k => k > 1).sort((x, y) => x - y).map(k => this.polynomial(k));
     }
@@ -3240,8 +3239,7 @@ var check_certificate = (() => {
       if (!leader || leader[0] <= 0n || !this.p.has_zeros_below(this.p.deflated(p, leader), leader[0])) return false;
       let {growth} = this;
       if (leader[1] >= this.real.W || growth) {
-        const may_be_one = this.may_be_one && (growth || (box.from_zero && leader[0] <= this.real.W));
-        const here = may_be_one && this.change(this.first, by_c, box.all, leader);
+        const here = this.may_be_one && (growth || box.from_zero) && this.change(this.first, by_c, box.all, leader);
         if (!here || here[0] <= 0n) return false;
         growth = growth ? [here[0] < growth[0] ? here[0] : growth[0], max(growth[1], here[1])] : here;
       }
@@ -3256,7 +3254,7 @@ var check_certificate = (() => {
       const two = [2n * real.W, 2n * real.W], delta = real.minus(two, real.plus(letters.cosine, letters.cosine));
       const near_one = growth && {delta, decay: real.over(growth, two)}, known = this.on_points(turns, letters, leader, near_one);
       return known !== null && new SectorMap(sectors, lattice, this.ring, {
-        turns, letters, lambda: [leader, real.zero], of_lambda: [real.over(real.one, leader), real.zero], known, near_one}).is_regular(this.levels);
+        turns, letters, lambda: [leader, real.zero], of_lambda: [real.over(real.one, leader), real.zero], known, near_one}).is_regular(0);
     }
     on_points(turns, letters, leader, near_one) {  // all equations A z = lambda z but the first one
       const {real, turning, sectors} = this, {zero, one} = real, n = turning.length, dual = sectors.lattice === 'dual';

@@ -9,7 +9,7 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t max_points = 16, max_level = 8, max_halvings = 16, max_frequency = 8;
+constexpr std::size_t max_points = 16, max_halvings = 16, max_frequency = 8;
 constexpr int finest = 512;  // parts of 1 of the cosines of frequencies
 
 /// cos(k t) as a polynomial in cos t = c.
@@ -31,11 +31,10 @@ class Vertices {
         reader_(reader),
         arithmetic_(arithmetic),
         intervals_(parse_size(fields[0], 64, 1024), arithmetic),
-        levels_(parse_size(fields[1], 0, max_level)),
-        halvings_(parse_size(fields[2], 0, max_halvings)),
+        halvings_(parse_size(fields[1], 0, max_halvings)),
         one_{intervals_.one(), intervals_.one()},
         ring_(mask, rules) {
-    near_ = intervals_.number(parse_rational(fields[3])).low;
+    near_ = intervals_.number(parse_rational(fields[2])).low;
   }
 
   void check() {
@@ -110,8 +109,7 @@ class Vertices {
     general_ = polynomial(std::nullopt);
     constants_ = polynomial(0);
     for (std::size_t i = constants_.size() - 1; i-- > 0;) constants_[i] = constants_[i] + constants_[i + 1];
-    require(constants_.front().empty(), "constants are no eigenvector");
-    constants_.erase(constants_.begin());
+    constants_.erase(constants_.begin());  // without the factor x - 1
     for (const std::size_t k : named)
       if (k > 1) named_.push_back(polynomial(k));
   }
@@ -214,8 +212,7 @@ class Vertices {
       return false;
     std::optional<Interval> growth = growth_;
     if (leader->high >= intervals_.one() || growth) {
-      // For n -> infinity 1 is a zero, and all others are below leader->low.
-      if (!may_be_one_ || !(growth || (box.from_zero && leader->low <= intervals_.one()))) return false;
+      if (!may_be_one_ || (!box.from_zero && !growth)) return false;
       const auto here = change(first_, letter_c, box.all, *leader);
       if (!here || here->low <= 0) return false;
       growth = growth ? Interval{std::min(growth->low, here->low), std::max(growth->high, here->high)} : *here;
@@ -244,7 +241,7 @@ class Vertices {
     if (!values) return false;
     SectorMap map(mask_, rules_, ring_, at, frequency, intervals_, {leader, {0, 0}},
                   {intervals_.over(one_, leader), {0, 0}}, std::move(*values), near_one, arithmetic_);
-    return map.is_regular(levels_);
+    return map.is_regular(0);
   }
 
   /// z, by all equations A z = lambda z but the first one. It is 1 at the first point, 1 + w in the dual lattice.
@@ -325,7 +322,7 @@ class Vertices {
   Reader& reader_;
   Arithmetic& arithmetic_;
   Intervals intervals_;
-  std::size_t levels_, halvings_;
+  std::size_t halvings_;
   Interval one_;
   MapRing ring_;
   std::vector<Point> points_, turning_;  // the second without the vertex
@@ -341,7 +338,7 @@ class Vertices {
 }  // namespace
 
 void check_vertices(const LatticeMask& mask, const SectorRules& rules, Reader& reader, Arithmetic& arithmetic) {
-  Vertices(mask, rules, reader, reader.take("vertices", 4, 4), arithmetic).check();
+  Vertices(mask, rules, reader, reader.take("vertices", 3, 3), arithmetic).check();
 }
 
 }  // namespace subcert_check

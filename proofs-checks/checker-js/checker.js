@@ -3593,7 +3593,7 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of almost
-                     all data are C^1 around a vertex of valence N with these rules; quads:N, dual:N)
+                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N)
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
                      [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous
                      phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C

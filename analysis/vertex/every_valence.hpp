@@ -21,9 +21,9 @@ struct EveryValence {
   long first;
   /// As VertexSmoothness::c1, of all of them; never no.
   Decision c1;
-  std::vector<Range> open;  ///< where it is not proved, in order
-  long intervals = 0;       ///< of 1/n, in which it is
-  long squares = 0;         ///< that the proofs looked at, in all intervals
+  std::vector<Range> open;                          ///< where it is not proved, in order
+  long intervals = 0;                               ///< of 1/n, in which it is
+  long squares = 0;                                 ///< that the proofs looked at, in all intervals
   std::optional<Evidence> evidence = std::nullopt;  ///< where c1 is yes, by hulls
 };
 

@@ -35,8 +35,8 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
   const auto add = [&](long valence, const char* end, const auto& of, const auto& smoothness) {
     if (!smoothness.evidence) return;
     if (!regularity) regularity = regularity_of(rules.front().mask.without_factors(), options.limits());
-    certificates.push_back({fmt::format("{:04}-{}", valence, end),
-                            vertex_certificate(of, *regularity->surface, smoothness)});
+    certificates.push_back(
+        {fmt::format("{:04}-{}", valence, end), vertex_certificate(of, *regularity->surface, smoothness)});
   };
   for (std::size_t i = 0; i < rules.size(); ++i) add(valences[i].valence, "vertex", rules[i], valences[i]);
   if (rest && rest->evidence) add(rest->first, "vertices", vertex_rule_family(options.scheme), *rest);

@@ -49,11 +49,12 @@ void add_terms(std::vector<std::string>& terms, const SectorRule& rule, long val
     terms.push_back(fmt::format("{}{}@{},{}", polynomial_in_c(term.weight), of_weight, fmt::join(term.at.point, ","),
                                 term.at.turn < valence - most ? term.at.turn : term.at.turn - valence));
   for (const RingTerm& ring : rule.rings)
-    terms.push_back(fmt::format("{}{}@{}~{}", polynomial_in_c(ring.weight), of_weight, fmt::join(ring.point, ","),
-                                ring.frequency));
+    terms.push_back(
+        fmt::format("{}{}@{}~{}", polynomial_in_c(ring.weight), of_weight, fmt::join(ring.point, ","), ring.frequency));
 }
 
-std::string rules_text(const SectorRules& rules, const std::string& valences, long most, const SectorRule& over_vertex) {
+std::string rules_text(const SectorRules& rules, const std::string& valences, long most,
+                       const SectorRule& over_vertex) {
   std::string text = fmt::format("{}:{}", lattice_text(rules.lattice), valences);
   for (const auto& [point, rule] : rules.rules) {
     std::vector<std::string> terms;
@@ -108,7 +109,8 @@ Certificate vertex_certificate(const SectorRuleFamily& family, const Multivariat
   Certificate certificate = certificate_around(family.rules.mask, rules_text(family, smoothness.first), regularity,
                                                smoothness.c1, smoothness.evidence.has_value());
   const Rational scale = power(Rational(2), radius_bits);
-  const Rational start = Rational(to_integer(Rational(smoothness.evidence->subdominant * scale), Rounding::nearest)) / scale;
+  const Rational start = Rational(to_integer(Rational(smoothness.evidence->subdominant * scale), Rounding::nearest)) /
+                         scale;
   std::string text = fmt::format("vertices {} {} {}\npoints", bits, most_halvings, to_text(start));
   for (const LatticePoint& point : smoothness.evidence->points) text += fmt::format(" {}", fmt::join(point, ","));
   certificate.sections.push_back({text + "\n"});

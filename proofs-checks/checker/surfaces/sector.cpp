@@ -20,7 +20,8 @@ SectorTerm parse_term(const SectorRules& rules, std::string_view text) {
   const Fields parts = split(text, "@");
   require(parts.size() == 2, "a term of a rule is WEIGHT@X,Y,TURN or WEIGHT@X,Y~FREQUENCY");
   const bool over_valence = rules.and_above && parts[0].ends_with("/n");
-  SectorTerm term{{}, {}, parse_polynomial(parts[0].substr(0, parts[0].size() - (over_valence ? 2 : 0)), 'c'), over_valence};
+  SectorTerm term{
+      {}, {}, parse_polynomial(parts[0].substr(0, parts[0].size() - (over_valence ? 2 : 0)), 'c'), over_valence};
   const Fields ring = split(parts[1], "~");
   if (ring.size() == 2) {
     term.at.point = parse_canonical(rules, ring[0]);
@@ -75,7 +76,8 @@ SectorRules parse_sector_rules(std::string_view text) {
                    : head[0] == "quads"   ? SectorLattice::quads
                                           : SectorLattice::dual;
   result.and_above = head[1].ends_with('+');
-  result.valence = parse_size(head[1].substr(0, head[1].size() - (result.and_above ? 1 : 0)), result.and_above ? 7 : 3, 1000);
+  result.valence = parse_size(head[1].substr(0, head[1].size() - (result.and_above ? 1 : 0)), result.and_above ? 7 : 3,
+                              1000);
   require(parts.size() <= max_rules + 1, "more rules than the checker allows");
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Fields sides = split(parts[i], "=");

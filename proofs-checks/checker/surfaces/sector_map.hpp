@@ -38,8 +38,8 @@ class SectorMap {
             const Frequency& frequency, const Intervals& intervals, const Turning& lambda, const Turning& of_lambda,
             std::map<Point, Turning> values, const std::optional<NearOne>& near_one, Arithmetic& arithmetic);
 
-  /// Whether on all squares of the ring, or on their parts after so many cuts, the Jacobian is positive and the map in a
-  /// half plane.
+  /// Whether the Jacobian is positive and the map in a half plane, on all squares of the ring or on their parts after
+  /// so many cuts.
   bool is_regular(std::size_t cuts);
 
  private:

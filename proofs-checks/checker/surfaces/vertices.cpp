@@ -17,7 +17,8 @@ LetterPolynomial cosine_of(std::size_t k, Arithmetic& arithmetic) {
   LetterPolynomial before{{{}, 1}}, cosine = letter(letter_c);
   if (k == 0) return before;
   for (; k > 1; --k)
-    before = std::exchange(cosine, times(letter(letter_c, 2), cosine, arithmetic) + times({{{}, -1}}, before, arithmetic));
+    before = std::exchange(cosine,
+                           times(letter(letter_c, 2), cosine, arithmetic) + times({{{}, -1}}, before, arithmetic));
   return cosine;
 }
 
@@ -70,7 +71,8 @@ class Vertices {
     for (std::size_t i = 0; i < points.size(); ++i)
       for (const SectorTerm& term : rule_at(mask_, rules_, points[i])) {
         const auto datum = std::ranges::find(points, term.at.point);
-        if ((term.frequency && term.frequency != k) || (rules_.is_vertex(term.at.point) && k != std::size_t{0})) continue;
+        if ((term.frequency && term.frequency != k) || (rules_.is_vertex(term.at.point) && k != std::size_t{0}))
+          continue;
         require(datum != points.end(), "a rule of the points has data elsewhere");
         LetterTurning weight;
         for (std::size_t power = 0; power < term.weight.size(); ++power)
@@ -297,8 +299,9 @@ class Vertices {
     const std::size_t n = rows.size();
     const auto from_zero = [](const Interval& x) { return std::max(x.low, mpz_class(-x.high)); };
     for (std::size_t k = 0; k < n; ++k) {
-      const auto pivot = std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
-                                          [&](const auto& x, const auto& y) { return from_zero(x[k]) < from_zero(y[k]); });
+      const auto pivot = std::max_element(
+          rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
+          [&](const auto& x, const auto& y) { return from_zero(x[k]) < from_zero(y[k]); });
       std::iter_swap(rows.begin() + static_cast<std::ptrdiff_t>(k), pivot);
       const Interval divisor = rows[k][k];
       for (std::size_t j = k; j <= n; ++j) {

@@ -67,7 +67,10 @@ def rejected():
     yield case("vertices-above-1", "midedge", MIDEDGE.format("100+").replace("1/2@", "3/2@").replace("1/4@", "-1/4@"), open_rest)
     yield case("vertices-share-near-1", "midedge", MIDEDGE.format("100+") + "|-2/9/n@0,0,0|1/9/n@0,0,1|1/9/n@0,0,-1", open_rest)
     yield case("vertices-tend-to-1", "doo-sabin", ds.replace("1/4@0,0~1", "1/4+1/2*c@0,0~1"), open_rest)
-    yield case("vertices-folded", "doo-sabin", DOO_SABIN.format("7+").replace("1/4@0,0~1", "149/200@0,0~1"), open_rest, start="199/200")
+    yield case("vertices-folded", "doo-sabin", DOO_SABIN.format("7+").replace("1/4@0,0~1", "149/200@0,0~1"), open_rest, start="199/200", halvings=7)
+    near_1 = MIDEDGE.format("100+")
+    yield case("vertices-others-grow", "midedge", near_1 + "|-1/10@0,0~1", open_rest, start="9/10")
+    yield case("vertices-near-1-named", "midedge", near_1 + "|-1/9@0,0~2", open_rest, halvings=7)
     yield case("vertices-not-real", "midedge", MIDEDGE.format("13+").replace("1/4@0,0,1|1/4@0,0,-1", "1/2@0,0,1"),
                "the eigenvalues of a frequency and of its opposite are not the same")
     # what the claim says

@@ -37,6 +37,8 @@ struct CellForms {
   /// Else, of the sums of the |D phi(x - k)|.
   std::vector<Rational> derivative_bounds;
 
+  /// Whether derivatives lie in the hulls of differences.
+  bool are_hulls() const { return derivatives.size() == 2 && derivatives[0].positive && derivatives[1].positive; }
   bool are_known() const { return values.bound && (derivatives.size() == 2 || derivative_bounds.size() == 2); }
 };
 

@@ -50,7 +50,16 @@ class FamilyProof {
     if (!map) return false;
     const MapProof proof = map->prove(most_cuts);
     squares += proof.squares;
-    return proof.regular.is_yes() && proof.half_plane.is_yes();
+    if (!proof.regular.is_yes() || !proof.half_plane.is_yes()) return false;
+    if (piece.low == 0) subdominant_ = Rational(leader->value.middle());
+    return true;
+  }
+
+  /// Domain: all intervals are proved.
+  EveryValence::Evidence evidence() const {
+    EveryValence::Evidence result{{}, subdominant_};
+    for (const auto& [point, rule] : set_.rules) result.points.push_back(point);
+    return result;
   }
 
  private:
@@ -58,6 +67,7 @@ class FamilyProof {
   SectorRules rules_;
   ClosedSet set_;
   std::optional<FamilySpectrum> spectrum_;
+  Rational subdominant_ = 0;  // in the interval from 0 on
 };
 
 std::string to_text(const EveryValence::Range& range) {
@@ -103,6 +113,7 @@ EveryValence every_valence(const SectorRuleFamily& family, const RegularPart& re
   }
   if (result.open.empty()) {
     result.c1 = {Truth::yes, "the characteristic maps are regular and injective"};
+    if (regular.forms->are_hulls()) result.evidence = proof.evidence();
     return result;
   }
   for (const EveryValence::Range& range : result.open)

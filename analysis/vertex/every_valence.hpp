@@ -12,12 +12,19 @@ struct EveryValence {
     std::optional<long> last;  ///< none: all that follow
   };
 
+  /// Where a checker of certificates begins. Proof: SPEC.md, section 5.12.
+  struct Evidence {
+    std::vector<LatticePoint> points;  ///< of a closed set
+    Rational subdominant;              ///< about, for n -> infinity
+  };
+
   long first;
   /// As VertexSmoothness::c1, of all of them; never no.
   Decision c1;
-  std::vector<Range> open;  ///< where it is not proved, in order
-  long intervals = 0;       ///< of 1/n, in which it is
-  long squares = 0;         ///< that the proofs looked at, in all intervals
+  std::vector<Range> open;                          ///< where it is not proved, in order
+  long intervals = 0;                               ///< of 1/n, in which it is
+  long squares = 0;                                 ///< that the proofs looked at, in all intervals
+  std::optional<Evidence> evidence = std::nullopt;  ///< where c1 is yes, by hulls
 };
 
 /// Domain: rules with the mask of the regular part, first >= family.least. Errors: as vertex_smoothness(). Cost: a

@@ -130,8 +130,7 @@ class VertexProof {
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
     if (!result_.c1.is_yes()) return;
     look_behind(leader);
-    const std::vector<CellForm>& derivatives = regular_.forms->derivatives;
-    if (derivatives.size() == 2 && derivatives[0].positive && derivatives[1].positive)
+    if (regular_.forms->are_hulls())
       result_.evidence = evidence_of(rules_, set_, *map, leader.value.real(), BallField(rules_.valence, bits_));
   }
 

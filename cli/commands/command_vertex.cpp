@@ -26,18 +26,21 @@ struct VertexOptions : SearchOptions {
   std::string certificate;
 };
 
-/// One for each valence where smoothness is proved by what certificates can say.
+/// One for each valence where smoothness is proved by what certificates can say, and one for all that follow.
 WrittenCertificates write_certificates_of(const VertexOptions& options, const std::vector<SectorRules>& rules,
-                                          const std::vector<VertexSmoothness>& valences, Json& json) {
+                                          const std::vector<VertexSmoothness>& valences,
+                                          const std::optional<EveryValence>& rest, Json& json) {
   std::vector<NamedCertificate> certificates;
   std::optional<Regularity> regularity;  // of the mask itself, not of its factors
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    if (!valences[i].evidence) continue;
-    if (!regularity) regularity = regularity_of(rules[i].mask.without_factors(), options.limits());
-    certificates.push_back({fmt::format("{:04}-vertex", valences[i].valence),
-                            vertex_certificate(rules[i], *regularity->surface, valences[i])});
-  }
-  return write_certificates(options.certificate, certificates, {"-vertex"},
+  const auto add = [&](long valence, const char* end, const auto& of, const auto& smoothness) {
+    if (!smoothness.evidence) return;
+    if (!regularity) regularity = regularity_of(rules.front().mask.without_factors(), options.limits());
+    certificates.push_back(
+        {fmt::format("{:04}-{}", valence, end), vertex_certificate(of, *regularity->surface, smoothness)});
+  };
+  for (std::size_t i = 0; i < rules.size(); ++i) add(valences[i].valence, "vertex", rules[i], valences[i]);
+  if (rest && rest->evidence) add(rest->first, "vertices", vertex_rule_family(options.scheme), *rest);
+  return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
                             "what is not proved, or not by hulls of differences", json);
 }
 
@@ -69,7 +72,7 @@ ExitCode run(const VertexOptions& options) {
                                   options.stencils ? stencils : std::vector<StencilsAt>{});
   Json json = page_json(list);
   WrittenCertificates written;
-  if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, json);
+  if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, rest, json);
   options.end_progress();
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();

@@ -79,6 +79,11 @@ TEST_CASE("vertex: certificates of what is proved by hulls are written and verif
   CHECK(verified.code == 0);
   CHECK(joined(verified.out).find("0005-vertex.cert: VERIFIED ") != std::string::npos);
   CHECK(joined(verified.out).find("C^1 limits of almost all data around dual:5;0,0=1/2@0,0,0") != std::string::npos);
+  // Of all valences: one more file.
+  CHECK(run_json("vertex doo-sabin --all-valences --certificate " + place).at("certificates") == 11);
+  const Run of_all = run("verify " + place);
+  CHECK(of_all.code == 0);
+  CHECK(joined(of_all.out).find("C^1 limits of almost all data around dual:13+;0,0=1/4@0,0,0") != std::string::npos);
   // Those of a run before that are not written again go.
   const auto fits = run_json("vertex butterfly --valence 5 --certificate " + place);
   CHECK(fits.at("certificates") == 0);

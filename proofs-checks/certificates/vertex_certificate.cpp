@@ -11,7 +11,9 @@
 namespace subcert {
 namespace {
 
-constexpr int bits = 128, value_bits = 64, radius_bits = 24, inverse_bits = 24, most_levels = 8, most_power = 12;
+constexpr int bits = 128, value_bits = 64, radius_bits = 24, inverse_bits = 24, most_levels = 8, most_power = 12,
+              most_halvings = 12;
+constexpr long most_turn = 3;
 
 std::string polynomial_in_c(const LaurentPolynomial& p) {
   if (p.is_zero()) return "0";
@@ -40,33 +42,55 @@ std::string pairs_text(const std::vector<VertexEvidence::Pair>& pairs, int digit
   return text;
 }
 
-}  // namespace
+/// The terms of a rule; turns count from -most on, as far as there are others. `of_weight` ends each weight.
+void add_terms(std::vector<std::string>& terms, const SectorRule& rule, long valence, long most,
+               const char* of_weight = "") {
+  for (const SectorTerm& term : rule.terms)
+    terms.push_back(fmt::format("{}{}@{},{}", polynomial_in_c(term.weight), of_weight, fmt::join(term.at.point, ","),
+                                term.at.turn < valence - most ? term.at.turn : term.at.turn - valence));
+  for (const RingTerm& ring : rule.rings)
+    terms.push_back(
+        fmt::format("{}{}@{}~{}", polynomial_in_c(ring.weight), of_weight, fmt::join(ring.point, ","), ring.frequency));
+}
 
-std::string rules_text(const SectorRules& rules) {
-  std::string text = fmt::format("{}:{}", lattice_text(rules.lattice), rules.valence);
+std::string rules_text(const SectorRules& rules, const std::string& valences, long most,
+                       const SectorRule& over_vertex) {
+  std::string text = fmt::format("{}:{}", lattice_text(rules.lattice), valences);
   for (const auto& [point, rule] : rules.rules) {
     std::vector<std::string> terms;
-    for (const SectorTerm& term : rule.terms)
-      terms.push_back(
-          fmt::format("{}@{},{}", polynomial_in_c(term.weight), fmt::join(term.at.point, ","), term.at.turn));
-    for (const RingTerm& ring : rule.rings)
-      terms.push_back(
-          fmt::format("{}@{}~{}", polynomial_in_c(ring.weight), fmt::join(ring.point, ","), ring.frequency));
+    add_terms(terms, rule, rules.valence, most);
+    if (point == LatticePoint{0, 0}) add_terms(terms, over_vertex, rules.valence, most, "/n");
     text += fmt::format(";{}={}", fmt::join(point, ","), fmt::join(terms, "|"));
   }
   return text;
 }
 
-Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegularity& regularity,
-                               const VertexSmoothness& smoothness) {
-  require(smoothness.c1.is_yes(), "certificate: need smoothness that is proved, got: {}", smoothness.c1.reason);
-  require(smoothness.evidence != nullptr,
+/// Of the mask, with a claim about what is around these vertices.
+Certificate certificate_around(const LatticeMask& mask, const std::string& rules,
+                               const MultivariateRegularity& regularity, const Decision& c1, bool by_hulls) {
+  require(c1.is_yes(), "certificate: need smoothness that is proved, got: {}", c1.reason);
+  require(by_hulls,
           "certificate: need a proof by hulls of differences, which are none where the mask of the differences along "
           "an edge has negative coefficients");
-  Certificate certificate = surface_certificate(rules.mask, regularity);
+  Certificate certificate = surface_certificate(mask, regularity);
   require(certificate.claim.lower && *parse_rational(*certificate.claim.lower) > 1,
           "certificate: need a proved exponent above 1 of the mask, got {}", certificate.claim.lower.value_or("none"));
-  std::get<SurfaceSubject>(certificate.claim.subject).vertex = rules_text(rules);
+  std::get<SurfaceSubject>(certificate.claim.subject).vertex = rules;
+  return certificate;
+}
+
+}  // namespace
+
+std::string rules_text(const SectorRules& rules) { return rules_text(rules, std::to_string(rules.valence), 0, {}); }
+
+std::string rules_text(const SectorRuleFamily& family, long first) {
+  return rules_text(family.rules, fmt::format("{}+", first), most_turn, family.over_vertex);
+}
+
+Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegularity& regularity,
+                               const VertexSmoothness& smoothness) {
+  Certificate certificate = certificate_around(rules.mask, rules_text(rules), regularity, smoothness.c1,
+                                               smoothness.evidence != nullptr);
   const VertexEvidence& evidence = *smoothness.evidence;
   const Integer radius = to_integer(power(Rational(2), radius_bits), Rounding::nearest);
   std::string text = fmt::format(
@@ -77,6 +101,19 @@ Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegul
   for (std::size_t i = 0; i < evidence.inverse.size(); ++i)
     text += fmt::format("row {}{}\n", i, pairs_text(evidence.inverse[i], inverse_bits));
   certificate.sections.push_back({std::move(text)});
+  return certificate;
+}
+
+Certificate vertex_certificate(const SectorRuleFamily& family, const MultivariateRegularity& regularity,
+                               const EveryValence& smoothness) {
+  Certificate certificate = certificate_around(family.rules.mask, rules_text(family, smoothness.first), regularity,
+                                               smoothness.c1, smoothness.evidence.has_value());
+  const Rational scale = power(Rational(2), radius_bits);
+  const Rational start = Rational(to_integer(Rational(smoothness.evidence->subdominant * scale), Rounding::nearest)) /
+                         scale;
+  std::string text = fmt::format("vertices {} {} {}\npoints", bits, most_halvings, to_text(start));
+  for (const LatticePoint& point : smoothness.evidence->points) text += fmt::format(" {}", fmt::join(point, ","));
+  certificate.sections.push_back({text + "\n"});
   return certificate;
 }
 

@@ -3,17 +3,23 @@
 
 #include "certificate.hpp"
 
-#include <subcert/analysis/vertex/vertex_smoothness.hpp>
+#include <subcert/analysis/vertex/every_valence.hpp>
 
 namespace subcert {
 
 /// The rules as claims name them.
 std::string rules_text(const SectorRules& rules);
+/// Those of all valences n >= first.
+std::string rules_text(const SectorRuleFamily& family, long first);
 
 /// That limits of the mask have at least an exponent above 1, and those of almost all data are C^1 around the vertex.
 /// Domain: `regularity` is that of the mask of the rules, `smoothness` that of the rules. Errors: throws Error where
 /// nothing above 1 is proved of the mask, smoothness is not, or not by hulls, and for what the checkers do not read.
 Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegularity& regularity,
                                const VertexSmoothness& smoothness);
+
+/// The same around the vertices of all valences n >= smoothness.first. Domain: `smoothness` is that of the family.
+Certificate vertex_certificate(const SectorRuleFamily& family, const MultivariateRegularity& regularity,
+                               const EveryValence& smoothness);
 
 }  // namespace subcert

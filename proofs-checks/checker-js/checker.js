@@ -2691,15 +2691,20 @@ var check_certificate = (() => {
     cosine(k) {  // of 2 pi k/n
       if (k === 0) return this.one;
       if (2 * k === this.n) return this.opposite(this.one);
-      const near = this.circle.powers(fraction(BigInt(2 * k), BigInt(this.n)), 2)[0][1], off = 1n << 19n;
+      return this.cosine_at(fraction(BigInt(k), BigInt(this.n)));
+    }
+    cosine_at(x) {  // of 2 pi x, 0 < x < 1
+      const near = this.circle.powers(times(2n, x), 2)[0][1], off = 1n << 19n;
       return [near - off, near + off];
+    }
+    quotient(x, y) {  // null where y may be 0
+      return y[0] > 0n ? this.over(x, y) : y[1] < 0n ? this.over(this.opposite(x), this.opposite(y)) : null;
     }
     most([low, high]) { return max(-low, high); }
   }
   // Numbers a + b w, w = exp(2 pi i k/n), as [a, b]; matrices of them are lists of rows
   class Turns {
-    constructor(intervals, k) {
-      const cosine = intervals.cosine(k);
+    constructor(intervals, k, cosine = intervals.cosine(k)) {
       [this.real, this.k, this.n] = [intervals, k, intervals.n];
       this.twice = intervals.plus(cosine, cosine);
     }
@@ -2726,6 +2731,18 @@ var check_certificate = (() => {
       for (let t = back; t > 0; --t) [a, b] = [real.plus(b, real.times(twice, a)), real.opposite(a)];
       return [a, b];
     }
+    turned_near_one([rho, s], turns, delta) {  // of 1 + delta rho + s (w - 1), delta = 2 - 2 cos
+      const {real} = this;
+      for (let t = turns; t > 0; --t) {
+        rho = real.minus(rho, s);
+        s = real.plus(real.plus(s, real.one), real.times(delta, rho));
+      }
+      for (let t = turns; t < 0; ++t) {
+        s = real.minus(real.minus(s, real.one), real.times(delta, rho));
+        rho = real.plus(rho, s);
+      }
+      return [rho, s];
+    }
     most([a, b]) { return this.real.most(a) + this.real.most(b); }
     norm(matrix) { return largest_by(matrix, row => sum(row.map(x => this.most(x)))); }
     product(x, y) {
@@ -2737,7 +2754,8 @@ var check_certificate = (() => {
     const [head, ...parts] = text.split(';'), [lattice, valence, more] = head.split(':');
     demand(['triangles', 'quads', 'dual'].includes(lattice) && valence !== undefined && more === undefined,
            'rules around a vertex are triangles:N;..., quads:N;... or dual:N;...');
-    const sectors = {lattice, n: small(valence, 3, 1000), rules: new Map()};
+    const above = valence.endsWith('+');  // all valences from N on
+    const sectors = {lattice, above, n: above ? small(valence.slice(0, -1), 7, 1000) : small(valence, 3, 1000), rules: new Map()};
     demand(parts.length <= 64, 'more rules than the checker allows');
     const place = token => {
       const point = read_point(token, 2);
@@ -2754,7 +2772,8 @@ var check_certificate = (() => {
       sectors.rules.set(String(point), {point, terms: terms.map(term => {
         const [weight, datum, end] = term.split('@'), form = 'a term of a rule is WEIGHT@X,Y,TURN or WEIGHT@X,Y~FREQUENCY';
         demand(weight && datum !== undefined && end === undefined, form);
-        const result = {weight: polynomial(weight, 'c'), turn: 0, ring: null}, [ring, frequency, after] = datum.split('~');
+        const by_n = above && weight.endsWith('/n'), [ring, frequency, after] = datum.split('~');
+        const result = {weight: polynomial(by_n ? weight.slice(0, -2) : weight, 'c'), by_n, turn: 0, ring: null};
         demand(after === undefined, form);
         if (frequency !== undefined) {
           result.at = place(ring);
@@ -2765,7 +2784,8 @@ var check_certificate = (() => {
         const coordinates = datum.split(',');
         demand(coordinates.length === 3, form);
         result.at = place(coordinates.slice(0, 2).join(','));
-        result.turn = small(coordinates[2], 0, sectors.n - 1);
+        const back = above && coordinates[2].startsWith('-');
+        result.turn = back ? -small(coordinates[2].slice(1), 1, 3) : small(coordinates[2], 0, above ? 3 : sectors.n - 1);
         demand(!result.turn || !is_vertex(sectors, result.at), 'the vertex is in no sector');
         return result;
       })});
@@ -2802,9 +2822,11 @@ var check_certificate = (() => {
     for (const {point, terms} of sectors.rules.values()) {
       const turns = ({at, ring}) => ring === 0 || (ring === null && is_vertex(sectors, at));
       demand(!is_vertex(sectors, point) || terms.every(turns), 'the rule of the vertex does not turn');
-      const total = terms.filter(({ring}) => !ring).reduce((all, {weight}) => all.map((x, k) => plus(x, weight[k])),
-                                                           range_of(13).map(k => fraction(k ? 0n : -1n)));
-      demand(total.every(x => !x.n), 'the weights of a rule do not sum to 1');
+      for (const by_n of [false, true]) {
+        const total = terms.filter(term => !term.ring && Boolean(term.by_n) === by_n).reduce(
+          (all, {weight}) => all.map((x, k) => plus(x, weight[k])), range_of(13).map(k => fraction(k || by_n ? 0n : -1n)));
+        demand(total.every(x => !x.n), 'the weights of a rule do not sum to 1');
+      }
     }
   }
   function of_differences({m, den, mask}, axis) {  // m a / (1 + z^e + ... + z^((m-1)e))
@@ -2836,6 +2858,78 @@ var check_certificate = (() => {
       const next = different(points.flatMap(p => indices.map(k => p.map((x, v) => Math.ceil((x - k[v]) / m) || 0))), String);
       if (next.length === points.length) return points;
       points = next;
+    }
+  }
+  function rule_at(sectors, {m, den, mask}, point) {
+    const own = sectors.rules.get(String(point)), terms = [];
+    if (own) return own.terms;
+    for (const [k, value] of mask.values()) {
+      const datum = add_points(point, k, -1);
+      if (datum.every(x => x % m === 0))
+        terms.push({...in_sector(sectors, datum.map(x => x / m || 0)), ring: null, weight: [fraction(value, den)]});
+    }
+    demand(!is_vertex(sectors, point) || terms.every(({at}) => is_vertex(sectors, at)), 'the rule of the vertex does not turn');
+    return terms;
+  }
+  function weight_at({weight, by_n}, real, {cosine, share}) {
+    const value = weight.reduceRight((total, x) => real.plus(real.times(total, cosine), real.of(x)), real.zero);
+    return by_n ? real.times(value, share) : value;
+  }
+  function ring_of(sectors, lattice) {  // the windows, and r of Theorem 55
+    const window = window_of(lattice), differences = [0, 1].map(axis => window_of(of_differences(lattice, axis)));
+    const most = points => Math.max(0, ...points.flat().map(Math.abs));
+    const behind = differences.flatMap((points, axis) => points.map(k => add_points(k, axis ? [0, 1] : [1, 0], -1)));
+    const h = most([...window, ...differences.flat(), ...behind]), reach = most([...lattice.mask.values()].map(([k]) => k));
+    return {window, differences, first: 2 * (h + reach) + most([...sectors.rules.values()].map(({point}) => point)) + 1};
+  }
+  class SectorMap {  // z outwards from the known values; near_one: as rho and s of 1 + delta rho + s (w - 1), 5.12
+    constructor(sectors, lattice, ring, {turns, letters, lambda, of_lambda, known, near_one}) {
+      Object.assign(this, {sectors, lattice, ring, turns, letters, lambda, of_lambda, known, near_one});
+    }
+    turned(x, turn) {
+      const {turns, near_one} = this;
+      return near_one ? turns.turned_near_one(x, turn, near_one.delta) : turns.turned(x, turn);
+    }
+    value_at(point) {
+      const {turns, known, near_one} = this, {real} = turns, {at, turn} = in_sector(this.sectors, point), key = String(at);
+      if (!known.has(key)) {
+        known.set(key, null);
+        const total = rule_at(this.sectors, this.lattice, at).reduce((all, term) => {
+          const value = turns.scaled(weight_at(term, real, this.letters), this.turned(this.value_at(term.at), term.turn));
+          return term.ring === null || term.ring === 1 ? turns.plus(all, value) : all;
+        }, [near_one ? near_one.decay : real.zero, real.zero]);
+        known.set(key, turns.times(this.of_lambda, total));
+      }
+      demand(known.get(key), 'a point depends on itself');
+      return this.turned(known.get(key), turn);
+    }
+    is_ahead(z, level) {
+      const {turns, near_one} = this, {real} = turns;
+      if (near_one) return real.plus(real.one, real.times(near_one.delta, z[0]))[0] > 0n;
+      const [a, b] = turns.times(this.powers[level], z);
+      return a[0] + b[0] > 0n;
+    }
+    is_regular_on(corner, level) {
+      const {turns} = this, {real} = turns, at = k => this.value_at(add_points(corner, k));
+      if (!this.ring.window.every(k => this.is_ahead(at(k), level))) return false;
+      const [us, vs] = this.ring.differences.map((window, axis) =>
+        window.map(k => turns.minus(at(k), at(add_points(k, axis ? [0, 1] : [1, 0], -1)))));
+      return us.every(([a, b]) => vs.every(([c, d]) => real.minus(real.times(a, d), real.times(b, c))[0] > 0n));
+    }
+    shows(corner, level, cuts) {
+      const {m} = this.lattice, parts = range_of(m * m).map(i => [m * corner[0] + Math.floor(i / m), m * corner[1] + i % m]);
+      spend(20);
+      return this.is_regular_on(corner, level) || (level < cuts && parts.every(part => this.shows(part, level + 1, cuts)));
+    }
+    is_regular(cuts) {  // Theorem 55
+      const {turns} = this, {first} = this.ring, end = this.lattice.m * first;
+      this.powers = [[turns.real.one, turns.real.zero]];
+      for (let l = 0; l < cuts; ++l) this.powers.push(turns.times(this.powers[l], this.lambda));
+      for (let x = end - 1; x >= 0; --x)
+        for (let y = end - 1; y >= 0; --y)
+          if (Math.max(x, y) < first) this.value_at([x, y]);
+          else if (!this.shows([x, y], 0, cuts)) return false;
+      return true;
     }
   }
   class Vertex {
@@ -2872,30 +2966,15 @@ var check_certificate = (() => {
       const scale = 1n << BigInt(small(reader.read('inverse', 1)[0], 0, 4096));
       this.inverse = range_of(n).map(i => pairs(reader.read(`row ${i}`, 2 * n), scale));
     }
-    rule_at(point) {
-      const own = this.sectors.rules.get(String(point));
-      if (own) return own.terms;
-      const {m, den, mask} = this.lattice, terms = [];
-      for (const [k, value] of mask.values()) {
-        const datum = add_points(point, k, -1);
-        if (datum.every(x => x % m === 0))
-          terms.push({...in_sector(this.sectors, datum.map(x => x / m || 0)), ring: null, weight: [fraction(value, den)]});
-      }
-      demand(!is_vertex(this.sectors, point) || terms.every(({at}) => is_vertex(this.sectors, at)), 'the rule of the vertex does not turn');
-      return terms;
-    }
-    weight_of({weight}) {
-      return weight.reduceRight((total, x) => this.real.plus(this.real.times(total, this.cosine), this.real.of(x)), this.real.zero);
-    }
     block(k, turns, points) {
       const zero = [this.real.zero, this.real.zero];
       return points.map(point => {
         const row = points.map(() => zero);
-        for (const term of this.rule_at(point)) {
+        for (const term of rule_at(this.sectors, this.lattice, point)) {
           if ((term.ring !== null && term.ring !== k) || (k && is_vertex(this.sectors, term.at))) continue;
           const j = points.findIndex(p => String(p) === String(term.at));
           demand(j >= 0, 'a rule of the points has data elsewhere');
-          row[j] = turns.plus(row[j], turns.turned([this.weight_of(term), this.real.zero], term.turn));
+          row[j] = turns.plus(row[j], turns.turned([weight_at(term, this.real, {cosine: this.cosine}), this.real.zero], term.turn));
         }
         return row;
       });
@@ -2916,10 +2995,7 @@ var check_certificate = (() => {
       demand(sine[0] > 0n, 'too few bits for the angle');
       const by = real.over(real.of(fraction(this.radius, this.scale)), sine)[1], both = [[-by, by], [-by, by]];
       this.values = this.values.map((z, i) => i ? first.plus(z, both) : z);
-      const lambda = first.plus([real.of(fraction(this.lambda, this.scale)), real.zero], both);
-      this.powers = [[real.one, real.zero]];
-      for (let l = 0; l < this.levels; ++l) this.powers.push(first.times(this.powers[l], lambda));
-      this.of_lambda = first.inverse(lambda);
+      this.eigenvalue = first.plus([real.of(fraction(this.lambda, this.scale)), real.zero], both);
       this.known = new Map([...this.points.map(p => [String(p), [real.zero, real.zero]]),
                             ...this.turning.map((p, i) => [String(p), this.values[i]])]);
     }
@@ -2938,57 +3014,296 @@ var check_certificate = (() => {
         matrix = turns.product(matrix, matrix);
       }
     }
-    value_at(point) {
-      const {first} = this, {at, turn} = in_sector(this.sectors, point), key = String(at), zero = [this.real.zero, this.real.zero];
-      if (!this.known.has(key)) {
-        this.known.set(key, null);
-        const total = this.rule_at(at).reduce((all, term) => {
-          const value = first.scaled(this.weight_of(term), first.turned(this.value_at(term.at), term.turn));
-          return term.ring === null || term.ring === 1 ? first.plus(all, value) : all;
-        }, zero);
-        this.known.set(key, first.times(this.of_lambda, total));
+    show_regular() {
+      const {sectors, lattice, first, real, cosine, eigenvalue, known} = this, map = new SectorMap(sectors, lattice, ring_of(sectors, lattice), {
+        turns: first, letters: {cosine, share: real.zero}, lambda: eigenvalue, of_lambda: first.inverse(eigenvalue), known, near_one: null});
+      demand(map.is_regular(this.levels), 'the characteristic map is not shown to be regular and in a half plane');
+    }
+  }
+  // ---- 5.12: vertices of all valences from one on -------------------------------------------------------------------
+  // Polynomials in c = cos(2 pi/n), C = cos(2 pi k/n) and 1/n: the factors by the three powers. With w: pairs a + b w
+  const letter_sum = (...all) => {
+    const total = new Map();
+    for (const [key, factor] of all.flatMap(p => [...p])) {
+      const value = total.has(key) ? reduced(plus(total.get(key), factor)) : factor;
+      if (value.n) total.set(key, value); else total.delete(key);
+    }
+    return total;
+  };
+  const letter_product = (x, y) => letter_sum(...[...x].map(([p, factor]) => new Map([...y].map(([q, other]) => {
+    const value = reduced(times(factor, other)), by = q.split(',');
+    spend(8, bits(value.n), bits(value.d));
+    return [String(p.split(',').map((k, v) => Number(k) + Number(by[v]))), value];
+  }))));
+  const letter_number = (x, key = '0,0,0') => new Map([[key, fraction(x)]]), [by_c, by_C, by_share] = [0, 1, 2];
+  const pair_sum = (x, y) => x.map((part, i) => letter_sum(part, y[i]));
+  function pair_product([a, b], [c, d], cosine) {
+    const bd = letter_product(b, d), minus_bd = letter_product(letter_number(-1n), bd), twice = letter_product(letter_number(2n), cosine);
+    return [letter_sum(letter_product(a, c), minus_bd),
+            letter_sum(letter_product(a, d), letter_product(b, c), letter_product(twice, bd))];
+  }
+  function pair_turned([a, b], turns, cosine) {
+    const twice = letter_product(letter_number(2n), cosine), opposite = x => letter_product(letter_number(-1n), x);
+    for (let t = turns; t > 0; --t) [a, b] = [opposite(b), letter_sum(a, letter_product(twice, b))];
+    for (let t = turns; t < 0; ++t) [a, b] = [letter_sum(b, letter_product(twice, a)), opposite(a)];
+    return [a, b];
+  }
+  function letter_characteristic(matrix, cosine) {  // as for numbers, by Faddeev and LeVerrier
+    const n = matrix.length, result = [];
+    result[n] = letter_number(1n);
+    let product = matrix;
+    for (let j = 1; j <= n; ++j) {
+      const [trace, rest] = range_of(n).reduce((all, i) => pair_sum(all, product[i][i]), [new Map(), new Map()]);
+      demand(!rest.size, 'the eigenvalues of a frequency and of its opposite are not the same');
+      result[n - j] = letter_product(letter_number(fraction(-1n, BigInt(j))), trace);
+      if (j === n) break;
+      const shifted = product.map((row, i) => row.map((x, k) => i === k ? [letter_sum(x[0], result[n - j]), x[1]] : x));
+      product = matrix.map(row => range_of(n).map(k =>
+        row.reduce((all, x, i) => pair_sum(all, pair_product(x, shifted[i][k], cosine)), [new Map(), new Map()])));
+    }
+    return result;
+  }
+  function cosine_of(k) {  // cos(k t) in cos t = c
+    const c = letter_number(1n, '1,0,0');
+    let [before, cosine] = [letter_number(1n), c];
+    if (!k) return before;
+    for (let i = 1; i < k; ++i)
+      [before, cosine] = [cosine, letter_sum(letter_product(letter_product(letter_number(2n), c), cosine), letter_product(letter_number(-1n), before))];
+    return cosine;
+  }
+  const letter_slope = (p, letter) => new Map([...p].map(([key, factor]) => [key.split(',').map(Number), factor])
+    .filter(([powers]) => powers[letter]).map(([powers, factor]) => [
+      String(powers.map((k, v) => v === letter ? k - 1 : k)), times(factor, BigInt(powers[letter]))]));
+  // Polynomials in x with intervals as coefficients, the lowest first
+  class IntervalPolynomials {
+    constructor(real) { this.real = real; }
+    values(p, at) {  // of letters in intervals
+      const {real} = this, raised = (x, power, start) => range_of(Number(power)).reduce(total => real.times(total, x), start);
+      return p.map(coefficient => [...coefficient].reduce((total, [key, factor]) =>
+        real.plus(total, key.split(',').reduce((product, power, v) => raised(at[v], power, product), real.of(factor))), real.zero));
+    }
+    value(p, x) { return p.reduceRight((total, c) => this.real.plus(this.real.times(total, x), c), this.real.zero); }
+    slope(p, x) { return this.value(p.slice(1).map((c, i) => c.map(end => end * BigInt(i + 1))), x); }
+    approach(p, start) {  // nothing is proved
+      let at = start;
+      for (let step = 0; step < 40; ++step) {
+        const change = this.real.quotient(this.value(p, [at, at]), this.slope(p, [at, at]));
+        if (!change) break;
+        at -= (change[0] + change[1]) / 2n;
       }
-      const known = this.known.get(key);
-      demand(known, 'a point depends on itself');
-      return first.turned(known, turn);
+      return at;
     }
-    is_regular_on(corner, level) {
-      const {first, real} = this, at = k => this.value_at(add_points(corner, k));
-      const is_ahead = k => {
-        const [a, b] = first.times(this.powers[level], at(k));
-        return a[0] + b[0] > 0n;
+    zero(p, start) {  // the one zero of an interval, which is simple
+      const {real} = this, middle = [start, start], value = this.value(p, middle), step = real.quotient(value, this.slope(p, middle));
+      if (!step) return null;
+      let radius = real.most(step) + 1n;
+      for (let attempt = 0; attempt < 4; ++attempt) {
+        radius *= 2n;
+        const around = [start - radius, start + radius], change = real.quotient(value, this.slope(p, around));
+        if (!change) return null;
+        const next = real.minus(middle, change);
+        if (around[0] <= next[0] && next[1] <= around[1]) return next;
+      }
+      return null;
+    }
+    deflated(p, zero) {
+      const result = [];
+      let carry = this.real.zero;
+      for (let i = p.length - 1; i > 0; --i) result[i - 1] = carry = this.real.plus(this.real.times(carry, zero), p[i]);
+      return result;
+    }
+    has_zeros_below(p, radius) {  // Schur's test
+      const {real} = this;
+      let scale = real.one, rest = p.map(c => {
+        const result = real.times(c, scale);
+        scale = real.times(scale, [radius, radius]);
+        return result;
+      });
+      while (rest.length > 1) {
+        const last = rest.length - 1, share = real.quotient(rest[0], rest[last]);
+        if (!share || real.most(share) >= real.W) return false;
+        rest = range_of(last).map(i => real.minus(rest[i + 1], real.times(share, rest[last - 1 - i])));
+      }
+      return true;
+    }
+  }
+  class Vertices {
+    constructor(sectors, lattice, reader) {
+      Object.assign(this, {sectors, lattice, reader});
+      const fields = reader.read('vertices', 3);
+      this.real = new Intervals(small(fields[0], 64, 1024), Infinity);
+      this.halvings = small(fields[1], 0, 16);
+      [this.near] = this.real.of(rational(fields[2]));
+      this.p = new IntervalPolynomials(this.real);
+      this.ring = ring_of(sectors, lattice);
+    }
+    check() {
+      const {reader, sectors} = this;
+      this.points = reader.read('points', 1, 16).map(token => read_point(token, 2));
+      demand(new Set(this.points.map(String)).size === this.points.length, 'a point occurs twice');
+      demand(this.points.every(p => is_vertex(sectors, p) || in_first(sectors, p)), 'a point is not one of sector 0');
+      this.turning = this.points.filter(p => !is_vertex(sectors, p));
+      demand(this.turning.length, 'no point of a sector is given');
+      this.make_polynomials();
+      this.show_between(0, 0);
+    }
+    polynomial(k) {  // of frequency k, null: of all that no rule names
+      const {sectors} = this, points = k === 0 ? this.points : this.turning;
+      const cosine = k === null ? letter_number(1n, '0,1,0') : cosine_of(k);
+      const matrix = points.map(point => {
+        const row = points.map(() => [new Map(), new Map()]);
+        for (const term of rule_at(sectors, this.lattice, point)) {
+          if ((term.ring !== null && term.ring !== k) || (k !== 0 && is_vertex(sectors, term.at))) continue;
+          const j = points.findIndex(p => String(p) === String(term.at));
+          demand(j >= 0, 'a rule of the points has data elsewhere');
+          const weight = new Map(term.weight.flatMap((x, i) => x.n ? [[`${i},0,${term.by_n ? 1 : 0}`, x]] : []));
+          row[j] = pair_sum(row[j], pair_turned([weight, new Map()], term.turn, cosine));
+        }
+        return k === 0 ? row.map(([a, b]) => [letter_sum(a, b), new Map()]) : row;
+      });
+      return letter_characteristic(matrix, cosine);
+    }
+    make_polynomials() {
+      const {sectors} = this, rules = [...sectors.rules.values()], terms = rules.flatMap(rule => rule.terms);
+      const named = new Set(terms.filter(({ring}) => ring !== null).map(({ring}) => ring));
+      demand([...named].every(k => k <= 8), 'a frequency of a rule is too large');
+      this.meets = this.points.some(point => is_vertex(sectors, point)) && rules.every(({point, terms: own}) => own.every(
+        ({at, ring, by_n}) => is_vertex(sectors, point) ? by_n || is_vertex(sectors, at) : ring === null || ring > 1));
+      this.may_be_one = sectors.lattice === 'dual' && !named.size && !terms.some(({by_n}) => by_n);
+      [this.growth, this.grows_from_first] = [null, !named.has(1)];
+      [this.first, this.general] = [this.polynomial(1), this.polynomial(null)];
+      const constants = this.polynomial(0);
+      for (let i = constants.length - 2; i >= 0; --i) constants[i] = letter_sum(constants[i], constants[i + 1]);
+      this.constants = constants.slice(1);
+      this.named = [...named].filter(k => k > 1).sort((x, y) => x - y).map(k => this.polynomial(k));
+    }
+    show_between(k, depth) {  // k and k + 1 over 2^depth N
+      if (this.holds_on(this.box_of(k, depth))) return;
+      demand(depth < this.halvings, 'smoothness is not shown for all valences');
+      this.show_between(2 * k, depth + 1);
+      this.show_between(2 * k + 1, depth + 1);
+    }
+    box_of(k, depth) {
+      const {real} = this, parts = BigInt(this.sectors.n) << BigInt(depth), low = fraction(BigInt(k), parts), high = fraction(BigInt(k + 1), parts);
+      const letters = (from, to) => {
+        const cosine = [real.cosine_at(to)[0], from.n ? real.cosine_at(from)[1] : real.W];
+        return [cosine, cosine, [real.of(from)[0], real.of(to)[1]]];
       };
-      if (!this.window.every(is_ahead)) return false;
-      const [us, vs] = this.differences.map((window, axis) =>
-        window.map(k => first.minus(at(k), at(add_points(k, axis ? [0, 1] : [1, 0], -1)))));
-      return us.every(([a, b]) => vs.every(([c, d]) => real.minus(real.times(a, d), real.times(b, c))[0] > 0n));
+      const middle = fraction(BigInt(2 * k + 1), 2n * parts);
+      return {all: letters(low, high), middle: letters(middle, middle), from_zero: k === 0};
     }
-    show_on(corner, level) {
-      spend(20);
-      if (this.is_regular_on(corner, level)) return;
-      demand(level < this.levels, 'the characteristic map is not shown to be regular and in a half plane');
-      const {m} = this.lattice;
-      for (let x = 0; x < m; ++x) for (let y = 0; y < m; ++y) this.show_on([m * corner[0] + x, m * corner[1] + y], level + 1);
+    start_of(p, middle, near) { return this.p.approach(this.p.values(p, middle), near); }
+    change(p, letter, at, zero) {
+      const by = this.p.value(this.p.values(p.map(c => letter_slope(c, letter)), at), zero);
+      const minus_change = this.real.quotient(by, this.p.slope(this.p.values(p, at), zero));
+      return minus_change && this.real.opposite(minus_change);
     }
-    show_regular() {  // Theorem 55
-      this.window = window_of(this.lattice);
-      this.differences = [0, 1].map(axis => window_of(of_differences(this.lattice, axis)));
-      const most = points => Math.max(0, ...points.flat().map(Math.abs));
-      const behind = this.differences.flatMap((window, axis) => window.map(k => add_points(k, axis ? [0, 1] : [1, 0], -1)));
-      const h = most([...this.window, ...this.differences.flat(), ...behind]);
-      const reach = most([...this.lattice.mask.values()].map(([k]) => k));
-      const own = most([...this.sectors.rules.values()].map(({point}) => point)), r = 2 * (h + reach) + own + 1;
-      for (let x = 0; x < this.lattice.m * r; ++x)
-        for (let y = 0; y < this.lattice.m * r; ++y)
-          if (Math.max(x, y) < r) this.value_at([x, y]);
-          else this.show_on([x, y], 0);
+    slope(p, at, zero) {  // by 1/n; c changes by between -40/n and 0
+      const of_c = this.change(p, by_c, at, zero), of_share = this.change(p, by_share, at, zero);
+      return of_c && of_share && this.real.plus(of_share, this.real.times(of_c, [-40n * at[by_share][1], 0n]));
+    }
+    constants_are_behind({all, middle}, leader) {  // null, or whether it still meets
+      const p = this.p.values(this.constants, all);
+      if (this.p.has_zeros_below(p, leader[0])) return {meets: false};
+      if (!this.meets) return null;
+      const zero = this.p.zero(p, this.start_of(this.constants, middle, (leader[0] + leader[1]) / 2n));
+      if (!zero || zero[0] <= -leader[0] || !this.p.has_zeros_below(this.p.deflated(p, zero), leader[0])) return null;
+      const own = this.slope(this.first, all, leader), other = this.slope(this.constants, all, zero);
+      return own && other && own[0] > other[1] ? {meets: true} : null;
+    }
+    grows_on(at, middle, leader, near) {  // null, or near the zero
+      const start = this.start_of(this.general, middle, near), p = this.p.values(this.general, at), zero = this.p.zero(p, start);
+      if (!zero || zero[0] <= 0n || !this.p.has_zeros_below(this.p.deflated(p, zero), leader[0] < zero[0] ? leader[0] : zero[0])) return null;
+      const growth = this.change(this.general, by_C, at, zero);
+      return growth && growth[0] > 0n ? start : null;
+    }
+    general_is_behind({all, middle}, leader) {
+      const {W} = this.real, last = 2n * this.real.times(all[by_c], all[by_c])[1] - W, open = [[-W, this.grows_from_first ? all[by_c][1] : last]];
+      let grows = this.grows_from_first, near = (leader[0] + leader[1]) / 2n;
+      while (open.length) {
+        const [low, high] = open.pop(), centre = (low + high) / 2n;
+        const at = [all[by_c], [low, high], all[by_share]], start = grows ? this.grows_on(at, [middle[by_c], [centre, centre], middle[by_share]], leader, near) : null;
+        if (start !== null) {
+          near = start;
+        } else if (low >= last || this.p.has_zeros_below(this.p.values(this.general, at), leader[0])) {
+          grows = false;
+        } else {
+          if (512n * (high - low) < W) return false;
+          open.push([low, centre], [centre, high]);
+        }
+      }
+      return true;
+    }
+    holds_on(box) {
+      const start = this.start_of(this.first, box.middle, this.near), p = this.p.values(this.first, box.all), leader = this.p.zero(p, start);
+      if (!leader || leader[0] <= 0n || !this.p.has_zeros_below(this.p.deflated(p, leader), leader[0])) return false;
+      let {growth} = this;
+      if (leader[1] >= this.real.W || growth) {
+        const here = this.may_be_one && (growth || box.from_zero) && this.change(this.first, by_c, box.all, leader);
+        if (!here || here[0] <= 0n) return false;
+        growth = growth ? [here[0] < growth[0] ? here[0] : growth[0], max(growth[1], here[1])] : here;
+      }
+      const behind = this.general_is_behind(box, leader) && this.constants_are_behind(box, leader);
+      if (!behind || !this.named.every(q => this.p.has_zeros_below(this.p.values(q, box.all), leader[0]))) return false;
+      if (!this.is_regular(box, leader, growth)) return false;
+      Object.assign(this, {growth, near: start}, behind);
+      return true;
+    }
+    is_regular({all}, leader, growth) {
+      const {real, sectors, lattice} = this, letters = {cosine: all[by_c], share: all[by_share]}, turns = new Turns(real, 1, letters.cosine);
+      const two = [2n * real.W, 2n * real.W], delta = real.minus(two, real.plus(letters.cosine, letters.cosine));
+      const near_one = growth && {delta, decay: real.over(growth, two)}, known = this.on_points(turns, letters, leader, near_one);
+      return known !== null && new SectorMap(sectors, lattice, this.ring, {
+        turns, letters, lambda: [leader, real.zero], of_lambda: [real.over(real.one, leader), real.zero], known, near_one}).is_regular(0);
+    }
+    on_points(turns, letters, leader, near_one) {  // all equations A z = lambda z but the first one
+      const {real, turning, sectors} = this, {zero, one} = real, n = turning.length, dual = sectors.lattice === 'dual';
+      const first = near_one ? [zero, [real.W / 2n, real.W / 2n]] : [one, dual ? one : zero];
+      const turned = (x, turn) => near_one ? turns.turned_near_one(x, turn, near_one.delta) : turns.turned(x, turn);
+      const rows = range_of(2 * n - 2).map(() => range_of(2 * n - 1).map(() => zero)), last = 2 * n - 2;
+      turning.slice(1).forEach((point, i) => {
+        let fixed = [near_one ? near_one.decay : zero, zero];
+        for (const term of rule_at(sectors, this.lattice, point)) {
+          if ((term.ring !== null && term.ring !== 1) || is_vertex(sectors, term.at)) continue;
+          const j = turning.findIndex(p => String(p) === String(term.at)) - 1, weight = weight_at(term, real, letters);
+          const start = turned(j < 0 ? first : [zero, zero], term.turn);
+          fixed = turns.plus(fixed, turns.scaled(weight, start));
+          if (j < 0) continue;
+          [[one, zero], [zero, one]].forEach((unit, part) => {
+            const image = turned(unit, term.turn), linear = turns.scaled(weight, near_one ? turns.minus(image, start) : image);
+            for (const k of [0, 1]) rows[2 * i + k][2 * j + part] = real.minus(rows[2 * i + k][2 * j + part], linear[k]);
+          });
+        }
+        for (const k of [0, 1]) {
+          rows[2 * i + k][2 * i + k] = real.plus(rows[2 * i + k][2 * i + k], leader);
+          rows[2 * i + k][last] = fixed[k];
+        }
+      });
+      const solution = this.solved(rows);
+      return solution && new Map([...this.points.map(p => [String(p), [zero, zero]]), [String(turning[0]), first],
+                                  ...turning.slice(1).map((p, i) => [String(p), solution.slice(2 * i, 2 * i + 2)])]);
+    }
+    solved(rows) {  // by elimination, with the pivot furthest from 0
+      const {real} = this, from_zero = ([low, high]) => max(low, -high);
+      for (let k = 0; k < rows.length; ++k) {
+        let pivot = k;
+        for (let i = k + 1; i < rows.length; ++i) if (from_zero(rows[i][k]) > from_zero(rows[pivot][k])) pivot = i;
+        [rows[k], rows[pivot]] = [rows[pivot], rows[k]];
+        const divisor = rows[k][k];
+        rows[k] = rows[k].map((x, j) => j < k ? x : real.quotient(x, divisor));
+        if (rows[k].includes(null)) return null;
+        rows.forEach((row, i) => {
+          if (i !== k) rows[i] = row.map((x, j) => j < k ? x : real.minus(x, real.times(row[k], rows[k][j])));
+        });
+      }
+      return rows.map(row => row[rows.length]);
     }
   }
   function check_vertex(reader, {sectors, surface, dilation}) {
     const lattice = lattice_mask(surface, dilation);
     check_turns(sectors, lattice);
     check_own_rules(sectors);
-    new Vertex(sectors, lattice, reader).check();
+    new (sectors.above ? Vertices : Vertex)(sectors, lattice, reader).check();
   }
 
   // ---- 4.16: fits of least absolute deviations ----------------------------------------------------------------------
@@ -3278,7 +3593,7 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of almost
-                     all data are C^1 around a vertex of valence N with these rules; quads:N, dual:N)
+                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N)
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
                      [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous
                      phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C

@@ -26,7 +26,7 @@ const char* const usage =
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of "
     "almost\n"
-    "                     all data are C^1 around a vertex of valence N with these rules; quads:N, dual:N)\n"
+    "                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N)\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
     "                     [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous\n"
     "                     phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C\n"

@@ -61,6 +61,38 @@ TEST_CASE("rules around vertices as claims name them") {
   CHECK(rules_text(vertex_rules("catmull-clark", 4)) == "quads:4;0,0=9/16@0,0,0|3/8@1,0~0|1/16@1,1~0");
   CHECK(rules_text(vertex_rules("loop", 7)) ==
         "triangles:7;0,0=33/64+3/16*c+1/16*c^2@0,0,0|31/64-3/16*c-1/16*c^2@1,0~0");
+  CHECK(rules_text(vertex_rule_family("midedge"), 13) == "dual:13+;0,0=1/2@0,0,0|1/4@0,0,1|1/4@0,0,-1");
+  CHECK(rules_text(vertex_rule_family("catmull-clark"), 7) ==
+        "quads:7+;0,0=1@0,0,0|-7/4/n@0,0,0|3/2/n@1,0~0|1/4/n@1,1~0");
+}
+
+TEST_CASE("one certificate of all valences from one on, which proves nothing of others or of other rules") {
+  for (const std::string scheme : {"loop", "catmull-clark", "doo-sabin", "midedge"}) {
+    CAPTURE(scheme);
+    const Made made(scheme, {5});
+    const SectorRuleFamily family = vertex_rule_family(scheme);
+    const long first = 100;
+    const EveryValence smoothness = every_valence(family, made.regular, first, {Deadline::in(60)});
+    REQUIRE(smoothness.evidence);
+    const Certificate certificate = vertex_certificate(family, made.regularity, smoothness);
+    const std::string rules = rules_text(family, first), earlier = rules_text(family, first - 1);
+    CHECK(says_its_claim(certificate));
+    CHECK(proves(subject_of(made, rules), "3/2", "", certificate.text()));
+    CHECK_FALSE(proves(subject_of(made, earlier), "3/2", "", certificate.text()));
+    CHECK_FALSE(proves(subject_of(made, rules_text(vertex_rules(scheme, first))), "3/2", "", certificate.text()));
+    CHECK(certificate.text().size() < 4000);
+  }
+}
+
+TEST_CASE("no certificate of all valences where it is not proved, or not by hulls") {
+  const Made loop("loop", {5});
+  const SectorRuleFamily family = vertex_rule_family("loop");
+  EveryValence open = every_valence(family, loop.regular, 13, {Deadline::in(60)});
+  open.c1 = {Truth::unknown, "open"};
+  CHECK_THROWS_AS(vertex_certificate(family, loop.regularity, open), Error);
+  open.c1 = {Truth::yes, ""};
+  open.evidence.reset();
+  CHECK_THROWS_AS(vertex_certificate(family, loop.regularity, open), Error);
 }
 
 TEST_CASE("no certificate where smoothness around a vertex is not proved by hulls") {

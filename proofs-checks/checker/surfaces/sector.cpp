@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::int64_t max_place = 16;  // of a point with a rule of its own, and of its data
 constexpr std::size_t max_rules = 64, max_terms = 1000;
+constexpr std::size_t max_turn = 3;  // of a rule of all valences from 7 on or above
 
 Point parse_canonical(const SectorRules& rules, std::string_view text) {
   const Point point = parse_point(text, 2, max_place);
@@ -18,7 +19,9 @@ Point parse_canonical(const SectorRules& rules, std::string_view text) {
 SectorTerm parse_term(const SectorRules& rules, std::string_view text) {
   const Fields parts = split(text, "@");
   require(parts.size() == 2, "a term of a rule is WEIGHT@X,Y,TURN or WEIGHT@X,Y~FREQUENCY");
-  SectorTerm term{{}, {}, parse_polynomial(parts[0], 'c')};
+  const bool over_valence = rules.and_above && parts[0].ends_with("/n");
+  SectorTerm term{
+      {}, {}, parse_polynomial(parts[0].substr(0, parts[0].size() - (over_valence ? 2 : 0)), 'c'), over_valence};
   const Fields ring = split(parts[1], "~");
   if (ring.size() == 2) {
     term.at.point = parse_canonical(rules, ring[0]);
@@ -28,7 +31,11 @@ SectorTerm parse_term(const SectorRules& rules, std::string_view text) {
   }
   const std::size_t comma = std::min(parts[1].rfind(','), parts[1].size() - 1);
   term.at.point = parse_canonical(rules, parts[1].substr(0, comma));
-  term.at.turn = static_cast<long>(parse_size(parts[1].substr(comma + 1), 0, rules.valence - 1));
+  std::string_view turn = parts[1].substr(comma + 1);
+  const bool back = rules.and_above && turn.starts_with('-');
+  if (back) turn.remove_prefix(1);
+  const std::size_t most = rules.and_above ? max_turn : rules.valence - 1;
+  term.at.turn = static_cast<long>(parse_size(turn, back ? 1 : 0, most)) * (back ? -1 : 1);
   require(term.at.turn == 0 || !rules.is_vertex(term.at.point), "the vertex is in no sector");
   return term;
 }
@@ -68,7 +75,9 @@ SectorRules parse_sector_rules(std::string_view text) {
   result.lattice = head[0] == "triangles" ? SectorLattice::triangles
                    : head[0] == "quads"   ? SectorLattice::quads
                                           : SectorLattice::dual;
-  result.valence = parse_size(head[1], 3, 1000);
+  result.and_above = head[1].ends_with('+');
+  result.valence = parse_size(head[1].substr(0, head[1].size() - (result.and_above ? 1 : 0)), result.and_above ? 7 : 3,
+                              1000);
   require(parts.size() <= max_rules + 1, "more rules than the checker allows");
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Fields sides = split(parts[i], "=");
@@ -85,16 +94,18 @@ SectorRules parse_sector_rules(std::string_view text) {
 
 void check_own_rules(const SectorRules& rules) {
   for (const auto& [point, rule] : rules.rules) {
-    Rationals sum{-1};
+    Rationals sum{-1}, over_valence;
     for (const SectorTerm& term : rule) {
       const bool of_all = term.frequency && *term.frequency == 0;
       require(!rules.is_vertex(point) || of_all || (!term.frequency && rules.is_vertex(term.at.point)),
               "the rule of the vertex does not turn");
       if (term.frequency && !of_all) continue;
-      sum.resize(std::max(sum.size(), term.weight.size()));
-      for (std::size_t k = 0; k < term.weight.size(); ++k) sum[k] += term.weight[k];
+      Rationals& part = term.over_valence ? over_valence : sum;
+      part.resize(std::max(part.size(), term.weight.size()));
+      for (std::size_t k = 0; k < term.weight.size(); ++k) part[k] += term.weight[k];
     }
-    require(std::ranges::all_of(sum, [](const mpq_class& x) { return x == 0; }),
+    const auto is_zero = [](const mpq_class& x) { return x == 0; };
+    require(std::ranges::all_of(sum, is_zero) && std::ranges::all_of(over_valence, is_zero),
             "the weights of a rule do not sum to 1");
   }
 }

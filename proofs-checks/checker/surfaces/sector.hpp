@@ -25,14 +25,16 @@ struct SectorTerm {
   SectorPoint at;
   std::optional<std::size_t> frequency;
   Rationals weight;
+  bool over_valence = false;  // the weight is that polynomial over n
 };
 
 using SectorRule = std::vector<SectorTerm>;
 
-/// What differs from the mask around a vertex of valence n.
+/// What differs from the mask around a vertex of valence n, or around those of valence n and above.
 struct SectorRules {
   SectorLattice lattice = SectorLattice::quads;
   std::size_t valence = 4;
+  bool and_above = false;
   std::map<Point, SectorRule> rules;
 
   bool is_vertex(const Point& point) const;
@@ -44,7 +46,7 @@ struct SectorRules {
   Point turned_index(const Point& k, std::int64_t arity) const;
 };
 
-/// LATTICE:N;X,Y=WEIGHT@X,Y,TURN|WEIGHT@X,Y~FREQUENCY|...;...
+/// LATTICE:N;X,Y=WEIGHT@X,Y,TURN|WEIGHT@X,Y~FREQUENCY|...;..., with N+ for N and above
 SectorRules parse_sector_rules(std::string_view text);
 
 /// Rejects unless the rules around the vertex have weights of sum 1 and that of the vertex itself turns with the rest.

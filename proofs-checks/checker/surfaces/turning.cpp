@@ -3,6 +3,7 @@
 #include "../circle.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace subcert_check {
 namespace {
@@ -51,7 +52,11 @@ Interval Intervals::over(const Interval& a, const Interval& b) const {
 Interval Intervals::cosine(std::size_t k, std::size_t n) const {
   if (k == 0) return {one(), one()};
   if (2 * k == n) return {-one(), -one()};
-  const mpz_class near = Circle(bits_).powers(ratio(2 * k, n), 2, arithmetic_)[1].re, off = mpz_class(1) << 19;
+  return cosine(ratio(k, n));
+}
+
+Interval Intervals::cosine(const mpq_class& x) const {
+  const mpz_class near = Circle(bits_).powers(2 * x, 2, arithmetic_)[1].re, off = mpz_class(1) << 19;
   return {near - off, near + off};
 }
 
@@ -64,6 +69,9 @@ Frequency::Frequency(std::size_t k, std::size_t n, const Intervals& intervals)
   const Interval cosine = intervals.cosine(k, n);
   twice_cosine_ = cosine + cosine;
 }
+
+Frequency::Frequency(const Interval& cosine, const Intervals& intervals)
+    : k_(1), n_(std::numeric_limits<long>::max()), intervals_(intervals), twice_cosine_(cosine + cosine) {}
 
 Turning Frequency::times(const Turning& x, const Turning& y) const {
   const Interval bb = intervals_.times(x.b, y.b);
@@ -89,6 +97,19 @@ Turning Frequency::turned(Turning x, long turns) const {
   if (2 * turns > n_) turns -= n_;
   for (; turns > 0; --turns) x = {-x.b, x.a + intervals_.times(twice_cosine_, x.b)};
   for (; turns < 0; ++turns) x = {x.b + intervals_.times(twice_cosine_, x.a), -x.a};
+  return x;
+}
+
+Turning Frequency::turned_near_one(Turning x, long turns, const Interval& delta) const {
+  const Interval one{intervals_.one(), intervals_.one()};
+  for (; turns > 0; --turns) {
+    x.a = x.a - x.b;
+    x.b = x.b + one + intervals_.times(delta, x.a);
+  }
+  for (; turns < 0; ++turns) {
+    x.b = x.b - one - intervals_.times(delta, x.a);
+    x.a = x.a + x.b;
+  }
   return x;
 }
 

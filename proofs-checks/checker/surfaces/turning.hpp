@@ -28,6 +28,8 @@ class Intervals {
   /// Domain: b above 0.
   Interval over(const Interval& a, const Interval& b) const;
   Interval cosine(std::size_t k, std::size_t n) const;
+  /// Of 2 pi x. Domain: 0 < x < 1.
+  Interval cosine(const mpq_class& x) const;
 
  private:
   std::size_t bits_;
@@ -49,6 +51,8 @@ class Frequency {
  public:
   /// Domain: 0 <= k <= n/2.
   Frequency(std::size_t k, std::size_t n, const Intervals& intervals);
+  /// w = exp(i t) for all t with cosines in the interval.
+  Frequency(const Interval& cosine, const Intervals& intervals);
 
   Turning times(const Turning& x, const Turning& y) const;
   Turning scaled(const Interval& factor, const Turning& x) const;
@@ -56,6 +60,8 @@ class Frequency {
   Turning inverse(const Turning& x) const;
   /// w^turns x, by as few turns as may be.
   Turning turned(Turning x, long turns) const;
+  /// rho and s of w^turns (1 + delta rho + s (w - 1)), delta = 2 - 2 cos; a and b of x are rho and s.
+  Turning turned_near_one(Turning x, long turns, const Interval& delta) const;
 
  private:
   long k_, n_;

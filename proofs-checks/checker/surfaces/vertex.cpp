@@ -1,7 +1,7 @@
 #include "vertex.hpp"
 
-#include "hull.hpp"
-#include "turning.hpp"
+#include "sector_map.hpp"
+#include "vertices.hpp"
 
 #include <algorithm>
 #include <set>
@@ -68,38 +68,16 @@ class Vertex {
       inverse_.push_back(numbers(reader_.take("row " + std::to_string(i), 2 * n, 2 * n), of_inverse));
   }
 
-  SectorRule rule_at(const Point& point) const {
-    if (const auto own = rules_.rules.find(point); own != rules_.rules.end()) return own->second;
-    SectorRule rule;
-    for (const auto& [k, value] : mask_.coefficients) {
-      const std::int64_t x = point[0] - k[0], y = point[1] - k[1];
-      if (x % mask_.arity == 0 && y % mask_.arity == 0)
-        rule.push_back(
-            {rules_.in_sector({x / mask_.arity, y / mask_.arity, 0}), {}, {ratio(value, mask_.denominator)}});
-    }
-    require(!rules_.is_vertex(point) ||
-                std::ranges::all_of(rule, [&](const SectorTerm& term) { return rules_.is_vertex(term.at.point); }),
-            "the rule of the vertex does not turn");
-    return rule;
-  }
-
-  Interval weight_of(const SectorTerm& term) const {
-    Interval value{0, 0};
-    for (std::size_t k = term.weight.size(); k-- > 0;)
-      value = intervals_.times(value, cosine_) + intervals_.number(term.weight[k]);
-    return value;
-  }
-
   /// What is done to data that turn by w^k, on these points.
   TurningMatrix block(std::size_t k, const Frequency& frequency, const std::vector<Point>& points) const {
     TurningMatrix matrix(points.size(), std::vector<Turning>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i)
-      for (const SectorTerm& term : rule_at(points[i])) {
+      for (const SectorTerm& term : rule_at(mask_, rules_, points[i])) {
         if ((term.frequency && *term.frequency != k) || (k != 0 && rules_.is_vertex(term.at.point))) continue;
         const auto datum = std::ranges::find(points, term.at.point);
         require(datum != points.end(), "a rule of the points has data elsewhere");
         Turning& entry = matrix[i][static_cast<std::size_t>(datum - points.begin())];
-        entry = entry + frequency.turned({weight_of(term), {0, 0}}, term.at.turn);
+        entry = entry + frequency.turned({weight_at(term, {cosine_, {0, 0}}, intervals_), {0, 0}}, term.at.turn);
       }
     return matrix;
   }
@@ -131,9 +109,7 @@ class Vertex {
     const Interval error{-by, by};
     const Turning both{error, error};
     for (std::size_t i = 1; i < values_.size(); ++i) values_[i] = values_[i] + both;
-    powers_ = {{one, {0, 0}}, Turning{intervals_.number(lambda_), {0, 0}} + both};
-    while (powers_.size() <= levels_) powers_.push_back(first_.times(powers_.back(), powers_[1]));
-    of_lambda_ = first_.inverse(powers_[1]);
+    eigenvalue_ = Turning{intervals_.number(lambda_), {0, 0}} + both;
     for (const Point& point : points_) known_[point] = {};  // stays so at the vertex
     for (std::size_t i = 0; i < values_.size(); ++i) known_[turning_[i]] = values_[i];
   }
@@ -165,80 +141,11 @@ class Vertex {
     }
   }
 
-  /// z at a point of the plane around sector 0, outwards from the given ones.
-  Turning value_at(const Point& point) {
-    const SectorPoint at = rules_.in_sector(point);
-    auto known = known_.find(at.point);
-    if (known == known_.end()) {
-      require(open_.insert(at.point).second, "a point depends on itself");
-      Turning sum;
-      for (const SectorTerm& term : rule_at(at.point)) {
-        const Turning value = first_.turned(value_at(term.at.point), term.at.turn);  // of all data, whether they turn
-        if (!term.frequency || *term.frequency == 1) sum = sum + first_.scaled(weight_of(term), value);
-      }
-      known = known_.emplace(at.point, first_.times(of_lambda_, sum)).first;
-    }
-    return first_.turned(known->second, at.turn);
-  }
-
-  /// The data on a window of a square, or their differences along an axis.
-  std::vector<Turning> data_on(const std::set<Point>& window, const Point& corner, const Point& step) {
-    std::vector<Turning> result;
-    for (const Point& k : window) {
-      const Point at = combine(k, 1, corner);
-      result.push_back(step == Point{} ? value_at(at) : value_at(at) - value_at(combine(at, -1, step)));
-    }
-    return result;
-  }
-
-  bool is_regular_on(const Point& corner, std::size_t level) {
-    for (const Turning& z : data_on(window_, corner, {})) {
-      const Turning value = first_.times(powers_[level], z);
-      if ((value.a + value.b).low <= 0) return false;
-    }
-    const std::vector<Turning> along_x = data_on(differences_[0], corner, {1, 0, 0}),
-                               along_y = data_on(differences_[1], corner, {0, 1, 0});
-    return std::ranges::all_of(along_x, [&](const Turning& u) {
-      return std::ranges::all_of(
-          along_y, [&](const Turning& v) { return (intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a)).low > 0; });
-    });
-  }
-
-  void show_on(const Point& corner, std::size_t level) {
-    arithmetic_.spend(1000);
-    if (is_regular_on(corner, level)) return;
-    require(level < levels_, "the characteristic map is not shown to be regular and in a half plane");
-    const std::int64_t m = mask_.arity;
-    for (std::int64_t x = 0; x < m; ++x)
-      for (std::int64_t y = 0; y < m; ++y) show_on({m * corner[0] + x, m * corner[1] + y, 0}, level + 1);
-  }
-
-  /// On the ring of squares of sector 0 that all others come from, far enough from the vertex; all that is inside comes
-  /// from the points.
   void show_regular() {
-    window_ = mask_.window();
-    std::int64_t beside = 0, reach = 0, own = 0;
-    const auto up_to = [](std::int64_t& most, const Point& point) {
-      for (const std::int64_t x : point) most = std::max(most, std::abs(x));
-    };
-    for (const Point& k : window_) up_to(beside, k);
-    for (const std::size_t axis : {0U, 1U}) {
-      differences_[axis] = mask_.of_differences(axis).window();
-      for (Point k : differences_[axis]) {
-        up_to(beside, k);
-        --k[axis];
-        up_to(beside, k);
-      }
-    }
-    for (const auto& [k, value] : mask_.coefficients) up_to(reach, k);
-    for (const auto& [point, rule] : rules_.rules) up_to(own, point);
-    const std::int64_t r = 2 * (beside + reach) + own + 1, end = mask_.arity * r;
-    for (std::int64_t x = 0; x < end; ++x)
-      for (std::int64_t y = 0; y < end; ++y)
-        if (x >= r || y >= r)
-          show_on({x, y, 0}, 0);
-        else
-          value_at({x, y, 0});
+    const MapRing ring(mask_, rules_);
+    SectorMap map(mask_, rules_, ring, {cosine_, {0, 0}}, first_, intervals_, eigenvalue_, first_.inverse(eigenvalue_),
+                  known_, {}, arithmetic_);
+    require(map.is_regular(levels_), "the characteristic map is not shown to be regular and in a half plane");
   }
 
   const LatticeMask& mask_;
@@ -254,10 +161,8 @@ class Vertex {
   std::vector<Point> points_, turning_;  // the second without the vertex
   std::vector<Turning> values_;          // at the second
   TurningMatrix inverse_;
-  std::vector<Turning> powers_;  // of lambda
-  Turning of_lambda_;            // 1/lambda
+  Turning eigenvalue_;
   std::map<Point, Turning> known_;
-  std::set<Point> open_, window_, differences_[2];
 };
 
 }  // namespace
@@ -268,7 +173,10 @@ void check_vertex(const Mask& mask, const Dilation& dilation, const SectorRules&
   for (const auto& [k, value] : lattice.coefficients)
     require(lattice.at(rules.turned_index(k, lattice.arity)) == value, "the mask does not turn with the sectors");
   check_own_rules(rules);
-  Vertex(lattice, rules, reader, reader.take("vertex", 5, 5), arithmetic).check();
+  if (rules.and_above)
+    check_vertices(lattice, rules, reader, arithmetic);
+  else
+    Vertex(lattice, rules, reader, reader.take("vertex", 5, 5), arithmetic).check();
 }
 
 }  // namespace subcert_check

@@ -1,0 +1,139 @@
+#include "sector_map.hpp"
+
+#include <algorithm>
+
+namespace subcert_check {
+
+SectorRule rule_at(const LatticeMask& mask, const SectorRules& rules, const Point& point) {
+  if (const auto own = rules.rules.find(point); own != rules.rules.end()) return own->second;
+  SectorRule rule;
+  for (const auto& [k, value] : mask.coefficients) {
+    const std::int64_t x = point[0] - k[0], y = point[1] - k[1];
+    if (x % mask.arity == 0 && y % mask.arity == 0)
+      rule.push_back({rules.in_sector({x / mask.arity, y / mask.arity, 0}), {}, {ratio(value, mask.denominator)}});
+  }
+  require(!rules.is_vertex(point) ||
+              std::ranges::all_of(rule, [&](const SectorTerm& term) { return rules.is_vertex(term.at.point); }),
+          "the rule of the vertex does not turn");
+  return rule;
+}
+
+MapRing::MapRing(const LatticeMask& mask, const SectorRules& rules) : window(mask.window()) {
+  std::int64_t beside = 0, reach = 0, own = 0;
+  const auto up_to = [](std::int64_t& most, const Point& point) {
+    for (const std::int64_t x : point) most = std::max(most, std::abs(x));
+  };
+  for (const Point& k : window) up_to(beside, k);
+  for (const std::size_t axis : {0U, 1U}) {
+    differences[axis] = mask.of_differences(axis).window();
+    for (Point k : differences[axis]) {
+      up_to(beside, k);
+      --k[axis];
+      up_to(beside, k);
+    }
+  }
+  for (const auto& [k, value] : mask.coefficients) up_to(reach, k);
+  for (const auto& [point, rule] : rules.rules) up_to(own, point);
+  first = 2 * (beside + reach) + own + 1;
+}
+
+Interval weight_at(const SectorTerm& term, const ValenceLetters& at, const Intervals& intervals) {
+  Interval value{0, 0};
+  for (std::size_t k = term.weight.size(); k-- > 0;)
+    value = intervals.times(value, at.cosine) + intervals.number(term.weight[k]);
+  return term.over_valence ? intervals.times(value, at.share) : value;
+}
+
+SectorMap::SectorMap(const LatticeMask& mask, const SectorRules& rules, const MapRing& ring, const ValenceLetters& at,
+                     const Frequency& frequency, const Intervals& intervals, const Turning& lambda,
+                     const Turning& of_lambda, std::map<Point, Turning> values, const std::optional<NearOne>& near_one,
+                     Arithmetic& arithmetic)
+    : mask_(mask),
+      rules_(rules),
+      ring_(ring),
+      at_(at),
+      frequency_(frequency),
+      intervals_(intervals),
+      lambda_(lambda),
+      of_lambda_(of_lambda),
+      known_(std::move(values)),
+      near_one_(near_one),
+      arithmetic_(arithmetic) {}
+
+Turning SectorMap::turned(const Turning& x, long turns) const {
+  return near_one_ ? frequency_.turned_near_one(x, turns, near_one_->delta) : frequency_.turned(x, turns);
+}
+
+/// z at a point of the plane around sector 0, outwards from the given ones.
+Turning SectorMap::value_at(const Point& point) {
+  const SectorPoint at = rules_.in_sector(point);
+  auto known = known_.find(at.point);
+  if (known == known_.end()) {
+    require(open_.insert(at.point).second, "a point depends on itself");
+    Turning sum;
+    for (const SectorTerm& term : rule_at(mask_, rules_, at.point)) {
+      const Turning value = turned(value_at(term.at.point), term.at.turn);  // of all data, whether they turn
+      if (!term.frequency || *term.frequency == 1)
+        sum = sum + frequency_.scaled(weight_at(term, at_, intervals_), value);
+    }
+    if (near_one_) sum.a = sum.a + near_one_->decay;
+    known = known_.emplace(at.point, frequency_.times(of_lambda_, sum)).first;
+  }
+  return turned(known->second, at.turn);
+}
+
+/// The data on a window of a square, or their differences along an axis.
+std::vector<Turning> SectorMap::data_on(const std::set<Point>& window, const Point& corner, const Point& step) {
+  std::vector<Turning> result;
+  for (const Point& k : window) {
+    const Point at = combine(k, 1, corner);
+    result.push_back(step == Point{} ? value_at(at) : value_at(at) - value_at(combine(at, -1, step)));
+  }
+  return result;
+}
+
+bool SectorMap::is_ahead(const Turning& z, std::size_t level) const {
+  const Interval one{intervals_.one(), intervals_.one()};
+  if (near_one_) return (one + intervals_.times(near_one_->delta, z.a)).low > 0;
+  const Turning value = frequency_.times(powers_[level], z);
+  return (value.a + value.b).low > 0;
+}
+
+bool SectorMap::is_regular_on(const Point& corner, std::size_t level) {
+  if (!std::ranges::all_of(data_on(ring_.window, corner, {}), [&](const Turning& z) { return is_ahead(z, level); }))
+    return false;
+  const std::vector<Turning> along_x = data_on(ring_.differences[0], corner, {1, 0, 0}),
+                             along_y = data_on(ring_.differences[1], corner, {0, 1, 0});
+  return std::ranges::all_of(along_x, [&](const Turning& u) {
+    return std::ranges::all_of(
+        along_y, [&](const Turning& v) { return (intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a)).low > 0; });
+  });
+}
+
+bool SectorMap::shows(const Point& corner, std::size_t level, std::size_t cuts) {
+  arithmetic_.spend(1000);
+  if (is_regular_on(corner, level)) return true;
+  if (level == cuts) return false;
+  const std::int64_t m = mask_.arity;
+  for (std::int64_t x = 0; x < m; ++x)
+    for (std::int64_t y = 0; y < m; ++y)
+      if (!shows({m * corner[0] + x, m * corner[1] + y, 0}, level + 1, cuts)) return false;
+  return true;
+}
+
+/// On the ring of squares of sector 0 that all others come from, far enough from the vertex; all that is inside comes
+/// from the points.
+bool SectorMap::is_regular(std::size_t cuts) {
+  powers_ = {{{intervals_.one(), intervals_.one()}, {0, 0}}};
+  while (powers_.size() <= cuts) powers_.push_back(frequency_.times(powers_.back(), lambda_));
+  const std::int64_t r = ring_.first, end = mask_.arity * r;
+  for (std::int64_t x = end; x-- > 0;)  // the data furthest out are known least
+    for (std::int64_t y = end; y-- > 0;)
+      if (x < r && y < r)
+        value_at({x, y, 0});
+      else if (!shows({x, y, 0}, 0, cuts))
+        return false;
+  return true;
+}
+
+}  // namespace subcert_check

@@ -1,0 +1,67 @@
+// The map z of data around a vertex that turn by w and are lambda times themselves, outwards from some points, and its
+// regularity on a ring: Lemma 54, Theorems 55 and 56 in ../../certificates/SPEC.md.
+#pragma once
+
+#include "hull.hpp"
+#include "sector.hpp"
+#include "turning.hpp"
+
+namespace subcert_check {
+
+/// The rule of a point of sector 0, or of the vertex: its own, or that of the mask.
+SectorRule rule_at(const LatticeMask& mask, const SectorRules& rules, const Point& point);
+
+/// Where limits are looked at, and on which data they and their derivatives along the axes depend.
+struct MapRing {
+  MapRing(const LatticeMask& mask, const SectorRules& rules);
+
+  std::set<Point> window, differences[2];
+  std::int64_t first = 0;  // r of Theorem 55
+};
+
+/// c = cos(2 pi/n), for all n that are looked at, and 1/n where weights have it.
+struct ValenceLetters {
+  Interval cosine, share;
+};
+Interval weight_at(const SectorTerm& term, const ValenceLetters& at, const Intervals& intervals);
+
+/// Of lambda > 0: where it tends to 1, z = 1 + delta rho + s (w - 1) is given by rho and s, delta = 2 - 2c, and
+/// (1 - lambda)/delta.
+struct NearOne {
+  Interval delta, decay;
+};
+
+class SectorMap {
+ public:
+  /// Domain: values at points that all others depend on, 0 at the vertex.
+  SectorMap(const LatticeMask& mask, const SectorRules& rules, const MapRing& ring, const ValenceLetters& at,
+            const Frequency& frequency, const Intervals& intervals, const Turning& lambda, const Turning& of_lambda,
+            std::map<Point, Turning> values, const std::optional<NearOne>& near_one, Arithmetic& arithmetic);
+
+  /// Whether the Jacobian is positive and the map in a half plane, on all squares of the ring or on their parts after
+  /// so many cuts.
+  bool is_regular(std::size_t cuts);
+
+ private:
+  Turning turned(const Turning& x, long turns) const;
+  Turning value_at(const Point& point);
+  std::vector<Turning> data_on(const std::set<Point>& window, const Point& corner, const Point& step);
+  bool is_ahead(const Turning& z, std::size_t level) const;
+  bool is_regular_on(const Point& corner, std::size_t level);
+  bool shows(const Point& corner, std::size_t level, std::size_t cuts);
+
+  const LatticeMask& mask_;
+  const SectorRules& rules_;
+  const MapRing& ring_;
+  ValenceLetters at_;
+  const Frequency& frequency_;
+  const Intervals& intervals_;
+  Turning lambda_, of_lambda_;
+  std::map<Point, Turning> known_;
+  std::optional<NearOne> near_one_;
+  Arithmetic& arithmetic_;
+  std::vector<Turning> powers_;  // of lambda
+  std::set<Point> open_;
+};
+
+}  // namespace subcert_check

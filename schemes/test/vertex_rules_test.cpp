@@ -220,7 +220,7 @@ TEST_CASE("fits in a part of a fan keep polynomials, and take a lower degree whe
   };
   for (const char* name : {"triangular:L=8/5,d=1", "triangular:L=17/10,d=1,power=8", "triangular:L=17/10,d=2,power=1"}) {
     const int degree = name[std::string(name).find("d=") + 2] - '0';
-    for (const long turn : {8L, 10L, 14L, 40L}) {
+    for (const long turn : {8L, 10L, 14L, 40L, 400L}) {
       check(name, {turn, 0, turn / 2, true, true}, degree);
       check(name, {turn, -turn / 2, 0, false, true, true}, degree);
       check(name, {turn, -1, turn / 2 - 1}, degree);

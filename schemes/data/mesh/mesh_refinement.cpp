@@ -45,7 +45,7 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
   const std::string& scheme = rules.specification();
   if (options.crease) {
     const bool takes = rules.split() == MeshSplit::polygons ||
-                       (rules.split() == MeshSplit::triangles && !rules.interpolates());
+                       (rules.split() == MeshSplit::triangles && !rules.interpolates() && !rules.fits());
     if (!takes || options.normals || mesh.dimension < 3)
       fail(ErrorKind::domain, "crease: {}: creases are made by loop and catmull-clark, in space and without normals",
            scheme);
@@ -56,6 +56,8 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
     fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made",
          scheme);
   if ((!options.limit && !options.normals) || !topology.has_boundary()) return;
+  if (rules.fits() && !rules.interpolates())
+    fail(ErrorKind::domain, "{}: limits are those of closed meshes; on a boundary they are not made", scheme);
   if (rules.split() == MeshSplit::corners)
     fail(ErrorKind::domain, "{}: limits and normals are those of closed meshes; the surface does not reach a boundary",
          scheme);
@@ -110,7 +112,8 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
   std::optional<Topology> topology(std::in_place, mesh, place);
   if (mesh.dimension >= 2) require_no_seams(mesh, *topology, std::min<std::size_t>(mesh.dimension, 3), place);
   require_options(mesh, *topology, rules, options);
-  require_size(mesh, rules, options.levels);
+  const bool one_more = options.limit && rules.fits() && !rules.interpolates();
+  require_size(mesh, rules, options.levels + (one_more ? 1 : 0));
   require_fit(mesh, *topology, rules, options, place);
   const FacePlace refined = [&](std::size_t face) { return rules.specification() + ", face " + std::to_string(face); };
   const bool at_limits = options.limit || options.normals;

@@ -255,6 +255,42 @@ TEST_CASE("local fits keep polynomials up to straight boundaries, and have no mi
   CHECK(std::abs(fine.values[4]) < 1e-14);
 }
 
+TEST_CASE("an edge between vertices of other valences has the mean of the fits at both ends") {
+  // What counts at the vertex after the next on the equator, from a pole of valence 5 and from the equator, valence 4.
+  const std::string scheme = "triangular:L=17/10,d=1,power=1";
+  PolygonMesh mesh = bipyramid(5);
+  mesh.dimension = 1;
+  mesh.values.assign(7, 0);
+  mesh.values[4] = 1;
+  const auto weight = [&](long n, const LatticePoint& point, long turn) {
+    const SectorRules rules = vertex_rules(scheme, n);
+    for (const auto& [at, value] : weights_at(rules.rule_at({1, 0}), rules.lattice, n))
+      if (at == SectorPoint{point, turn}) return value.lower->convert_to<double>();
+    return 0.0;
+  };
+  const double from_pole = weight(5, {1, 0}, 2), from_equator = weight(4, {1, 1}, 0) + weight(4, {2, 0}, 0) / 2;
+  CHECK(refined(mesh, scheme, 1).values[7] == Approx((from_pole + from_equator) / 2).epsilon(1e-13));
+}
+
+TEST_CASE("meshes are smoothed where faces are kept") {
+  const PolygonMesh mesh = deformed(icosahedron());
+  for (const char* scheme : {"loop", "triangular:L=17/10,d=1,power=2", "sqrt3", "catmull-clark"}) {
+    CAPTURE(scheme);
+    MeshOptions options{1};
+    options.keep_faces = true;
+    const PolygonMesh once = refine_mesh(mesh, scheme, options, place);
+    CHECK(once.corners == mesh.corners);
+    CHECK(difference(once, refined(mesh, scheme, 1), mesh.vertices()) == 0);
+    options.levels = 2;
+    CHECK(refine_mesh(mesh, scheme, options, place).values ==
+          refine_mesh(once, scheme, {1, false, false, std::nullopt, true}, place).values);
+    options.limit = true;
+    CHECK_THROWS_AS(refine_mesh(mesh, scheme, options, place), Error);
+  }
+  for (const char* scheme : {"butterfly:w=1/16", "doo-sabin", "triangular:L=17/10,d=2"})
+    CHECK_THROWS_AS(refine_mesh(mesh, scheme, {1, false, false, std::nullopt, true}, place), Error);
+}
+
 TEST_CASE("creases are boundaries of both sides") {
   const auto creased = [](const PolygonMesh& mesh, const std::string& scheme, double degrees, bool limit) {
     return refine_mesh(mesh, scheme, {2, limit, false, degrees}, place);

@@ -146,7 +146,8 @@ TEST_CASE("meshes of any topology are refined") {
   CHECK(written("a.ply", "loop: " + tetrahedron + " --levels 2 --limit")
             .starts_with("ply\nformat ascii 1.0\nelement vertex 34\nproperty double x\n"));
   CHECK(written("a.off", "doo-sabin " + tetrahedron + " --levels 1").starts_with("OFF\n12 14 0\n"));
-  CHECK(written("a.off", "triangular:L=17/10,d=2 " + tetrahedron + " --levels 1 --limit").starts_with("OFF\n10 16 0\n"));
+  CHECK(
+      written("a.off", "triangular:L=17/10,d=2 " + tetrahedron + " --levels 1 --limit").starts_with("OFF\n10 16 0\n"));
   CHECK(written("a.stl", "sqrt3 " + tetrahedron + " --levels 1").starts_with("solid mesh\nfacet normal "));
   CHECK(written("b.obj", "catmull-clark " + folder / "a.off" + " --levels 1 --normals").find("vn ") !=
         std::string::npos);

@@ -218,7 +218,8 @@ TEST_CASE("fits in a part of a fan keep polynomials, and take a lower degree whe
         }
     }
   };
-  for (const char* name : {"triangular:L=8/5,d=1", "triangular:L=17/10,d=1,power=8", "triangular:L=17/10,d=2,power=1"}) {
+  for (const char* name :
+       {"triangular:L=8/5,d=1", "triangular:L=17/10,d=1,power=8", "triangular:L=17/10,d=2,power=1"}) {
     const int degree = name[std::string(name).find("d=") + 2] - '0';
     for (const long turn : {8L, 10L, 14L, 40L, 400L}) {
       check(name, {turn, 0, turn / 2, true, true}, degree);

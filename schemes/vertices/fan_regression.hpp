@@ -1,5 +1,5 @@
 #pragma once
-/// Local regression where the flat fan is not whole: at boundaries, and where triangles across from an edge are missing.
+/// Local regression where the flat fan is not whole: at boundaries, and where triangles beyond an edge are missing.
 
 #include <subcert/analysis/symbol/numbers/numbers.hpp>
 

@@ -45,8 +45,8 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
   const std::string& scheme = rules.specification();
   if (options.keep_faces) {
     if (rules.split() == MeshSplit::corners || rules.interpolates())
-      fail(ErrorKind::domain, "smooth: {}: need a scheme of meshes that moves their vertices, as loop and triangular: do",
-           scheme);
+      fail(ErrorKind::domain,
+           "smooth: {}: need a scheme of meshes that moves their vertices, as loop and triangular: do", scheme);
     require(!options.limit && !options.normals && !options.crease,
             "smooth: need a mesh without limits, normals and creases");
   }

@@ -52,9 +52,7 @@ SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
 
 }  // namespace
 
-std::vector<std::string> schemes_with_mesh_rules() {
-  return schemes_with_vertex_rules();
-}
+std::vector<std::string> schemes_with_mesh_rules() { return schemes_with_vertex_rules(); }
 
 bool has_mesh_rules(const std::string& specification) {
   const std::vector<std::string> names = schemes_with_mesh_rules();
@@ -140,12 +138,12 @@ VertexWeights MeshRules::limit_of_fits(const SectorRules& rules) const {
   const LatticePoint straight{2, 0};
   std::vector<std::vector<Interval>> system(3);
   const std::array<LatticePoint, 3> points{ray, diagonal, straight};
-  const std::array<RuleWeights, 3> at{RuleWeights(rules.rule_at(ray), rules), RuleWeights(rules.rule_at(diagonal), rules),
-                                RuleWeights(rules.rule_at(straight), rules)};
+  const std::array<RuleWeights, 3> at{RuleWeights(rules.rule_at(ray), rules),
+                                      RuleWeights(rules.rule_at(diagonal), rules),
+                                      RuleWeights(rules.rule_at(straight), rules)};
   const RuleWeights vertex(rules.rule_at(centre), rules);
   for (std::size_t q = 0; q < 3; ++q) {
-    for (std::size_t p = 0; p < 3; ++p)
-      system[q].push_back(Interval::exactly(p == q ? 1 : 0) - at[p].sum(points[q]));
+    for (std::size_t p = 0; p < 3; ++p) system[q].push_back(Interval::exactly(p == q ? 1 : 0) - at[p].sum(points[q]));
     system[q].push_back(vertex.sum(points[q]));
   }
   for (std::size_t k = 0; k < 3; ++k)  // a matrix with a dominant diagonal or near to it: no row is exchanged

@@ -22,8 +22,12 @@ PolygonMesh refined(const PolygonMesh& mesh, const std::string& scheme, int leve
   return refine_mesh(mesh, scheme, {levels, limit, normals}, place);
 }
 
-const std::vector<std::string> triangle_schemes{"loop", "butterfly:w=1/16", "modified-butterfly", "sqrt3",
-                                               "triangular:L=17/10,d=1,power=1", "triangular:L=17/10,d=2,power=1"},
+const std::vector<std::string> triangle_schemes{"loop",
+                                                "butterfly:w=1/16",
+                                                "modified-butterfly",
+                                                "sqrt3",
+                                                "triangular:L=17/10,d=1,power=1",
+                                                "triangular:L=17/10,d=2,power=1"},
     polygon_schemes{"catmull-clark", "doo-sabin", "midedge"};
 
 /// Whole numbers, so that sums with dyadic weights are exact.

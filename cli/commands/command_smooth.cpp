@@ -5,6 +5,8 @@
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/pages/smooth_figure.hpp>
 #include <subcert/cli/pages/smooth_grid.hpp>
+#include <subcert/cli/pages/smooth_mesh.hpp>
+#include <subcert/schemes/data/formats/mesh_file.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/data/smooth/smoothing_stream.hpp>
@@ -193,6 +195,10 @@ ExitCode run(const SmoothOptions& options) {
   const std::optional<Rational> slope_noise = deviation("--slope-noise", options.slope_noise);
   if (!noise && !options.samples.errors.empty() && !data::finds_its_noise(options.scheme)) noise = 1;  // their unit
   require_picture_name(options.plot);
+  if (!options.grid && data::mesh_format(options.samples.file)) {
+    smooth_mesh_file(options);
+    return done;
+  }
   if (options.grid) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
@@ -355,6 +361,9 @@ void add_smooth(Command& app) {
       .with_default();
   command.option("--level", options->level, "Values at the multiples of arity^-LEVEL of the spacing")
       .within(0, 12)
+      .with_default();
+  command.option("--steps", options->steps, "Of a mesh: times that its vertices are moved by the rules of --scheme")
+      .within(1, 1000)
       .with_default();
   command.option("--derivative", options->derivative, "Order of the derivative").within(0, 20).with_default();
   command.flag("--grid", options->grid,

@@ -31,6 +31,7 @@ struct SmoothOptions : CommonOptions {
   /// Whether positions are given, by a list or a file.
   bool at_positions() const { return !at_file.empty() || (at != "grid" && at != "data"); }
   int level = 2;
+  int steps = 1;  ///< of a mesh
   int derivative = 0;
   bool closed = false;
   bool stream = false;

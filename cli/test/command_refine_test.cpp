@@ -146,6 +146,8 @@ TEST_CASE("meshes of any topology are refined") {
   CHECK(written("a.ply", "loop: " + tetrahedron + " --levels 2 --limit")
             .starts_with("ply\nformat ascii 1.0\nelement vertex 34\nproperty double x\n"));
   CHECK(written("a.off", "doo-sabin " + tetrahedron + " --levels 1").starts_with("OFF\n12 14 0\n"));
+  CHECK(
+      written("a.off", "triangular:L=17/10,d=2 " + tetrahedron + " --levels 1 --limit").starts_with("OFF\n10 16 0\n"));
   CHECK(written("a.stl", "sqrt3 " + tetrahedron + " --levels 1").starts_with("solid mesh\nfacet normal "));
   CHECK(written("b.obj", "catmull-clark " + folder / "a.off" + " --levels 1 --normals").find("vn ") !=
         std::string::npos);
@@ -193,8 +195,25 @@ TEST_CASE("meshes of any topology are refined") {
         "--normals: an STL file has none at vertices; write .obj, .ply or .off");
   fails(
       "'tensor:(primal:n=1)x(primal:n=1)' " + square + " --normals", 64,
-      "--normals: of a mesh and one of butterfly, catmull-clark, doo-sabin, loop, midedge, modified-butterfly, sqrt3; "
-      "tensor:(primal:n=1,d=1)x(primal:n=1,d=1) refines grids");
+      "--normals: of a mesh and one of butterfly, catmull-clark, doo-sabin, loop, midedge, modified-butterfly, sqrt3, "
+      "triangular; tensor:(primal:n=1,d=1)x(primal:n=1,d=1) refines grids");
+  const Run smoothed = run("smooth " + tetrahedron + " --scheme loop --steps 2 --quiet");
+  CHECK(smoothed.out.starts_with("v 0.0625 0.0625 0.0625\nv 0.0625 -0.0625 -0.0625\n"));
+  CHECK(smoothed.out.ends_with("f 2 4 3\n"));
+  const auto refused = [&](const std::string& arguments, int code, const std::string& line) {
+    const Run told = run("smooth " + tetrahedron + " " + arguments);
+    CHECK(told.code == code);
+    CHECK(told.err.ends_with("subcert: " + line + "\n"));
+  };
+  refused("--scheme butterfly:w=1/16", 64,
+          "smooth: butterfly:w=1/16: need a scheme of meshes that moves their vertices, as loop and triangular: do");
+  refused("--scheme loop --bands 0.9", 64, tetrahedron + ": a mesh is smoothed by --scheme, --steps and --out alone");
+  refused("", 64,
+          "--scheme : expected, for a mesh, one of butterfly, catmull-clark, doo-sabin, loop, midedge, "
+          "modified-butterfly, sqrt3, triangular");
+  fails("triangular:L=2,d=1 " + tetrahedron, 64,
+        "rules at a vertex: need triangular: with 3/2 < L < 1.732, d <= 2 and a power, not weights, on the equilateral "
+        "grid, got L = 2, d = 1");
   CHECK(run("refine loop " + tetrahedron + " --levels 30").code == 64);
   CHECK(run("refine loop " + folder / "nowhere.off").code == 66);
 }

@@ -184,6 +184,7 @@ def refine_mesh(
     limit: bool,
     normals: bool,
     crease: Optional[float],
+    keep_faces: bool,
     progress: _Progress,
 ) -> tuple[_Array, _Array, _Array]: ...
 def vertices(

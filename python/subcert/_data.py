@@ -68,17 +68,19 @@ def refine_mesh(
     limit: bool = False,
     normals: bool = False,
     crease: Optional[float] = None,
+    keep_faces: bool = False,
     progress: Progress = None,
 ) -> Any:
     """Refines a mesh of any topology, `levels` times, by loop, catmull-clark, doo-sabin, midedge, butterfly,
-    modified-butterfly or sqrt3; gives the pair (vertices, faces), with `normals` also the unit normals of the limit
-    surface at the vertices.
+    modified-butterfly, sqrt3 or triangular:; gives the pair (vertices, faces), with `normals` also the unit normals
+    of the limit surface at the vertices.
 
     `vertices`: shape (n, numbers), of any numbers that are refined as coordinates are; `faces`: shape (m, sides) of
-    numbers of vertices from 0 on, or a list of lists where the faces have different numbers of sides. So are those of
-    the result. `limit`: the vertices are moved to the limit surface. `crease`: edges stay sharp where the normals of
-    their faces differ by more than these degrees (loop, catmull-clark). Raises DataError where the faces make no
-    oriented surface and for numbers that are not finite, DomainError for another scheme.
+    numbers of vertices from 0 on, or a list of lists where the faces have different numbers of sides. So are those
+    of the result. `limit`: the vertices are moved to the limit surface. `crease`: edges stay sharp where the
+    normals of their faces differ by more than these degrees (loop, catmull-clark). `keep_faces`: the old vertices
+    alone get their new points, which smooths the mesh. Raises DataError where the faces make no oriented surface
+    and for numbers that are not finite, DomainError for another scheme.
 
     >>> import numpy, subcert
     >>> corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
@@ -95,7 +97,7 @@ def refine_mesh(
     corners = numpy.concatenate(lists) if lists else numpy.zeros(0, numpy.int64)
     counts = numpy.array([len(face) for face in lists], numpy.int64)
     points, corners, sides = _core.refine_mesh(
-        str(scheme), array, corners, counts, levels, limit, normals, crease, progress
+        str(scheme), array, corners, counts, levels, limit, normals, crease, keep_faces, progress
     )
     if len(set(sides)) == 1:
         made = corners.reshape(-1, sides[0])

@@ -81,6 +81,9 @@ def test_meshes():
     assert numpy.allclose((normals**2).sum(axis=1), 1) and (((points - 0.5) * normals).sum(axis=1) > 0.2).all()
     block, _ = subcert.refine_mesh("catmull-clark", *CUBE, crease=45, limit=True)
     assert numpy.array_equal(block[:8], CUBE[0])
+    finer, _ = subcert.refine_mesh("catmull-clark", *CUBE)
+    smoothed, kept = subcert.refine_mesh("catmull-clark", *CUBE, keep_faces=True)
+    assert numpy.array_equal(smoothed, finer[:8]) and numpy.array_equal(kept, CUBE[1])
     one, _ = subcert.refine_mesh("loop", [[1.0], [2], [3]], numpy.array([[0, 1, 2]]))
     assert numpy.array_equal(one[:, 0], [1.375, 2, 2.625, 1.5, 2.5, 2])
 

@@ -1,4 +1,5 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/schemes/vertices/fan_regression.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -171,6 +172,74 @@ TEST_CASE("local regression at vertices has the weights of its fits") {
   const Weights vertex = weights_of(vertex_rules("triangular:L=8/5,d=1", 4), {0, 0});
   CHECK(vertex.at({{0, 0}, 0}) == Approx(1.0 / 5).epsilon(1e-12));
   CHECK(weights_of(vertex_rules("triangular:L=8/5,d=2", 4), {0, 0}) == Weights{{{{0, 0}, 0}, 1}});
+}
+
+TEST_CASE("fits in a whole fan are the rules at a vertex") {
+  for (const char* name : {"triangular:L=8/5,d=0", "triangular:L=17/10,d=1,power=2", "triangular:L=1732/1000,d=2"})
+    for (const long n : {3L, 4L, 5L, 6L, 7L, 12L}) {
+      CAPTURE(name, n);
+      const Weights expected = weights_of(vertex_rules(name, n), {1, 0});
+      const std::vector<Enclosure> fit = fan_weights(name, {n, -1, n - 2, true, true, true}, true);
+      Weights weights;
+      const auto put = [&](const SectorPoint& at, const Enclosure& weight) {
+        if (std::abs(weight.lower->convert_to<double>()) > 1e-15) weights[at] = weight.lower->convert_to<double>();
+      };
+      const auto after_ring = static_cast<std::size_t>(n + 1);
+      REQUIRE(fit.size() == after_ring + 3);
+      put({{0, 0}, 0}, fit[0]);
+      for (long k = 0; k < n; ++k) put({{1, 0}, (k + n - 1) % n}, fit[static_cast<std::size_t>(k + 1)]);
+      put({{1, 1}, 0}, fit[after_ring]);
+      put({{2, 0}, 0}, fit[after_ring + 1]);
+      put({{1, 1}, n - 1}, fit[after_ring + 2]);
+      check_equal(weights, expected);
+    }
+}
+
+TEST_CASE("fits in a part of a fan keep polynomials, and take a lower degree where data are few") {
+  const auto check = [](const char* name, const MeshFan& fan, int degree) {
+    const double angle = 2 * std::numbers::pi / static_cast<double>(fan.turn);
+    for (const bool at_middle : {false, true}) {
+      std::vector<std::pair<double, double>> places{{0, 0}};
+      for (long k = fan.first; k <= fan.last; ++k)
+        places.emplace_back(std::cos(static_cast<double>(k) * angle), std::sin(static_cast<double>(k) * angle));
+      if (fan.left) places.emplace_back(1 + std::cos(angle), std::sin(angle));
+      if (fan.straight) places.emplace_back(2, 0);
+      if (fan.right) places.emplace_back(1 + std::cos(angle), -std::sin(angle));
+      const std::vector<Enclosure> weights = fan_weights(name, fan, at_middle);
+      REQUIRE(weights.size() == places.size());
+      for (int i = 0; i <= degree; ++i)
+        for (int j = 0; i + j <= degree; ++j) {
+          double sum = 0;
+          for (std::size_t k = 0; k < places.size(); ++k)
+            sum += weights[k].lower->convert_to<double>() * std::pow(places[k].first, i) *
+                   std::pow(places[k].second, j);
+          CAPTURE(name, fan.turn, fan.first, fan.last, at_middle, i, j);
+          CHECK(std::abs(sum - (j > 0 ? 0 : std::pow(at_middle ? 0.5 : 0, i))) < 1e-12);
+        }
+    }
+  };
+  for (const char* name :
+       {"triangular:L=8/5,d=1", "triangular:L=17/10,d=1,power=8", "triangular:L=17/10,d=2,power=1"}) {
+    const int degree = name[std::string(name).find("d=") + 2] - '0';
+    for (const long turn : {8L, 10L, 14L, 40L, 400L}) {
+      check(name, {turn, 0, turn / 2, true, true}, degree);
+      check(name, {turn, -turn / 2, 0, false, true, true}, degree);
+      check(name, {turn, -1, turn / 2 - 1}, degree);
+      check(name, {turn, -1, turn - 2, true}, degree);
+    }
+    check(name, {6, 0, 3, true, true}, degree);
+    check(name, {4, 0, 1}, 1);  // three data
+    check(name, {4, 0, 1, true, true}, 1);
+    check(name, {4, 0, 2, true, true}, 1);
+  }
+  // A triangle: three data, which a fit of degree 1 meets.
+  const std::vector<Enclosure> corner = fan_weights("triangular:L=17/10,d=2,power=1", {4, 0, 1}, false);
+  CHECK(corner[0].lower->convert_to<double>() == Approx(1));
+  CHECK(std::abs(corner[1].lower->convert_to<double>()) < 1e-15);
+  CHECK_THROWS_AS(fan_weights("loop", {6, 0, 3}, true), Error);
+  CHECK_THROWS_AS(fan_weights("triangular:L=2,d=1", {6, 0, 3}, true), Error);
+  CHECK_THROWS_AS(fan_weights("triangular:L=8/5,d=1", {6, 1, 3}, true), Error);
+  CHECK_THROWS_AS(fan_weights("triangular:L=8/5,d=1", {6, -3, 3}, true), Error);
 }
 
 TEST_CASE("rules of all valences are those of each") {

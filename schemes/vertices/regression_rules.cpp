@@ -133,7 +133,7 @@ class FanFit {
 
 }  // namespace
 
-std::map<LatticePoint, SectorRule> regression_rules_at(const BallRegression& scheme, long valence) {
+void require_fan(const BallRegression& scheme) {
   const Rational squared = scheme.radius * scheme.radius;
   require(
       scheme.lattice == Lattice::equilateral && scheme.weights.empty() && scheme.degree <= 2 &&
@@ -141,6 +141,10 @@ std::map<LatticePoint, SectorRule> regression_rules_at(const BallRegression& sch
       "rules at a vertex: need triangular: with 3/2 < L < 1.732, d <= 2 and a power, not weights, on the equilateral "
       "grid, got L = {}, d = {}",
       scheme.radius, scheme.degree);
+}
+
+std::map<LatticePoint, SectorRule> regression_rules_at(const BallRegression& scheme, long valence) {
+  require_fan(scheme);
   require(valence >= smallest_valence && valence <= largest_valence,
           "rules at a vertex: need {} <= valence <= {}, got {}", smallest_valence, largest_valence, valence);
   const FanFit fit(scheme, valence);

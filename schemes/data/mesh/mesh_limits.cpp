@@ -1,4 +1,4 @@
-#include "mesh_steps.hpp"
+#include "mesh_fits.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -95,6 +95,7 @@ Tangents tangents_of(const PolygonMesh& mesh, const Topology& topology, const Me
 std::vector<double> vertex_limits(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
                                   MeshRules& rules) {
   if (rules.interpolates()) return mesh.values;
+  if (rules.fits()) return fit_limits(mesh, topology, rules);
   VertexSums points(mesh.vertices(), mesh.dimension);
   if (rules.split() == MeshSplit::corners) {
     const CornersAround around(mesh, topology, rules);

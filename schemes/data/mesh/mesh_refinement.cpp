@@ -43,9 +43,16 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
                      const MeshOptions& options) {
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   const std::string& scheme = rules.specification();
+  if (options.keep_faces) {
+    if (rules.split() == MeshSplit::corners || rules.interpolates())
+      fail(ErrorKind::domain,
+           "smooth: {}: need a scheme of meshes that moves their vertices, as loop and triangular: do", scheme);
+    require(!options.limit && !options.normals && !options.crease,
+            "smooth: need a mesh without limits, normals and creases");
+  }
   if (options.crease) {
     const bool takes = rules.split() == MeshSplit::polygons ||
-                       (rules.split() == MeshSplit::triangles && !rules.interpolates());
+                       (rules.split() == MeshSplit::triangles && !rules.interpolates() && !rules.fits());
     if (!takes || options.normals || mesh.dimension < 3)
       fail(ErrorKind::domain, "crease: {}: creases are made by loop and catmull-clark, in space and without normals",
            scheme);
@@ -56,6 +63,8 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
     fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made",
          scheme);
   if ((!options.limit && !options.normals) || !topology.has_boundary()) return;
+  if (rules.fits() && !rules.interpolates())
+    fail(ErrorKind::domain, "{}: limits are those of closed meshes; on a boundary they are not made", scheme);
   if (rules.split() == MeshSplit::corners)
     fail(ErrorKind::domain, "{}: limits and normals are those of closed meshes; the surface does not reach a boundary",
          scheme);
@@ -110,12 +119,21 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
   std::optional<Topology> topology(std::in_place, mesh, place);
   if (mesh.dimension >= 2) require_no_seams(mesh, *topology, std::min<std::size_t>(mesh.dimension, 3), place);
   require_options(mesh, *topology, rules, options);
-  require_size(mesh, rules, options.levels);
+  const bool one_more = options.limit && rules.fits() && !rules.interpolates();
+  require_size(mesh, rules, options.keep_faces ? 1 : options.levels + (one_more ? 1 : 0));
   require_fit(mesh, *topology, rules, options, place);
   const FacePlace refined = [&](std::size_t face) { return rules.specification() + ", face " + std::to_string(face); };
   const bool at_limits = options.limit || options.normals;
   std::vector<bool> sharp;
   if (options.crease) sharp = edges_sharper_than(*options.crease, mesh, *topology);
+  if (options.keep_faces) {
+    const Creases boundary(*topology);
+    for (int step = 0; step < options.levels; ++step) {
+      std::vector<double> points = one_step(mesh, *topology, boundary, rules, 0).values;
+      std::copy_n(points.begin(), mesh.values.size(), mesh.values.begin());  // those of old vertices come first
+    }
+    return mesh;
+  }
   for (int level = 0; level < options.levels; ++level) {
     const Creases creases(mesh, *topology, std::exchange(sharp, {}));
     sharp = split_creases(mesh, *topology, creases, rules.split());

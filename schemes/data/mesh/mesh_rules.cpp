@@ -52,11 +52,7 @@ SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
 
 }  // namespace
 
-std::vector<std::string> schemes_with_mesh_rules() {
-  std::vector<std::string> names = schemes_with_vertex_rules();
-  std::erase(names, "triangular");  // with more data than those about an edge
-  return names;
-}
+std::vector<std::string> schemes_with_mesh_rules() { return schemes_with_vertex_rules(); }
 
 bool has_mesh_rules(const std::string& specification) {
   const std::vector<std::string> names = schemes_with_mesh_rules();
@@ -74,7 +70,7 @@ MeshRules::MeshRules(const std::string& specification)
     split_ = MeshSplit::corners;
   if (split_ == MeshSplit::corners) return;
   make_regular(vertex_rules(specification_, regular_valence(rules.lattice)));
-  make_boundary();
+  if (!fits()) make_boundary();
 }
 
 void MeshRules::make_regular(const SectorRules& rules) {
@@ -83,6 +79,7 @@ void MeshRules::make_regular(const SectorRules& rules) {
     spoke_centre_ = spoke_ = spoke_beside_ = 1.0 / 3;
     return;
   }
+  if (fits()) return;
   const RuleWeights edge(rules.rule_at(ray), rules);
   spoke_centre_ = rounded(edge.at(centre));
   spoke_ = rounded(edge.at(ray));
@@ -115,6 +112,7 @@ void MeshRules::make_boundary() {
 /// The left eigenvector of the eigenvalue 1 of vertex, mean of the neighbours, mean of those across faces.
 VertexWeights MeshRules::limit_of(const SectorRules& rules) const {
   if (interpolates_) return {1, 0};
+  if (fits()) return limit_of_fits(rules);
   const RuleWeights vertex(vertex_rule(rules, split_), rules);
   const Interval one = Interval::exactly(1), neighbours = vertex.sum(ray), faces = vertex.sum(diagonal);
   if (split_ != MeshSplit::polygons) {
@@ -132,6 +130,49 @@ VertexWeights MeshRules::limit_of(const SectorRules& rules) const {
   const Interval determinant = a * d - b * c, y = (neighbours * d + faces * c) / determinant,
                  z = (faces * a + neighbours * b) / determinant, total = one + y + z;
   return {rounded(one / total), rounded(y / total), rounded(z / total)};
+}
+
+/// The same of four means: of the vertex, its neighbours, those across an edge and those straight behind a neighbour.
+/// No rule of theirs takes more (docs/mesh-fits.md).
+VertexWeights MeshRules::limit_of_fits(const SectorRules& rules) const {
+  const LatticePoint straight{2, 0};
+  std::vector<std::vector<Interval>> system(3);
+  const std::array<LatticePoint, 3> points{ray, diagonal, straight};
+  const std::array<RuleWeights, 3> at{RuleWeights(rules.rule_at(ray), rules),
+                                      RuleWeights(rules.rule_at(diagonal), rules),
+                                      RuleWeights(rules.rule_at(straight), rules)};
+  const RuleWeights vertex(rules.rule_at(centre), rules);
+  for (std::size_t q = 0; q < 3; ++q) {
+    for (std::size_t p = 0; p < 3; ++p) system[q].push_back(Interval::exactly(p == q ? 1 : 0) - at[p].sum(points[q]));
+    system[q].push_back(vertex.sum(points[q]));
+  }
+  for (std::size_t k = 0; k < 3; ++k)  // a matrix with a dominant diagonal or near to it: no row is exchanged
+    for (std::size_t row = 0; row < 3; ++row) {
+      if (row == k) continue;
+      const Interval factor = system[row][k] / system[k][k];
+      for (std::size_t c = k; c < 4; ++c) system[row][c] = system[row][c] - factor * system[k][c];
+    }
+  std::array<Interval, 3> y;
+  for (std::size_t k = 0; k < 3; ++k) y[k] = system[k][3] / system[k][k];
+  const Interval total = Interval::exactly(1) + y[0] + y[1] + y[2];
+  return {rounded(Interval::exactly(1) / total), rounded(y[0] / total), rounded(y[1] / total), rounded(y[2] / total)};
+}
+
+const std::vector<double>& MeshRules::fit(const MeshFan& fan, bool at_middle) {
+  std::vector<double>& weights = fits_[{fan, at_middle}];
+  if (!weights.empty()) return weights;
+  if (at_middle && fan.last - fan.first + 1 == fan.turn && fan.left && fan.straight && fan.right) {
+    const SectorRules rules = vertex_rules(specification_, fan.turn);
+    const RuleWeights edge(rules.rule_at(ray), rules);
+    weights = edge.ring(ray);
+    weights.insert(weights.begin(), rounded(edge.at(centre)));
+    for (const Interval& weight : {edge.at(diagonal), edge.at({2, 0}), edge.at(diagonal, -1)})
+      weights.push_back(rounded(weight));
+  } else {
+    for (const Enclosure& weight : fan_weights(specification_, fan, at_middle))
+      weights.push_back(rounded(Interval::of(weight)));
+  }
+  return weights;
 }
 
 const MeshRules::Kept& MeshRules::kept(std::size_t n) {
@@ -160,7 +201,7 @@ const MeshRules::Kept& MeshRules::kept(std::size_t n) {
 }
 
 std::optional<TangentWeights> MeshRules::tangents(double angle) const {
-  if (interpolates_ || split_ == MeshSplit::corners) return std::nullopt;
+  if (interpolates_ || fits() || split_ == MeshSplit::corners) return std::nullopt;
   const double cosine = std::cos(angle), own = spoke_ + 2 * spoke_beside_ * cosine;
   if (split_ != MeshSplit::polygons) return TangentWeights{own, 0};
   // (x - own) (x - quarter) = 2 quarter spoke_face (1 + cos), the larger root

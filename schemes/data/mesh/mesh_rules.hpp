@@ -1,9 +1,11 @@
 #pragma once
 /// The rules of a surface scheme on a mesh, as weights for each valence.
 
+#include <subcert/schemes/vertices/fan_regression.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,16 +14,17 @@ namespace subcert::data {
 
 /// How a scheme makes its faces.
 enum class MeshSplit {
-  triangles,  ///< each triangle in four: loop, butterfly, modified-butterfly
+  triangles,  ///< each triangle in four: loop, butterfly, modified-butterfly, triangular
   polygons,   ///< each polygon with n corners in n quadrilaterals: catmull-clark
   corners,    ///< a vertex for each corner; faces for faces, edges and vertices: doo-sabin, midedge
   middles,    ///< a vertex in each triangle, the edges turned: sqrt3
 };
 
 /// Weights of a new vertex at an old one of valence n, or, in vertex_limit, of its limit: of itself, of the mean of its
-/// neighbours, and, of polygons, of the mean of those across a face, or of the new points in the faces.
+/// neighbours, and, of polygons, of the mean of those across a face, or of the new points in the faces; in limits of
+/// fits of those across an edge, and of those that go on straight behind the neighbours.
 struct VertexWeights {
-  double itself, neighbours, faces = 0;
+  double itself, neighbours, faces = 0, straight = 0;
 };
 
 /// Weights along an edge from c to e: of an end, of one of the two vertices opposite of it, or of the new points in the
@@ -61,6 +64,8 @@ class MeshRules {
   bool interpolates() const { return interpolates_; }
   /// Whether the rules of edges depend on the valence of their ends.
   bool has_edge_rules() const { return specification_.starts_with("modified-butterfly"); }
+  /// Whether all points are local fits, also on boundaries: triangular.
+  bool fits() const { return specification_.starts_with("triangular"); }
   const EdgeWeights& edge() const { return edge_; }
   const BoundaryWeights& boundary() const { return boundary_; }
 
@@ -72,6 +77,10 @@ class MeshRules {
   const std::vector<double>& edge_at(std::size_t n) { return kept(n).edge; }
   /// Of a new corner of a face with n corners, from that one on. Domain: splits by corners.
   const std::vector<double>& corner(std::size_t n) { return kept(n).corner; }
+
+  /// Weights as fan_weights() orders them, of each kind of fan computed once. Domain: fits().
+  const std::vector<double>& edge_fit(const MeshFan& fan) { return fit(fan, true); }
+  const std::vector<double>& vertex_fit(const MeshFan& fan) { return fit(fan, false); }
 
   /// Of the tangents at a vertex, its neighbours at multiples of this angle; nothing where the neighbours alone do not
   /// have them. Domain: 0 < angle < pi.
@@ -87,9 +96,11 @@ class MeshRules {
     std::vector<double> edge, corner;
   };
   const Kept& kept(std::size_t n);
+  const std::vector<double>& fit(const MeshFan& fan, bool at_middle);
   void make_regular(const SectorRules& rules);
   void make_boundary();
   VertexWeights limit_of(const SectorRules& rules) const;
+  VertexWeights limit_of_fits(const SectorRules& rules) const;
 
   std::string specification_;
   MeshSplit split_ = MeshSplit::triangles;
@@ -99,6 +110,7 @@ class MeshRules {
   // of the regular rule of an edge: of the vertex, the neighbour there, those beside it, those across a face
   double spoke_centre_ = 0, spoke_ = 0, spoke_beside_ = 0, spoke_face_ = 0;
   std::vector<Kept> by_valence_;
+  std::map<std::pair<MeshFan, bool>, std::vector<double>> fits_;
 };
 
 }  // namespace subcert::data

@@ -1,4 +1,4 @@
-#include "mesh_steps.hpp"
+#include "mesh_fits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -130,11 +130,13 @@ PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, c
   const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
   const std::vector<std::uint32_t> edge = topology.edge_numbers();
   VertexSums points(vertices + topology.edges(), mesh.dimension);
-  if (rules.interpolates())
+  if (rules.fits())
+    add_fits(mesh, topology, rules, edge, points);
+  else if (rules.interpolates())
     std::ranges::copy(mesh.values, points.values.begin());
   else
     move_vertices(mesh, topology, creases, rules, false, points);
-  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h)
+  for (std::uint32_t h = 0; h < mesh.corners.size() && !rules.fits(); ++h)
     if (topology.is_boundary(h))
       add_boundary_edge(mesh, topology, rules, h, false, vertices + edge[h], points);
     else if (h > topology.opposite(h))

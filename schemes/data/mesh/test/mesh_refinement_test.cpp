@@ -22,7 +22,12 @@ PolygonMesh refined(const PolygonMesh& mesh, const std::string& scheme, int leve
   return refine_mesh(mesh, scheme, {levels, limit, normals}, place);
 }
 
-const std::vector<std::string> triangle_schemes{"loop", "butterfly:w=1/16", "modified-butterfly", "sqrt3"},
+const std::vector<std::string> triangle_schemes{"loop",
+                                                "butterfly:w=1/16",
+                                                "modified-butterfly",
+                                                "sqrt3",
+                                                "triangular:L=17/10,d=1,power=1",
+                                                "triangular:L=17/10,d=2,power=1"},
     polygon_schemes{"catmull-clark", "doo-sabin", "midedge"};
 
 /// Whole numbers, so that sums with dyadic weights are exact.
@@ -91,6 +96,14 @@ TEST_CASE("closed regular meshes are refined as grids are, exactly") {
     for (std::size_t i = 0; i < 5; ++i)
       std::copy_n(data.values.begin() + static_cast<std::ptrdiff_t>(3 * (5 * j + (5 - i) % 5)), 3,
                   mirrored.values.begin() + static_cast<std::ptrdiff_t>(3 * (5 * j + i)));
+  for (const char* scheme : {"triangular:L=17/10,d=1,power=2", "triangular:L=8/5,d=2"}) {
+    CAPTURE(scheme);
+    const GridData<double> grid = refine(mirrored, vertex_rules(scheme, 6).mask, RefineOptions{2});
+    const PolygonMesh mesh = refined(triangles, scheme, 2);
+    CHECK(mesh.values.size() == grid.values.size());
+    CHECK(farthest(mesh.values, grid.values) < 1e-11);
+    CHECK(farthest(grid.values, mesh.values) < 1e-11);
+  }
   const GridData<double> root = refine(mirrored, vertex_rules("sqrt3", 6).mask, RefineOptions{1});
   const PolygonMesh two_steps = refined(triangles, "sqrt3", 2);
   CHECK(two_steps.values.size() == root.values.size());
@@ -162,6 +175,7 @@ TEST_CASE("affine maps go through") {
       for (const std::string& scheme : schemes)
         for (const bool limit : {false, true}) {
           if (limit && (scheme == "doo-sabin" || scheme == "midedge")) continue;
+          if (limit && scheme.starts_with("triangular:") && Topology(mesh, place).has_boundary()) continue;
           CAPTURE(scheme, mesh.vertices(), limit);
           const PolygonMesh a = image(refined(mesh, scheme, 2, limit)), b = refined(image(mesh), scheme, 2, limit);
           CHECK(difference(a, b, a.vertices()) < 1e-11);
@@ -184,6 +198,10 @@ TEST_CASE("limits and normals are the same from level to level, and those of man
                                   mesh_of({1, 2, 3, 2, 2, 4, 1, 3, 5}, {{0, 1, 2}})})
     for (const std::string& scheme : triangle_schemes) {
       const bool open = Topology(mesh, place).has_boundary();
+      if (open && scheme == "triangular:L=17/10,d=1,power=1") {
+        CHECK_THROWS_AS(refined(mesh, scheme, 1, true), Error);
+        continue;
+      }
       check(mesh, scheme, scheme == "sqrt3" && open ? 2 : 1, scheme == "loop" || (scheme == "sqrt3" && !open));
     }
   const PolygonMesh open_quads = refined(deformed(disc(5)), "catmull-clark", 1);
@@ -198,6 +216,83 @@ TEST_CASE("limits and normals are the same from level to level, and those of man
     CHECK(farthest(limits.values, many.values) < 0.02);
     CHECK(farthest(refined(mesh, scheme, 2, true).values, many.values) < 0.02);
   }
+}
+
+TEST_CASE("local fits keep polynomials up to straight boundaries, and have no mirrored points") {
+  // A part of the equilateral grid, in coordinates of its directions; its corners are no straight boundaries.
+  const std::size_t size = 7;
+  PolygonMesh mesh{{}, 3, {}, {0}};
+  for (std::size_t j = 0; j < size; ++j)
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto x = static_cast<double>(i) - 2, y = static_cast<double>(j) - 3;
+      mesh.values.insert(mesh.values.end(), {x, y, 0});
+      if (i + 1 == size || j + 1 == size) continue;
+      const auto here = static_cast<std::uint32_t>(j * size + i), up = here + static_cast<std::uint32_t>(size);
+      for (const std::uint32_t v : {here, here + 1, up, here + 1, up + 1, up}) mesh.corners.push_back(v);
+      mesh.first.push_back(mesh.first.back() + 3);
+      mesh.first.push_back(mesh.first.back() + 3);
+    }
+  const auto height = [](double x, double y, int degree) {
+    return 3 + 2 * x - y + (degree < 2 ? 0 : 0.5 * x * x - 2 * x * y + 0.25 * y * y);
+  };
+  const auto is_near = [&](double value, double end) { return std::abs(value - end) < 1.2; };
+  for (const int degree : {1, 2}) {
+    for (std::size_t v = 0; v < mesh.vertices(); ++v)
+      mesh.values[3 * v + 2] = height(mesh.values[3 * v], mesh.values[3 * v + 1], degree);
+    const PolygonMesh fine = refined(mesh, "triangular:L=17/10,power=1,d=" + std::to_string(degree), 1);
+    std::size_t on_boundary = 0;
+    for (std::size_t v = 0; v < fine.vertices(); ++v) {
+      const double x = fine.values[3 * v], y = fine.values[3 * v + 1];
+      if ((is_near(x, -2) || is_near(x, 4)) && (is_near(y, -3) || is_near(y, 3))) continue;
+      on_boundary += x < -1.99 || x > 3.99 || y < -2.99 || y > 2.99 ? 1 : 0;
+      CAPTURE(degree, x, y);
+      CHECK(std::abs(2 * x - std::round(2 * x)) < 1e-12);
+      CHECK(std::abs(2 * y - std::round(2 * y)) < 1e-12);
+      CHECK(std::abs(fine.values[3 * v + 2] - height(x, y, degree)) < 1e-12);
+    }
+    CHECK(on_boundary == 4 * 7);
+  }
+  // The corner of a single face stays, a vertex between two faces is the mean of itself and three neighbours, ...
+  const PolygonMesh two = mesh_of({0, 0, 0, 8, 0, 0, 8, 8, 4, 0, 8, 0}, {{0, 1, 2}, {0, 2, 3}});
+  const PolygonMesh fine = refined(two, "triangular:L=8/5,d=1", 1);
+  CHECK(fine.values[3] == Approx(8));
+  CHECK(std::abs(fine.values[4]) < 1e-14);
+}
+
+TEST_CASE("an edge between vertices of other valences has the mean of the fits at both ends") {
+  // What counts at the vertex after the next on the equator, from a pole of valence 5 and from the equator, valence 4.
+  const std::string scheme = "triangular:L=17/10,d=1,power=1";
+  PolygonMesh mesh = bipyramid(5);
+  mesh.dimension = 1;
+  mesh.values.assign(7, 0);
+  mesh.values[4] = 1;
+  const auto weight = [&](long n, const LatticePoint& point, long turn) {
+    const SectorRules rules = vertex_rules(scheme, n);
+    for (const auto& [at, value] : weights_at(rules.rule_at({1, 0}), rules.lattice, n))
+      if (at == SectorPoint{point, turn}) return value.lower->convert_to<double>();
+    return 0.0;
+  };
+  const double from_pole = weight(5, {1, 0}, 2), from_equator = weight(4, {1, 1}, 0) + weight(4, {2, 0}, 0) / 2;
+  CHECK(refined(mesh, scheme, 1).values[7] == Approx((from_pole + from_equator) / 2).epsilon(1e-13));
+}
+
+TEST_CASE("meshes are smoothed where faces are kept") {
+  const PolygonMesh mesh = deformed(icosahedron());
+  for (const char* scheme : {"loop", "triangular:L=17/10,d=1,power=2", "sqrt3", "catmull-clark"}) {
+    CAPTURE(scheme);
+    MeshOptions options{1};
+    options.keep_faces = true;
+    const PolygonMesh once = refine_mesh(mesh, scheme, options, place);
+    CHECK(once.corners == mesh.corners);
+    CHECK(difference(once, refined(mesh, scheme, 1), mesh.vertices()) == 0);
+    options.levels = 2;
+    CHECK(refine_mesh(mesh, scheme, options, place).values ==
+          refine_mesh(once, scheme, {1, false, false, std::nullopt, true}, place).values);
+    options.limit = true;
+    CHECK_THROWS_AS(refine_mesh(mesh, scheme, options, place), Error);
+  }
+  for (const char* scheme : {"butterfly:w=1/16", "doo-sabin", "triangular:L=17/10,d=2"})
+    CHECK_THROWS_AS(refine_mesh(mesh, scheme, {1, false, false, std::nullopt, true}, place), Error);
 }
 
 TEST_CASE("creases are boundaries of both sides") {

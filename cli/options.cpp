@@ -224,6 +224,13 @@ Option Command::flag(const std::string& name, bool& target, const std::string& t
 
 Option Command::existing(const std::string& name) { return Option(app_->get_option(name)); }
 
+std::vector<std::string> Command::given() const {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app_->get_options())
+    if (option->count() > 0 && !option->get_positional()) names.push_back(option->get_name());
+  return names;
+}
+
 Command Command::subcommand(const std::string& name, const std::string& text) {
   return Command(app_->add_subcommand(name, text));
 }

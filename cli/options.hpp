@@ -83,6 +83,8 @@ class Command {
   Option flag(const std::string& name, bool& target, const std::string& text);
   /// One that was added before.
   Option existing(const std::string& name);
+  /// The names of the options that stand on the command line, in the order of the help.
+  std::vector<std::string> given() const;
 
   Command subcommand(const std::string& name, const std::string& text);
   void add_to_footer(const std::string& text);

@@ -199,6 +199,9 @@ ExitCode run(const SmoothOptions& options) {
     smooth_mesh_file(options);
     return done;
   }
+  const auto given = options.given();
+  if (std::find(given.begin(), given.end(), "--steps") != given.end())
+    fail(ErrorKind::usage, "--steps: {} is no mesh; expected one of OBJ, PLY, OFF or STL", options.samples.name());
   if (options.grid) {
     smooth_grid_file(options, noise ? std::optional(data::nearest_double(*noise)) : std::nullopt);
     return done;
@@ -308,6 +311,7 @@ void add_smooth(Command& app) {
                                   if (options->closed) take_closed(*options);
                                   return run(*options);
                                 });
+  options->given = [command] { return command.given(); };
   command
       .option("DATA", options->samples.file,
               "CSV: a column of positions, then one or more of values; - is standard input")

@@ -16,11 +16,9 @@ void smooth_mesh_file(const SmoothOptions& options) {
     fail(ErrorKind::usage, "--scheme {}: expected, for a mesh, one of {}", options.scheme,
          fmt::join(data::schemes_with_mesh_rules(), ", "));
   const data::SampleOptions& samples = options.samples;
-  if (options.json || !options.plot.empty() || options.requested_bands || !options.noise.empty() ||
-      options.at_positions() || options.at != "grid" || !samples.x.empty() || !samples.y.empty() ||
-      !samples.weights.empty() || !samples.errors.empty() || !samples.by.empty() || !samples.keep.empty() ||
-      options.derivative != 0 || options.stream || options.boundary != data::smoothing_boundary_names().front())
-    fail(ErrorKind::usage, "{}: a mesh is smoothed by --scheme, --steps and --out alone", samples.name());
+  for (const std::string& name : options.given())
+    if (name != "--scheme" && name != "--steps" && name != "--out" && name != "--quiet" && name != "--jobs")
+      fail(ErrorKind::usage, "{}: {}: a mesh is smoothed by --scheme, --steps and --out alone", samples.name(), name);
   data::MeshFile file = read_mesh_file(samples.file, options.out, false);
   for (const std::string& line : file.remarks) options.remark(samples.name() + ": " + line);
   const data::PolygonMesh smoothed = refine_mesh(std::exchange(file.mesh, {}), options.scheme,

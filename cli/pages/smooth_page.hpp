@@ -5,6 +5,7 @@
 #include <subcert/schemes/data/smooth/read_samples.hpp>
 #include <subcert/schemes/data/smooth/smooth.hpp>
 
+#include <functional>
 #include <memory>
 
 namespace subcert::cli {
@@ -37,6 +38,7 @@ struct SmoothOptions : CommonOptions {
   bool stream = false;
   bool grid = false;
   std::string plot;
+  std::function<std::vector<std::string>()> given;  ///< the names of options on the command line
 };
 
 /// What was smoothed, how, and the result as a table: the group, positions, then value, standard deviation, lower and

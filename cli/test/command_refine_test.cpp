@@ -207,7 +207,10 @@ TEST_CASE("meshes of any topology are refined") {
   };
   refused("--scheme butterfly:w=1/16", 64,
           "smooth: butterfly:w=1/16: need a scheme of meshes that moves their vertices, as loop and triangular: do");
-  refused("--scheme loop --bands 0.9", 64, tetrahedron + ": a mesh is smoothed by --scheme, --steps and --out alone");
+  for (const char* option : {"--bands 0.9", "--level 3", "--select cv", "--at data", "--irregular fit", "--json"})
+    refused("--scheme loop " + std::string(option), 64,
+            tetrahedron + ": " + std::string(option).substr(0, std::string(option).find(' ')) +
+                ": a mesh is smoothed by --scheme, --steps and --out alone");
   refused("", 64,
           "--scheme : expected, for a mesh, one of butterfly, catmull-clark, doo-sabin, loop, midedge, "
           "modified-butterfly, sqrt3, triangular");

@@ -11,7 +11,7 @@
 namespace subcert {
 namespace {
 
-constexpr int most_levels = 100;
+constexpr int most_json_depth = 100;
 
 void append_utf8(std::uint32_t code, std::string& text) {
   const auto byte = [&](std::uint32_t value) { text += static_cast<char>(static_cast<unsigned char>(value)); };
@@ -70,7 +70,7 @@ class Reader {
     skip_blanks();
     JsonNode result;
     result.place = place();
-    if (level > most_levels) refuse(fmt::format("at most {} levels of brackets", most_levels));
+    if (level > most_json_depth) refuse(fmt::format("at most {} levels of brackets", most_json_depth));
     const char c = here();
     if (c == '{') {
       result.kind = JsonNode::Kind::object;

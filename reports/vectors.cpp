@@ -11,7 +11,7 @@
 namespace subcert::reports {
 namespace {
 
-constexpr double seconds_of_one = 30;  // what closes needs 8
+constexpr double seconds_of_vector = 30;  // what closes needs 8
 
 /// Of which no published exponent is compared, or a Hoelder exponent is told beside it.
 constexpr std::array named{"merrien:lambda=-1/8,mu=-1/2",
@@ -43,7 +43,7 @@ struct Facts {
 
 Facts facts_of(const std::string& specification, const ReportOptions& options) {
   Scheme scheme = make_refinable_scheme(specification);
-  const double seconds = options.budget.value_or(seconds_of_one);
+  const double seconds = options.budget.value_or(seconds_of_vector);
   MultivariateRegularity regularity = *regularity_of(scheme.mask, {Deadline::in(seconds)}, of_scheme(scheme)).surface;
   return {std::move(scheme), std::move(regularity)};
 }

@@ -97,13 +97,13 @@ LatticeMask grid_regression_mask(const GridRegression& scheme) {
 namespace {
 
 /// A new point at new_point / 2, and the data around it: their squared distances, and twice where they lie from it.
-struct Ball {
+struct Neighbours {
   std::vector<LatticePoint> points;
   std::vector<Rational> distances;
 };
 
-Ball ball_around(const LatticePoint& new_point, const BallRegression& scheme) {
-  Ball ball;
+Neighbours neighbours_around(const LatticePoint& new_point, const BallRegression& scheme) {
+  Neighbours ball;
   const long reach = ceil_index(2 * scheme.radius) + 1, mixed = scheme.lattice == Lattice::equilateral ? 1 : 0;
   for (long i = -reach; i <= reach; ++i)
     for (long j = -reach; j <= reach; ++j) {
@@ -116,12 +116,12 @@ Ball ball_around(const LatticePoint& new_point, const BallRegression& scheme) {
   return ball;
 }
 
-std::vector<Ball> balls_of(const BallRegression& scheme) {
+std::vector<Neighbours> balls_of(const BallRegression& scheme) {
   require(scheme.radius > Rational(1, 2) && scheme.radius <= 10, "ball regression: need 1/2 < L <= 10, got {}",
           scheme.radius);
-  std::vector<Ball> balls;
+  std::vector<Neighbours> balls;
   for (const LatticePoint& new_point : {LatticePoint{0, 0}, {1, 0}, {0, 1}, {1, 1}})
-    balls.push_back(ball_around(new_point, scheme));
+    balls.push_back(neighbours_around(new_point, scheme));
   return balls;
 }
 
@@ -167,7 +167,7 @@ std::vector<Rational> weights_at_origin(const std::vector<LatticePoint>& points,
 
 std::vector<Rational> ball_distances(const BallRegression& scheme) {
   std::set<Rational> distances;
-  for (const Ball& ball : balls_of(scheme)) distances.insert(ball.distances.begin(), ball.distances.end());
+  for (const Neighbours& ball : balls_of(scheme)) distances.insert(ball.distances.begin(), ball.distances.end());
   return {distances.begin(), distances.end()};
 }
 
@@ -180,7 +180,7 @@ LatticeMask ball_regression_mask(const BallRegression& scheme) {
   require(std::all_of(scheme.weights.begin(), scheme.weights.end(), [](const Rational& w) { return w > 0; }),
           "ball regression: need weights > 0");
   std::vector<Monomial> terms;
-  for (const Ball& ball : balls_of(scheme)) {
+  for (const Neighbours& ball : balls_of(scheme)) {
     std::vector<Rational> weights;
     for (const Rational& distance : ball.distances) {
       const auto ring = std::lower_bound(distances.begin(), distances.end(), distance) - distances.begin();

@@ -24,7 +24,7 @@ namespace {
 using std::string_view;
 
 constexpr long most_rules = 64;
-constexpr int max_depth = 100;  // of parentheses
+constexpr int max_parentheses = 100;  // of parentheses
 
 /// factor * letter + shift
 struct Index {
@@ -166,7 +166,7 @@ class RightSide {
   }
 
   Part sum() {
-    if (++depth_ > max_depth) refuse_();
+    if (++depth_ > max_parentheses) refuse_();
     Part result;
     for (bool first = true;; first = false) {
       const char sign = here();

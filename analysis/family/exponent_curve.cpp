@@ -23,8 +23,8 @@ constexpr int least_share = 4096;                 // of the range: no shorter pi
 constexpr double excess_share = 0.02;             // of an upper bound, for one piece: small beside its slope
 constexpr double most_seconds = 1;                // for one piece
 constexpr double generous = 1.2;                  // times the equal share of the time, for one piece
-constexpr double special_seconds = 5;
-constexpr int levels = 12;  // of norms, at special values
+constexpr double value_seconds = 5;
+constexpr int value_levels = 12;  // of norms, at special values
 
 class CurveSearch {
  public:
@@ -192,8 +192,8 @@ ExponentCurve exponent_curve(const ParametricMask& mask, const Rational& low, co
   for (SpecialValue& value : single_values(mask, unstable, low, high, power(Rational(10), -9))) {
     CurvePoint point{std::move(value), std::nullopt};
     if (point.at.value.is_exact())
-      point.exponent = holder_regularity(mask.at(*point.at.value.lower), levels,
-                                         {options.budget.deadline.at_most(special_seconds), options.budget.memory})
+      point.exponent = holder_regularity(mask.at(*point.at.value.lower), value_levels,
+                                         {options.budget.deadline.at_most(value_seconds), options.budget.memory})
                            .exponent;
     result.special.push_back(std::move(point));
   }

@@ -13,9 +13,9 @@
 namespace subcert::family {
 namespace {
 
-constexpr double form_seconds = 0.2;      // for one interval
-constexpr std::size_t most_terms = 1500;  // of the polynomial of a product
-constexpr double nearly_real = 1e-9;      // imaginary parts, relatively
+constexpr double form_seconds = 0.2;              // for one interval
+constexpr std::size_t most_product_terms = 1500;  // of the polynomial of a product
+constexpr double nearly_real = 1e-9;              // imaginary parts, relatively
 
 /// Kinds of eigenvalue bounds.
 enum class Side { positive, negative, pair };
@@ -199,7 +199,7 @@ Powers<Rational> FamilyRadius::characteristic(const EigenvalueBound& bound, cons
   std::size_t terms = 1;
   for (std::size_t& one : sizes) {
     one = (one - 1) * size * factors + 1;
-    if ((terms *= one) > most_terms) return zero;
+    if ((terms *= one) > most_product_terms) return zero;
   }
   const auto shifted = [&](const Values& w) {
     const RationalMatrix product = family_.numerators_at(w).product(bound.word);

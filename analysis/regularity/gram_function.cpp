@@ -16,7 +16,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t most_points = 1 << 16, most_orbits = 1200;
+constexpr std::size_t most_gram_points = 1 << 16, most_orbits = 1200;
 
 /// The operator (T g)_k = sum over l of c_{Mk - l} g_l, c the autocorrelation of the mask over |det M|, on sequences
 /// that are constant on the orbits of a group of symmetries of c.
@@ -29,7 +29,7 @@ class TransferOperator {
               Dilation(mask.dilation().rows())),
         group_(symmetries_along(lattice_symmetries(mask_.symbol()), mask_.dilation())),
         zero_(mask_.dilation().divide(LatticePoint(mask_.dilation().variables(), 0)).digit),
-        window_(mask_, closed(start), most_points, zero_) {
+        window_(mask_, closed(start), most_gram_points, zero_) {
     for (std::size_t place = 0; place < window_.size(); ++place) {
       const LatticePoint first = representative(window_.points()[place]);
       const auto [at, inserted] = orbit_of_.emplace(first, orbits_.size());

@@ -19,7 +19,6 @@ namespace subcert {
 namespace {
 
 constexpr long most_rows = 256;
-namespace shares = schedule::curve;
 
 /// Where the exponent stands among the integers.
 struct IntegerExponent {
@@ -63,7 +62,7 @@ GrowthPower growth_at_integer(const Mask& mask, const HolderRegularity& regulari
   }
   GrowthPower growth;
   if (regularity.radius.growth.at_most) growth.at_most = *regularity.radius.growth.at_most + (exponent < rules ? 1 : 0);
-  const LevelNorms norms = level_norms(scheme, 6, deadline.later(shares::growth_grace));
+  const LevelNorms norms = level_norms(scheme, 6, deadline.later(schedule::curve::growth_grace));
   if (std::any_of(norms.norms.begin(), norms.norms.end(), [](const Rational& norm) { return norm <= 1; }))
     growth.at_most = 0;
   else if (scheme.symbol().length() <= 64 * (mask.arity() - 1))
@@ -140,9 +139,9 @@ Decision decide_convergence(const Mask& mask, const HolderRegularity& regularity
   if (radius.contains(threshold) && !regularity.single.applies.is_yes() &&
       mask.symbol().length() <= most_rows * (mask.arity() - 1) &&
       has_eigenvalue(transition_matrices(divided_difference_scheme(mask, rules)), regularity.radius.product.word,
-                     threshold, deadline.after(shares::convergence)))
+                     threshold, deadline.after(schedule::curve::convergence)))
     return large;
-  return converges(mask, {levels, deadline.after(shares::convergence)});
+  return converges(mask, {levels, deadline.after(schedule::curve::convergence)});
 }
 
 /// The exponent of a scheme that converges is that of the reduced mask.
@@ -174,10 +173,10 @@ JointSpectralRadius radius_or_frequencies(const Mask& derived, const SingleRadiu
   constexpr int cells = 32;
   const bool first = derived.symbol().length() > most_rows / 4 && !single.applies.is_yes();
   std::optional<FrequencyProof> found;
-  if (first) found = frequency_proof(derived, cells, budget.deadline.after(shares::frequencies));
+  if (first) found = frequency_proof(derived, cells, budget.deadline.after(schedule::curve::frequencies));
   JointSpectralRadius radius = radius_of(derived, single, norms, budget);
   if (radius.exact.is_yes() || radius.is_closed()) return radius;
-  if (!first) found = frequency_proof(derived, cells, budget.deadline.later(shares::frequencies_grace));
+  if (!first) found = frequency_proof(derived, cells, budget.deadline.later(schedule::curve::frequencies_grace));
   if (!found || found->bound >= *radius.radius.upper) return radius;
   radius.radius.upper = found->bound;
   radius.proof = std::move(*found);
@@ -188,7 +187,7 @@ JointSpectralRadius radius_or_frequencies(const Mask& derived, const SingleRadiu
 HolderRegularity own_regularity(const Mask& mask, int levels, const Budget& budget,
                                 const std::optional<MaskRounding>& rounding, int bits) {
   HolderRegularity result;
-  result.bounds = holder_bounds(mask, levels, budget.deadline.after(shares::norms));
+  result.bounds = holder_bounds(mask, levels, budget.deadline.after(schedule::curve::norms));
   const int rules = result.bounds.sum_rules, arity = mask.arity();
   const Mask derived = divided_difference_scheme(mask, rules);
   if (rounding) {
@@ -240,8 +239,8 @@ HolderRegularity holder_regularity(const Mask& mask, int levels, const Budget& b
                       (proof == HolderProof::certificate || has_stable_shifts(mask).is_no());
   if (!needed) return own_regularity(mask, levels, budget, rounding, bits);
   // First the one that tells the exponent: what the proofs of the other take beyond its share is not its loss.
-  HolderRegularity stable = own_regularity(other.mask, levels, {budget.deadline.after(shares::reduced), budget.memory},
-                                           rounding, bits);
+  HolderRegularity stable = own_regularity(
+      other.mask, levels, {budget.deadline.after(schedule::curve::reduced), budget.memory}, rounding, bits);
   HolderRegularity result = own_regularity(mask, levels, budget, rounding, bits);
   use_reduced(result, std::move(other), std::move(stable));
   return result;

@@ -17,10 +17,6 @@
 namespace subcert {
 namespace {
 
-constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
-
-namespace shares = schedule::surface;
-
 constexpr int levels = 16;  // of norms, where they decide convergence
 constexpr std::size_t largest_space = 256;
 
@@ -91,8 +87,9 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
   const Rational target = 1 - power(Rational(2), -20);
   for (const int order : sum_rules > 1 ? std::vector{1, sum_rules} : std::vector{1}) {
     DifferenceSpace space = difference_space(mask, order, largest_space);
-    const Budget share{budget.deadline.after(shares::convergence), budget.memory};
-    const NormProof norms = norm_of_products(space.family, {share.deadline.after(shares::norms), share.memory});
+    const Budget share{budget.deadline.after(schedule::surface::convergence), budget.memory};
+    const NormProof norms = norm_of_products(space.family,
+                                             {share.deadline.after(schedule::surface::norms), share.memory});
     JointSpectralRadius radius;
     if (norms.norm < 1) {
       radius.radius = Enclosure{std::nullopt, norms.bound()};
@@ -111,11 +108,11 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
 Decision prove_convergence(const LatticeMask& mask, const Budget& budget, int sum_rules,
                            std::optional<ShrinkingDifferences>* shrinking = nullptr) {
   const bool in_grace = budget.deadline.expired();
-  const Deadline end = budget.deadline.later(shares::convergence_grace);
-  Decision decision = converges(mask, {levels, end.after(shares::convergence)});
+  const Deadline end = budget.deadline.later(schedule::surface::convergence_grace);
+  Decision decision = converges(mask, {levels, end.after(schedule::surface::convergence)});
   if (decision.is_no() || (decision.is_yes() && !shrinking)) return decision;
   try {
-    const Deadline searching = shrinking ? end : end.at_most(shares::convergence_seconds);
+    const Deadline searching = shrinking ? end : end.at_most(schedule::surface::convergence_seconds);
     auto found = shrinking_differences(mask, sum_rules, {searching, budget.memory}, in_grace);
     if (found && !decision.is_yes())
       decision = {Truth::yes, found->space.order == 1 ? "the first differences of the scheme shrink"
@@ -146,15 +143,16 @@ void search_radius(const LatticeMask& mask, const std::optional<MultivariateSobo
   const std::vector<LatticeMask> masks = with_turned_dilations(mask);
   std::vector<std::optional<DifferenceSpace>>
       spaces;  // of the masks that had their turn; nothing where it is too large
-  for (double slice = masks.size() > 1 ? shares::first_slice : budget.deadline.remaining();;
-       slice *= shares::slice_factor) {
+  for (double slice = masks.size() > 1 ? schedule::surface::first_slice : budget.deadline.remaining();;
+       slice *= schedule::surface::slice_factor) {
     for (std::size_t k = 0; k < masks.size(); ++k) {
       if (k == spaces.size()) spaces.push_back(searchable_space(masks[k], sobolev, result));
       if (!spaces[k]) continue;
       const DifferenceSpace& space = *spaces[k];
       if (result.radius && result.space->is_of_values() && !space.is_of_values()) continue;
       const Budget share{budget.deadline.at_most(slice), budget.memory};
-      const NormProof norms = norm_of_products(space.family, {share.deadline.after(shares::norms), share.memory});
+      const NormProof norms = norm_of_products(space.family,
+                                               {share.deadline.after(schedule::surface::norms), share.memory});
       JointSpectralRadius radius = joint_spectral_radius(space.family, share, norms);
       if (result.radius && !radius.exact.is_yes() && radius.proved_upper() >= result.radius->proved_upper()) continue;
       result.space = space;
@@ -182,8 +180,8 @@ std::optional<Along> exponent_along(const LatticeMask& mask, const IsotropicSubs
   for (int order = first_order; order < first_order + most_orders; ++order) {
     auto space = value_space(mask, order, subspace.basis);
     if (!space || space->family.size() > largest_space) break;
-    JointSpectralRadius radius = joint_spectral_radius(space->family,
-                                                       {budget.deadline.after(shares::along), budget.memory});
+    JointSpectralRadius radius = joint_spectral_radius(
+        space->family, {budget.deadline.after(schedule::surface::along), budget.memory});
     sharpen(radius, space->family, bits + bits_of_powers, budget.deadline);
     Enclosure exponent = exponent_of_radius(radius.radius, subspace.classes, subspace.basis.size(),
                                             bits + bits_of_powers);
@@ -233,12 +231,12 @@ MultivariateRegularity regularity_of_whole(const LatticeMask& mask, const Budget
   MultivariateRegularity result;
   result.stable = {Truth::unknown, "the scheme is not proved to converge"};
   result.sum_rules = polynomial_reproduction(mask).sum_rules;
-  decide_stability(mask, {budget.deadline.after(shares::stability), budget.memory}, result);
-  const Budget searching{budget.deadline.after(shares::search), budget.memory};
+  decide_stability(mask, {budget.deadline.after(schedule::surface::stability), budget.memory}, result);
+  const Budget searching{budget.deadline.after(schedule::surface::search), budget.memory};
   std::optional<MultivariateSobolev> sobolev;
   try {
     if (dilation.is_isotropic()) {
-      sobolev = decide_sobolev(mask, budget.deadline.after(shares::sobolev), result);
+      sobolev = decide_sobolev(mask, budget.deadline.after(schedule::surface::sobolev), result);
       search_radius(mask, sobolev, searching, result);
     } else {
       search_along_subspaces(mask, searching, bits, result);

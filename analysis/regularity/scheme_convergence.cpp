@@ -14,7 +14,6 @@ namespace subcert {
 namespace {
 
 using namespace vectors;
-namespace shares = schedule::vector;
 
 void add(LatticeSequence& to, const Rational& factor, const LatticeSequence& x) {
   for (const auto& [point, value] : x) to[point] += factor * value;
@@ -57,7 +56,7 @@ Decision contracts(const DifferenceSpace& space, const Parts& parts, const Ratio
   const Rational bound = 1 / factor;
   const Operators operators = operators_of(space, parts);
   const NormProof norms = norms_of(on_functions(operators, parts.root),
-                                   {budget.deadline.after(shares::norms), budget.memory});
+                                   {budget.deadline.after(schedule::vector::norms), budget.memory});
   if (norms.norm < power(bound, norms.level))
     return {Truth::yes, fmt::format("products of {} matrices are small", norms.level)};
   const Rational target = bound * (1 - power(Rational(2), -20));

@@ -5,6 +5,9 @@
 
 namespace subcert {
 
+/// Lost by a power and a logarithm on the way from a radius to an exponent.
+inline constexpr int bits_of_powers = 4;
+
 /// The space of the sequences T_w nabla^mu v, v_k = phi(k), for |mu| = order and all long words w: differences of the
 /// values of phi on lattices that get finer. The exponent of phi is -log JSR(family) to the base |det M|^(1/s) where
 /// that is below `order`, and at least `order` otherwise. Nothing where the numbers of the space are not recognised

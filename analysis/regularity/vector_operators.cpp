@@ -10,8 +10,6 @@
 
 namespace subcert::vectors {
 
-namespace shares = schedule::vector;
-
 Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts) {
   if (parts.root == 0) return {MatrixFamily(std::move(matrices))};
   RationalMatrix root = std::move(matrices.back());
@@ -112,7 +110,7 @@ struct FieldBlocks {
 
 /// Of the diagonal blocks over the field of the root, each by itself.
 JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
-  const FieldBlocks split(operators, budget.deadline.after(shares::blocks));
+  const FieldBlocks split(operators, budget.deadline.after(schedule::vector::blocks));
   const BlockTriangular& triangular = split.triangular;
   const std::vector<Operators>& blocks = split.blocks;
   JointSpectralRadius result;
@@ -120,10 +118,11 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
     const Operators& given = blocks[k];
     const bool is_number = triangular.sizes[k] == 2;
-    const auto mirrored = is_number ? std::nullopt : mirror_symmetric(given, budget.deadline.after(shares::mirrors));
+    const auto mirrored = is_number ? std::nullopt
+                                    : mirror_symmetric(given, budget.deadline.after(schedule::vector::mirrors));
     const RealFamily family = on_functions(mirrored.value_or(given), number);
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
-    const NormProof norms = norms_of(family, {share.deadline.after(shares::norms), share.memory});
+    const NormProof norms = norms_of(family, {share.deadline.after(schedule::vector::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
     proof.blocks.push_back(is_number             ? radius_of_field_numbers(given, family)
                            : family.distance > 0 ? radius::RoundedFamily(family.matrices, family.distance,
@@ -172,7 +171,7 @@ std::optional<Enclosure> mean_square_radius(const Operators& operators, long num
   }
   constexpr long spare = 32, most_forms = 36;
   Enclosure result = Enclosure::exactly(0);
-  for (const Operators& block : FieldBlocks(operators, deadline.after(shares::blocks)).blocks) {
+  for (const Operators& block : FieldBlocks(operators, deadline.after(schedule::vector::blocks)).blocks) {
     const auto size = static_cast<long>(block.family.size() / 2);
     const long forms = size * (size + 1) / 2;
     if (forms > most_forms)

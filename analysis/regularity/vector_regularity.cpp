@@ -14,10 +14,8 @@ namespace subcert {
 namespace {
 
 using namespace vectors;
-namespace shares = schedule::vector;
 
-constexpr int bits_of_powers = 4;  // lost by a power and a logarithm
-constexpr int most_orders = 24;    // of differences
+constexpr int most_orders = 24;  // of differences
 
 using Doubles = std::vector<double>;  // row by row
 
@@ -92,7 +90,8 @@ struct Told {
 Told exponent_of(const Operators& operators, long number, int order, const Dilation& dilation, const Budget& budget,
                  int bits) {
   Told result;
-  result.norms = norms_of(on_functions(operators, number), {budget.deadline.after(shares::norms), budget.memory});
+  result.norms = norms_of(on_functions(operators, number),
+                          {budget.deadline.after(schedule::vector::norms), budget.memory});
   result.radius = radius_of(operators, number, budget, result.norms);
   if (!operators.root) sharpen(result.radius, operators.family, bits + bits_of_powers, budget.deadline);
   result.exponent = exponent_of_radius(result.radius.radius, dilation.classes(), dilation.variables(),
@@ -212,7 +211,7 @@ std::optional<ComponentProof> component_proof(const DifferenceSpace& space, cons
       for (std::size_t k = 0; k < unobservable; ++k) corner(i, k) = image(i, k);
   }
   const MatrixFamily family(std::move(first));
-  const NormProof norms = norm_of_products(family, {budget.deadline.after(shares::norms), budget.memory});
+  const NormProof norms = norm_of_products(family, {budget.deadline.after(schedule::vector::norms), budget.memory});
   const JointSpectralRadius hidden = joint_spectral_radius(family, budget, norms, 1 - power(Rational(2), -20));
   if (!(hidden.proved_upper() < 1)) return std::nullopt;
   ComponentProof result{space, unobservable, quotient};
@@ -375,9 +374,9 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
     return result;
   }
   result.exact = vector.continuous = {Truth::unknown, "the differences of the values span no space that is found"};
-  result.space = space_above_exponent(parts, solutions, budget.deadline.after(shares::spaces));
+  result.space = space_above_exponent(parts, solutions, budget.deadline.after(schedule::vector::spaces));
   if (!result.space) return result;
-  const Budget whole{budget.deadline.after(shares::whole), budget.memory};
+  const Budget whole{budget.deadline.after(schedule::vector::whole), budget.memory};
   const auto tell = [&](const DifferenceSpace& space) {
     return exponent_of(operators_of(space, parts), parts.root, space.order, dilation, whole, bits);
   };
@@ -395,7 +394,8 @@ MultivariateRegularity regularity_of_parts(const Parts& parts, const Budget& bud
   if (vector.continuous.is_yes()) {
     result.exponent = told.exponent;
     if (!component)
-      result.sobolev = sobolev_exponent(space, parts, solutions, budget.deadline.after(shares::sobolev), bits);
+      result.sobolev = sobolev_exponent(space, parts, solutions, budget.deadline.after(schedule::vector::sobolev),
+                                        bits);
     const std::size_t first = component.value_or(0), last = component.value_or(parts.components() - 1);
     for (std::size_t c = first; c <= last; ++c) {
       const double share = 1.0 / static_cast<double>(last + 1 - c);

@@ -11,7 +11,7 @@
 namespace subcert::cli {
 namespace {
 
-constexpr double small_budget = 5;
+constexpr double gallery_budget = 5;
 
 struct GalleryOptions : SearchOptions {
   std::vector<std::string> schemes;
@@ -48,7 +48,7 @@ ExitCode run(const GalleryOptions& options) {
 
 void add_gallery(Command& app) {
   auto options = std::make_shared<GalleryOptions>();
-  options->budget = small_budget;
+  options->budget = gallery_budget;
   Command command = add_command(app, "gallery", "Schemes on one page, with pictures of their limits",
                                 "subcert gallery primal:n=3 four-point:w=1/16 --out page.html", options,
                                 [=] { return run(*options); });

@@ -12,7 +12,7 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t longest_word = 1000;
+constexpr std::size_t longest_path = 1000;
 // With so many bits `double` holds all integers on the way, which are below 2^53. |B| <= NORM <= 7 U, and where a word
 // goes on |M| <= p + e <= 4 U, as p' + e' >= |M| NORM / U + d; so by Cauchy and Schwarz partial sums of M B are at
 // most 28 U^2 in modulus, and so is e b + p d, while p (b + d) < 32 U^2 = 2^53. The same of M'^T M' if its diagonal is
@@ -163,7 +163,7 @@ class Graph {
         continue;
       }
       const bool goes_on = end == '+';
-      require(!goes_on || length + 1 < longest_word, "a word of more than 1000 letters");
+      require(!goes_on || length + 1 < longest_path, "a word of more than 1000 letters");
       const std::size_t number = goes_on ? 0 : number_of(end);
       require(number < steps.size(), "a word ends by a step that is not there");
       const Step<Number>& step = steps[number];

@@ -205,7 +205,7 @@ void check_no_leading_factors(const Mask& mask, unsigned arity) {
 namespace {
 
 constexpr long kept_bits = 128;
-constexpr std::size_t max_power_bits = 1UL << 28;
+constexpr std::size_t max_symbol_bits = 1UL << 28;
 
 }  // namespace
 
@@ -240,7 +240,7 @@ mpq_class entry_error(const Mask& mask, unsigned arity, const Rounding& rounding
 mpq_class change_of_product(const mpq_class& norm, const mpq_class& error, std::size_t factors) {
   if (factors == 0) return 0;
   const mpq_class base = few_digits_up(norm + error);
-  require((bits(base.get_num()) + bits(base.get_den())) * factors <= max_power_bits, too_much_work);
+  require((bits(base.get_num()) + bits(base.get_den())) * factors <= max_symbol_bits, too_much_work);
   return few_digits_up(few_digits_up(power(base, factors - 1)) * few_digits_up(error) * mpz_class(factors));
 }
 

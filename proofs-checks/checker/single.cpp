@@ -88,9 +88,9 @@ std::size_t count_zeros(const Vector& p, const mpq_class& from, bool above, Arit
 }
 
 /// P and r of theorem 27.
-class Recurrence {
+class RadiusRecurrence {
  public:
-  Recurrence(const Family& family, Reader& reader, Arithmetic& arithmetic) : arithmetic_(arithmetic) {
+  RadiusRecurrence(const Family& family, Reader& reader, Arithmetic& arithmetic) : arithmetic_(arithmetic) {
     const Vector b = central_symbol(family);
     polynomial_ = parse_polynomial(reader.take("recurrence", 2, most_coefficients));
     require(polynomial_.back() != 0, "the last coefficient of a recurrence is 0");
@@ -174,13 +174,13 @@ SingleRadius read_single(const Family& family, const Fields& fields, const Exact
   }
   require(margin >= 0, "the cosine polynomial is not shown to be a sum of squares");
 
-  const Recurrence recurrence(family, reader, arithmetic);
+  const RadiusRecurrence recurrence(family, reader, arithmetic);
   require(!recurrence.has_zeros_above(bound), "the recurrence may have a zero above the bound");
   return {bound, exact ? recurrence.power_of(*exact) : 0};
 }
 
 std::size_t read_power(const Family& family, const ExactRadius& exact, Reader& reader, Arithmetic& arithmetic) {
-  return Recurrence(family, reader, arithmetic).power_of(exact);
+  return RadiusRecurrence(family, reader, arithmetic).power_of(exact);
 }
 
 }  // namespace subcert_check

@@ -13,7 +13,7 @@ namespace subcert::radius {
 namespace {
 
 constexpr slong least_precision = 320;  // bits of balls
-constexpr slong radius_bits = 240;
+constexpr slong attained_bits = 240;
 constexpr const char* no_time = "no time was left to compare the images with the vertices";
 
 using RationalVector = std::vector<Rational>;
@@ -214,8 +214,8 @@ class Proof {
     const Enclosure modulus = abs(eigenvalue).enclosure(256);
     if (!modulus.lower || *modulus.lower <= 0) return std::nullopt;
     const int length = static_cast<int>(cycle.word.size());
-    const Enclosure radius{root_enclosure(*modulus.lower, length, radius_bits).lower,
-                           root_enclosure(*modulus.upper, length, radius_bits).upper};
+    const Enclosure radius{root_enclosure(*modulus.lower, length, attained_bits).lower,
+                           root_enclosure(*modulus.upper, length, attained_bits).upper};
     lower_ = std::min(lower_, *radius.lower);
     if (cycles_.empty())
       radius_ = radius;

@@ -19,7 +19,6 @@ namespace {
 
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 3;  // of each search
-namespace shares = schedule::family;
 
 void require_small(const MatrixFamily& family) {
   require(FamilyLimits::hold(family.count(), family.size()),
@@ -43,7 +42,7 @@ class BlockSearch {
       families_.push_back(triangular.block(k));
       const bool number = triangular.sizes[k] == 1;
       radii_.push_back(number ? radius::radius_of_numbers(families_[k])
-                              : radius::first_look(families_[k], within(shares::first_look * seconds_)));
+                              : radius::first_look(families_[k], within(schedule::family::first_look * seconds_)));
       norms_.push_back(std::get<NormProof>(radii_[k].proof));
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (!number) open_.push_back(k);
@@ -57,7 +56,7 @@ class BlockSearch {
     double work = 0;
     for (const std::size_t k : open_) work += cost(k);
     for (const std::size_t k : open_) {
-      improve(k, std::max(shares::least_of_block * seconds_, budget_.deadline.remaining() * cost(k) / work));
+      improve(k, std::max(schedule::family::least_of_block * seconds_, budget_.deadline.remaining() * cost(k) / work));
       work -= cost(k);
     }
   }
@@ -81,7 +80,8 @@ class BlockSearch {
     const Deadline end = budget_.deadline.at_most(seconds);
     const bool smaller = *radii_[k].radius.lower < best_ * (1 - rounding);
     // A block that seems smaller only has to get below the best lower bound: ever longer searches.
-    for (double slice = smaller ? shares::first_seconds : seconds; !is_settled(k) && !end.expired(); slice *= 2) {
+    for (double slice = smaller ? schedule::family::first_seconds : seconds; !is_settled(k) && !end.expired();
+         slice *= 2) {
       if (smaller) {
         lower_by_quadratic_form(k, {end.at_most(slice), budget_.memory});
         if (is_settled(k)) break;
@@ -89,7 +89,7 @@ class BlockSearch {
       radii_[k] = radius::better_of(
           std::move(radii_[k]),
           radius::radius_of_one_block(families_[k], {end.at_most(slice), budget_.memory}, norms_[k], target_),
-          families_[k], end.later(shares::grace_of_blocks));
+          families_[k], end.later(schedule::family::grace_of_blocks));
       best_ = std::max(best_, *radii_[k].radius.lower);
       if (radii_[k].is_closed()) break;
     }
@@ -167,11 +167,11 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
   BlockSearch search(triangular, budget, target);
   search.run();
-  const Deadline proving = budget.deadline.later(shares::grace_of_blocks);
+  const Deadline proving = budget.deadline.later(schedule::family::grace_of_blocks);
   std::optional<NormProof> norms = known;
   if (!search.is_closed()) {
     // Norms may be smaller in the given basis, and doubles may find in one basis what they miss in another.
-    if (!norms) norms = norm_of_products(family, {proving.after(shares::norms_beside_blocks), budget.memory});
+    if (!norms) norms = norm_of_products(family, {proving.after(schedule::family::norms_beside_blocks), budget.memory});
     search.try_product(radius::find_product(family, proving).written(), proving);
   }
   JointSpectralRadius result;
@@ -196,9 +196,9 @@ JointSpectralRadius radius_by_blocks(const MatrixFamily& family, BlockTriangular
 JointSpectralRadius searched(const MatrixFamily& family, const Budget& budget, const std::optional<NormProof>& known,
                              const std::optional<Rational>& target) {
   BlockTriangular triangular = radius::with_symmetries(
-      radius::balanced(block_triangularise(family, budget.deadline.after(shares::triangular_form)),
-                       budget.deadline.after(shares::symmetries)),
-      budget.deadline.after(shares::symmetries));
+      radius::balanced(block_triangularise(family, budget.deadline.after(schedule::family::triangular_form)),
+                       budget.deadline.after(schedule::family::symmetries)),
+      budget.deadline.after(schedule::family::symmetries));
   const bool one_block = triangular.sizes.size() == 1 && triangular.basis == RationalMatrix::identity(family.size());
   return one_block ? radius::radius_of_one_block(family, budget, known, target)
                    : radius_by_blocks(family, std::move(triangular), budget, known, target);
@@ -368,7 +368,7 @@ JointSpectralRadius joint_spectral_radius(const MatrixFamily& family, const Budg
                               target ? std::optional(*target / unit) : std::nullopt),
         unit);
   }
-  const Budget later{budget.deadline.later(shares::grace_of_one_matrix), budget.memory};
+  const Budget later{budget.deadline.later(schedule::family::grace_of_one_matrix), budget.memory};
   const auto of_one_matrix = target ? std::nullopt : radius_of_one_matrix(family, later.deadline);
   // Who asks for a bound asks for no narrow enclosure.
   JointSpectralRadius result = target ? searched(family, budget, known, target)

@@ -22,8 +22,6 @@
 namespace subcert::radius {
 namespace {
 
-namespace shares = schedule::block;
-
 const Rational rounding = power(Rational(10), -15);
 constexpr std::size_t proved_products = 12;
 constexpr std::size_t short_word = 8;                // letters
@@ -34,7 +32,7 @@ constexpr slong eigenvalue_bits = 320;
 
 /// When proofs of products end: short ones are proved in any case.
 struct ProductDeadline {
-  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(end.later(shares::grace_of_short)) {}
+  explicit ProductDeadline(const Deadline& end) : of_long(end), of_short(end.later(schedule::block::grace_of_short)) {}
   const Deadline& operator()(const std::vector<int>& word) const {
     return word.size() <= short_word ? of_short : of_long;
   }
@@ -80,17 +78,17 @@ Attempt attempt(const MatrixFamily& family, const Budget& searching, const Budge
   Attempt result{{}, {}, std::nullopt, {Truth::unknown, "no polytope closed"}};
   result.candidate = find_polytope(family, searching, cones, true, quadratic::long_products);
   const auto proving = [&](double share) {
-    return Budget{budget.deadline.after(share).later(shares::grace), budget.memory};
+    return Budget{budget.deadline.after(share).later(schedule::block::grace), budget.memory};
   };
   result.product = prove_product(family, result.candidate.word(0), proving(1).deadline);
   result.polytope = certify_polytope(family, result.candidate,
-                                     proving(result.candidate.closed ? shares::closed_proof : 1));
+                                     proving(result.candidate.closed ? schedule::block::closed_proof : 1));
   const bool is_done = result.polytope && (result.candidate.closed || result.reaches(target));
   if (!is_done && !budget.deadline.expired()) {
     // Too many vertices for a proof in this time, or the search ended too early to enclose well: a polytope of a little
     // more than the radius, with time that the proof left.
-    PolytopeCandidate larger = find_polytope(family, {budget.deadline.after(shares::larger_polytope), budget.memory},
-                                             cones, false);
+    PolytopeCandidate larger = find_polytope(
+        family, {budget.deadline.after(schedule::block::larger_polytope), budget.memory}, cones, false);
     // It may have found a better product.
     if (larger.word(0) != result.product.word) {
       ProductEvidence other = prove_product(family, larger.word(0), proving(1).deadline);
@@ -120,7 +118,7 @@ Attempt better_of(Attempt first, Attempt second) {
 /// Cones need fewer vertices, but an image that lies only a little below a vertex is beyond them; other polytopes may
 /// have extra vertices.
 Attempt best_attempt(const MatrixFamily& family, const Budget& budget, const std::optional<Rational>& target) {
-  const Budget searching{budget.deadline.after(shares::polytopes), budget.memory};
+  const Budget searching{budget.deadline.after(schedule::block::polytopes), budget.memory};
   Attempt first = attempt(family, searching, budget, target, true);
   if (first.candidate.kind != PolytopeKind::nonnegative || first.exact.is_yes() || first.reaches(target)) return first;
   return better_of(std::move(first), attempt(family, searching, budget, target, false));
@@ -172,7 +170,7 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   const auto seek_forms = [&] {
     const StopScope scope(&forms_end);
     const Budget its{budget.deadline.after(1), memory};
-    const Deadline alone = its.deadline.after(shares::alone).at_most(shares::alone_seconds);
+    const Deadline alone = its.deadline.after(schedule::block::alone).at_most(schedule::block::alone_seconds);
     while (!alone.expired() && !forms_begin.try_acquire_for(look)) continue;
     if (its.deadline.expired()) return;
     FormAttempt forms;
@@ -241,7 +239,7 @@ std::optional<ClosedOrbit> closed_orbit_of(const MatrixFamily& family, const Pol
                                            const Budget& budget) {
   std::vector<std::vector<int>> words;
   for (std::size_t k = 0; k < candidate.maximizing; ++k) words.push_back(candidate.word(k));
-  return closed_orbit(family, words, {budget.deadline.later(shares::grace), budget.memory});
+  return closed_orbit(family, words, {budget.deadline.later(schedule::block::grace), budget.memory});
 }
 
 /// Words of one letter, of those that symmetries exchange one, if they are few; then the others that may attain the
@@ -263,9 +261,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   if (auto isometries = prove_isometries(scaled_family, budget.deadline))
     return radius_of_isometries(scaled_family, std::move(*isometries), unit, budget.deadline);
-  const NormProof norms = known
-                              ? *known
-                              : norm_of_products(family, {budget.deadline.after(shares::norms), budget.memory}, count);
+  const NormProof norms = known ? *known
+                                : norm_of_products(
+                                      family, {budget.deadline.after(schedule::block::norms), budget.memory}, count);
   auto [found, forms] = attempt_both(scaled_family, budget, target ? std::optional(*target / unit) : std::nullopt,
                                      norms.bound() / unit);
   const PolytopeCandidate& candidate = found.candidate;
@@ -342,8 +340,9 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
 /// By the different matrices.
 JointSpectralRadius radius_of_merged(const DifferentMatrices& different, const Budget& budget,
                                      const std::optional<NormProof>& known, const std::optional<Rational>& target) {
-  const auto largest = largest_of_commuting(different.family(), budget.deadline.after(shares::commuting));
-  const Deadline end = largest ? budget.deadline.after(shares::commuting).at_most(shares::commuting_seconds)
+  const auto largest = largest_of_commuting(different.family(), budget.deadline.after(schedule::block::commuting));
+  const Deadline end = largest ? budget.deadline.after(schedule::block::commuting)
+                                     .at_most(schedule::block::commuting_seconds)
                                : budget.deadline;
   JointSpectralRadius result = radius_of_different(different.family(), different.places.size(), {end, budget.memory},
                                                    known, target);
@@ -370,7 +369,7 @@ JointSpectralRadius radius_of_one_block(const MatrixFamily& family, const Budget
   const DifferentMatrices equal = different_matrices(family), up_to_sign = different_matrices(family, true);
   if (up_to_sign.originals.size() == equal.originals.size()) return radius_of_merged(equal, budget, known, target);
   JointSpectralRadius merged = radius_of_merged(
-      up_to_sign, {budget.deadline.after(shares::opposite_as_one), budget.memory}, known, target);
+      up_to_sign, {budget.deadline.after(schedule::block::opposite_as_one), budget.memory}, known, target);
   if (!std::holds_alternative<GraphProof>(merged.proof)) return merged;
   // A graph tells opposite letters apart, so it has to be found once more; what is exact remains so.
   JointSpectralRadius result = radius_of_merged(equal, budget, known, target);
@@ -389,7 +388,7 @@ std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Ratio
   AttainedGraph attained = *proof->attained;
   const RationalMatrix matrix = transposed(family.product(attained.product));
   const auto factor = leading_factor(matrix, product.eigenvalue, eigenvalue_bits,
-                                     Deadline::in(budget.deadline.remaining() + shares::grace));
+                                     Deadline::in(budget.deadline.remaining() + schedule::block::grace));
   if (const auto seed = factor ? seed_of(matrix, *factor, {}) : std::nullopt) {
     attained.number = factor->number(attained.product.size());
     attained.seed = *seed;
@@ -428,7 +427,7 @@ JointSpectralRadius first_look(const MatrixFamily& family, const Budget& budget)
   const NormProof norms = norm_of_products(family, budget);
   JointSpectralRadius result;
   result.product = scaled(prove_product(scaled_family, find_product(scaled_family, budget.deadline).written(),
-                                        budget.deadline.later(shares::grace)),
+                                        budget.deadline.later(schedule::block::grace)),
                           unit);
   result.radius = {*result.product.radius.lower, norms.bound()};
   result.exact = {Truth::unknown, "only norms were computed"};

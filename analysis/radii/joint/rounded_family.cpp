@@ -53,8 +53,6 @@ Rational change_of_product(const Rational& norm, const Rational& error, long fac
   return power(norm + error, factors) - power(norm, factors);
 }
 
-namespace shares = schedule::rounded;
-
 RoundedFamily::RoundedFamily(MatrixFamily family, const Rational& distance, const NearbyFamilies& known)
     : family_(std::move(family)),
       distance_(distance),
@@ -79,7 +77,8 @@ JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) cons
   const Rational unit = power(Rational(2), scaling_exponent(family));
   const MatrixFamily scaled_family = unit == 1 ? family : 1 / unit * family;
   // Of families near by no cone is kept by all.
-  const PolytopeCandidate found = find_polytope(scaled_family, {budget.deadline.after(shares::search), budget.memory},
+  const PolytopeCandidate found = find_polytope(scaled_family,
+                                                {budget.deadline.after(schedule::rounded::search), budget.memory},
                                                 false, true, quadratic::long_products);
   for (const PolytopeCandidate& candidate : found.closed ? with_smaller_orbits(found) : std::vector{found}) {
     auto polytope = candidate.closed ? certify_polytope(scaled_family, candidate, budget) : std::nullopt;
@@ -92,14 +91,14 @@ JointSpectralRadius RoundedFamily::attained(const Budget& budget, int bits) cons
   }
   if (!result.exact.is_yes()) return result;
   const NearbyCycles& nearby = *std::get<PolytopeProof>(result.proof).attained->nearby;
-  result.product = prove_product(family_, nearby.product, budget.deadline.later(shares::grace), distance_);
+  result.product = prove_product(family_, nearby.product, budget.deadline.later(schedule::rounded::grace), distance_);
   result.radius = nearby.radius;
   result.growth.at_most = 0;
   return result;
 }
 
 JointSpectralRadius RoundedFamily::radius(const NormProof& known, const Budget& budget, int bits) const {
-  const JointSpectralRadius exact = attained({budget.deadline.after(shares::exact), budget.memory}, bits);
+  const JointSpectralRadius exact = attained({budget.deadline.after(schedule::rounded::exact), budget.memory}, bits);
   if (exact.exact.is_yes()) return exact;
   // Any bound will do.
   JointSpectralRadius result = family_.size() == 1 ? radius_of_numbers(family_)

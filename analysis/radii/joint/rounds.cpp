@@ -7,8 +7,6 @@
 namespace subcert::radius {
 namespace {
 
-namespace shares = schedule::family;
-
 bool is_better(const JointSpectralRadius& first, const JointSpectralRadius& second) {
   const bool exact = first.exact.is_yes();
   if (exact != second.exact.is_yes()) return exact;
@@ -18,7 +16,8 @@ bool is_better(const JointSpectralRadius& first, const JointSpectralRadius& seco
 /// Doubles misjudge products of large matrices with entries much larger than their eigenvalues, so that their letters
 /// are proved before any search, which may take all of the time. Empty where that is no letter.
 ProductEvidence largest_long_letter(const MatrixFamily& family, const Deadline& deadline) {
-  const Deadline first = deadline.after(shares::first_letter), others = deadline.after(shares::letters);
+  const Deadline first = deadline.after(schedule::family::first_letter),
+                 others = deadline.after(schedule::family::letters);
   ProductEvidence best;
   for (int letter = 0; letter < static_cast<int>(family.count()); ++letter) {
     const auto found = prove_long_product(family, {letter}, letter == 0 ? first : others);
@@ -52,8 +51,8 @@ JointSpectralRadius better_of(JointSpectralRadius first, JointSpectralRadius sec
 std::vector<double> seconds_of_rounds(double seconds) {
   std::vector<double> rounds;
   do {
-    double shorter = std::min(shares::shorter_rounds * seconds, shares::most_of_shorter_rounds);
-    if (shorter < shares::least_round) shorter = 0;
+    double shorter = std::min(schedule::family::shorter_rounds * seconds, schedule::family::most_of_shorter_rounds);
+    if (shorter < schedule::family::least_round) shorter = 0;
     rounds.push_back(seconds - shorter);
     seconds = shorter;
   } while (seconds > 0);
@@ -63,7 +62,7 @@ std::vector<double> seconds_of_rounds(double seconds) {
 JointSpectralRadius best_of_rounds(const MatrixFamily& family, const Budget& budget,
                                    const std::function<JointSpectralRadius(const Budget&)>& search) {
   // The grace that proofs of one round took is not the time of the next one.
-  const Deadline end = budget.deadline.later(shares::grace_of_rounds);
+  const Deadline end = budget.deadline.later(schedule::family::grace_of_rounds);
   ProductEvidence letter = largest_long_letter(family, budget.deadline);
   std::optional<JointSpectralRadius> best;
   for (const double seconds : seconds_of_rounds(budget.deadline.remaining())) {

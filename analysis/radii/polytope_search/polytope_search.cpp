@@ -13,8 +13,6 @@ namespace subcert::polytope {
 
 namespace {
 
-namespace shares = schedule::polytope;
-
 constexpr std::size_t max_maximizing = 12;  // products that roots are made of; more are shifts of a continuum of them
 
 // A polytope that closes mostly does so within a small multiple of the first look at the products; one that does not
@@ -60,29 +58,34 @@ class Search {
   Search(const SearchFamily& family, const SearchOptions& options)
       : options_(options),
         seconds_(options.budget.deadline.remaining()),
-        races_(Deadline::in(shares::races * seconds_)) {
+        races_(Deadline::in(schedule::polytope::races * seconds_)) {
     family_[0] = family_[1] = family;
     for (Matrix& a : family_[1].matrices) a = a.transposed();
     family_[1].symmetry = family.symmetry.transposed();
   }
 
   SearchResult run() {
-    look_for_products(product_looks[0], shares::first_products);
+    look_for_products(product_looks[0], schedule::polytope::first_products);
     if (candidates_.front().radius == 0) return vanishing();
     if (!options_.exact) return enclosed();
-    if (race(std::min(shares::least_race + first_patience * work_, shares::first_race * seconds_), 1)) return closed();
+    if (race(std::min(schedule::polytope::least_race + first_patience * work_,
+                      schedule::polytope::first_race * seconds_),
+             1))
+      return closed();
     const double before = work_;
-    look_for_products(product_looks[1], shares::later_products);
-    double patience = std::min(shares::least_race + later_patience * (work_ - before), left_for_races());
+    look_for_products(product_looks[1], schedule::polytope::later_products);
+    double patience = std::min(schedule::polytope::least_race + later_patience * (work_ - before), left_for_races());
     if (forms_follow()) {
-      if (race(shares::early_race * patience, 2)) return closed();
+      if (race(schedule::polytope::early_race * patience, 2)) return closed();
       look_for_more_products();
-      patience *= 1 - shares::early_race;
+      patience *= 1 - schedule::polytope::early_race;
     }
-    if (race(patience, 2) || race_with_large_extras(shares::large_extras * shares::races * seconds_)) return closed();
-    if (work_ > shares::last_look * seconds_ || races_.expired() || full()) return enclosed();
-    look_for_products(product_looks[2], shares::later_products);
-    return race((forms_follow() ? shares::last_race : 1) * left_for_races(), 2) ? closed() : enclosed();
+    if (race(patience, 2) ||
+        race_with_large_extras(schedule::polytope::large_extras * schedule::polytope::races * seconds_))
+      return closed();
+    if (work_ > schedule::polytope::last_look * seconds_ || races_.expired() || full()) return enclosed();
+    look_for_products(product_looks[2], schedule::polytope::later_products);
+    return race((forms_follow() ? schedule::polytope::last_race : 1) * left_for_races(), 2) ? closed() : enclosed();
   }
 
  private:
@@ -93,7 +96,7 @@ class Search {
   std::size_t memory_of_products() const { return options_.budget.memory / 4; }
   std::size_t memory_of_polytopes() const { return options_.budget.memory - memory_of_products(); }
 
-  double left_for_races() const { return shares::races * seconds_ - work_; }
+  double left_for_races() const { return schedule::polytope::races * seconds_ - work_; }
   bool full() const { return runs_[0] && runs_[1] && runs_[0]->full() && runs_[1]->full(); }
 
   // Looks for products and gives up what is built on a worse one.
@@ -109,7 +112,7 @@ class Search {
   }
 
   void look_for_more_products() {
-    const Deadline end = races_.at_most(shares::later_products * seconds_);
+    const Deadline end = races_.at_most(schedule::polytope::later_products * seconds_);
     const double seconds = end.remaining();
     take(options_.more_products(family_[0], candidates_.front().radius, {end, memory_of_products()}));
     work_ += seconds - end.remaining();
@@ -167,7 +170,9 @@ class Search {
   bool race(double seconds, std::size_t sides) {
     const double end = work_ + seconds;
     const auto left = [&] { return races_.expired() ? 0 : end - work_; };
-    const auto first_slice = [&] { return std::clamp(left() / 64, shares::least_slice, shares::largest_slice); };
+    const auto first_slice = [&] {
+      return std::clamp(left() / 64, schedule::polytope::least_slice, schedule::polytope::largest_slice);
+    };
     double slice = sides == 1 ? seconds : first_slice();
     for (int round = 0; left() > 0 && !full(); ++round) {
       // Every fourth round the one behind gets its turn as well.
@@ -246,7 +251,7 @@ class Search {
 
   // Images divided by (1 + excess) radius, the excess smaller as long as time and memory last. Forms enclose better.
   SearchResult enclosed() {
-    const Deadline end = forms_follow() ? deadline().at_most((1 - shares::races) * seconds_) : deadline();
+    const Deadline end = forms_follow() ? deadline().at_most((1 - schedule::polytope::races) * seconds_) : deadline();
     SearchResult best;
     const double radius = candidates_.front().radius;
     const std::size_t side = runs_[0] && runs_[1] && runs_[1]->open_share() < runs_[0]->open_share() ? 1 : 0;
@@ -262,7 +267,7 @@ class Search {
       options_.tolerance = std::min(options_.tolerance, inner_share * excess);
       auto run = start(side, radius * (1 + excess), simple, memory_of_polytopes() - held);
       if (run->advance(no_limit, end) != PolytopeRun::State::closed) break;
-      run->finish(end.after(shares::enclosing_proof));
+      run->finish(end.after(schedule::polytope::enclosing_proof));
       std::move(*run).report(best);
       best.transposed = side == 1;
     }

@@ -18,7 +18,7 @@ constexpr double most_slack = 1e-2;
 constexpr int bound_bits = 50;
 constexpr std::size_t guard_bits = 64;  // of matrices of steps before they are rounded
 constexpr double norm_rounding = 1e-12;
-constexpr int most_norm = 7;
+constexpr int most_step_norm = 7;
 
 // Floor and ceiling of x/2^bits. A double is x times the power, exactly.
 double floor_shifted(double x, int bits) { return std::floor(std::ldexp(x, -bits)); }
@@ -162,7 +162,7 @@ class StepRounder {
     }
     GraphProof::Step result{letter, step.to, element, 0, {}};
     Integers numbers(n_ * n_);
-    const Integer most = Integer(most_norm) << bits_;
+    const Integer most = Integer(most_step_norm) << bits_;
     polytope::Matrix approximate(n_, n_);
     for (std::size_t row = 0; row < n_; ++row)
       for (std::size_t j = n_; j-- > 0;) {

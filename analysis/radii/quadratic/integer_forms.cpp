@@ -6,12 +6,12 @@ namespace subcert::quadratic {
 namespace {
 
 constexpr std::size_t pivot_bits = 128;
-constexpr long coordinate_bits = 48, guard_bits = 32;
+constexpr long coordinate_bits = 48, form_guard_bits = 32;
 
-/// The lower triangular R with R^T R = form, times 2^guard_bits, rounded to nearest; nothing where a pivot is not
+/// The lower triangular R with R^T R = form, times 2^form_guard_bits, rounded to nearest; nothing where a pivot is not
 /// positive.
 std::optional<Integers> reverse_cholesky(Integers form, std::size_t n) {
-  for (Integer& entry : form) entry <<= 2 * guard_bits;
+  for (Integer& entry : form) entry <<= 2 * form_guard_bits;
   Integers root(n * n);
   for (std::size_t k = n; k-- > 0;) {
     if (form[k * n + k].sign() <= 0) return std::nullopt;
@@ -25,8 +25,8 @@ std::optional<Integers> reverse_cholesky(Integers form, std::size_t n) {
       for (std::size_t j = i; j < k; ++j) subtract_product(form[i * n + j], root[k * n + i], root[k * n + j]);
   }
   for (Integer& entry : root) {
-    entry += Integer(1) << (guard_bits - 1);
-    entry >>= guard_bits;
+    entry += Integer(1) << (form_guard_bits - 1);
+    entry >>= form_guard_bits;
   }
   for (std::size_t k = 0; k < n; ++k)
     if (root[k * n + k].is_zero()) return std::nullopt;

@@ -125,8 +125,6 @@ namespace {
 
 using polytope::Matrix;
 
-namespace shares = schedule::products;
-
 constexpr std::size_t contexts[] = {256, 1024, 4096};  // of last letters, for a look each
 constexpr std::size_t images_per_context = 4;          // that go on
 constexpr std::size_t path_length = 600, starts = 100, longest_run = 400;
@@ -273,9 +271,9 @@ class Cycles {
 std::vector<polytope::Candidate> long_products(const polytope::SearchFamily& family, double radius,
                                                const Budget& budget) {
   const std::vector<Matrix> matrices =
-      ellipsoidal_coordinates(family, radius, budget.deadline.after(shares::coordinates)).matrices;
+      ellipsoidal_coordinates(family, radius, budget.deadline.after(schedule::products::coordinates)).matrices;
   Cycles cycles(family, matrices, radius);
-  cycles.look_at_runs(budget.deadline.after(shares::runs));
+  cycles.look_at_runs(budget.deadline.after(schedule::products::runs));
   for (const std::size_t count : contexts) {
     const double before = cycles.best();
     cycles.look_into(Beam(matrices, count, budget.memory).longest_path(budget.deadline), budget.deadline);

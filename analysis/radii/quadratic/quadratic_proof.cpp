@@ -15,8 +15,6 @@ namespace {
 using quadratic::EllipsoidalCoordinates;
 using quadratic::ProductTree;
 
-namespace shares = schedule::forms;
-
 constexpr double useful = 0.98;          // what longer contexts leave of the excess of their bound over the radius
 constexpr int most_useless = 2;          // contexts one after the other
 constexpr double most_work = 2e10;       // of a proof; a checker takes a few seconds for it, the verified one a minute
@@ -142,9 +140,9 @@ class Search {
   /// whose tree has the goal for its bound; or, of the last ones and the one form, those whose proof has the least
   /// bound.
   std::optional<GraphProof> run(const quadratic::StateForms& one, quadratic::ContextForms contexts) {
-    const Deadline contexts_end = budget_.deadline.after(shares::contexts);
+    const Deadline contexts_end = budget_.deadline.after(schedule::forms::contexts);
     quadratic::StateForms states;
-    double seconds = shares::first_look;
+    double seconds = schedule::forms::first_look;
     for (int useless = 0; useless < most_useless;) {
       // A long product costs time of its own, and so do the ends of words on it.
       const Deadline looking = for_trees().at_most(seconds);
@@ -158,12 +156,12 @@ class Search {
       const Stopwatch stopwatch;
       const double excess = contexts.forms().bound - radius_;
       if (!contexts.grow({contexts_end, budget_.memory / 2})) break;
-      seconds = std::max(shares::first_look, shares::look * stopwatch.seconds());
+      seconds = std::max(schedule::forms::first_look, schedule::forms::look * stopwatch.seconds());
       useless = contexts.forms().bound - radius_ < useful * excess ? 0 : useless + 1;
     }
     const Deadline trees_end = for_trees();
     if (states.product.empty()) states = with_product(contexts, trees_end);
-    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end.after(shares::kept_tree)))
+    if (const auto kept = kept_tree(states, kept_slacks[0], most_work, trees_end.after(schedule::forms::kept_tree)))
       if (auto proof = attained(states, *kept)) return proof;
     std::optional<FormedTree> best;
     const auto try_out = [&](const quadratic::StateForms& found, int bits, double work) {
@@ -186,7 +184,7 @@ class Search {
 
  private:
   double goal() const { return radius_ * (1 - goal_below); }
-  Deadline for_trees() const { return budget_.deadline.after(shares::tree); }
+  Deadline for_trees() const { return budget_.deadline.after(schedule::forms::tree); }
   double remaining() const { return budget_.deadline.remaining(); }
   double fine_work() const { return std::min(most_fine_work, work_per_second / 2 / fine_factor * remaining()); }
   int bits_of(const ProductTree& tree) const {
@@ -202,8 +200,8 @@ class Search {
   /// Of two numbers of digits, the larger first if that may be in time.
   template <class Prove>
   auto with_bits(int bits, const Prove& prove) const {
-    const Deadline end = budget_.deadline.later(shares::grace);
-    auto proof = bits > quadratic::double_bits ? prove(bits, end.after(shares::fine_proof))
+    const Deadline end = budget_.deadline.later(schedule::forms::grace);
+    auto proof = bits > quadratic::double_bits ? prove(bits, end.after(schedule::forms::fine_proof))
                                                : decltype(prove(bits, end))();
     return proof ? std::move(proof) : prove(quadratic::double_bits, end);
   }
@@ -242,7 +240,7 @@ class Search {
     };
     auto graph = with_bits(bits_of(tree), prove);
     if (!graph) {
-      auto other = kept_tree(forms, kept_slacks[1], most_work, for_trees().after(shares::kept_tree));
+      auto other = kept_tree(forms, kept_slacks[1], most_work, for_trees().after(schedule::forms::kept_tree));
       if (!other) return std::nullopt;
       tree = std::move(*other);
       graph = prove(quadratic::double_bits, budget_.deadline);
@@ -273,7 +271,7 @@ std::optional<GraphProof> prove_by_quadratic_forms(const MatrixFamily& family, c
   if (std::all_of(family.begin(), family.end(), [](const RationalMatrix& m) { return one_norm(m) == 0; }))
     return std::nullopt;
   double radius = target.convert_to<double>();
-  const Shape shape = shape_of(family, radius, budget.deadline.after(shares::one_form));
+  const Shape shape = shape_of(family, radius, budget.deadline.after(schedule::forms::one_form));
   for (const polytope::Matrix& m : shape.round.family.matrices) radius = std::max(radius, polytope::spectral_radius(m));
   if (!(radius > 0)) return std::nullopt;
   const quadratic::ContextForms one(shape.round.family, shape.coordinates);
@@ -291,7 +289,7 @@ std::optional<QuadraticProof> prove_isometries(const MatrixFamily& family, const
   // That combination of them which is nearest to the form that floating point finds.
   const std::vector<std::size_t> free = free_columns(forms);
   const auto guess = quadratic::ellipsoidal_coordinates(radius::to_search_family(family), 0,
-                                                        deadline.at_most(shares::isometry_seconds));
+                                                        deadline.at_most(schedule::forms::isometry_seconds));
   const auto near = radius::to_rational(guess.to.transposed() * guess.to);
   if (!near) return std::nullopt;
   RationalMatrix form(n, n);

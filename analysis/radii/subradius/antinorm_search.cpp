@@ -16,7 +16,6 @@ using polytope::Vector;
 
 constexpr std::size_t longest_suffix = 200;  // of the products that are looked at where an image is small
 constexpr double clearly_less = 1 - 1e-10;   // of spectral radii
-constexpr double clearly_above = 1e-9;       // an antinorm so far above 1 is inside for certain
 // Coordinates of a vertex that are so much smaller than its largest one become 0: a smaller vertex is as good, and
 // where a coordinate decays along a word only that ends.
 constexpr double tiny_coordinate = 1e-36;

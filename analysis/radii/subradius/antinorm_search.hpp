@@ -116,5 +116,7 @@ class AntinormSearch {
 
 /// Images that are so near to a multiple of their antinorm count as vertices, or as inside.
 inline constexpr double rounding = 1e-12;
+/// An antinorm so far above 1 is inside for certain, and needs no exact weights.
+inline constexpr double clearly_above = 1e-9;
 
 }  // namespace subcert::subradius

@@ -11,8 +11,7 @@
 namespace subcert::subradius {
 namespace {
 
-constexpr double clearly_above = 1e-9;  // an antinorm so far above 1 needs no exact weights
-constexpr double shrink = 1 - 1e-11;    // of weights in double precision
+constexpr double shrink = 1 - 1e-11;  // of weights in double precision
 constexpr int spare_bits = 64;
 
 using IntegerVector = std::vector<Integer>;

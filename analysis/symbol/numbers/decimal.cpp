@@ -9,7 +9,7 @@
 namespace subcert {
 namespace {
 
-constexpr std::size_t max_digits = 1000;
+constexpr std::size_t max_decimal_digits = 1000;
 constexpr long max_exponent = 400;
 
 /// Moves the digits at the front of `text` to `digits`.
@@ -40,7 +40,7 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
     take_digits(text, digits);
     exponent = -static_cast<long>(digits.size() - whole);
   }
-  if (digits.empty() || digits.size() > max_digits) return std::nullopt;
+  if (digits.empty() || digits.size() > max_decimal_digits) return std::nullopt;
   if (!text.empty() && (text.front() == 'e' || text.front() == 'E')) {
     text.remove_prefix(1);
     const bool negative = take_sign(text);

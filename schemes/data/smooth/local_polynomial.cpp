@@ -21,7 +21,6 @@ namespace {
 
 using specification_text::fail;
 using specification_text::Fields;
-using specification_text::Piece;
 using specification_text::read_integer;
 
 constexpr std::string_view family_name = "local";
@@ -72,7 +71,7 @@ bool is_local_specification(std::string_view specification) {
 
 LocalPolynomial make_local_polynomial(std::string_view specification) {
   const std::size_t colon = std::min(specification.find(':'), specification.size());
-  const Piece family{specification.substr(0, colon), 0};
+  const specification_text::Piece family{specification.substr(0, colon), 0};
   if (family.text != family_name) fail(family, "the family local, as in " + usage());
   const std::size_t body = std::min(colon + 1, specification.size());
   Fields fields(family, {specification.substr(body), body}, usage());

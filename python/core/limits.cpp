@@ -1,8 +1,8 @@
 #include "arrays.hpp"
 #include "work.hpp"
 
-#include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/limit/field_values.hpp>
+#include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>

@@ -30,6 +30,12 @@ Decision matches(const Decision& found, bool expected) {
                  std::string(found.is_yes() ? "yes" : "no") + (found.reason.empty() ? "" : ": " + found.reason));
 }
 
+/// What follows for other properties from convergence that is not proved.
+Decision without_convergence(const Decision& converges) {
+  return converges.is_no() ? decided(false, "not convergent: " + converges.reason)
+                           : Decision{Truth::unknown, "convergence is not proved"};
+}
+
 /// By contraction, or by the exponent.
 Decision convergence_of(const Mask& mask, const SearchLimits& limits) {
   Decision decision = converges(mask, {levels, limits.budget().deadline});
@@ -56,12 +62,12 @@ Decision smoothness(const Scheme& scheme, const Expectation& expectation, const 
   const Mask& mask = scheme.mask.curve();
   if (scheme.rounding) {
     const HolderRegularity regularity = *regularity_of(scheme, limits).curve;
-    if (*regularity.exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
+    if (!regularity.converges.is_yes()) return without_convergence(regularity.converges);
     return {has_derivatives(regularity, expectation.number),
             lies_in("the Hoelder exponent", regularity.exponent, expectation.number)};
   }
   const Decision convergence = converges(mask, {levels, limits.budget().deadline});
-  if (convergence.is_no()) return decided(false, "not convergent: " + convergence.reason);
+  if (convergence.is_no()) return without_convergence(convergence);
   const SmoothnessProof proof = proved_smoothness(mask, {levels, limits.budget().deadline});
   if (proof.order >= expectation.number)
     return decided(true, "C^" + std::to_string(proof.order) + ": " + proof.evidence);
@@ -78,7 +84,7 @@ Decision holder(const Scheme& scheme, const Expectation& expectation, const Sear
     return decided(false, "a coset sum is not 1, so the scheme does not converge");
   const HolderRegularity regularity = *regularity_of(scheme, limits).curve;
   Enclosure exponent = regularity.exponent;
-  if (scheme.rounding && *exponent.lower <= 0) return {Truth::unknown, "convergence is not proved"};
+  if (scheme.rounding && !regularity.converges.is_yes()) return without_convergence(regularity.converges);
   // Otherwise the lower end proves nothing.
   if (exponent.lower && *exponent.lower <= 0) exponent.lower = regularity.proved_exponent().lower;
   return compare(exponent, expectation, "the exponent");

@@ -61,31 +61,40 @@ TEST_CASE("properties for all values of a parameter") {
 }
 
 TEST_CASE("properties of rounded masks") {
-  const std::string root = ",where=2t^2-1:0.7..0.8'\nconvergent = true";
-  CHECK(first_answer("mask = 'mask:[1,1+t,0,-t]" + root).is_no());  // its exponent is 0
-  CHECK(first_answer("mask = 'mask:[t,1,1-t]" + root).is_yes());
-}
-
-TEST_CASE("stability is said of schemes that converge") {
-  for (const char* mask : {"mask:[1,3/2,0,-1/2]", "mask:[1,1+t,0,-t],where=2t^2-1:0.7..0.8"}) {
-    CAPTURE(mask);
-    const Decision answer = first_answer("mask = '" + std::string(mask) + "'\nstable = true");
-    CHECK(answer.truth == Truth::unknown);
-    CHECK_THAT(answer.reason, Catch::StartsWith("convergence is not proved: "));
+  const std::string root = ",where=2t^2-1:0.7..0.8'\n", grows = "mask = 'mask:[1,1+t,0,-t]" + root;
+  CHECK(first_answer("mask = 'mask:[t,1,1-t]" + root + "convergent = true").is_yes());
+  for (const char* text : {"convergent = true", "smoothness = '>= 0'", "holder = '>= 1/2'"}) {  // its exponent is 0
+    CAPTURE(text);
+    CHECK(first_answer(grows + text).is_no());
   }
   CHECK(first_answer("mask = 'daubechies:n=3'\nstable = true").is_yes());
 }
 
+TEST_CASE("what needs convergence is not said without it") {
+  const std::string grows = "mask = 'mask:[1,3/2,0,-1/2]'\n";
+  for (const std::string& text : {grows + "stable = true", grows + "sobolev = '>= 0'", grows + "variance = '<= 100'",
+                                  std::string("mask = 'mask:[1,1+t,0,-t],where=2t^2-1:0.7..0.8'\nstable = true")}) {
+    CAPTURE(text);
+    const Decision answer = first_answer(text);
+    CHECK(answer.truth == Truth::unknown);
+    CHECK_THAT(answer.reason, Catch::StartsWith("convergence is not proved: "));
+  }
+}
+
 TEST_CASE("properties of vectors of functions") {
-  const std::string ghm = "mask = 'ghm'\n";
-  for (const char* text : {"smoothness = '>= 0'", "holder = '>= 1'", "support = [0, 2]"}) {
+  const std::string ghm = "mask = 'ghm'\n", knots = "mask = 'bspline:degree=2,multiplicity=2'\n";
+  for (const std::string& text :
+       {ghm + "smoothness = '>= 0'", ghm + "holder = '>= 1'", ghm + "support = [0, 2]", knots + "support = [0, 2]"}) {
     CAPTURE(text);
-    CHECK(first_answer(ghm + text).is_yes());
+    CHECK(first_answer(text).is_yes());
   }
-  for (const char* text : {"smoothness = '>= 1'", "holder = '> 1'", "support = [0, 1]"}) {
+  for (const std::string& text : {ghm + "smoothness = '>= 1'", ghm + "holder = '> 1'", ghm + "support = [0, 1]",
+                                  knots + "support = [0, 1]", knots + "support = [1, 2]"}) {
     CAPTURE(text);
-    CHECK(first_answer(ghm + text).is_no());
+    CHECK(first_answer(text).is_no());
   }
+  CHECK_THAT(first_answer(knots + "support = [0, 1]").reason, Catch::Contains("phi_2"));
+  CHECK_THAT(error_of(ghm + "HC = '>= 1'"), Catch::Contains("is no property of vectors of functions"));
 }
 
 TEST_CASE("properties of surfaces") {

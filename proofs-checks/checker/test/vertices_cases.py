@@ -8,6 +8,8 @@ CATMULL_CLARK = "quads:{};0,0=1@0,0,0|-7/4/n@0,0,0|3/2/n@1,0~0|1/4/n@1,1~0"
 DOO_SABIN = "dual:{};0,0=1/4@0,0,0|3/4@0,0~0|1/4@0,0~1"
 MIDEDGE = "dual:{};0,0=1/2@0,0,0|1/4@0,0,1|1/4@0,0,-1"
 OWN = ";1,0=3/8@0,0,0|3/8@1,0,0|1/16@1,1,0|1/16@1,0,1|1/16@1,1,-1|1/16@1,0,-1"  # that of the mask itself
+FACE = ";1,1=1/4@0,0,0|1/4@1,0,0|1/4@1,1,0|1/4@1,0,1"
+BENT = "dual:30+;0,0=1-1/2*c@0,0,0|1/4*c@0,0,1|1/4*c@0,0,-1"  # lambda = 1 - c/2 + c^2/2
 POINTS = {"loop": "0,0 1,0 1,1 2,0", "catmull-clark": "0,0 1,0 1,1 1,2 2,0 2,1 2,2", "doo-sabin": "0,0 0,1 1,0 1,1", "midedge": "0,0 0,1 1,0"}
 STARTS = {"loop": "5/8", "catmull-clark": "2/3", "doo-sabin": "1/2", "midedge": "1"}
 
@@ -25,6 +27,8 @@ ACCEPTED = [
     ("loop-vertices", "loop", LOOP.format("60+"), {}),
     ("catmull-clark-vertices", "catmull-clark", CATMULL_CLARK.format("100+"), {}),
     ("catmull-clark-vertices-own", "catmull-clark", CATMULL_CLARK.format("200+") + OWN, {}),
+    ("catmull-clark-vertices-second", "catmull-clark", CATMULL_CLARK.format("200+") + OWN + "|-1/8@1,0~2", {}),
+    ("catmull-clark-vertices-ring", "catmull-clark", CATMULL_CLARK.format("200+") + FACE + "|1/64@1,1~1", {}),
     ("doo-sabin-vertices", "doo-sabin", DOO_SABIN.format("13+"), {}),
     ("doo-sabin-vertices-7", "doo-sabin", DOO_SABIN.format("7+"), {}),
     ("doo-sabin-vertices-named", "doo-sabin", DOO_SABIN.format("20+") + "|1/9@0,0~2|1/8@0,0~8", {}),
@@ -71,6 +75,7 @@ def rejected():
     near_1 = MIDEDGE.format("100+")
     yield case("vertices-others-grow", "midedge", near_1 + "|-1/10@0,0~1", open_rest, start="9/10")
     yield case("vertices-near-1-named", "midedge", near_1 + "|-1/9@0,0~2", open_rest, halvings=7)
+    yield case("vertices-near-1-bent", "midedge", BENT, open_rest, halvings=8)
     yield case("vertices-not-real", "midedge", MIDEDGE.format("13+").replace("1/4@0,0,1|1/4@0,0,-1", "1/2@0,0,1"),
                "the eigenvalues of a frequency and of its opposite are not the same")
     # what the claim says

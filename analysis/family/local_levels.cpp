@@ -2,11 +2,9 @@
 
 #include "property_of_levels.hpp"
 
-#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
-#include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
 
@@ -22,6 +20,11 @@ std::vector<Mask> corners_of(const ParametricMask& mask, const Box& box) {
   return result;
 }
 
+/// The rule of the new point n: sum over j of a_{n - arity j} z^j.
+LaurentPolynomial rule(const Mask& mask, long n) {
+  return mask.symbol().coset(mask.arity(), modulo(n, mask.arity())).reversed().shifted(floor_divide(n, mask.arity()));
+}
+
 /// The largest m for which all rules take each polynomial of lower degree to its value at (n + shift)/arity, at all
 /// corners.
 int order_kept(const std::vector<Mask>& corners) {
@@ -34,25 +37,21 @@ int order_kept(const std::vector<Mask>& corners) {
   return order;
 }
 
-/// The transition matrices for divided differences of an order, with each choice of corners for the new points t - q
-/// that have part in them: those of the first corner, and for the others what they add to the coefficients, divided by
-/// (1 - z^arity)^order, times (1 - z)^order. Numbers of choices have a digit for each q, the least one for the least q.
-class Choices {
+/// Matrices from the divided differences of a window to those of the finer ones within it.
+class Rules {
  public:
-  Choices(const ParametricMask& mask, const std::vector<Mask>& corners, int order)
-      : first_(mask.support().first),
-        arity_(mask.arity()),
-        order_(order),
-        window_(mask.support().last - first_ - order * (arity_ - 1), static_cast<int>(arity_)),
-        at_first_(divided_difference_scheme(corners.front(), order).symbol()),
-        differences_(LaurentPolynomial({Rational(1), Rational(-1)}, 0).pow(order)) {
-    const Rational scale = power(Rational(arity_), order);
-    const LaurentPolynomial divisor = (LaurentPolynomial(1) - LaurentPolynomial::monomial(1, arity_)).pow(order);
-    for (const Mask& corner : corners) {
-      const auto quotient = (scale * (corner.symbol() - corners.front().symbol())).exact_quotient(divisor);
-      require(quotient.has_value(), "levels: need rules that keep polynomials");
-      added_.push_back(*quotient);
-    }
+  Rules(const ParametricMask& mask, const std::vector<Mask>& corners, int order)
+      : corners_(corners), arity_(mask.arity()), order_(order), depends_(static_cast<std::size_t>(arity_)) {
+    require(arity_ >= 2, "levels: need arity >= 2, got {}", arity_);
+    for (const Mask& corner : corners)
+      for (long n = 0; n < arity_; ++n)
+        if (rule(corner, n) != rule(corners.front(), n)) depends_[static_cast<std::size_t>(n)] = true;
+    const IndexRange support = mask.support();
+    // The differences n from first_ to last_ + arity - 1 are of differences from first_ to last_.
+    first_ = floor_divide(-support.last, arity_ - 1) + 1;
+    while (-floor_divide(support.last - first_, arity_) < first_) --first_;
+    last_ = first_;
+    while (floor_divide(last_ + arity_ - 1 + order - support.first, arity_) - order > last_) ++last_;
   }
 
   MatrixFamily all() const {
@@ -62,16 +61,14 @@ class Choices {
   }
 
  private:
+  /// With each choice of corners for the new points that have part in the differences.
   void add_matrices(long t, std::vector<RationalMatrix>& result) const {
     std::vector<long> free;
-    for (long q = 0; q < window_.width + order_; ++q)
-      if (std::ranges::any_of(added_, [&](const auto& e) {
-            return !e.coset(static_cast<int>(arity_), modulo(first_ + t - q, arity_)).is_zero();
-          }))
-        free.push_back(q);
+    for (long n = first_ + t; n <= last_ + t + order_; ++n)
+      if (depends_[static_cast<std::size_t>(modulo(n, arity_))]) free.push_back(n);
     std::size_t choices = 1;
     for (std::size_t k = 0; k < free.size(); ++k) {
-      choices *= added_.size();
+      choices *= corners_.size();
       require(result.size() + choices <= most_matrices, "levels: need at most {} matrices for a value at each point",
               most_matrices);
     }
@@ -79,27 +76,39 @@ class Choices {
   }
 
   RationalMatrix matrix(long t, const std::vector<long>& free, std::size_t choice) const {
-    const auto width = static_cast<std::size_t>(window_.width);
+    std::vector<LaurentPolynomial> rules;
+    for (long n = first_ + t; n <= last_ + t + order_; ++n) {
+      std::size_t corner = 0;
+      if (std::ranges::find(free, n) != free.end()) {
+        corner = choice % corners_.size();
+        choice /= corners_.size();
+      }
+      rules.push_back(rule(corners_[corner], n));
+    }
+    // Differences of rules that keep polynomials are combinations of differences: sum over j of c_j z^j (z - 1)^order.
+    for (int k = 0; k < order_; ++k) {
+      for (std::size_t n = 0; n + 1 < rules.size(); ++n) rules[n] = rules[n + 1] - rules[n];
+      rules.pop_back();
+    }
+    const LaurentPolynomial difference = LaurentPolynomial({Rational(-1), Rational(1)}, 0).pow(order_),
+                            scale = power(Rational(arity_), order_);
+    const auto width = static_cast<std::size_t>(last_ - first_ + 1);
     RationalMatrix result(width, width);
-    const auto add = [&](const LaurentPolynomial& coefficients, long shift, const Rational& factor, long k) {
-      if (k < 0 || k >= window_.width) return;
-      for (long i = 0; i < window_.width; ++i)
-        result(static_cast<std::size_t>(i),
-               static_cast<std::size_t>(k)) += factor * coefficients.coefficient(first_ + arity_ * i + t - shift);
-    };
-    for (long k = 0; k < window_.width; ++k) add(at_first_, k, Rational(1), k);
-    for (const long q : free) {
-      for (long j = 0; j <= order_; ++j) add(added_[choice % added_.size()], q, differences_.coefficient(j), q - j);
-      choice /= added_.size();
+    for (std::size_t n = 0; n < width; ++n) {
+      if (rules[n].is_zero()) continue;
+      const auto combination = (scale * rules[n]).exact_quotient(difference);
+      require(combination.has_value() && combination->lowest() >= first_ && combination->highest() <= last_,
+              "levels: need rules that keep polynomials");
+      for (std::size_t j = 0; j < width; ++j) result(n, j) = combination->coefficient(first_ + static_cast<long>(j));
     }
     return result;
   }
 
-  long first_, arity_;
+  const std::vector<Mask>& corners_;
+  long arity_;
   int order_;
-  TransitionWindow window_;
-  LaurentPolynomial at_first_, differences_;  ///< of the divided differences at the first corner; (1 - z)^order
-  std::vector<LaurentPolynomial> added_;
+  std::vector<bool> depends_;  ///< whether the rule of this class has letters
+  long first_, last_;          ///< the window
 };
 
 }  // namespace
@@ -112,7 +121,7 @@ LocalLevels local_levels(const ParametricMask& mask, const Box& box, const Budge
           "levels: need coefficients of degree 1 in each letter, for a value at each point");
   const std::vector<Mask> corners = corners_of(mask, box);
   const int order = order_kept(corners);
-  MatrixFamily family = Choices(mask, corners, order).all();
+  MatrixFamily family = Rules(mask, corners, order).all();
   JointSpectralRadius radius = joint_spectral_radius(family, {budget.deadline.after(0.8), budget.memory});
   LocalLevels result{order, {}, std::move(family), std::move(radius)};
   const Rational lower = order - *log_ratio(*result.radius.radius.upper, mask.arity()).upper;

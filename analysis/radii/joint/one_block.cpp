@@ -311,8 +311,8 @@ JointSpectralRadius radius_of_different(const MatrixFamily& family, std::size_t 
   // Cycles whose eigenvalues have no common polynomial have no certificate, but perhaps an orbit has one.
   const bool unsaid = closed && !polytope->attained && !attained && !result.radius.is_exact();
   auto orbit = (result.exact.is_yes() && !unsaid) || enough || lower <= 0
-                         ? std::nullopt
-                         : closed_orbit_of(scaled_family, candidate, budget);
+                   ? std::nullopt
+                   : closed_orbit_of(scaled_family, candidate, budget);
   if (orbit && !result.exact.is_yes()) {
     const Rational power_of_unit = power(unit, orbit->length) * orbit->power;
     result.radius = root_enclosure(power_of_unit, orbit->length, default_bits);

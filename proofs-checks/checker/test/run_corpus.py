@@ -35,11 +35,6 @@ USAGE = [
     *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 {more}golden.cert") for more in (
         "", "--upper 1 ", "--lower 0 --upper 1 ", "--upper C1 ", "--lower 0 --for w=0..1 ", "--lower 0 --within 1/9,1 ",
         "--lower 0 --levels w=0..1 ", "--lower 0 --exact 1-log|[-1,1]@1,0,1|^1/1 ")),
-    *((64, f"--mask [w,1-w,1-w,w] --arity 2 --each-point w=0..1 {more}golden.cert") for more in (
-        "", "--upper 1 ", "--lower 1 --upper 1 ", "--upper C1 ", "--lower 1 --for w=0..1 ", "--lower 1 --levels w=0..1 ", "--lower 1 --within 1/9,1 ",
-        "--lower 1 --exact 1-log|[-1,1]@1,0,1|^1/1 ", "--lower 1 --recurrence [w] --start 0..1 --from 0 ")),
-    (64, "--masks [1,2,1]/2 --arity 2 --order any --each-point w=0..1 --lower 1 golden.cert"),
-    (64, "--vectors [[[w]],[[1]]] --arity 2 --each-point w=0..1 --lower 0 golden.cert"),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --levels w=1..1 --lower 0 golden.cert"),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --levels v=0..1 --lower 0 golden.cert"),
     *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 --lower 0 {more} golden.cert") for more in (

@@ -353,8 +353,7 @@ MultivariateRegularity vector_scheme_regularity(const LatticeMask& mask, const B
   };
   const Decision converges = options.quadratic ? converge(*options.quadratic) : converge(mask);
   const VectorQuestion question{options.bits, options.component, options.integral};
-  MultivariateRegularity result = options.quadratic ? vector_regularity(*options.quadratic, budget, question)
-                                                    : vector_regularity(mask, budget, question);
+  MultivariateRegularity result = vector_regularity(mask, options.quadratic, budget, question);
   result.converges = converges;
   if (options.hermite && !options.component)
     result.vector->hermite = hermite_order(result, converges, mask.components());

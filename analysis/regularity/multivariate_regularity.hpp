@@ -102,9 +102,16 @@ MultivariateRegularity vector_regularity(const LatticeMask& mask, const Budget& 
                                          const VectorQuestion& question = {});
 
 /// The same of matrices over a quadratic field. What is said of a radius, that it is of rounded matrices, is proved of
-/// those that are meant. Without a Sobolev exponent. Proof: docs/vectors.md.
+/// those that are meant. No Sobolev exponent where a block has more than 8 functions.
+/// Proof: docs/vectors.md.
 MultivariateRegularity vector_regularity(const QuadraticMask& mask, const Budget& budget,
                                          const VectorQuestion& question = {});
+
+/// Of the one that is meant, where there is such.
+inline MultivariateRegularity vector_regularity(const LatticeMask& mask, const std::optional<QuadraticMask>& meant,
+                                                const Budget& budget, const VectorQuestion& question = {}) {
+  return meant ? vector_regularity(*meant, budget, question) : vector_regularity(mask, budget, question);
+}
 
 /// By factors, whatever their arities, the smallest of their exponents, without space, radius and inner products. Else,
 /// where the dilation is not isotropic, the smallest of the exponents along its isotropic subspaces, whose space and

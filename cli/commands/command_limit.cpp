@@ -52,10 +52,8 @@ LatticePoint derivative_orders(const std::string& text, std::size_t variables) {
 LatticeSequence vector_at_lattice_points(const Scheme& scheme, const LatticePoint& orders,
                                          const LimitCommandOptions& options) {
   if (options.range) fail(ErrorKind::usage, "--range: need a mask of numbers, got {}", scheme.specification);
-  const Budget budget{Deadline::in(options.budget)};
-  const VectorQuestion question{.integral = scheme.integral};
-  const MultivariateRegularity found = scheme.quadratic ? vector_regularity(*scheme.quadratic, budget, question)
-                                                        : vector_regularity(scheme.mask, budget, question);
+  const MultivariateRegularity found = vector_regularity(scheme.mask, scheme.quadratic, {Deadline::in(options.budget)},
+                                                         {.integral = scheme.integral});
   const FunctionVector& vector = *found.vector;
   if (vector.continuous.is_no())
     throw NoLimit(

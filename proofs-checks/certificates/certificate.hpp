@@ -36,9 +36,9 @@ struct Certificate {
 };
 
 /// Proves bounds of the Hoelder exponent for this mask, or with `rounding` for all masks that are meant. Domain:
-/// `regularity` is that of the mask and the rounding. Shifts that are not stable: by the reduced mask. Errors: throws
+/// `found` is that of the mask and the rounding. Shifts that are not stable: by the reduced mask. Errors: throws
 /// Error where nothing positive is proved from below.
-Certificate exponent_certificate(const Mask& mask, const HolderRegularity& regularity,
+Certificate exponent_certificate(const Mask& mask, const HolderRegularity& found,
                                  const std::optional<MaskRounding>& rounding = std::nullopt);
 
 /// Proves the lower end. Domain: the bound is that of the mask. Errors: throws Error where nothing positive is proved,

@@ -2794,6 +2794,15 @@ var check_certificate = (() => {
   }
   const is_vertex = ({lattice}, [x, y]) => lattice !== 'dual' && x === 0 && y === 0;
   const in_first = ({lattice}, [x, y]) => x >= (lattice === 'dual' ? 0 : 1) && y >= 0;
+  // The points of sector 0, and perhaps the vertex; then those that are not the vertex.
+  function read_points(reader, sectors, most) {
+    const points = reader.read('points', 1, most).map(token => read_point(token, 2));
+    demand(new Set(points.map(String)).size === points.length, 'a point occurs twice');
+    demand(points.every(p => is_vertex(sectors, p) || in_first(sectors, p)), 'a point is not one of sector 0');
+    const turning = points.filter(p => !is_vertex(sectors, p));
+    demand(turning.length, 'no point of a sector is given');
+    return [points, turning];
+  }
   function in_sector(sectors, point) {  // the sector, -2, ..., 3, and the point of sector 0 that is turned there
     const {lattice, n} = sectors, all = lattice === 'triangles' ? 6 : 4;
     if (is_vertex(sectors, point)) return {at: point, turn: 0};
@@ -2952,12 +2961,8 @@ var check_certificate = (() => {
     }
     read_lines() {
       const {reader, sectors} = this;
-      this.points = reader.read('points', 1, 64).map(token => read_point(token, 2));
-      demand(new Set(this.points.map(String)).size === this.points.length, 'a point occurs twice');
-      demand(this.points.every(p => is_vertex(sectors, p) || in_first(sectors, p)), 'a point is not one of sector 0');
-      this.turning = this.points.filter(p => !is_vertex(sectors, p));
+      [this.points, this.turning] = read_points(reader, sectors, 64);
       const n = this.turning.length;
-      demand(n, 'no point of a sector is given');
       const pairs = (tokens, scale) => {
         const numbers = tokens.map(token => this.real.of(fraction(integer(token), scale)));
         return range_of(n).map(i => numbers.slice(2 * i, 2 * i + 2));
@@ -3138,12 +3143,7 @@ var check_certificate = (() => {
       this.ring = ring_of(sectors, lattice);
     }
     check() {
-      const {reader, sectors} = this;
-      this.points = reader.read('points', 1, 16).map(token => read_point(token, 2));
-      demand(new Set(this.points.map(String)).size === this.points.length, 'a point occurs twice');
-      demand(this.points.every(p => is_vertex(sectors, p) || in_first(sectors, p)), 'a point is not one of sector 0');
-      this.turning = this.points.filter(p => !is_vertex(sectors, p));
-      demand(this.turning.length, 'no point of a sector is given');
+      [this.points, this.turning] = read_points(this.reader, this.sectors, 16);
       this.make_polynomials();
       this.show_between(0, 0);
     }

@@ -43,10 +43,8 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_val
 /// The same of all functions of a vector, by the indices of the points.
 FieldValues vector_values_of(const Scheme& scheme, int level, double seconds) {
   require(level >= 0, "limit: need level >= 0, got {}", level);
-  const Budget budget{Deadline::in(seconds)};
-  const VectorQuestion question{.integral = scheme.integral};
-  const FunctionVector vector = scheme.quadratic ? *vector_regularity(*scheme.quadratic, budget, question).vector
-                                                 : *vector_regularity(scheme.mask, budget, question).vector;
+  const FunctionVector vector =
+      *vector_regularity(scheme.mask, scheme.quadratic, {Deadline::in(seconds)}, {.integral = scheme.integral}).vector;
   require_convergence(scheme.specification, vector.continuous);
   require(vector.solutions == 1, "{}: need {}", scheme.specification, facts::needed_solution(vector));
   return limit_values(scheme.mask, scheme.quadratic, *vector.values, level);

@@ -110,4 +110,21 @@ void check_own_rules(const SectorRules& rules) {
   }
 }
 
+std::vector<Point> turning(std::vector<Point> points, const SectorRules& rules) {
+  std::erase_if(points, [&](const Point& point) { return rules.is_vertex(point); });
+  return points;
+}
+
+std::vector<Point> read_points(Reader& reader, const SectorRules& rules, std::size_t most) {
+  std::vector<Point> points;
+  for (const std::string_view field : reader.take("points", 1, most)) {
+    const Point point = parse_point(field, 2);
+    require(std::ranges::find(points, point) == points.end(), "a point occurs twice");
+    require(rules.is_canonical(point), "a point is not one of sector 0");
+    points.push_back(point);
+  }
+  require(!turning(points, rules).empty(), "no point of a sector is given");
+  return points;
+}
+
 }  // namespace subcert_check

@@ -52,4 +52,10 @@ SectorRules parse_sector_rules(std::string_view text);
 /// Rejects unless the rules around the vertex have weights of sum 1 and that of the vertex itself turns with the rest.
 void check_own_rules(const SectorRules& rules);
 
+/// The line of the points, at most so many, of sector 0 and perhaps the vertex, of which not all are the vertex.
+std::vector<Point> read_points(Reader& reader, const SectorRules& rules, std::size_t most);
+
+/// Those that are not the vertex.
+std::vector<Point> turning(std::vector<Point> points, const SectorRules& rules);
+
 }  // namespace subcert_check

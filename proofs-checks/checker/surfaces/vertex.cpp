@@ -32,7 +32,8 @@ class Vertex {
   }
 
   void check() {
-    read_points();
+    points_ = read_points(reader_, rules_, max_points);
+    turning_ = turning(points_, rules_);
     read_values();
     show_eigenvector();
     widen();
@@ -41,18 +42,6 @@ class Vertex {
   }
 
  private:
-  void read_points() {
-    for (const std::string_view field : reader_.take("points", 1, max_points)) {
-      const Point point = parse_point(field, 2);
-      require(std::ranges::find(points_, point) == points_.end(), "a point occurs twice");
-      require(rules_.is_canonical(point), "a point is not one of sector 0");
-      points_.push_back(point);
-    }
-    turning_ = points_;
-    std::erase_if(turning_, [&](const Point& point) { return rules_.is_vertex(point); });
-    require(!turning_.empty(), "no point of a sector is given");
-  }
-
   void read_values() {
     const std::size_t n = turning_.size();
     const auto numbers = [&](const Fields& fields, const mpz_class& scale) {

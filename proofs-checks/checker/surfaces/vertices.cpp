@@ -39,7 +39,8 @@ class Vertices {
   }
 
   void check() {
-    read_points();
+    points_ = read_points(reader_, rules_, max_points);
+    turning_ = turning(points_, rules_);
     make_polynomials();
     show_between(0, 0);
   }
@@ -50,18 +51,6 @@ class Vertices {
     Letters all, middle;
     bool from_zero;
   };
-
-  void read_points() {
-    for (const std::string_view field : reader_.take("points", 1, max_points)) {
-      const Point point = parse_point(field, 2);
-      require(std::ranges::find(points_, point) == points_.end(), "a point occurs twice");
-      require(rules_.is_canonical(point), "a point is not one of sector 0");
-      points_.push_back(point);
-    }
-    turning_ = points_;
-    std::erase_if(turning_, [&](const Point& point) { return rules_.is_vertex(point); });
-    require(!turning_.empty(), "no point of a sector is given");
-  }
 
   /// Of the matrix of frequency k; nothing: of all that no rule names.
   Polynomials polynomial(std::optional<std::size_t> k) {

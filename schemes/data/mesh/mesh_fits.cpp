@@ -114,29 +114,25 @@ class Fans {
   MeshFan fan_{};
 };
 
-}  // namespace
-
-void add_vertex_fits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, VertexSums& points) {
+void add_vertex_fits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, Fans& fans,
+                     VertexSums& points) {
   const VertexSums neighbours = neighbour_sums(mesh, topology, Creases(topology));
-  Fans fans(mesh, topology, rules);
-  for (std::size_t v = 0; v < mesh.vertices(); ++v) {
-    if (topology.on_boundary(v)) {
+  for (std::size_t v = 0; v < mesh.vertices(); ++v)
+    if (topology.on_boundary(v))
       fans.add_boundary_vertex(v, points);
-      continue;
-    }
-    const VertexWeights& weights = rules.vertex(topology.faces_at(v));
-    points.add(v, weights.itself, vertex_at(mesh, v));
-    points.add(v, weights.neighbours / topology.faces_at(v), neighbours.values.data() + v * neighbours.size);
-  }
+    else
+      add_inner_vertex(mesh, topology, rules, v, neighbours.values.data() + v * neighbours.size, points);
 }
+
+}  // namespace
 
 void add_fits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules,
               const std::vector<std::uint32_t>& edge, VertexSums& points) {
+  Fans fans(mesh, topology, rules);
   if (rules.interpolates())
     std::ranges::copy(mesh.values, points.values.begin());
   else
-    add_vertex_fits(mesh, topology, rules, points);
-  Fans fans(mesh, topology, rules);
+    add_vertex_fits(mesh, topology, rules, fans, points);
   for (std::uint32_t h = 0; h < mesh.corners.size(); ++h)
     if (topology.is_boundary(h) || h < topology.opposite(h)) fans.add_edge(h, mesh.vertices() + edge[h], points);
 }

@@ -10,9 +10,6 @@ namespace subcert::data {
 void add_fits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules,
               const std::vector<std::uint32_t>& edge, VertexSums& points);
 
-/// The same points of the old vertices alone.
-void add_vertex_fits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, VertexSums& points);
-
 /// The limits of vertices. Domain: rules.fits(), not interpolating; a closed mesh. Cost: one level more.
 std::vector<double> fit_limits(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules);
 

@@ -1,7 +1,10 @@
 #include "mesh_rules.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
+#include <subcert/analysis/symbol/numbers/balls.hpp>
 #include <subcert/analysis/symbol/numbers/interval.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/specification.hpp>
 
 #include <algorithm>
@@ -135,43 +138,30 @@ VertexWeights MeshRules::limit_of(const SectorRules& rules) const {
 /// The same of four means: of the vertex, its neighbours, those across an edge and those straight behind a neighbour.
 /// No rule of theirs takes more (docs/mesh-fits.md).
 VertexWeights MeshRules::limit_of_fits(const SectorRules& rules) const {
-  const LatticePoint straight{2, 0};
-  std::vector<std::vector<Interval>> system(3);
-  const std::array<LatticePoint, 3> points{ray, diagonal, straight};
-  const std::array<RuleWeights, 3> at{RuleWeights(rules.rule_at(ray), rules),
-                                      RuleWeights(rules.rule_at(diagonal), rules),
-                                      RuleWeights(rules.rule_at(straight), rules)};
+  constexpr slong bits = 128;
+  const std::array<LatticePoint, 3> points{ray, diagonal, LatticePoint{2, 0}};
+  const auto ball = [](const Interval& value) { return Ball::containing(value.enclosure(), bits); };
   const RuleWeights vertex(rules.rule_at(centre), rules);
-  for (std::size_t q = 0; q < 3; ++q) {
-    for (std::size_t p = 0; p < 3; ++p) system[q].push_back(Interval::exactly(p == q ? 1 : 0) - at[p].sum(points[q]));
-    system[q].push_back(vertex.sum(points[q]));
+  std::vector<std::vector<Ball>> system;
+  std::vector<Ball> right;
+  for (const LatticePoint& to : points) {
+    right.push_back(ball(vertex.sum(to)));
+    std::vector<Ball>& row = system.emplace_back();
+    for (const LatticePoint& from : points)
+      row.push_back(ball(Interval::exactly(from == to ? 1 : 0) - RuleWeights(rules.rule_at(from), rules).sum(to)));
   }
-  for (std::size_t k = 0; k < 3; ++k)  // a matrix with a dominant diagonal or near to it: no row is exchanged
-    for (std::size_t row = 0; row < 3; ++row) {
-      if (row == k) continue;
-      const Interval factor = system[row][k] / system[k][k];
-      for (std::size_t c = k; c < 4; ++c) system[row][c] = system[row][c] - factor * system[k][c];
-    }
-  std::array<Interval, 3> y;
-  for (std::size_t k = 0; k < 3; ++k) y[k] = system[k][3] / system[k][k];
-  const Interval total = Interval::exactly(1) + y[0] + y[1] + y[2];
-  return {rounded(Interval::exactly(1) / total), rounded(y[0] / total), rounded(y[1] / total), rounded(y[2] / total)};
+  const auto y = solve(system, right, bits);
+  require(y.has_value(), "{}: its limits at valence {} were not found", specification_, rules.valence);
+  const Ball total = (*y)[0] + (*y)[1] + (*y)[2] + 1;
+  const auto share = [&](const Ball& part) { return rounded(Interval::of((part / total).enclosure(64))); };
+  return {share(Ball(1, bits)), share((*y)[0]), share((*y)[1]), share((*y)[2])};
 }
 
 const std::vector<double>& MeshRules::fit(const MeshFan& fan, bool at_middle) {
   std::vector<double>& weights = fits_[{fan, at_middle}];
-  if (!weights.empty()) return weights;
-  if (at_middle && fan.last - fan.first + 1 == fan.turn && fan.left && fan.straight && fan.right) {
-    const SectorRules rules = vertex_rules(specification_, fan.turn);
-    const RuleWeights edge(rules.rule_at(ray), rules);
-    weights = edge.ring(ray);
-    weights.insert(weights.begin(), rounded(edge.at(centre)));
-    for (const Interval& weight : {edge.at(diagonal), edge.at({2, 0}), edge.at(diagonal, -1)})
-      weights.push_back(rounded(weight));
-  } else {
+  if (weights.empty())
     for (const Enclosure& weight : fan_weights(specification_, fan, at_middle))
       weights.push_back(rounded(Interval::of(weight)));
-  }
   return weights;
 }
 

@@ -31,10 +31,7 @@ void move_vertices(const PolygonMesh& mesh, const Topology& topology, const Crea
       if (!stays) points.add(v, boundary.vertex_neighbour, sum);
       continue;
     }
-    const std::size_t n = topology.faces_at(v);
-    const VertexWeights& weights = rules.vertex(n);
-    points.add(v, weights.itself, vertex_at(mesh, v));
-    points.add(v, weights.neighbours / static_cast<double>(n), sum);
+    add_inner_vertex(mesh, topology, rules, v, sum, points);
   }
 }
 
@@ -125,18 +122,25 @@ VertexSums neighbour_sums(const PolygonMesh& mesh, const Topology& topology, con
   return sums;
 }
 
-PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
-                            MeshRules& rules) {
-  const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
-  const std::vector<std::uint32_t> edge = topology.edge_numbers();
-  VertexSums points(vertices + topology.edges(), mesh.dimension);
-  if (rules.fits())
-    add_fits(mesh, topology, rules, edge, points);
-  else if (rules.interpolates())
+void add_inner_vertex(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, std::size_t v,
+                      const double* neighbours, VertexSums& points) {
+  const std::size_t n = topology.faces_at(v);
+  const VertexWeights& weights = rules.vertex(n);
+  points.add(v, weights.itself, vertex_at(mesh, v));
+  points.add(v, weights.neighbours / static_cast<double>(n), neighbours);
+}
+
+namespace {
+
+/// New points of the vertices, and of the edges by their numbers, by the rules of a scheme that are no fits.
+void add_by_rules(const PolygonMesh& mesh, const Topology& topology, const Creases& creases, MeshRules& rules,
+                  const std::vector<std::uint32_t>& edge, VertexSums& points) {
+  const std::size_t vertices = mesh.vertices();
+  if (rules.interpolates())
     std::ranges::copy(mesh.values, points.values.begin());
   else
     move_vertices(mesh, topology, creases, rules, false, points);
-  for (std::uint32_t h = 0; h < mesh.corners.size() && !rules.fits(); ++h)
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h)
     if (topology.is_boundary(h))
       add_boundary_edge(mesh, topology, rules, h, false, vertices + edge[h], points);
     else if (h > topology.opposite(h))
@@ -145,6 +149,19 @@ PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, c
       add_crease_edge(mesh, topology, rules, h, vertices + edge[h], points);
     else
       add_inner_edge(mesh, topology, rules, h, vertices + edge[h], points);
+}
+
+}  // namespace
+
+PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
+                            MeshRules& rules) {
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertices());
+  const std::vector<std::uint32_t> edge = topology.edge_numbers();
+  VertexSums points(vertices + topology.edges(), mesh.dimension);
+  if (rules.fits())
+    add_fits(mesh, topology, rules, edge, points);
+  else
+    add_by_rules(mesh, topology, creases, rules, edge, points);
   PolygonMesh result{std::move(points.values), mesh.dimension, {}, {0}};
   result.corners.reserve(4 * mesh.corners.size());
   result.first.reserve(4 * mesh.faces() + 1);

@@ -27,6 +27,10 @@ inline const double* vertex_at(const PolygonMesh& mesh, std::size_t vertex) {
 /// Sums over the neighbours of each vertex; on creases over the two neighbours there.
 VertexSums neighbour_sums(const PolygonMesh& mesh, const Topology& topology, const Creases& creases);
 
+/// The rule of the scheme at a vertex inside, with its neighbour_sums().
+void add_inner_vertex(const PolygonMesh& mesh, const Topology& topology, MeshRules& rules, std::size_t v,
+                      const double* neighbours, VertexSums& points);
+
 PolygonMesh split_triangles(const PolygonMesh& mesh, const Topology& topology, const Creases& creases,
                             MeshRules& rules);
 PolygonMesh split_polygons(const PolygonMesh& mesh, const Topology& topology, const Creases& creases, MeshRules& rules);

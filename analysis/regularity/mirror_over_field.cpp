@@ -120,10 +120,11 @@ bool are_similar(const Operators& first, const Operators& second, const Deadline
   return false;
 }
 
-std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline& deadline) {
+std::optional<RationalMatrix> mirror_symmetric_basis(const Operators& given, const Deadline& deadline) {
   const std::size_t size = given.family.size();
   if (size > largest_mirrored) return std::nullopt;
-  const Operators operators = in_basis(given, basis_of_pairs(RationalMatrix::identity(size), *given.root));
+  const RationalMatrix pairs = basis_of_pairs(RationalMatrix::identity(size), *given.root);
+  const Operators operators = in_basis(given, pairs);
   const Matrices first = operators.matrices();
   Matrices second = first;
   std::reverse(second.begin(), second.end() - 1);
@@ -147,7 +148,7 @@ std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline
       basis(r, c) += odd(r, c);
       basis(r, opposite) = even(r, c) - odd(r, c);
     }
-  return in_basis(operators, basis);
+  return pairs * basis;
 }
 
 }  // namespace subcert::vectors

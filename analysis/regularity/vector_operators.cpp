@@ -108,19 +108,34 @@ struct FieldBlocks {
   }
 };
 
+/// The even columns, each with its image under the root behind it.
+RationalMatrix with_root_columns(RationalMatrix basis, const RationalMatrix& root) {
+  const RationalMatrix images = root * basis;
+  for (std::size_t c = 1; c < basis.columns(); c += 2)
+    for (std::size_t r = 0; r < basis.rows(); ++r) basis(r, c) = images(r, c - 1);
+  return basis;
+}
+
 /// Of the diagonal blocks over the field of the root, each by itself.
 JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {
   const FieldBlocks split(operators, budget.deadline.after(schedule::vector::blocks));
   const BlockTriangular& triangular = split.triangular;
   const std::vector<Operators>& blocks = split.blocks;
   JointSpectralRadius result;
-  BlockProof proof{{{}, RationalMatrix::identity(operators.family.size() / 2), {}, triangular.irreducible}, {}, 0};
+  BlockProof proof{{{}, {0, 0}, {}, triangular.irreducible}, {}, 0};
+  RationalMatrix change(operators.family.size(), operators.family.size());
+  std::size_t start = 0;
   for (std::size_t k = 0; k < triangular.sizes.size(); ++k) {
     const Operators& given = blocks[k];
     const bool is_number = triangular.sizes[k] == 2;
     const auto mirrored = is_number ? std::nullopt
-                                    : mirror_symmetric(given, budget.deadline.after(schedule::vector::mirrors));
-    const RealFamily family = on_functions(mirrored.value_or(given), number);
+                                    : mirror_symmetric_basis(given, budget.deadline.after(schedule::vector::mirrors));
+    const RationalMatrix basis = mirrored ? *mirrored
+                                          : basis_of_pairs(RationalMatrix::identity(triangular.sizes[k]), *given.root);
+    for (std::size_t r = 0; r < basis.rows(); ++r)
+      for (std::size_t c = 0; c < basis.columns(); ++c) change(start + r, start + c) = basis(r, c);
+    start += basis.rows();
+    const RealFamily family = on_functions(in_basis(given, basis), number);
     const Budget share{budget.deadline.after(1.0 / static_cast<double>(triangular.sizes.size() - k)), budget.memory};
     const NormProof norms = norms_of(family, {share.deadline.after(schedule::vector::norms), share.memory});
     proof.triangular.sizes.push_back(family.matrices.size());
@@ -137,6 +152,7 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   result.product = leader.product;
   result.radius.lower = *leader.radius.lower;
   result.exact = largest_is_attained(proof, blocks, budget.deadline);
+  proof.triangular.basis = with_root_columns(triangular.basis * change, *operators.root);
   result.proof = std::move(proof);
   return result;
 }

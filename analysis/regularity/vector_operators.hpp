@@ -46,11 +46,11 @@ RationalMatrix basis_of_pairs(const RationalMatrix& columns, const RationalMatri
 /// Domain: with a root; a regular basis.
 Operators in_basis(const Operators& operators, const RationalMatrix& basis);
 
-/// In a basis e_1, J e_1, e_2, J e_2, ..., J the product with the root, such that the reversal of e_1, e_2, ... maps
-/// the operators to those of the digits in reverse order: matrices of rounded entries keep this symmetry. Nothing where
+/// A basis e_1, J e_1, e_2, J e_2, ..., J the product with the root, such that the reversal of e_1, e_2, ... maps the
+/// operators to those of the digits in reverse order: matrices of rounded entries keep this symmetry. Nothing where
 /// none is found; what is found is verified exactly. Domain: with a root. Cost: kernels and products of rational
 /// matrices of this size, about one for each of its rows.
-std::optional<Operators> mirror_symmetric(const Operators& given, const Deadline& deadline);
+std::optional<RationalMatrix> mirror_symmetric_basis(const Operators& given, const Deadline& deadline);
 
 /// Whether a regular map over the field of the root takes the operators of one to those of the other, digit by digit in
 /// the same order or in the reverse one: their radii are equal. False where none is found. Domain and cost: as above.
@@ -76,8 +76,9 @@ std::optional<Enclosure> mean_square_radius(const Operators& operators, long num
 
 NormProof norms_of(const RealFamily& family, const Budget& budget);
 
-/// On the functions; over a field of the diagonal blocks, each by itself. `target`: as joint_spectral_radius, of
-/// rational matrices alone.
+/// On the functions; over a field of the diagonal blocks, each by itself, whose basis in the proof is a rational one of
+/// twice the size, e_1, J e_1, e_2, J e_2, ... as above. `target`: as joint_spectral_radius, of rational matrices
+/// alone.
 JointSpectralRadius radius_of(const Operators& operators, long number, const Budget& budget, const NormProof& norms,
                               const std::optional<Rational>& target = std::nullopt);
 

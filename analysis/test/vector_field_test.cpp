@@ -88,10 +88,10 @@ TEST_CASE("Rounded matrices keep a mirror that is found over the field") {
                                           {{{1}, {1}, {1}, {-1}}, false}}) {
       const long root = random.chance(50) ? 2 : 15199;
       const Operators given = mirrored(random, diagonal(signs), root);
-      const auto found = mirror_symmetric(given, Deadline::in(20));
+      const auto found = mirror_symmetric_basis(given, Deadline::in(20));
       CHECK(found.has_value() == expected);
       if (!found) continue;
-      const RealFamily family = on_functions(*found, root);
+      const RealFamily family = on_functions(in_basis(given, *found), root);
       CHECK(family.distance > 0);
       CHECK(family.matrices.is_flip_symmetric());
       // the same operators in another basis: traces over the field, of all products of two
@@ -111,7 +111,7 @@ TEST_CASE("Rounded matrices keep a mirror that is found over the field") {
 TEST_CASE("A mirror is one that the field has") {
   Random random;
   const auto has_mirror = [&](const Number& square, long root) {  // J J is that number
-    return mirror_symmetric(mirrored(random, {{{}, square}, {{1}, {}}}, root), Deadline::in(20)).has_value();
+    return mirror_symmetric_basis(mirrored(random, {{{}, square}, {{1}, {}}}, root), Deadline::in(20)).has_value();
   };
   CHECK(has_mirror({3, 2}, 2));  // (1 + sqrt(2))^2
   CHECK(has_mirror({7}, 7));     // the root itself
@@ -123,10 +123,10 @@ TEST_CASE("A mirror is one that the field has") {
   // a matrix between the two that is not its own image, none at all
   Operators other = mirrored(random, diagonal({{1}, {-1}}), 2, false);
   std::vector<RationalMatrix> three{other.family[0], doubled(random_matrix(random, 2), 2), other.family[1]};
-  CHECK(mirror_symmetric(other, Deadline::in(20)));
-  CHECK_FALSE(mirror_symmetric({MatrixFamily(three), other.root}, Deadline::in(20)));
+  CHECK(mirror_symmetric_basis(other, Deadline::in(20)));
+  CHECK_FALSE(mirror_symmetric_basis({MatrixFamily(three), other.root}, Deadline::in(20)));
   const Operators any = operators({random_matrix(random, 3), random_matrix(random, 3)}, 2);
-  CHECK_FALSE(mirror_symmetric(any, Deadline::in(20)));
+  CHECK_FALSE(mirror_symmetric_basis(any, Deadline::in(20)));
   CHECK(are_similar(any, in_basis(any, doubled({{{1}, {0, 1}, {}}, {{}, {1}, {3}}, {{}, {}, {1}}}, 2)),
                     Deadline::in(20)));
   CHECK_FALSE(are_similar(any, operators({random_matrix(random, 3), random_matrix(random, 3)}, 2), Deadline::in(20)));

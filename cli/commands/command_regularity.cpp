@@ -95,7 +95,7 @@ ExitCode run(const RegularityCommandOptions& options, const Budget& budget) {
   const WrittenCertificate certificate = write_certificate(options.certificate, [&] {
     return exponent_certificate(
         mask, curve || !mask.has_factors() ? found : regularity_of(mask.without_factors(), budget, how),
-        scheme.rounding);
+        scheme.rounding, scheme.quadratic);
   });
   const WrittenCertificate of_scheme = write_scheme_certificate(options.scheme_certificate, scheme, budget);
   options.end_progress();

@@ -250,13 +250,19 @@ TEST_CASE("regularity: vectors of functions by name") {
   CHECK(run("regularity ghm --certificate " + file).code == 0);
   CHECK(run("verify " + file + " --claim '1 <= ghm <= 1'").code == 0);
   CHECK(run("regularity ghm --help").out.find("hermite-dd:points=4,order=2,a=2") != std::string::npos);
-  const auto rounded = run_json("regularity cl:2 --certificate " + folder / "no.cert");
+  const std::string with_root = folder / "root.cert";
+  const auto rounded = run_json("regularity cl:2 --certificate " + with_root);
   CHECK(has_digits(rounded.at("holder"), "lower", "0.59632253897"));
   CHECK(has_digits(rounded.at("holder"), "upper", "0.59632253897"));
   CHECK(rounded.at("exact") == true);
-  CHECK(rounded.at("certificate").is_null());
-  check_fails(run("verify " + file + " --claim '0.5 <= cl:2'"), 64,
-              "--claim: need rational coefficients, got cl:2; there are no certificates for others");
+  CHECK(rounded.at("certificate").at("exact").get<std::string>().starts_with("0-log|[-7,0,16]"));
+  CHECK(run("verify " + with_root + " --claim '0.59632 <= cl:2 <= 0.59633'").code == 0);
+  CHECK(run("verify " + with_root + " --claim '0.5964 <= cl:2'").code == 1);
+  CHECK(run("verify " + with_root + " --claim '0.5 <= bat:2'").code == 1);
+  check_fails(run("verify " + with_root + " --claim '0.5 <= component 1 of cl:2'"), 64,
+              "of matrices with a square root need all functions, of no given integral");
+  CHECK(contains(run("regularity cl:2 --component 1 --certificate " + folder / "no.cert").out,
+                 "not written: of matrices with the square root of 7 need all functions"));
   check_fails(run("regularity bat:4"), 64,
               "scheme specification, position 5: '4'; expected the number of bat as an integer from 1 to 3");
   CHECK(run("regularity hermit-dd:points=4,order=2").err.ends_with("did you mean 'hermite-dd'?\n"));

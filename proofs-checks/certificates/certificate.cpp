@@ -179,7 +179,9 @@ Certificate frequency_certificate(const Mask& mask, const std::optional<Frequenc
 }
 
 Certificate exponent_certificate(const LatticeMask& mask, const Regularity& regularity,
-                                 const std::optional<MaskRounding>& rounding) {
+                                 const std::optional<MaskRounding>& rounding,
+                                 const std::optional<QuadraticMask>& quadratic) {
+  if (quadratic) return field_certificate(*quadratic, *regularity.surface);
   require(regularity.curve || !rounding, "certificate: need matrices with rational entries");
   return regularity.curve ? exponent_certificate(mask.curve(), *regularity.curve, rounding)
                           : surface_certificate(mask, *regularity.surface);

@@ -56,10 +56,16 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
 /// radius. Proof: SPEC.md, theorem 47.
 Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget);
 
-/// The one or the other. Errors: of a tensor product, whose certificate is about the mask, throws Error for what is
-/// proved by factors.
+/// The same of matrices with a square root. Domain: `regularity` is that of the mask. Errors: throws Error where
+/// nothing positive is proved from below, of one function, and of functions with a given integral. Proof: SPEC.md,
+/// theorems 60 and 61.
+Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegularity& regularity);
+
+/// The one or the other. `quadratic`: what is meant where `mask` is rounded. Errors: of a tensor product, whose
+/// certificate is about the mask, throws Error for what is proved by factors.
 Certificate exponent_certificate(const LatticeMask& mask, const Regularity& regularity,
-                                 const std::optional<MaskRounding>& rounding = std::nullopt);
+                                 const std::optional<MaskRounding>& rounding = std::nullopt,
+                                 const std::optional<QuadraticMask>& quadratic = std::nullopt);
 
 /// Of one piece of a range: for all values of the parameter from `low` to `high` the property holds, or for none.
 struct RangeCertificate {

@@ -11,6 +11,9 @@ namespace subcert::certificate_text {
 /// A decimal of 15 places as a fraction in lowest terms; of 15 more than the zeros after the point for tiny numbers.
 std::string outward(const Rational& value, Rounding rounding);
 
+/// As to_mask_text(), with numbers 1/2-3/4*sqrt(7).
+std::string mask_text(const QuadraticMask& mask);
+
 /// Each after a blank.
 std::string numbers_text(const std::vector<Integer>& numbers);
 

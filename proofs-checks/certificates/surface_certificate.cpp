@@ -71,8 +71,6 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
   const FunctionVector* vector = regularity.vector ? &*regularity.vector : nullptr;
   const bool is_one = vector && vector->components.size() == 1;
-  require(!vector || vector->root == 0, "certificate: need rational matrices, got some with the square root of {}",
-          vector ? vector->root : 0);
   require(!vector || vector->solutions == 1,
           "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
           vector ? vector->solutions : 0);

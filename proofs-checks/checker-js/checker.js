@@ -657,8 +657,9 @@ var check_certificate = (() => {
   }
   // A lower bound of the spectral radius of a product P, and its length. P = N unit, up to errors of norm `errors`
   // units, and c = y unit / h.
-  function read_product(reader, blocks, rounding) {
+  function read_product(reader, blocks, of_mask) {
     const {block, c, word} = read_word(reader, blocks, blocks[0].matrices.length), n = block.size;
+    const rounding = block.rounding || of_mask;
     let unit = fraction(1n, block.den ** BigInt(word.length)), N = word_product(block.matrices, word);
     let {den: h, numbers: y} = common(c), errors = fraction(0n);
     y = y.map(x => x * unit.d);
@@ -826,7 +827,9 @@ var check_certificate = (() => {
     demand(!has.group || !rounding, 'a group proves nothing of rounded masks');
     demand(!has.nonnegative || matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
     const turned = m => m.map(row => row.slice().reverse()).reverse();
-    const symmetric = () => matrices.every((m, t) => equal(turned(m), matrices[last - t]));
+    const mirrored = all => all.every((m, t) => equal(turned(m), all[last - t])), field = rounding && rounding.field;
+    const parts_of_all = i => field.halves.map(m => quarters(m, size)[i]);
+    const symmetric = () => field ? mirrored(parts_of_all(0)) && mirrored(parts_of_all(1)) : mirrored(matrices);
     demand(!has.symmetric || symmetric(), 'the family is not symmetric');
     const flips = {elements: [{}, {map: identity(size).reverse()}], table: [[[1, 1n]], []], first: 'f'};
     const group = has.symmetric ? flips : has.group ? read_group(reader, has.group, size, matrices) : trivial_group(0);
@@ -1028,6 +1031,10 @@ var check_certificate = (() => {
     const sums = horner(columns.map((x, k) => norm(x) * BigInt(k)).slice(1), times(m, D));
     return {U, error: times(times(times(2n, eps), sums), h ** BigInt(n - 1) * D)};
   }
+  function joined({U, error}, of_root) {  // 5.13: p + sqrt(R) q, times 2^512
+    const near = scaled_root(of_root), n = U.length / 2, q = U.slice(n), whole = fraction(of_root << 512n);
+    return {U: q.map((y, i) => U[i].map((x, part) => (x << 512n) + y[part] * near)), error: plus(times(whole, error), sum(q.map(norm)))};
+  }
   // The lines `origin` of a body, or of a body for a subradius; children[key(K, T)] is the last J with `origin J K T`.
   class Origins {
     constructor(reader, body, matrices) {
@@ -1065,7 +1072,9 @@ var check_certificate = (() => {
     constructor(reader, body, exact, known) {
       super(reader, body, known.matrices);
       Object.assign(this, known, {exact, cycles: new Map(), errors: new Map(), memory: 0});
-      if (this.rounding) this.read_near_cycles();
+      this.field = this.rounding && this.rounding.field;
+      if (this.field) this.use_field();
+      if (this.rounding && !this.field) this.read_near_cycles();
       else while (reader.peek() === 'cycle') this.read_cycle();
       while (this.last_origin !== body.count - 1 && reader.peek() === 'origin') this.read_origin();
       this.e = fraction([...this.errors.values()].reduce(max, 0n), 1n << 512n);
@@ -1073,6 +1082,16 @@ var check_certificate = (() => {
       this.settled = new Set(this.children.keys());
       for (const [J, {word}] of this.cycles) this.settle(this.last_of(word, J), word[word.length - 1]);
       while (reader.peek() === 'same') this.read_same();
+    }
+    use_field() {  // 5.13: seeds and equations are over the field, on halves
+      const {body: {has, size}, field: {root: of_root, halves}} = this;
+      demand(!has.complex && !has.nonnegative, 'over a field complex polytopes and cones name no radius');
+      this.halves = has.transposed ? halves.map(m => on_halves(...quarters(m, size).map(transpose), of_root)) : halves;
+    }
+    lead(word, columns) { return this.field ? word.reduce((x, t) => multiply(this.halves[t], x), columns) : this.follow(word, columns); }
+    turned(element, columns) {
+      const {body} = this, parts = this.field ? [columns.slice(0, body.size), columns.slice(body.size)] : [columns];
+      return parts.flatMap(x => body.turned(element, x));
     }
     enter(J, error) {
       spend(8, bits(error.n) + 512, bits(error.d));
@@ -1090,10 +1109,12 @@ var check_certificate = (() => {
       const prepare = () => {
         const [element, turn] = spell(body.group, letters === '-' ? '' : letters);
         demand(this.exact.real || body.parts === 2, 'a real polytope, but no real eigenvalue');
-        return x => scaled(body.turned(element, this.follow(word, x)), turn);
+        return x => scaled(this.turned(element, this.lead(word, x)), turn);
       };
-      const D = this.den ** BigInt(L), seed = read_seed(this.reader, this.exact, body.size, D, prepare, this.memory);
-      const {next, columns, memory} = seed, {U, error: u} = eigenvector_of(this.exact, columns, D);
+      const {field} = this, D = (field ? field.den : this.den) ** BigInt(L);
+      const seed = read_seed(this.reader, this.exact, field ? 2 * body.size : body.size, D, prepare, this.memory);
+      const {next, columns, memory} = seed, parts = eigenvector_of(this.exact, columns, D);
+      const {U, error: u} = field ? joined(parts, field.root) : parts;
       this.memory = memory;
       this.cycles.set(J, {word, next, Y: transpose(columns)});
       const [v, v_im = v.map(() => 0n)] = body.coordinates(J), size = v.map((x, i) => abs(x) + abs(v_im[i]));
@@ -1177,17 +1198,17 @@ var check_certificate = (() => {
       const [index, word] = split_index(third), [element] = spell(body.group, word);
       const j = this.vertex(first), T = this.letter(second), K = this.vertex(index), A = this.way(j), B = this.way(K);
       A.letters.push(T);
-      if (this.rounding) {
+      if (this.rounding && !this.field) {
         demand(this.is_mirrored(A, B, word), 'nothing says of all masks near by that an image is a vertex');
         return this.settle(j, T);
       }
       const cycle = this.cycles.get(A.source), more = (A.letters.length - B.letters.length) / (cycle ? L : 1);
       const related = cycle ? B.source === A.source && Number.isInteger(more) : !this.cycles.has(B.source) && !more;
       demand(related || body.has.nonnegative, wrong);
-      const points = i => transpose(body.coordinates(i));
-      const lead = ({source, letters}, rounds) => this.follow(letters,
-        range_of(Math.max(0, rounds)).reduce(x => cycle.next(x), cycle ? cycle.Y : points(source)));
-      const left = related ? lead(A, -more) : [], right = related ? body.turned(element, lead(B, more)) : [];
+      const points = i => transpose(body.coordinates(i)), lifted = x => this.field ? [...x, ...x.map(() => [0n])] : x;
+      const lead = ({source, letters}, rounds) => this.lead(letters,
+        range_of(Math.max(0, rounds)).reduce(x => cycle.next(x), cycle ? cycle.Y : lifted(points(source))));
+      const left = related ? lead(A, -more) : [], right = related ? this.turned(element, lead(B, more)) : [];
       const same_row = i => related && left[i].every((x, k) => x === right[i][k]);
       const below = () => {  // with `nonnegative`; coordinates are times 2^VBITS
         const image = this.follow([T], points(j)), v = body.turned(element, points(K)), eX = times(e, body.most);
@@ -1745,7 +1766,7 @@ var check_certificate = (() => {
     const in_blocks = reader.peek() === 'blocks';
     demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
     demand(in_blocks || !part || !part.unobservable, "expected 'blocks', those of what is unobservable first");
-    const blocks = in_blocks ? read_blocks(reader, family, part) : [family];
+    const blocks = !in_blocks ? [family] : family.field ? read_field_blocks(reader, family) : read_blocks(reader, family, part);
     if (goal.above || reader.peek() === 'product') {
       const {radius, length} = product(reader, blocks, rounding);
       if (goal.above) goal.above(radius, length);
@@ -1758,7 +1779,7 @@ var check_certificate = (() => {
           at_most(fraction(1n), true)(value, level);
           return;
         }
-        const section = read_section(reader, i, block, first_column && !in_blocks, rounding, exact);
+        const section = read_section(reader, i, block, first_column && !in_blocks, block.rounding || rounding, exact);
         const {value, level, attained} = section;
         demand(!exact || attained || !less(power(exact.low, level), value),
                'the bound of a block is above the exact radius');
@@ -2174,15 +2195,42 @@ var check_certificate = (() => {
     }
     return result;
   }
-  function read_surface(text, of_matrices) {
+  function read_surface(text, of_matrices, number = rational) {
     const inner = of_matrices ? 2 : 0, {depth, sizes, coefficients, den: by, first} = mask_parts(text, inner);
     const divisor = by === undefined ? 1n : integer(by), dimension = depth - inner, components = of_matrices ? sizes[0] : 0;
     demand(coefficients.length <= 10000, 'a mask with too many coefficients');
     demand(!of_matrices || sizes[1] === components, 'a coefficient of a mask is no square matrix');
     demand(!first || first.length === dimension, mask_form);
     demand(divisor > 0n, 'a denominator must be positive');
-    const {den, numbers} = common(coefficients.map(c => reduced(over(rational(c), divisor))));
-    return {dimension, sizes: sizes.slice(inner), components, den, numbers, first: first || Array(dimension).fill(0n)};
+    const {den, numbers} = common(coefficients.map(c => reduced(over(number(c), divisor))));
+    return {dimension, sizes: sizes.slice(inner), components, den, numbers, divisor, first: first || Array(dimension).fill(0n)};
+  }
+  // 5.13: matrices P + sqrt(R) Q as [P, R Q; Q, P]
+  const root_form = 'square roots in a mask are sqrt(R) with one number R, 2 <= R <= 10^9, no square';
+  function read_over_field(text) {
+    const [, token] = /sqrt\(([^()]*)\)/.exec(text) || [], name = `sqrt(${token})`, two = [fraction(0n), fraction(0n)];
+    demand(token !== undefined, root_form);
+    const of_root = integer(token), pairs = [], one = c => {
+      const value = two.slice();
+      for (const [, signs, term] of c.replace(/^-?/, s => s || '+').matchAll(/([+-])([^+-]*)/g)) {
+        const at = term.endsWith(name) ? 1 : 0, factor = at ? term.slice(0, -name.length) : term;
+        demand(!at || !factor || factor.endsWith('*'), root_form);
+        const x = at ? (factor ? rational(factor.slice(0, -1)) : 1n) : rational(factor);
+        value[at] = reduced((signs === '-' ? minus : plus)(value[at], x));
+      }
+      pairs.push(value);
+      return 0n;
+    };
+    demand(of_root >= 2n && of_root <= 10n ** 9n && root(of_root) ** 2n !== of_root, root_form);
+    const surface = read_surface(text, true, one), r = surface.components, half = pairs.length;
+    demand(half <= 2500, 'a mask with too many coefficients');
+    const {den, numbers} = common(pairs.flat().map(x => reduced(over(x, surface.divisor))));
+    const entry = (m, i, k) => {
+      const at = 2 * ((m * r + i % r) * r + k % r);
+      return i < r === k < r ? numbers[at] : numbers[at + 1] * (i < r ? of_root : 1n);
+    };
+    const two_r = range_of(2 * r), all = range_of(half / (r * r)).flatMap(m => two_r.flatMap(i => two_r.map(k => entry(m, i, k))));
+    return {...surface, components: 2 * r, den, numbers: all, root: of_root};
   }
   function mask_sequence({sizes, components, numbers, first}) {
     const result = new Map(), entries = components ** 2 || 1;
@@ -2336,8 +2384,8 @@ var check_certificate = (() => {
       return result;
     });
   }
-  function read_space(reader, dimension, components) {
-    const count = small(reader.read('space', 1)[0], 1, 256), vectors = [], holders = new Map();
+  function read_space(reader, dimension, components, of_root) {
+    const count = small(reader.read('space', 1)[0], 1, of_root ? 128 : 256), vectors = [], holders = new Map();
     let memory = 0;
     for (let n = 0; n < count; ++n) {
       const v = read_sequence(reader.read('vector', 1, 2 ** 24), dimension, components), pivot = v.values().next().value[1];
@@ -2345,14 +2393,28 @@ var check_certificate = (() => {
       demand(!n || vectors[0].values().next().value[1] === pivot, 'the first coefficients of two vectors differ');
       allow_bits(memory += v.size * point_bits);
       vectors.push(v);
-      for (const key of v.keys()) holders.set(key, (holders.get(key) || 0) + 1);
     }
+    if (of_root) {
+      const rational_part = ([p]) => p[dimension] < components / 2;
+      demand(vectors.every(v => rational_part(v.values().next().value)), 'the first point of a vector is of a multiple of the root');
+      vectors.push(...vectors.map(v => times_root(v, of_root, components)));
+    }
+    for (const v of vectors) for (const key of v.keys()) holders.set(key, (holders.get(key) || 0) + 1);
     demand(vectors.every(v => holders.get(first_key(v)) === 1), 'the first point of a vector occurs in another');
     return vectors;
   }
-  function space_family(vectors, transition, den) {  // (ii): the matrices of the T_t in the basis
+  function times_root(x, of_root, components) {  // 5.13: (p, q) -> (R q, p); the first point stays first
+    const result = new Map(), half = components / 2;
+    for (const [p, value] of x.values()) {
+      const c = p[p.length - 1], first = c < half;
+      add(result, [...p.slice(0, -1), first ? c + half : c - half], first ? value : value * of_root);
+    }
+    return result;
+  }
+  // (ii): the matrices of the T_t in the basis; the images of `count` vectors
+  function space_family(vectors, transition, den, count = vectors.length) {
     const keys = vectors.map(first_key), pivot = vectors[0].get(keys[0])[1];
-    const columns = transition.digits.map(t => vectors.map(v => {
+    const columns = transition.digits.map(t => vectors.slice(0, count).map(v => {
       const image = transition.apply(t, v), at = keys.map(key => image.has(key) ? image.get(key)[1] : 0n);
       const rest = new Map();
       for (const [p, value] of image.values()) add(rest, p, pivot * value);
@@ -2455,6 +2517,53 @@ var check_certificate = (() => {
     demand(!spanned || rank() === vectors.length, 'the differences do not span the space');
     return family;
   }
+  // 5.13: the same of matrices with a square root, in a basis over the field; matrices on halves are [X, R Y; Y, X]
+  function read_values_over_field(reader, transition, order, den, spanned, components, of_root) {
+    const dimension = transition.M.length, values = read_sequence(reader.read('values', 1, 2 ** 24), dimension, components);
+    demand(is_multiple(transition.apply(transition.digits[0], values), values, den),
+           'the values line is not fixed by the operator of the first digit');
+    check_unique(transition, den, components, [], 2);
+    const vectors = read_space(reader, dimension, components, of_root), size = vectors.length / 2;
+    const {den: by, matrices} = space_family(vectors, transition, den, size);
+    const both = [values, times_root(values, of_root, components)];
+    const start = both.flatMap(x => differences(x, order, dimension)), steps = lead_into(vectors, start, transition);
+    const rank = () => long_words(start, [], transition, steps, 2n ** 32n - 5n).basis.length;
+    demand(!spanned || rank() === vectors.length, 'the differences do not span the space');
+    return near_family({root: of_root, size, den: by, halves: matrices.map(m => on_halves(m.slice(0, size), m.slice(size), of_root))});
+  }
+  const on_halves = (x, y, of_root) => [...x.map((row, i) => [...row, ...y[i].map(value => value * of_root)]),
+                                        ...x.map((row, i) => [...y[i], ...row])];
+  const quarters = (m, n) => [m.slice(0, n).map(row => row.slice(0, n)), m.slice(n).map(row => row.slice(0, n))];  // X, Y
+  // Rational matrices near, with 2^-512 floor(2^512 sqrt(R)) in place of the root, and what is known of their errors
+  function near_family({root: of_root, size, den, halves}) {
+    const parts = halves.map(m => quarters(m, size)), farthest = largest_by(parts, ([, y]) => largest_of(y));
+    if (!farthest) return {size, den, matrices: parts.map(([x]) => x), field: {root: of_root, size, den, halves}, rounding: null};
+    const near = scaled_root(of_root), matrices = parts.map(([x, y]) => x.map((row, i) => row.map((value, k) => (value << 512n) + y[i][k] * near)));
+    const family = {size, den: den << 512n, matrices}, e = fraction(farthest * BigInt(size), family.den);
+    const field = {root: of_root, size, den, halves};
+    return {...family, field, rounding: {e, nu: norm_of_family(family), field}};
+  }
+  const scaled_root = of_root => root(of_root << 1024n);
+  function read_field_blocks(reader, {field: {root: of_root, size, den, halves}}) {  // 4.4
+    const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
+    demand(sum_of(sizes) === size, 'the block sizes do not sum to n');
+    const matrix = words => {
+      const {den: by, numbers} = common(reader.rows(words, size, 2 * size, rational).flat());
+      const rows = range_of(size).map(i => numbers.slice(2 * i * size, 2 * (i + 1) * size));
+      return {by, rows: on_halves(rows.map(row => row.slice(0, size)), rows.map(row => row.slice(size)), of_root)};
+    };
+    const basis = matrix('basis'), inverse = matrix('inverse'), by = basis.by * inverse.by;
+    demand(equal(multiply(basis.rows, inverse.rows), scaled(identity(2 * size), by)), 'basis times inverse is not the unit matrix');
+    const all = halves.map(m => quarters(multiply(multiply(inverse.rows, m), basis.rows), size));
+    return sizes.map((n, i) => {
+      const first = sum_of(sizes.slice(0, i)), inside = row => row.slice(first, first + n);
+      demand(all.flat().every(m => m.slice(first + n).every(row => inside(row).every(x => !x))), 'not block upper triangular');
+      const parts = all.map(pair => pair.map(m => m.slice(first, first + n).map(inside)));
+      const factor = common_factor(den * by, parts.flat(3));
+      const own = parts.map(pair => pair.map(m => m.map(row => row.map(x => x / factor))));
+      return near_family({root: of_root, size: n, den: den * by / factor, halves: own.map(([x, y]) => on_halves(x, y, of_root))});
+    });
+  }
   // 5.9: no coordinate of a point j is larger in modulus if a solution of compact support does not vanish at x' + j
   function reach({mask, M, adjugate: of_inverse, det, digits}, components) {
     const farthest = Math.max(...[...mask.values()].flatMap(([k]) => add_points(digits[0], k, -1).map(Math.abs)));
@@ -2526,7 +2635,7 @@ var check_certificate = (() => {
     return functionals;
   }
   // All continuous solutions are multiples of one, or with functionals only one has their values
-  function check_unique(transition, den, components, functionals) {
+  function check_unique(transition, den, components, functionals, solutions = 1) {
     const inner = inner_places(transition, components), span = new Span([], 2n ** 32n - 5n);
     const images = [...inner].map(([key, entry]) => {
       const image = transition.apply(transition.digits[0], new Map([[key, entry]]));
@@ -2537,7 +2646,7 @@ var check_certificate = (() => {
       });
       return span.extend(image);
     });
-    demand(images.filter(x => !x).length <= (functionals.length ? 0 : 1), 'the refinement equation may have several continuous solutions');
+    demand(images.filter(x => !x).length <= (functionals.length ? 0 : solutions), 'the refinement equation may have several continuous solutions');
   }
   function read_component(reader, {size, vectors}, component) {  // what reads it on the space, by points
     const readings = new Map();
@@ -2646,7 +2755,8 @@ var check_certificate = (() => {
     const digits = reader.read('digits', D).map(token => read_point(token, dimension));
     const transition = new Transition(mask, M, digits), both = upper || exact;
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
-    const family = by_values ? read_values(reader, transition, order, den, both, components, integral)
+    const family = surface.root ? read_values_over_field(reader, transition, order, den, both, components, surface.root)
+      : by_values ? read_values(reader, transition, order, den, both, components, integral)
       : read_differences(reader, transition, order, den);
     const part = component === undefined ? null : read_component(reader, family, component);
     if (part && both) check_observable(part, family);
@@ -3668,7 +3778,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
     if (kind === check_surface) {
       const kind_of = options.surface === undefined ? 'refinable' : 'surface', text = options[kind_of];
-      [claim.surface, claim.dilation] = [read_surface(text, kind_of === 'refinable'), read_dilation(options.dilation)];
+      const of_matrices = kind_of === 'refinable', read = of_matrices && text.includes('sqrt(') ? read_over_field : read_surface;
+      [claim.surface, claim.dilation] = [read(text, of_matrices), read_dilation(options.dilation)];
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
       if (options.vertex !== undefined) {
@@ -3676,6 +3787,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
         claim.sectors = read_sectors(options.vertex);
         claim.head += ` vertex=${options.vertex}`;
       }
+      demand(!claim.surface.root || (options.integral === undefined && options.component === undefined),
+             'of matrices with a square root all functions are asked for, and no integral');
       if (options.integral !== undefined) {
         claim.integral = options.integral.split(',').map(rational);
         demand(claim.integral.length === claim.surface.components && claim.integral.some(x => sign(x)),

@@ -15,13 +15,18 @@ class Attained {
            Arithmetic& arithmetic)
       : body_(body),
         radius_(radius),
-        many_(error.entry > 0),
+        many_(error.entry > 0 && !error.field),
         symmetric_(error.symmetric),
         matrix_error_(error.entry * mpz_class(body.size)),
         reader_(reader),
         arithmetic_(arithmetic),
         vertices_(body.vertices.size()),
-        origins_(body, arithmetic) {}
+        origins_(body, arithmetic) {
+    if (!error.field) return;
+    require(body.parts == 1 && !body.nonnegative, "over a field complex polytopes and cones name no radius");
+    field_ = *error.field;
+    if (body.transposed) field_->transpose();
+  }
 
   void run() {
     for (const Vector& vertex : body_.vertices)
@@ -56,8 +61,12 @@ class Attained {
     for (std::size_t k = word.size(); k-- > 0;) x = body_.turn(word[k], std::move(x), arithmetic_);
     return x;
   }
+  /// Exactly: over a field x holds the p and then the q of p + sqrt(root) q.
+  Vector exact_image(std::size_t letter, const Vector& x) const {
+    return field_ ? field_->image(letter, x, arithmetic_) : body_.image(letter, x, arithmetic_);
+  }
   Vector around(const Cycle& cycle, Vector x) {
-    for (const std::size_t t : cycle.letters) x = body_.image(t, x, arithmetic_);
+    for (const std::size_t t : cycle.letters) x = exact_image(t, x);
     return turned(cycle.word, std::move(x));
   }
 
@@ -70,12 +79,15 @@ class Attained {
     for (std::size_t k = 2; k < fields.size(); ++k)
       cycle.letters.push_back(parse_size(fields[k], 0, body_.family.count() - 1));
     require(!vertices_[cycle.root].cycle, "a vertex is the first one of two cycles");
-    const mpz_class scale = power(body_.family.denominator, cycle.letters.size()).get_num();
+    const mpz_class scale =
+        power(field_ ? field_->rational.denominator : body_.family.denominator, cycle.letters.size()).get_num();
     cycle.basis = read_seed(
-        radius_, body_.size, scale, [&](const Vector& x) { return around(cycle, x); }, reader_, arithmetic_);
+        radius_, field_ ? 2 * body_.size : body_.size, scale, [&](const Vector& x) { return around(cycle, x); },
+        reader_, arithmetic_);
     Vertex& root = vertices_[cycle.root];
     root.cycle = cycles_.size();
-    root.error = root_error(cycle, eigenvector_of(radius_, cycle.basis, scale, arithmetic_));
+    const Eigenvector found = eigenvector_of(radius_, cycle.basis, scale, arithmetic_);
+    root.error = root_error(cycle, field_ ? over_field(found, field_->root) : found);
     cycles_.push_back(std::move(cycle));
   }
 
@@ -211,7 +223,7 @@ class Attained {
       return;
     }
     const std::size_t n = body_.size;
-    std::vector<bool> equal(body_.parts * n, true), opposite = equal;
+    std::vector<bool> equal((field_ ? 2 : body_.parts) * n, true), opposite = equal;
     compare(image, target, word, equal, opposite);
     for (std::size_t i = 0; body_.nonnegative && i < n; ++i) equal[i] = equal[i] || is_below(image, target, word, i);
     const auto all = [](const std::vector<bool>& marks) {
@@ -245,7 +257,8 @@ class Attained {
     Origins::Way left = origins_.way_to(image.vertex);
     left.letters.insert(left.letters.begin(), image.letter);
     const Origins::Way right = origins_.way_to(target);
-    const std::size_t a = left.letters.size(), b = right.letters.size(), more = std::max(a, b) - std::min(a, b);
+    const std::size_t n = body_.size, a = left.letters.size(), b = right.letters.size(),
+                      more = std::max(a, b) - std::min(a, b);
     const std::optional<std::size_t> cycle = vertices_[left.first].cycle;
     if (vertices_[right.first].cycle != cycle || (cycle ? more % radius_.length : more) != 0) {
       equal.assign(equal.size(), false);
@@ -253,9 +266,12 @@ class Attained {
       return;
     }
     const auto led = [&](const Origins::Way& way, std::size_t k, bool fewer) {
-      return origins_.led(
-          cycle ? cycles_[*cycle].basis[k] : body_.vertices[way.first],
-          [&](Vector x) { return around(cycles_[*cycle], std::move(x)); }, fewer ? more / radius_.length : 0, way);
+      Vector x = cycle ? cycles_[*cycle].basis[k] : body_.vertices[way.first];
+      if (field_) x.resize(2 * n);
+      for (std::size_t turn = fewer ? more / radius_.length : 0; turn > 0; --turn)
+        x = around(cycles_[*cycle], std::move(x));
+      for (std::size_t at = way.letters.size(); at-- > 0;) x = exact_image(way.letters[at], x);
+      return x;
     };
     for (std::size_t k = 0; k < (cycle ? cycles_[*cycle].basis.size() : 1); ++k) {
       const Vector moved = led(left, k, a < b), vertex = turned(word, led(right, k, a > b));
@@ -294,9 +310,10 @@ class Attained {
 
   const Polytope& body_;
   const ExactRadius& radius_;
-  bool many_;               // families, those of all masks near one
-  bool symmetric_;          // and all these masks
-  mpq_class matrix_error_;  // of the matrices, in the 1-norm
+  bool many_;                         // families, those of all masks near one
+  bool symmetric_;                    // and all these masks
+  mpq_class matrix_error_;            // of the matrices, in the 1-norm
+  std::optional<FieldFamily> field_;  // of which the matrices are rounded, transposed where they are
   Reader& reader_;
   Arithmetic& arithmetic_;
   std::vector<Vertex> vertices_;

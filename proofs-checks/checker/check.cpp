@@ -2,6 +2,7 @@
 // ../certificates/SPEC.md, which proves each step.
 #include "check.hpp"
 
+#include "blocks.hpp"
 #include "claim.hpp"
 #include "frequency.hpp"
 #include "graph.hpp"
@@ -167,7 +168,11 @@ class Checker {
     const bool divided = reader_.at("blocks");
     require(!divided || entry_error_ == 0, "blocks prove nothing of rounded masks");
     require(divided || component_.unobservable == 0, "expected 'blocks', those of what is unobservable first");
-    const std::vector<Family> blocks = divided ? read_blocks(family) : std::vector{family};
+    std::vector<Family> blocks{family};
+    if (over_field_)
+      blocks = near_blocks(divided);
+    else if (divided)
+      std::tie(blocks, unobservable_blocks_) = read_blocks(family, component_, reader_, arithmetic_);
     if (lower_ || reader_.at("product")) read_product(blocks);
     const bool sections = upper_ || exact_ || reader_.at("block 0");
     const auto goal = std::tuple(upper_, strict_, exact_);
@@ -176,8 +181,27 @@ class Checker {
         std::tie(upper_, strict_, exact_) = std::tuple(mpq_class(1), true, std::nullopt);
       else
         std::tie(upper_, strict_, exact_) = goal;
+      use_block(i);
       read_section(family, blocks[i], i, first_columns && !divided);
     }
+  }
+
+  /// Section 5.13: rational matrices near those of the blocks over the field.
+  std::vector<Family> near_blocks(bool divided) {
+    field_blocks_ = divided ? read_field_blocks(*over_field_, reader_, arithmetic_) : std::vector{*over_field_};
+    std::vector<Family> blocks;
+    for (const FieldFamily& block : field_blocks_) {
+      NearFamily near = near_family(block);
+      blocks.push_back(std::move(near.family));
+      entry_errors_.push_back(near.error);
+    }
+    return blocks;
+  }
+  /// What is known of the numbers of a block.
+  void use_block(std::size_t i) {
+    if (!over_field_) return;
+    entry_error_ = entry_errors_[i];
+    field_block_ = entry_error_ > 0 ? &field_blocks_[i] : nullptr;
   }
 
   void read_section(const Family& family, const Family& block, std::size_t i, bool first_columns) {
@@ -192,8 +216,11 @@ class Checker {
       use_graph(read_quadratic(block, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
     else if (fields[0] == "graph" && entry_error_ == 0)
       use_graph(read_graph(block, fields, exact_ ? &*exact_ : nullptr, reader_, arithmetic_));
-    else
+    else {
+      const bool symmetric = std::ranges::find(fields, "symmetric") != fields.end();
+      require(!field_block_ || !symmetric || field_block_->is_mirrored(), "the family is not symmetric");
       use_polytope(read_polytope(block, fields, entry_error_, reader_, arithmetic_));
+    }
   }
 
   /// Section 6.5: all masks, and what is to be shown of them.
@@ -238,6 +265,11 @@ class Checker {
               "the lower end is above the order of the differences");
       root_ = claim_.dilation->variables;
       show_exact_exponent(1, 0);
+      if (claim_.root > 0) {
+        over_field_ = read_vector_over_field(mask, claim_.root, *claim_.dilation, sum_rules, claim_.upper || exact_,
+                                             reader_, arithmetic_);
+        return {};
+      }
       SurfaceFamily surface = read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_,
                                            claim_.integral, reader_, arithmetic_);
       of_scheme_ = std::move(surface.of_scheme);
@@ -311,45 +343,12 @@ class Checker {
             "the exact radius proves no exponent between 0 and the number of sum rules");
   }
 
-  /// Section 4.4: the diagonal blocks.
-  std::vector<Family> read_blocks(const Family& family) {
-    const std::size_t n = family.size;
-    std::vector<std::size_t> sizes;
-    for (const std::string_view field : reader_.take("blocks", 1, n)) sizes.push_back(parse_size(field, 1, n));
-    require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == n, "the block sizes do not sum to n");
-    unobservable_blocks_ = 0;
-    for (std::size_t sum = 0; sum < component_.unobservable; sum += sizes[unobservable_blocks_++])
-      require(sum + sizes[unobservable_blocks_] <= component_.unobservable,
-              "what is unobservable consists of no blocks");
-    const Family basis = read_family(reader_, "basis", 1, n);
-    check_unobservable(component_, basis.entries, n, arithmetic_);
-    const Family inverse = read_family(reader_, "inverse", 1, n);
-    const mpz_class denominator = basis.denominator * inverse.denominator;
-    const Vector unit = arithmetic_.multiply(basis.entries, inverse.entries, n);
-    for (std::size_t i = 0; i < n * n; ++i)
-      require(unit[i] == (i % (n + 1) == 0 ? denominator : mpz_class(0)), "basis times inverse is not the unit matrix");
-    std::vector<Rationals> entries(sizes.size());
-    for (std::size_t t = 0; t < family.count(); ++t) {
-      const Vector images = arithmetic_.multiply(family.matrix(t), basis.entries, n);
-      const Vector triangular = arithmetic_.multiply(inverse.entries, images, n);
-      for (std::size_t block = 0, start = 0; block < sizes.size(); start += sizes[block++])
-        for (std::size_t k = start; k < start + sizes[block]; ++k)
-          for (std::size_t j = start; j < n; ++j) {
-            const mpz_class& entry = triangular[k * n + j];
-            const bool inside = j < start + sizes[block];
-            require(inside || entry == 0, "not block upper triangular");
-            if (inside) entries[block].push_back(ratio(entry, family.denominator * denominator));
-          }
-    }
-    std::vector<Family> blocks;
-    for (std::size_t i = 0; i < sizes.size(); ++i) blocks.push_back(clear_denominators(sizes[i], entries[i]));
-    return blocks;
-  }
-
   /// A lower bound of the radius.
   void read_product(const std::vector<Family>& blocks) {
     const Fields fields = reader_.take("product", 4, 3 + 4096);
-    const Family& family = blocks[parse_size(fields[0], unobservable_blocks_, blocks.size() - 1)];
+    const std::size_t block = parse_size(fields[0], unobservable_blocks_, blocks.size() - 1);
+    const Family& family = blocks[block];
+    use_block(block);
     GivenProduct given{{}, parse_rational(fields[1]), parse_rational(fields[2])};
     for (std::size_t i = 3; i < fields.size(); ++i)
       given.letters.push_back(parse_size(fields[i], 0, family.count() / weights_.size() - 1));
@@ -376,7 +375,7 @@ class Checker {
 
   void use_polytope(const Polytope& body) {
     const bool attained = exact_ && reader_.at("cycle");
-    const FamilyError error{entry_error_, claim_.rounding && claim_.rounding->symmetric};
+    const FamilyError error{entry_error_, claim_.rounding && claim_.rounding->symmetric, field_block_};
     if (attained) check_attained(body, *exact_, error, reader_, arithmetic_);
     use_graph({body.bound, attained});
   }
@@ -447,8 +446,12 @@ class Checker {
   const Claim& claim_;
   Reader& reader_;
   Arithmetic arithmetic_;
-  Vector weights_{1};          // of the control matrices
-  mpq_class entry_error_ = 0;  // of the matrices, where the mask is rounded
+  Vector weights_{1};                         // of the control matrices
+  mpq_class entry_error_ = 0;                 // of the matrices, where the mask is rounded
+  std::optional<FieldFamily> over_field_;     // section 5.13: of matrices with a square root,
+  std::vector<FieldFamily> field_blocks_;     // their blocks,
+  Rationals entry_errors_;                    // the errors of these,
+  const FieldFamily* field_block_ = nullptr;  // and the block of the section, if it is not rational
   // What is to be shown: lower <= JSR^root <= upper (`strict`: <); and JSR^root > above, where there is a lower
   // end.
   std::optional<mpq_class> lower_, upper_;

@@ -80,7 +80,13 @@ Options read_options(const std::vector<std::string>& arguments) {
 void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
                        bool of_matrices = false) {
   const char letter = claim.range ? claim.range->letter : '\0';
-  claim.mask = of_matrices ? parse_matrix_mask(mask, letter) : parse_mask(mask, letter);
+  if (kind == "dilation" && of_matrices && has_root(mask)) {
+    FieldMask over_field = parse_field_mask(mask);
+    claim.mask = std::move(over_field.doubled);
+    claim.root = over_field.root;
+  } else {
+    claim.mask = of_matrices ? parse_matrix_mask(mask, letter) : parse_mask(mask, letter);
+  }
   const Vector& coefficients = claim.mask->coefficients;
   if (kind == "arity") {
     require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
@@ -222,6 +228,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.head += " vertex=" + *vertex;
     claim.subject += ", and C^1 limits of almost all data around " + *vertex;
   }
+  require(claim.root == 0 || (!integral && !component),
+          "of matrices with a square root all functions are asked for, and no integral");
   if (integral) {
     claim.integral.emplace();
     for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));

@@ -36,6 +36,7 @@ struct Claim {
   std::optional<SectorRules> vertex;     // of numbers with a dilation: limits are C^1 there as well
   std::optional<Rationals> integral;     // of matrices: of the only functions that have it
   std::optional<std::size_t> component;  // of matrices: of one function alone
+  mpz_class root = 0;                    // of matrices: R where they hold sqrt(R), and `mask` is the doubled one
   Family family;
   bool subradius = false;
   std::optional<mpq_class> lower, upper;

@@ -114,6 +114,18 @@ Eigenvector eigenvector_of(const ExactRadius& radius, const std::vector<Vector>&
   return result;
 }
 
+Eigenvector over_field(const Eigenvector& parts, const mpz_class& root) {
+  const std::size_t n = parts.point.size() / 2;
+  const mpz_class near = scaled_root(root);
+  Eigenvector result{{}, mpz_class(root << root_bits) * parts.error};  // of the p once, of the q sqrt(root) times
+  for (std::size_t i = 0; i < n; ++i) {
+    const Complex &p = parts.point[i], &q = parts.point[n + i];
+    result.point.push_back({(p.re << root_bits) + q.re * near, (p.im << root_bits) + q.im * near});
+    result.error += norm(q);
+  }
+  return result;
+}
+
 ExactRadius parse_exact_radius(std::string_view text) {
   constexpr const char* expected = "an exact radius is |[p0,p1,...]@RE,IM,EPS|^1/L";
   const std::size_t end = text.find("]@"), power = text.rfind("|^1/");

@@ -2,6 +2,7 @@
 // Numbers |z|^(1/L), and eigenvectors of products for z: section 4.10 of ../certificates/SPEC.md.
 
 #include "arithmetic.hpp"
+#include "field.hpp"
 #include "polytope.hpp"
 
 #include <functional>
@@ -60,14 +61,18 @@ struct Eigenvector {
 Eigenvector eigenvector_of(const ExactRadius& radius, const std::vector<Vector>& basis, const mpz_class& scale,
                            Arithmetic& arithmetic);
 
+/// p + sqrt(root) q, of a vector of all p and then all q.
+Eigenvector over_field(const Eigenvector& parts, const mpz_class& root);
+
 /// T1,T2,...
 std::vector<std::size_t> parse_letters(std::string_view text);
 
 /// What is known of the families for which something is to be shown: of matrices whose entries are within `entry` of
-/// the given ones; whether each of them is its own mirror image.
+/// the given ones; whether each of them is its own mirror image; or that the family is this one over a field.
 struct FamilyError {
   mpq_class entry;
   bool symmetric;
+  const FieldFamily* field = nullptr;
 };
 
 /// Reads the lines from `cycle` on after those of the polytope, and shows that the joint spectral radius of its family

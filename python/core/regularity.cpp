@@ -77,7 +77,8 @@ py::dict holder_dict(const HolderEvidence& evidence) {
 py::object holder_certificate(const HolderEvidence& evidence) {
   const auto& surface = evidence.regularity.surface;
   if (surface && !surface->space) return py::none();
-  return to_list(exponent_certificate(evidence.scheme.mask, evidence.regularity, evidence.scheme.rounding));
+  return to_list(exponent_certificate(evidence.scheme.mask, evidence.regularity, evidence.scheme.rounding,
+                                      evidence.scheme.quadratic));
 }
 
 /// A family with the graph that restricts its products, if there is one.

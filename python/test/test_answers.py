@@ -276,3 +276,5 @@ def test_values_with_a_square_root():
     points, values = pair.limit(1, exact=True)
     assert values[0] == (Fraction(1, 2), "-1/4*sqrt(7)") and points[0] == (Fraction(1, 2),)
     assert pair.limit(1)[1][0][1] == pytest.approx(-(7**0.5) / 4)
+    certificate = pair.holder().certificate
+    assert certificate.exact.startswith("0-log|[-7,0,16]") and certificate.verify().accepted

@@ -45,11 +45,32 @@ class Surface {
     const std::set<Sequence> starts = operators_.differences(values, order);
     if (of_vectors_)
       check_unique(operators_,
-                   integral ? read_functionals(operators_, values, *integral, reader_) : std::vector<Vector>());
+                   integral ? read_functionals(operators_, values, *integral, reader_) : std::vector<Vector>(), 1);
     read_space();
     Family result = restricted();
     const std::size_t rounds = rounds_into_space(starts);
     if (spanned) check_spanned(starts, rounds);
+    return result;
+  }
+
+  /// Section 5.13: the space of the differences of phi over the field of a root, of the mask [P, root Q; Q, P].
+  FieldFamily over_field(std::size_t order, bool spanned, const mpz_class& root) {
+    const Sequence values = read_values();
+    std::set<Sequence> starts = operators_.differences(values, order);
+    starts.merge(operators_.differences(times_root(values, root), order));
+    check_unique(operators_, {}, 2);
+    read_space(&root);
+    const std::size_t size = space_.size() / 2, count = operators_.classes();
+    const Family moved = restricted(size);
+    const std::size_t rounds = rounds_into_space(starts);
+    if (spanned) check_spanned(starts, rounds);
+    FieldFamily result{{size, {}, moved.denominator}, {size, {}, moved.denominator}, root};
+    for (std::size_t k = 0; k < count * size; ++k) {
+      const auto column = moved.entries.begin() + static_cast<std::ptrdiff_t>(2 * k * size),
+                 half = column + static_cast<std::ptrdiff_t>(size), end = half + static_cast<std::ptrdiff_t>(size);
+      result.rational.entries.insert(result.rational.entries.end(), column, half);
+      result.multiples.entries.insert(result.multiples.entries.end(), half, end);
+    }
     return result;
   }
 
@@ -232,9 +253,22 @@ class Surface {
     return values;
   }
 
-  void read_space() {
+  /// The components p and then q of p + sqrt(root) q, times sqrt(root).
+  Sequence times_root(const Sequence& x, const mpz_class& root) const {
+    const std::size_t half = operators_.components() / 2;
+    Sequence result;
+    for (const auto& [place, value] : x) {
+      const bool is_rational = place.component < half;
+      operators_.set(result, {place.point, is_rational ? place.component + half : place.component - half},
+                     is_rational ? value : mpz_class(value * root));
+    }
+    return result;
+  }
+
+  /// `root`: the vectors are a basis over the field; their multiples by the root follow all of them.
+  void read_space(const mpz_class* root = nullptr) {
     space_.clear();
-    const std::size_t size = parse_size(reader_.take("space", 1, 1)[0], 1, max_space);
+    const std::size_t size = parse_size(reader_.take("space", 1, 1)[0], 1, root ? max_space / 2 : max_space);
     for (std::size_t i = 0; i < size; ++i) {
       Row& row = space_.emplace_back();
       for (const auto& [place, value] : read_terms("vector")) {
@@ -244,6 +278,13 @@ class Surface {
       factor_ = space_[0].values.at(space_[0].pivot);
       require(factor_ > 0, "the first coefficient of a vector must be positive");
       require(row.values.at(row.pivot) == factor_, "the first coefficients of two vectors differ");
+    }
+    for (std::size_t i = 0; root && i < size; ++i) {
+      const std::size_t half = operators_.components() / 2;
+      Place pivot = space_[i].pivot;
+      require(pivot.component < half, "the first point of a vector is of a multiple of the root");
+      pivot.component += half;
+      space_.push_back({pivot, times_root(space_[i].values, *root)});
     }
     for (const Row& row : space_)
       for (const Row& other : space_)
@@ -271,17 +312,18 @@ class Surface {
     return terms;
   }
 
-  /// All T_d of the vectors, in the coordinates of the space, times the denominator of the mask and the first
-  /// coefficient of the vectors.
-  Family restricted() {
+  Family restricted() { return restricted(space_.size()); }
+  /// All T_d of the first `columns` vectors, in the coordinates of the space, times the denominator of the mask and the
+  /// first coefficient of the vectors.
+  Family restricted(std::size_t columns) {
     const std::size_t count = operators_.classes() * (1 + more_powers_.size());
-    Family result{space_.size(), Vector(count * space_.size() * space_.size()), operators_.denominator() * factor_};
-    for (std::size_t k = 0; k < space_.size(); ++k) {
+    Family result{space_.size(), Vector(count * columns * space_.size()), operators_.denominator() * factor_};
+    for (std::size_t k = 0; k < columns; ++k) {
       std::vector<Sequence> moved = images(space_[k].values);
       for (std::size_t d = 0; d < moved.size(); ++d) {
         for (std::size_t j = 0; j < space_.size(); ++j)
           if (const auto at = moved[d].find(space_[j].pivot); at != moved[d].end())
-            result.entries[(d * space_.size() + k) * space_.size() + j] = at->second;
+            result.entries[(d * columns + k) * space_.size() + j] = at->second;
         over_rationals_.reduce(moved[d], space_);
         require(moved[d].empty(), "a transition operator leads out of the space");
       }
@@ -371,6 +413,14 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   SurfaceFamily result{surface->of_scheme(order), {}, {}};
   if (upper || reader.at("gram")) surface->check_stability();
   return result;
+}
+
+FieldFamily read_vector_over_field(const Mask& doubled, const mpz_class& root, const Dilation& dilation,
+                                   std::size_t order, bool upper, Reader& reader, Arithmetic& arithmetic) {
+  require(order <= max_order, "a higher order than the checker allows in several variables");
+  Surface surface(doubled, dilation, reader, arithmetic);
+  surface.read_digits();
+  return surface.over_field(order, upper, root);
 }
 
 Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic) {

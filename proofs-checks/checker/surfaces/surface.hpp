@@ -3,6 +3,7 @@
 
 #include "component.hpp"
 #include "dilation.hpp"
+#include "field.hpp"
 
 #include <functional>
 #include <optional>
@@ -35,5 +36,9 @@ Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& re
 /// matrices. The result uses the reader and the arithmetic.
 SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size_t order, bool of_values, bool upper,
                            const std::optional<Rationals>& integral, Reader& reader, Arithmetic& arithmetic);
+
+/// The same of matrices with a square root, section 5.13.
+FieldFamily read_vector_over_field(const Mask& doubled, const mpz_class& root, const Dilation& dilation,
+                                   std::size_t order, bool upper, Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

@@ -94,7 +94,8 @@ std::vector<Vector> read_functionals(const Transition& operators, const Sequence
                                      Reader& reader);
 
 /// Section 5.9: rejects unless the continuous solutions of compact support of the refinement equation are the multiples
-/// of one; or with functionals, unless there is only one that has their values.
-void check_unique(const Transition& operators, const std::vector<Vector>& functionals);
+/// of one; or with functionals, unless there is only one that has their values. `solutions`: the dimension of their
+/// values over the rationals, 2 over a quadratic field.
+void check_unique(const Transition& operators, const std::vector<Vector>& functionals, std::size_t solutions);
 
 }  // namespace subcert_check

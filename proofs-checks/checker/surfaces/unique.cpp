@@ -160,7 +160,7 @@ std::vector<Vector> read_functionals(const Transition& operators, const Sequence
   return result;
 }
 
-void check_unique(const Transition& operators, const std::vector<Vector>& functionals) {
+void check_unique(const Transition& operators, const std::vector<Vector>& functionals, std::size_t solutions) {
   const Sequence inner = Places(operators).inner();
   const Elimination modulo(operators, true);
   std::vector<Row> rows;
@@ -172,7 +172,7 @@ void check_unique(const Transition& operators, const std::vector<Vector>& functi
         operators.entry(image, {{}, operators.components() + i}) = reading;
     modulo.add(rows, std::move(image));
   }
-  require(rows.size() + (functionals.empty() ? 1 : 0) >= inner.size(),
+  require(rows.size() + (functionals.empty() ? solutions : 0) >= inner.size(),
           "the refinement equation may have several continuous solutions");
 }
 

@@ -12,6 +12,7 @@ from pathlib import Path
 import attains_cases
 import cycle_cases
 import edge_cases
+import field_cases
 import frequency_cases
 import graph_cases
 import l1_cases
@@ -693,13 +694,13 @@ reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",
        replace("^(image 0 .) 0:16$", r"\1 0:21 0:-5", 2))
-modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, vector_range_cases, stability_cases, attains_cases, level_cases
+modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, vector_range_cases, stability_cases, attains_cases, level_cases
 for case, base, options, reason, edits in [case for module in modules for case in module.REJECTED]:
     reject(case, base, reason, lambda lines: make_certificates.edited(lines, edits), options)
 for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN + stability_cases.WRITTEN + attains_cases.WRITTEN:
     (out / f"{case}.cert").write_text("\n".join(["subcert-certificate 3", *lines.split("; ")]) + "\n")
     index.append(f"{case} {options} | {reason}")
-for case, (options, lines), reason in attains_cases.rejected(make_certificates):
+for case, (options, lines), reason in [*attains_cases.rejected(make_certificates), *field_cases.rejected_by(make_certificates)]:
     (out / f"{case}.cert").write_text("\n".join(lines) + "\n")
     index.append(f"{case} {' '.join(options)} | {reason}")
 for case, options, lines, reason in [*vertex_cases.rejected(), *vertex_variant_cases.rejected(), *vertices_cases.rejected()]:

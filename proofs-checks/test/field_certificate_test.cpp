@@ -1,0 +1,78 @@
+#include "checker.hpp"
+
+#include <subcert/analysis/regularity/multivariate_regularity.hpp>
+#include <subcert/cmake/random.hpp>
+
+using namespace subcert;
+using namespace subcert::testing;
+
+namespace {
+
+Certificate certificate_of(const Scheme& scheme) {
+  return field_certificate(*scheme.quadratic, vector_regularity(*scheme.quadratic, {Deadline::in(60)}));
+}
+
+/// As the certificate names its mask.
+std::string subject_of(const Certificate& certificate) {
+  const auto& subject = std::get<SurfaceSubject>(certificate.claim.subject);
+  return "--refinable '" + subject.mask + "' --dilation '" + subject.dilation + "'";
+}
+
+/// A hat function, and beside it two functions f = h(2x - 1) (1, 1) + C_0 f(2x) + C_1 f(2x - 1): `c` are the entries of
+/// both, row by row.
+std::string beside_hat(const std::vector<std::string>& c) {
+  REQUIRE(c.size() == 8);
+  return "refinable:[[[1/2,0,0],[0,0,0],[0,0,0]],[[1,0,0],[0," + c[0] + "," + c[1] + "],[0," + c[2] + "," + c[3] +
+         "]],[[1/2,0,0],[1," + c[4] + "," + c[5] + "],[1," + c[6] + "," + c[7] + "]]]@-1";
+}
+
+}  // namespace
+
+TEST_CASE("certificates of matrices with a square root say what the exponent is") {
+  for (const char* specification : {"cl:2", "cl:3", "bat:1", "bat:2", "bat:3", "sa4"}) {
+    CAPTURE(specification);
+    const Certificate certificate = certificate_of(make_refinable_scheme(specification));
+    CHECK(certificate.missing.empty());
+    CHECK(proves_exactly(subject_of(certificate), certificate));
+  }
+}
+
+TEST_CASE("certificates of matrices with a square root: of random functions, and against false claims") {
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(6)) {
+    const long root = random.chance(50) ? 2 : 7;
+    std::vector<std::string> entries;
+    for (int k = 0; k < 8; ++k)
+      entries.push_back(std::to_string(random.integer(-3, 3)) + "/10+" + std::to_string(random.integer(0, 2)) +
+                        "/20*sqrt(" + std::to_string(root) + ")");
+    const Scheme scheme = make_refinable_scheme(beside_hat(entries));
+    CAPTURE(scheme.specification);
+    if (!scheme.quadratic) continue;
+    const MultivariateRegularity found = vector_regularity(*scheme.quadratic, {Deadline::in(20)});
+    if (!found.exponent.lower || *found.exponent.lower <= 0 || found.vector->solutions != 1) continue;
+    const Certificate certificate = field_certificate(*scheme.quadratic, found);
+    const CertificateClaim& claim = certificate.claim;
+    const std::string subject = subject_of(certificate);
+    REQUIRE(claim.lower);
+    CHECK(proves(subject, *claim.lower, claim.upper.value_or(""), certificate.text()));
+    CHECK_FALSE(proves(subject, to_text(*parse_rational(*claim.lower) + Rational(1, 1000)), "", certificate.text()));
+    if (!claim.upper) continue;
+    CHECK_FALSE(
+        proves(subject, *claim.lower, to_text(*parse_rational(*claim.upper) - Rational(1, 1000)), certificate.text()));
+  }
+}
+
+TEST_CASE("certificates of matrices with a square root: what there are none for") {
+  const Scheme scheme = make_refinable_scheme("cl:2");
+  const Budget budget{Deadline::in(20)};
+  const auto fails = [&](const VectorQuestion& question, const char* message) {
+    CHECK_THROWS_WITH(field_certificate(*scheme.quadratic, vector_regularity(*scheme.quadratic, budget, question)),
+                      Catch::Contains(message));
+  };
+  fails({.component = 0}, "need all functions, of no given integral, got one of them");
+  const Scheme two = make_refinable_scheme("refinable:[[[2,0],[0,2]],[[4,0],[0,4]],[[2,0],[sqrt(2),2]]]/4@-1");
+  CHECK_THROWS_WITH(certificate_of(two), Catch::Contains("need a continuous solution that is the only one"));
+  // discontinuous functions, as the matrices of differences have a radius of 1 or more
+  const Scheme rough = make_refinable_scheme(beside_hat({"sqrt(2)", "0", "0", "1/2", "1/2", "0", "0", "1/2"}));
+  CHECK_THROWS_AS(certificate_of(rough), Error);
+}

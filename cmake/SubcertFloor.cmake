@@ -2,12 +2,13 @@
 option(SUBCERT_JOIN "Compile sources of one folder together where their target says so" ON)
 set(SUBCERT_TEST_SECONDS 300 CACHE STRING "The longest time of a quick test")
 
-# subcert_floor(NAME [QUICK] SOURCES ... HEADERS ... DEPENDS ... PRIVATE ...)
+# subcert_floor(NAME [QUICK | PRINTER] SOURCES ... PRINTER_SOURCES ... HEADERS ... DEPENDS ... PRIVATE ...)
 # One static library for a floor of the house: alias subcert::NAME, exported. HEADERS are its public ones: they are
 # installed below include/subcert under their path in the source tree, and each compiles alone (a long test); headers
-# that no user needs are listed nowhere. QUICK: compiled quickly, for a floor that only calls others.
+# that no user needs are listed nowhere. QUICK and PRINTER: compiled as these kinds of subcert_precompiled(), as are
+# PRINTER_SOURCES, which call the others.
 function(subcert_floor name)
-  cmake_parse_arguments(PARSE_ARGV 1 floor "QUICK" "" "SOURCES;HEADERS;DEPENDS;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 floor "QUICK;PRINTER" "" "SOURCES;PRINTER_SOURCES;HEADERS;DEPENDS;PRIVATE")
   set(target subcert_${name})
   add_library(${target} STATIC ${floor_SOURCES})
   add_library(subcert::${name} ALIAS ${target})
@@ -26,30 +27,45 @@ function(subcert_floor name)
     FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
   set_property(GLOBAL APPEND PROPERTY SUBCERT_FLOORS ${target})
   subcert_warnings(${target})
-  if(floor_QUICK)
+  if(floor_PRINTER)
+    subcert_precompiled(${target} printers)
+  elseif(floor_QUICK)
     subcert_precompiled(${target} quick)
   else()
     subcert_precompiled(${target} floors)
+  endif()
+  if(floor_PRINTER_SOURCES)
+    set(printer ${target}_printer)
+    add_library(${printer} OBJECT ${floor_PRINTER_SOURCES})
+    target_compile_features(${printer} PRIVATE cxx_std_20)
+    target_link_libraries(${printer} PRIVATE ${floor_DEPENDS} ${floor_PRIVATE})
+    target_include_directories(${printer} PRIVATE "${SUBCERT_INCLUDE}")
+    subcert_warnings(${printer})
+    subcert_precompiled(${printer} printers)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${printer}>)
   endif()
 endfunction()
 
 # subcert_precompiled(TARGET KIND): what almost every source reads is parsed once for all targets of a kind, which have
 # the same options.
-#   floors  optimised
-#   quick   compiled quickly: floors that only call others, reports, commands
-#   tests   compiled quickly, with Catch2
+#   floors    optimised (-O2)
+#   quick     compiled in three quarters of that time (-O1): floors that compute little themselves
+#   printers  in half of it (-Og): what only calls others, reports, commands
+#   tests     as quick, with Catch2
 function(subcert_precompiled target kind)
   # GCC collects its garbage seldom: a tenth of the time for 150 MB more.
   target_compile_options(${target} PRIVATE -fPIC $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>)
-  if(NOT kind STREQUAL "floors")
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  endif()
+  set(levels floors -O2 quick -O1 printers -Og tests -O1)
+  list(FIND levels ${kind} at)
+  math(EXPR at "${at} + 1")
+  list(GET levels ${at} level)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
   set(common subcert_precompiled_${kind})
   if(NOT TARGET ${common})
     set(headers "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
     if(kind STREQUAL "tests")
       list(APPEND headers "${PROJECT_SOURCE_DIR}/cmake/catch.hpp")
-    elseif(kind STREQUAL "quick" AND TARGET nlohmann_json::nlohmann_json)
+    elseif(kind STREQUAL "printers" AND TARGET nlohmann_json::nlohmann_json)
       list(APPEND headers <nlohmann/json.hpp>)
     endif()
     set(source "${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp")
@@ -70,6 +86,9 @@ endfunction()
 # Names in their unnamed namespaces have to differ; that they hide each other is no fault, and GCC 12 sees numbers there
 # that are not set and are: the preset `dev` warns of both, where sources are compiled one by one.
 function(subcert_joined target count)
+  if(TARGET ${target}_printer)
+    subcert_joined(${target}_printer ${count})
+  endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SUBCERT_JOIN} UNITY_BUILD_BATCH_SIZE ${count})
   if(SUBCERT_JOIN)
     target_compile_options(${target} PRIVATE -Wno-shadow

@@ -18,6 +18,7 @@ namespace {
 using facts::Json;
 
 constexpr double points_of_limit = 300, points_of_variance = 64;
+constexpr double share_of_curve = 0.75;  ///< of the budget; the functions need the rest
 
 /// With four digits behind the point: more than a picture shows.
 double rounded(const Rational& value) { return std::round(value.convert_to<double>() * 1e4) / 1e4; }
@@ -106,7 +107,8 @@ std::string figure(const char* name, const char* caption) {
 
 std::string explorer_html(const ParametricScheme& scheme, const Rational& low, const Rational& high,
                           const ExplorerOptions& options) {
-  const ExponentCurve curve = exponent_curve(scheme.mask, low, high, {options.pieces, options.jobs, options.budget});
+  const Budget of_curve{options.budget.deadline.after(share_of_curve), options.budget.memory};
+  const ExponentCurve curve = exponent_curve(scheme.mask, low, high, {options.pieces, options.jobs, of_curve});
   const std::vector<Rational> values = values_of(curve, low, high, options.steps);
   Json shown = Json::array();
   for (const Rational& w : values) shown.push_back(value_json(scheme, curve, w, options.budget.deadline));

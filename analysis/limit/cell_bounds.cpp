@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -15,7 +14,6 @@ using namespace outward;
 
 constexpr std::size_t most_moments = 4;
 constexpr std::size_t most_words = 16;  // looked at one by one where the remainder of a cell is bounded
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::vector<double> rounded(const std::vector<Rational>& coefficients) {
   std::vector<double> result;

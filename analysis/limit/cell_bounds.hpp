@@ -10,9 +10,12 @@
 #include <subcert/analysis/outward_rounding/outward.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace subcert::cells {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Bounds for epsilon = v minus its interpolating polynomial, all 0 where v is a polynomial.
 struct Remainder {

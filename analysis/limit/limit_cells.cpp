@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -389,8 +388,6 @@ CellRange LimitCells::difference(const LimitCells& first, const CellForm& form, 
 namespace {
 
 using namespace outward;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Span {
   double lower, upper;

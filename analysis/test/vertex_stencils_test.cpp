@@ -66,7 +66,7 @@ TEST_CASE("stencils commute with the rules: limits stay, tangents shrink by the 
   Random random;
   for (const std::string scheme :
        {"loop", "catmull-clark", "doo-sabin", "midedge", "butterfly:w=1/16", "modified-butterfly", "sqrt3"})
-    for (const long n : {3L, 4L, 5L, 6L, 7L, 8L, 13L, 30L, 101L}) {
+    for (const long n : {3L, 4L, 5L, 6L, 7L, 8L, 13L, 40L}) {
       CAPTURE(scheme, n);
       const SectorRules rules = vertex_rules(scheme, n);
       const VertexSmoothness at = vertex_smoothness(rules, part_of(scheme));

@@ -66,7 +66,7 @@ nlohmann::json moved(const std::string& arguments) {
 }  // namespace
 
 TEST_CASE("analyze: a page on which a parameter is moved") {
-  const nlohmann::json page = moved("four-point:w --over w=-3/4..1/2");
+  const nlohmann::json page = moved("'mask:[w,1,1-w]@-1' --over w=-1/4..5/4");
   int drawn = 0;
   for (const nlohmann::json& value : page.at("values")) {
     CAPTURE(value.at("text"));
@@ -91,13 +91,14 @@ TEST_CASE("analyze: a page on which a parameter is moved") {
     const nlohmann::json& psi = value.at("variance");
     CHECK(psi.at(psi.size() / 2).get<double>() == Approx(squares).margin(1e-3));
   }
-  CHECK(drawn > 40);
-  CHECK(drawn < 61);
+  CHECK(drawn == 39);  // those with 0 < w < 1
   // Exact at single values, which are among them; divergent ones are no gaps.
-  const nlohmann::json odd = moved("four-point:w --over w=0..1/7 --budget 20");
+  const nlohmann::json odd = moved("four-point:w --over w=0..1/7 --budget 2");
   bool found = false;
-  for (const nlohmann::json& value : odd.at("values"))
+  for (const nlohmann::json& value : odd.at("values")) {
     if (value.at("text") == "1/16") found = value.at("exponent") == "2";
+    CHECK(value.contains("exponent") == value.contains("limit"));  // there is time for them, however long the curve
+  }
   CHECK(found);
   CHECK(odd.at("values").size() == 62);
   CHECK(moved("'mask:[w,1/2,1/2-w,1/2-w,1/2,w]' --over w=2..3").at("values").at(0).at("note") == "does not converge");

@@ -36,5 +36,5 @@ TEST_CASE("theorems: where the budget ends, what was proved until then") {
   CHECK(contains(part.out, "missing: time, before the step "));
   CHECK(contains(part.out, "verdict: unknown (the budget ran out after "));
   CHECK(contains(part.out, "(V.7) holds"));
-  CHECK(run("theorem smoothness --d 1 --budget 1000").code == 0);
+  CHECK(run("theorem convergence --d 1 --budget 1000").code == 0);
 }

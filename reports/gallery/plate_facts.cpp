@@ -19,7 +19,7 @@ using facts::Facts;
 using facts::member;
 
 constexpr int places = 10, places_of_variance = 5;  // for people
-constexpr std::size_t longest = 1200;               // characters of an exact object for people
+constexpr std::size_t longest_text = 1200;          // characters of an exact object for people
 
 std::string number_text(const Enclosure& enclosure, int digits) {
   return enclosure.is_exact() ? to_text(*enclosure.lower) : formats::fixed_text(enclosure, digits);
@@ -37,10 +37,10 @@ Facts known_of_mask(const Scheme& scheme) {
   Facts list = facts::mask_facts(scheme);
   const bool curve = scheme.mask.dimension() == 1;
   for (Fact& fact : list)
-    if (curve && fact.label == "mask" && (scheme.rounding || fact.text.size() > longest))
+    if (curve && fact.label == "mask" && (scheme.rounding || fact.text.size() > longest_text))
       fact.text = short_mask(scheme.mask.curve().symbol());
   std::erase_if(list, [&](const Fact& fact) {
-    return fact.label == "scheme" || (curve && fact.label != "mask" && fact.text.size() > longest) ||
+    return fact.label == "scheme" || (curve && fact.label != "mask" && fact.text.size() > longest_text) ||
            (scheme.rounding && (fact.label == "symbol" || fact.label == "symmetry" || fact.label == "polynomials"));
   });
   return list;

@@ -23,7 +23,7 @@ const formats::ComparisonTable& only_table(const Report& report) { return *repor
 
 }  // namespace
 
-TEST_CASE("published exponents of Daubechies' scaling functions") {
+TEST_CASE("published exponents of Daubechies' scaling functions", "[long]") {
   const Report report = recorded_report("daubechies");
   CHECK(only_table(report).count(ValueVerdict::match) == static_cast<int>(only_table(report).comparisons.size()));
   const formats::PlainTable& exponents = report.sections.front().tables.front();

@@ -19,7 +19,7 @@ nmod_t prime_field() {
   return mod;
 }
 
-std::optional<ulong> modulo_prime(const Rational& value) {
+std::optional<ulong> residue_of(const Rational& value) {
   const Integer modulus(prime);
   const Integer den = denominator(value) % modulus;
   if (den == 0) return std::nullopt;
@@ -122,7 +122,7 @@ ModVector value_times(const LaurentPolynomial& p, const ModMatrix& matrix, const
   ModVector result(x.size(), 0);
   for (long k = p.highest(); k >= 0; --k) {
     result = matrix * result;
-    const ulong coefficient = *modulo_prime(p.coefficient(k));
+    const ulong coefficient = *residue_of(p.coefficient(k));
     for (std::size_t i = 0; i < x.size(); ++i)
       result[i] = nmod_add(result[i], nmod_mul(coefficient, x[i], field), field);
   }
@@ -155,7 +155,7 @@ std::optional<ModFamily> modulo_prime(const MatrixFamily& family) {
     ModMatrix reduced(matrix.rows(), matrix.columns());
     for (std::size_t i = 0; i < matrix.rows(); ++i)
       for (std::size_t j = 0; j < matrix.columns(); ++j) {
-        const auto entry = modulo_prime(matrix(i, j));
+        const auto entry = residue_of(matrix(i, j));
         if (!entry) return std::nullopt;
         reduced(i, j) = *entry;
       }
@@ -166,7 +166,7 @@ std::optional<ModFamily> modulo_prime(const MatrixFamily& family) {
 
 ModVector modulo_prime(const std::vector<Integer>& vector) {
   ModVector result;
-  for (const Integer& x : vector) result.push_back(*modulo_prime(Rational(x)));
+  for (const Integer& x : vector) result.push_back(*residue_of(Rational(x)));
   return result;
 }
 

@@ -36,7 +36,7 @@ struct Reader {
 
 // Every number of every transcription is changed, one at a time. Where the printed form is wrong, a wrong number stays
 // a wrong number: in the printed side of a misprint and in what a false claim reads, the witness must change.
-TEST_CASE("a wrong number in any transcription changes a verdict") {
+TEST_CASE("a wrong number in any transcription changes a verdict", "[long]") {
   for (const Paper& paper : papers()) {
     std::map<std::string, std::vector<Reader>> readers;
     for (const Statement& statement : paper.statements) {

@@ -2,9 +2,11 @@
 
 #include "property_of_levels.hpp"
 
+#include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/transition/transition.hpp>
 
 #include <algorithm>
 
@@ -12,17 +14,13 @@ namespace subcert {
 namespace {
 
 constexpr std::size_t most_matrices = 1024;
+constexpr double share_of_radius = 0.8, share_of_columns = 0.1;  // of the budget; of that of the radius
 
 /// The masks at the corners of a box.
 std::vector<Mask> corners_of(const ParametricMask& mask, const Box& box) {
   std::vector<Mask> result;
   for (unsigned corner = 0; corner < box.corners(); ++corner) result.push_back(mask.at(box.corner(corner)));
   return result;
-}
-
-/// The rule of the new point n: sum over j of a_{n - arity j} z^j.
-LaurentPolynomial rule(const Mask& mask, long n) {
-  return mask.symbol().coset(mask.arity(), modulo(n, mask.arity())).reversed().shifted(floor_divide(n, mask.arity()));
 }
 
 /// The largest m for which all rules take each polynomial of lower degree to its value at (n + shift)/arity, at all
@@ -37,21 +35,25 @@ int order_kept(const std::vector<Mask>& corners) {
   return order;
 }
 
-/// Matrices from the divided differences of a window to those of the finer ones within it.
-class Rules {
+/// The transition matrices for divided differences of an order, with each choice of corners for the new points t - q
+/// that have part in them: those of the first corner, and for the others what they add to the coefficients, divided by
+/// (1 - z^arity)^order, times (1 - z)^order. Numbers of choices have a digit for each q, the least one for the least q.
+class Choices {
  public:
-  Rules(const ParametricMask& mask, const std::vector<Mask>& corners, int order)
-      : corners_(corners), arity_(mask.arity()), order_(order), depends_(static_cast<std::size_t>(arity_)) {
-    require(arity_ >= 2, "levels: need arity >= 2, got {}", arity_);
-    for (const Mask& corner : corners)
-      for (long n = 0; n < arity_; ++n)
-        if (rule(corner, n) != rule(corners.front(), n)) depends_[static_cast<std::size_t>(n)] = true;
-    const IndexRange support = mask.support();
-    // The differences n from first_ to last_ + arity - 1 are of differences from first_ to last_.
-    first_ = floor_divide(-support.last, arity_ - 1) + 1;
-    while (-floor_divide(support.last - first_, arity_) < first_) --first_;
-    last_ = first_;
-    while (floor_divide(last_ + arity_ - 1 + order - support.first, arity_) - order > last_) ++last_;
+  Choices(const ParametricMask& mask, const std::vector<Mask>& corners, int order)
+      : first_(mask.support().first),
+        arity_(mask.arity()),
+        order_(order),
+        window_(mask.support().last - first_ - order * (arity_ - 1), static_cast<int>(arity_)),
+        at_first_(divided_difference_scheme(corners.front(), order).symbol()),
+        differences_(LaurentPolynomial({Rational(1), Rational(-1)}, 0).pow(order)) {
+    const Rational scale = power(Rational(arity_), order);
+    const LaurentPolynomial divisor = (LaurentPolynomial(1) - LaurentPolynomial::monomial(1, arity_)).pow(order);
+    for (const Mask& corner : corners) {
+      const auto quotient = (scale * (corner.symbol() - corners.front().symbol())).exact_quotient(divisor);
+      require(quotient.has_value(), "levels: need rules that keep polynomials");
+      added_.push_back(*quotient);
+    }
   }
 
   MatrixFamily all() const {
@@ -61,14 +63,16 @@ class Rules {
   }
 
  private:
-  /// With each choice of corners for the new points that have part in the differences.
   void add_matrices(long t, std::vector<RationalMatrix>& result) const {
     std::vector<long> free;
-    for (long n = first_ + t; n <= last_ + t + order_; ++n)
-      if (depends_[static_cast<std::size_t>(modulo(n, arity_))]) free.push_back(n);
+    for (long q = 0; q < window_.width + order_; ++q)
+      if (std::ranges::any_of(added_, [&](const auto& e) {
+            return !e.coset(static_cast<int>(arity_), modulo(first_ + t - q, arity_)).is_zero();
+          }))
+        free.push_back(q);
     std::size_t choices = 1;
     for (std::size_t k = 0; k < free.size(); ++k) {
-      choices *= corners_.size();
+      choices *= added_.size();
       require(result.size() + choices <= most_matrices, "levels: need at most {} matrices for a value at each point",
               most_matrices);
     }
@@ -76,40 +80,40 @@ class Rules {
   }
 
   RationalMatrix matrix(long t, const std::vector<long>& free, std::size_t choice) const {
-    std::vector<LaurentPolynomial> rules;
-    for (long n = first_ + t; n <= last_ + t + order_; ++n) {
-      std::size_t corner = 0;
-      if (std::ranges::find(free, n) != free.end()) {
-        corner = choice % corners_.size();
-        choice /= corners_.size();
-      }
-      rules.push_back(rule(corners_[corner], n));
-    }
-    // Differences of rules that keep polynomials are combinations of differences: sum over j of c_j z^j (z - 1)^order.
-    for (int k = 0; k < order_; ++k) {
-      for (std::size_t n = 0; n + 1 < rules.size(); ++n) rules[n] = rules[n + 1] - rules[n];
-      rules.pop_back();
-    }
-    const LaurentPolynomial difference = LaurentPolynomial({Rational(-1), Rational(1)}, 0).pow(order_),
-                            scale = power(Rational(arity_), order_);
-    const auto width = static_cast<std::size_t>(last_ - first_ + 1);
+    const auto width = static_cast<std::size_t>(window_.width);
     RationalMatrix result(width, width);
-    for (std::size_t n = 0; n < width; ++n) {
-      if (rules[n].is_zero()) continue;
-      const auto combination = (scale * rules[n]).exact_quotient(difference);
-      require(combination.has_value() && combination->lowest() >= first_ && combination->highest() <= last_,
-              "levels: need rules that keep polynomials");
-      for (std::size_t j = 0; j < width; ++j) result(n, j) = combination->coefficient(first_ + static_cast<long>(j));
+    const auto add = [&](const LaurentPolynomial& coefficients, long shift, const Rational& factor, long k) {
+      if (k < 0 || k >= window_.width) return;
+      for (long i = 0; i < window_.width; ++i)
+        result(static_cast<std::size_t>(i),
+               static_cast<std::size_t>(k)) += factor * coefficients.coefficient(first_ + arity_ * i + t - shift);
+    };
+    for (long k = 0; k < window_.width; ++k) add(at_first_, k, Rational(1), k);
+    for (const long q : free) {
+      for (long j = 0; j <= order_; ++j) add(added_[choice % added_.size()], q, differences_.coefficient(j), q - j);
+      choice /= added_.size();
     }
     return result;
   }
 
-  const std::vector<Mask>& corners_;
-  long arity_;
+  long first_, arity_;
   int order_;
-  std::vector<bool> depends_;  ///< whether the rule of this class has letters
-  long first_, last_;          ///< the window
+  TransitionWindow window_;
+  LaurentPolynomial at_first_, differences_;  ///< of the divided differences at the first corner; (1 - z)^order
+  std::vector<LaurentPolynomial> added_;
 };
+
+/// Of the same joint spectral radius: transposed, rows and columns in reverse order.
+MatrixFamily reflected(const MatrixFamily& family) {
+  const std::size_t size = family.size();
+  std::vector<RationalMatrix> result;
+  for (const RationalMatrix& matrix : family) {
+    RationalMatrix& other = result.emplace_back(size, size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k) other(i, k) = matrix(size - 1 - k, size - 1 - i);
+  }
+  return MatrixFamily(std::move(result));
+}
 
 }  // namespace
 
@@ -121,9 +125,17 @@ LocalLevels local_levels(const ParametricMask& mask, const Box& box, const Budge
           "levels: need coefficients of degree 1 in each letter, for a value at each point");
   const std::vector<Mask> corners = corners_of(mask, box);
   const int order = order_kept(corners);
-  MatrixFamily family = Rules(mask, corners, order).all();
-  JointSpectralRadius radius = joint_spectral_radius(family, {budget.deadline.after(0.8), budget.memory});
-  LocalLevels result{order, {}, std::move(family), std::move(radius)};
+  const Deadline end = budget.deadline.after(share_of_radius);
+  MatrixFamily family = Choices(mask, corners, order).all();
+  JointSpectralRadius radius = joint_spectral_radius(family, {end.after(share_of_columns), budget.memory});
+  LocalLevels result{order, {}, std::move(family), false, std::move(radius)};
+  if (!result.radius.is_closed() && !result.radius.exact.is_yes()) {
+    // Norms and polytopes of the ones may be small where those of the others are large, or there are none.
+    MatrixFamily other = reflected(result.family);
+    JointSpectralRadius of_other = joint_spectral_radius(other, {end, budget.memory});
+    if (of_other.proved_upper() < result.radius.proved_upper())
+      result = {order, {}, std::move(other), true, std::move(of_other)};
+  }
   const Rational lower = order - *log_ratio(*result.radius.radius.upper, mask.arity()).upper;
   if (lower > 0) result.exponent.lower = lower;
   result.exponent.upper = upper_end_of_levels(mask, box, budget);

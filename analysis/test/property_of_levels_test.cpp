@@ -2,6 +2,7 @@
 #include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/regularity/holder_regularity.hpp>
+#include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cmake/catch.hpp>
@@ -271,6 +272,59 @@ TEST_CASE("levels: the exponent where values tend to a number") {
                               {Deadline::in(60)}));
 }
 
+TEST_CASE("levels: matrices of a value for each new point are what the rules do") {
+  Random random;
+  for (const char* name : {"four-point:w", "corner-cutting:w", "ternary-four-point:w", "mask:[w,1/2,1-w,1/2]",
+                           "mask:[w,0,1-w,1]@-3", "mask:[w,1/3,1/3,1-w,2/3,2/3]@-2,arity=3"}) {
+    const ParametricMask mask = make_parametric_scheme(name).mask;
+    const Rational low(random.integer(-5, 5), 20), high = low + Rational(random.integer(1, 5), 20);
+    const LocalLevels found = local_levels(mask, {{low}, {high}}, {Deadline::in(0.2)});
+    const Mask ends[] = {mask.at({low}), mask.at({high})};
+    const long arity = mask.arity(), order = found.order, first = mask.support().first;
+    const auto width = static_cast<long>(found.family.size());
+    std::vector<Rational> data;
+    for (long j = 0; j < 4 * width + 8 * order + 60; ++j) data.emplace_back(random.integer(-9, 9));
+    const auto old = [&](long j) { return data[static_cast<std::size_t>(j + static_cast<long>(data.size()) / 2)]; };
+    const auto at = [](const Mask& a, long i) { return a.symbol().coefficient(i); };
+    const auto difference = [&](const auto& values, long n) {
+      Rational sum = 0, factor = 1;
+      for (long j = 0; j <= order; factor *= Rational(j - order, j + 1), ++j) sum += factor * values(n - j);
+      return sum;
+    };
+    std::size_t count = 0;
+    for (long t = 0; t < arity; ++t) {
+      std::vector<long> free;
+      for (long q = 0; q < width + order; ++q)
+        for (long i = mask.support().first, class_of = modulo(first + t - q, arity); i <= mask.support().last; ++i)
+          if (modulo(i, arity) == class_of && at(ends[0], i) != at(ends[1], i)) {
+            free.push_back(q);
+            break;
+          }
+      for (std::size_t choice = 0; choice < std::size_t{1} << free.size(); ++choice, ++count) {
+        const RationalMatrix& matrix = found.family[count];
+        const auto fresh = [&](long m) {  // of the level after it, with the end that is chosen there
+          const auto digit = static_cast<std::size_t>(std::ranges::find(free, t - m) - free.begin());
+          const Mask& a = ends[digit < free.size() ? choice >> digit & 1 : 0];
+          Rational sum = 0;
+          for (long i = mask.support().first; i <= mask.support().last; ++i)
+            if (modulo(first + m - i, arity) == 0) sum += at(a, i) * old((first + m - i) / arity);
+          return sum;
+        };
+        for (long k = 0; k < width; ++k) {
+          Rational sum = 0;
+          for (long i = 0; i < width; ++i) {
+            const auto row = static_cast<std::size_t>(found.transposed ? width - 1 - k : i),
+                       column = static_cast<std::size_t>(found.transposed ? width - 1 - i : k);
+            sum += difference(old, -i) * matrix(row, column);
+          }
+          REQUIRE(sum == power(Rational(arity), static_cast<int>(order)) * difference(fresh, t - k));
+        }
+      }
+    }
+    CHECK(count == found.family.count());
+  }
+}
+
 TEST_CASE("levels: a value for each new point") {
   const auto local = [](const char* scheme, const Rational& low, const Rational& high, double seconds = 60) {
     return local_levels(make_parametric_scheme(scheme).mask, {{low}, {high}}, {Deadline::in(seconds)});
@@ -284,7 +338,12 @@ TEST_CASE("levels: a value for each new point") {
   CHECK(local("six-point:w", Rational(1, 100), Rational(1, 99), 0.1).order == 4);
   CHECK(local("corner-cutting:w", Rational(1, 5), Rational(1, 4), 0.1).order == 1);
   CHECK(local("ternary-four-point:w", Rational(1, 12), Rational(1, 11), 0.1).order == 3);
-  // Where all values are alike it is the exponent of that scheme, as the matrices are.
+  // By columns a polytope closes at once, by rows it has many vertices.
+  const LocalLevels corner = local("corner-cutting:w", Rational(1, 5), Rational(3, 10), 30);
+  CHECK(*corner.exponent.lower > Rational(73696, 100000));
+  CHECK_FALSE(corner.transposed);
+  CHECK(corner.radius.vertices() <= 4);
+  // Where all values are alike it is the exponent of that scheme, as the matrices are. Here a polytope is by rows.
   const LocalLevels alike = local("four-point:w", Rational(1, 16), Rational(1, 16) + power(Rational(2), -40), 2);
   CHECK(*alike.exponent.lower > Rational(19, 10));
   // One value everywhere is among the choices.

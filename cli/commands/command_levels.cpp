@@ -20,6 +20,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace subcert::cli {
 namespace {
@@ -266,6 +267,15 @@ void refuse_with(const char* what, const std::vector<std::pair<const char*, bool
     if (is_given) fail(ErrorKind::usage, "{}: cannot be asked for with {}", name, what);
 }
 
+/// The certificate, if one is asked for.
+WrittenCertificates write_one(const LevelsCommandOptions& options,
+                              const std::function<std::optional<Certificate>()>& make, Json& json) {
+  if (options.certificate.empty()) return {};
+  std::vector<NamedCertificate> certificates;
+  if (auto certificate = make()) certificates.push_back({"01-proved", std::move(*certificate)});
+  return write_certificates(options.certificate, certificates, {"-proved"}, "what is not proved", json);
+}
+
 /// One value for each new point of each level.
 ExitCode run_each_point(const LevelsCommandOptions& options, const LetteredScheme& scheme, const Box& box,
                         const RangeProperty& property) {
@@ -273,7 +283,6 @@ ExitCode run_each_point(const LevelsCommandOptions& options, const LetteredSchem
                                {"--start", !options.start.empty()},
                                {"--plot", !options.plot.empty()},
                                {"--boxes", options.boxes > 0},
-                               {"--certificate", !options.certificate.empty()},
                                {"--latex or --markdown", options.form.asked_for()}});
   const Budget budget = options.limits();
   options.progress("values");
@@ -290,18 +299,22 @@ ExitCode run_each_point(const LevelsCommandOptions& options, const LetteredSchem
                                               : "no convergence is proved for all choices";
   if (found.exponent.upper)
     exponent += fmt::format(", at most {} for one value everywhere", found.exponent.upper_text(8));
-  const Json json{{"family", scheme.specification},
-                  {"property", options.property},
-                  {"summary", summary},
-                  {"order", found.order},
-                  {"matrices", found.family.count()},
-                  {"verdict", verdict_text(answer)},
-                  {"holder", enclosure_json(positive_part(found.exponent))}};
+  Json json{{"family", scheme.specification},
+            {"property", options.property},
+            {"summary", summary},
+            {"order", found.order},
+            {"matrices", found.family.count()},
+            {"verdict", verdict_text(answer)},
+            {"holder", enclosure_json(positive_part(found.exponent))}};
+  const WrittenCertificates written = write_one(
+      options, [&] { return each_point_certificate(scheme.mask, *scheme.letter, box, found); }, json);
   options.answer(json,
                  facts::wrapped(fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nrules        each "
                                             "keeps polynomials of degree {}\nexponent     {}\n",
                                             scheme.specification, summary, options.property, found.order - 1, exponent),
-                                13));
+                                13) +
+                     written.text);
+  written.failure.raise();
   return exit_code(answer, !budget.deadline.expired());
 }
 
@@ -327,11 +340,11 @@ ExitCode run(const LevelsCommandOptions& options) {
   LevelsAnswer found{options.property, std::move(lettered), {}, {}, property};
   const LetteredScheme& scheme = found.scheme;
   found.box = read_box(options.over, scheme.names);
-  if (options.each_point) return run_each_point(options, scheme, found.box, property);
   if (!options.certificate.empty() && !scheme.letter)
     fail(ErrorKind::usage, "--certificate: expected one range, got {}; certificates know one letter",
          found.box.letters());
   if (!options.certificate.empty()) require_folder(options.certificate);
+  if (options.each_point) return run_each_point(options, scheme, found.box, property);
   options.progress("values");
   const Budget budget = options.limits();
   const bool growing = options.boxes > 0 || !options.plot.empty();
@@ -343,14 +356,13 @@ ExitCode run(const LevelsCommandOptions& options) {
                                         {options.boxes > 0 ? options.boxes : 24, options.threads(), budget});
   options.end_progress();
   Json json = json_of(found);
-  WrittenCertificates written;
-  if (!options.certificate.empty()) {
-    std::vector<NamedCertificate> certificates;
-    if (auto certificate = levels_certificate(scheme.mask, *scheme.letter, property, found.box, found.levels,
-                                              found.followed ? &*found.followed : nullptr))
-      certificates.push_back({"01-proved", std::move(*certificate)});
-    written = write_certificates(options.certificate, certificates, {"-proved"}, "what is not proved", json);
-  }
+  const WrittenCertificates written = write_one(
+      options,
+      [&] {
+        return levels_certificate(scheme.mask, *scheme.letter, property, found.box, found.levels,
+                                  found.followed ? &*found.followed : nullptr);
+      },
+      json);
   if (!options.plot.empty()) draw(found.growing, scheme, options.plot);
   if (options.form.asked_for())
     answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", rows_of(found), {0}});

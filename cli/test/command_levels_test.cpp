@@ -319,8 +319,39 @@ TEST_CASE("levels: a value for each new point") {
   CHECK(json.at("order") == 2);
   CHECK(json.at("matrices") == 16);
   CHECK(json.at("verdict") == "proved");
-  check_fails(run(family + "w=1/1000..3/20 --certificate proofs"), 64,
-              "--certificate: cannot be asked for with --each-point");
+  const Folder folder;
+  const std::string proofs = folder / "proofs", verify = "verify " + proofs;
+  CHECK(says(run(family + "w=1/32..3/32 --certificate " + proofs), "1 in " + proofs + ", verified"));
+  CHECK(run(verify).code == 0);
+  for (const char* claim :
+       {"1 <= four-point:w for all points w=1/32..3/32", "1 <= four-point:w for all points w=1/20..1/16",
+        "1 <= four-point:w for all levels w=1/32..3/32", "1 <= four-point:w for 1/32 <= w <= 3/32"})
+    CHECK(run(verify + " --claim '" + claim + "'").code == 0);
+  for (const char* claim :
+       {"1 <= four-point:w for all points w=1/32..1/8", "3/2 <= four-point:w for all points w=1/32..3/32"})
+    CHECK(run(verify + " --claim '" + claim + "'").code == 1);
+  CHECK(says(run(verify + " --print-claim --claim '1 <= four-point:w for all points w=1/32..1/16'"),
+             "--arity 2 --each-point w=1/32..1/16 --lower 1 "));
+  for (const std::string claim :
+       {"four-point:w for all points w=1/32..3/32 <= 2", "1 <= four-point:w for all points w=1/32..3/32 <= C2",
+        "four-point:w for all points w=1/32..3/32", "1 <= four-point:w for all levels w=1/32..3/32 <= 2"})
+    check_fails(run(verify + " --claim '" + claim + "'"), 64,
+                "--claim '" + claim + "': of all levels and of all points a lower end is claimed, and nothing else");
+  CHECK(run(verify + " --claim '1 <= four-point:w for all points levels w=1/32..3/32'").code == 64);
+  const std::string matrices = "1 <= merrien:lambda=-1/8,mu for all points mu=-1..0";
+  check_fails(run(verify + " --claim '" + matrices + "'"), 64,
+              "--claim '" + matrices + "': of all points need a mask of numbers");
+  // What holds for all levels says nothing of all points.
+  const std::string levels = folder / "levels";
+  CHECK(run("levels four-point:w --property C1 --over w=1/32..3/32 --certificate " + levels).code == 0);
+  CHECK(run("verify " + levels + " --claim '1 <= four-point:w for all points w=1/32..3/32'").code == 1);
+  // A polytope of the transposed matrices; and none where nothing positive is proved.
+  const std::string narrow = folder / "narrow", none = folder / "none", each = " --each-point --certificate ";
+  CHECK(run("levels four-point:w --property C1 --budget 2 --over w=1/16..65537/1048576" + each + narrow).code == 0);
+  CHECK(run("verify " + narrow).code == 0);
+  CHECK(says(run("levels four-point:w --property C1 --budget 2 --over w=-1..1" + each + none), "there are none"));
+  CHECK_FALSE(std::filesystem::exists(none + "/01-proved.cert"));
+  CHECK(says(run("levels corner-cutting:w --property convergent --over w=1/5..3/10" + each + narrow), "verified"));
   check_fails(run("levels conic-four-point:v --property C1 --each-point --over v=1..2"), 64,
               "levels: need coefficients of degree 1 in each letter, for a value at each point");
 }

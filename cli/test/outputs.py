@@ -36,6 +36,7 @@ COMMANDS = [
     ("range four-point:w --over w=1/20..1/10 --property convergent", ["--out", "--certificate/"]),
     ("curve four-point:w --over w=1/20..1/16 --pieces 1", ["--out", "--csv", "--plot.svg", "--certificate/"]),
     ("levels four-point:w --over w=1/20..1/16 --property C1", ["--out", "--plot.svg", "--certificate/"]),
+    ("levels four-point:w --over w=1/20..1/16 --property C1 --each-point", ["--out", "--certificate/"]),
     ("vertex loop --valence 3", ["--out", "--certificate/", "--stencils-header.h"]),
     ("analyze primal:n=1", ["--out", "--plot.svg", "--plot.png"]),
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),

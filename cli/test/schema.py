@@ -56,6 +56,7 @@ range four-point:w --over w=-1..1 --property C1
 range mask:[w,1/2,1/2-w,1/2-w,1/2,w] --over w=0..1 --property convergent --budget 0.5
 curve four-point:w --over w=-1..1 --pieces 20
 levels four-point:w --over w=1/20..1/10 --property C1 --boxes 2
+levels four-point:w --over w=1/20..1/10 --property C1 --each-point --certificate points
 levels lists:l.toml
 levels four-point:w --over w=0..1/2 --property C1
 levels four-point:w --over w=1/20..1/10 --property C1 --recurrence w=w/2+1/32 --start w0=5

@@ -5,6 +5,7 @@
 
 #include <subcert/analysis/family/exponent_curve.hpp>
 #include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/radii/subradius/joint_spectral_subradius.hpp>
 #include <subcert/analysis/regularity/frequency/frequency_bound.hpp>
@@ -91,6 +92,11 @@ std::vector<RangeCertificate> range_certificates(const ParametricMask& mask, cha
 std::optional<Certificate> levels_certificate(const ParametricMask& mask, char letter, const RangeProperty& property,
                                               const Box& box, const PropertyOfLevels& levels,
                                               const FollowedLevels* followed = nullptr);
+
+/// That all choices of values of the box have at least the lower end of the exponent; nothing where nothing positive is
+/// proved. Domain: one letter; `found` is that of the mask and the box.
+std::optional<Certificate> each_point_certificate(const ParametricMask& mask, char letter, const Box& box,
+                                                  const LocalLevels& found);
 
 /// As certificates name a list.
 ListSubject list_subject(const MaskList& list);

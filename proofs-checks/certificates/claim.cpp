@@ -18,14 +18,15 @@ constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
 constexpr std::string_view recurrence = "recurrence=", start = "start=", from = "from=", period = "period=";
-constexpr std::string_view levels = "levels", lists = "lists", component = "component", integral = "integral";
+constexpr std::string_view levels = "levels", each_point = "each-point", lists = "lists", component = "component",
+                           integral = "integral";
 constexpr std::string_view vertex = "vertex";
 
 /// The line of a certificate that says what it is about.
 struct SubjectLine {
   std::string operator()(const MaskSubject& of) const {
     const std::string more = of.within.empty() ? of.range : std::string(within) + of.within;
-    const std::string_view of_numbers = of.is_levels ? levels : "exponent";
+    const std::string_view of_numbers = of.is_levels ? levels : of.is_each_point ? each_point : "exponent";
     const std::string line = fmt::format("{} {} {}{}{}{}", of.of_matrices.empty() ? of_numbers : of.of_matrices,
                                          of.mask, of.arity, more.empty() ? "" : " ", more,
                                          of.is_levels && !of.of_matrices.empty() ? " levels" : "");
@@ -58,8 +59,9 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   const bool rounded = more.starts_with(within);
   if (kind == "exponent" && rounded) return MaskSubject{first, second, {}, false, more.substr(within.size())};
   const bool of_matrices = kind == "vectors" || kind == "hermite";
-  if (kind == "exponent" || kind == levels || of_matrices) {
+  if (kind == "exponent" || kind == levels || kind == each_point || of_matrices) {
     MaskSubject subject{first, second, more, kind == levels, {}, of_matrices ? kind : ""};
+    subject.is_each_point = kind == each_point;
     for (std::string word; words >> word; subject.is_levels = subject.is_levels || word == levels)
       for (const auto& [name, field] :
            {std::pair(recurrence, &subject.recurrence), {start, &subject.start}, {from, &subject.from}})
@@ -78,7 +80,8 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
   if (kind == "l1") return L1Subject{first, second, more};
   fail(ErrorKind::data,
-       "{}, line 2: expected exponent, levels, lists, vectors, hermite, surface, refinable, radius, subradius or l1",
+       "{}, line 2: expected exponent, levels, each-point, lists, vectors, hermite, surface, refinable, radius, "
+       "subradius or l1",
        file);
 }
 
@@ -100,7 +103,11 @@ struct SubjectArguments {
     std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask, "--arity",
                                        of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
-    if (!of.range.empty()) arguments.insert(arguments.end(), {of.is_levels ? "--levels" : "--for", of.range});
+    if (!of.range.empty())
+      arguments.insert(arguments.end(), {of.is_levels       ? "--levels"
+                                         : of.is_each_point ? "--each-point"
+                                                            : "--for",
+                                         of.range});
     if (!of.recurrence.empty())
       arguments.insert(arguments.end(), {"--recurrence", of.recurrence, "--start", of.start, "--from", of.from});
     return arguments;

@@ -22,11 +22,16 @@ std::string order_text(const MaskList& list) {
   return fmt::format("follows={}", fmt::join(pairs, ","));
 }
 
-Certificate of_all(const ExponentOfList& found, const Rational& lower) {
+/// The lower end by the radius of a family for differences of this order; nothing where it is not positive.
+std::optional<Certificate> of_all(ClaimSubject subject, int order, int arity, const MatrixFamily& family,
+                                  const JointSpectralRadius& radius, bool transposed = false) {
+  const Rational lower = order - *log_ratio(upper_end(radius, {}), arity).upper;
+  if (lower <= 0) return std::nullopt;
   const ClaimedEnds ends{outward(lower, Rounding::down), {}};
-  Certificate certificate{{ends, list_subject(found.list)}, {}, ends};
-  certificate.sections.push_back({fmt::format("sum-rules {}\n{}", found.sum_rules, blocks_text(found.radius))});
-  add_sections(certificate, found.radius.proof, found.family.count());
+  Certificate certificate{{ends, std::move(subject)}, {}, ends};
+  certificate.sections.push_back(
+      {fmt::format("sum-rules {}{}\n{}", order, transposed ? " transposed" : "", blocks_text(radius))});
+  add_sections(certificate, radius.proof, family.count());
   return certificate;
 }
 
@@ -48,11 +53,19 @@ ListSubject list_subject(const MaskList& list) {
   return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
 }
 
+std::optional<Certificate> each_point_certificate(const ParametricMask& mask, char letter, const Box& box,
+                                                  const LocalLevels& found) {
+  MaskSubject subject{mask.to_text(letter), std::to_string(mask.arity()),
+                      fmt::format("{}={}..{}", letter, to_text(box.low[0]), to_text(box.high[0]))};
+  subject.is_each_point = true;
+  return of_all(subject, found.order, static_cast<int>(mask.arity()), found.family, found.radius, found.transposed);
+}
+
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<Certificate> result;
-  const Rational lower = found.sum_rules - *log_ratio(upper_end(found.radius, {}), list.masks.front().arity()).upper;
-  if (lower <= 0) return result;
-  if (list.period.empty()) result.push_back(of_all(found, lower));
+  auto all = of_all(list_subject(found.list), found.sum_rules, list.masks.front().arity(), found.family, found.radius);
+  if (!all) return result;
+  if (list.period.empty()) result.push_back(std::move(*all));
   if (found.exponent.upper || !list.period.empty()) result.push_back(of_sequence(list, found.sequence, budget));
   return result;
 }

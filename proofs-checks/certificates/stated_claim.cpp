@@ -18,13 +18,14 @@ namespace {
 
 constexpr std::string_view contracts = "contraction ", belongs_to = " of ", component = "component", hc = "HC of ",
                            of_scheme = "scheme of ";
-constexpr std::string_view range_begins = " for ", all = "all ", levels = "levels ";
+constexpr std::string_view range_begins = " for ", all = "all ", levels = "levels ", each_point = "points ";
 
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
        "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
-       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'lists:FILE', 'radius FILE' or 'subradius "
+       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'FAMILY for all points w=LOW..HIGH', "
+       "'lists:FILE', 'radius FILE' or 'subradius "
        "FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
@@ -74,7 +75,7 @@ std::optional<ParameterRange> values_of(const std::string& text, const std::stri
 /// What stands behind `for`: the values of a parameter, and perhaps an upper end.
 struct ForClause {
   ParameterRange values;
-  bool is_levels = false;
+  bool is_levels = false, is_each_point = false;
   Chain behind;  ///< the values, then the upper end
   std::optional<Recurrence> recurrence = {};
   std::optional<FirstValues> start = {};  ///< with it
@@ -107,7 +108,9 @@ std::optional<ForClause> read_for(std::string text, const ParametricScheme& fami
   const std::string& name = family.name;
   ForClause clause{};
   if (text.starts_with(all)) text = trimmed(text.substr(all.size()));
-  clause.is_levels = text.starts_with(levels);
+  clause.is_each_point = text.starts_with(each_point);
+  if (clause.is_each_point) text = trimmed(text.substr(each_point.size()));
+  clause.is_levels = !clause.is_each_point && text.starts_with(levels);
   if (clause.is_levels) text = trimmed(text.substr(levels.size()));
   if (const std::size_t comma = text.find(','); clause.is_levels && comma != std::string::npos) {
     if (!read_following(text.substr(comma + 1), family, clause)) return std::nullopt;
@@ -131,6 +134,8 @@ MaskSubject family_subject(const ParametricScheme& family, const ForClause& clau
                            const std::string& text) {
   const bool is_of_matrices = family.mask.components() > 1;
   if (hermite && !is_of_matrices) fail(ErrorKind::usage, "--claim: {} is no Hermite scheme", text);
+  if (clause.is_each_point && is_of_matrices)
+    fail(ErrorKind::usage, "--claim '{}': of all points need a mask of numbers", text);
   return {family.mask.to_text(family.letter),
           std::to_string(family.mask.arity()),
           fmt::format("{}={}..{}", family.letter, to_text(clause.values.low), to_text(clause.values.high)),
@@ -139,7 +144,10 @@ MaskSubject family_subject(const ParametricScheme& family, const ForClause& clau
           hermite          ? "hermite"
           : is_of_matrices ? "vectors"
                            : "",
-          clause.recurrence ? clause.recurrence->to_text(family.letter) : ""};
+          clause.recurrence ? clause.recurrence->to_text(family.letter) : "",
+          {},
+          {},
+          clause.is_each_point};
 }
 
 /// A vector scheme itself, of whose refinable functions claims are made otherwise.
@@ -329,6 +337,9 @@ StatedClaim read_claim(const std::string& words, const ReadList& read_list) {
     const auto clause = read_for(trimmed(words.substr(at + range_begins.size())), family);
     if (!clause || (upper && clause->behind.parts.size() > 1)) refuse(words);
     if (clause->behind.parts.size() > 1) upper = clause->behind.parts[1];
+    if ((clause->is_levels || clause->is_each_point) && (!lower || upper || claim.exact))
+      fail(ErrorKind::usage, "--claim '{}': of all levels and of all points a lower end is claimed, and nothing else",
+           words);
     claim.subject = family_subject(family, *clause, hermite, words);
     stated.values = clause->values;
     stated.start = clause->start;
@@ -372,6 +383,7 @@ CertificateClaim about_subject_of(const StatedClaim& stated, const CertificateCl
     if (auto* theirs = std::get_if<MaskSubject>(&claim.subject)) {
       theirs->range = ours->range;
       theirs->is_levels = ours->is_levels;
+      theirs->is_each_point = ours->is_each_point;
       theirs->start = ours->start;
       theirs->from = ours->from;
     }
@@ -389,12 +401,15 @@ Truth follows(const StatedClaim& stated, const CertificateClaim& proved) {
              proved_most = number_of(proved.upper);
   const bool orders = our_mask.of_matrices == "hermite",
              strict = (ours || !our_mask.of_matrices.empty()) && !orders;  // of both claims
-  if (is_within(theirs, ours) && starts_within(stated, proved) && (!their_mask.is_levels || our_mask.is_levels) &&
+  if (is_within(theirs, ours) && starts_within(stated, proved) &&
+      (!their_mask.is_levels || our_mask.is_levels || our_mask.is_each_point) &&
+      (!their_mask.is_each_point || our_mask.is_each_point) &&
       (least || most || claim.exact || std::holds_alternative<L1Subject>(claim.subject) ||
        (!proved_least && !proved_most && !proved.exact)) &&
       contracts_as(claim.subject, proved.subject) && (!claim.exact || claim.exact == proved.exact) &&
       (!claim.logarithm || claim.logarithm == proved.logarithm) &&
-      implies(proved_least, least, strict || !stated.lower_strict) &&
+      implies(proved_least, least,
+              our_mask.is_each_point ? their_mask.is_each_point : strict || !stated.lower_strict) &&
       (claim.says_rough() == proved.says_rough() || claim.says_rough() || !most) &&
       implies(negated(proved_most), negated(most),
               claim.says_rough() == proved.says_rough() ? strict || !stated.upper_strict : strict))

@@ -2066,12 +2066,53 @@ var check_certificate = (() => {
       inside(before, i) && inside(after, k) ? m[i - before * width][k - after * width] : 0n))));
     return {...one, size, matrices};
   }
-  function check_list(reader, {list, lower, exact}) {
-    check_constants(list);
+  // T_t of a value for each new point: an end of the range for each of the points t - back that depend on it
+  function each_point_family({arity, q, a}, {low, high}, order) {
+    demand(q[0] && [q.slice(1), ...a.map(p => p.slice(2))].flat().every(x => !x),
+           'a value for each new point needs coefficients of degree 1 in it, over a number');
+    const {den, numbers: [from, wide]} = common([low, minus(high, low)]), turn = q[0] < 0n ? -1n : 1n, whole = q[0] * den * turn;
+    const at_low = a.map(p => turn * (p[0] * den + (p[1] || 0n) * from)), added = a.map(p => turn * (p[1] || 0n) * wide);
+    const first = at_low.map((x, i) => [x, BigInt(i)]).filter((_, i) => i % arity === 0), place = sum(first.map(([x, i]) => x * i));
+    for (let d = 0n; d < order; ++d) {  // the sums of a_i i^d are the powers of one number
+      spend(first.length, 64 * Number(d) + 64, 64);
+      demand(sum(first.map(([x, i]) => x * (i * whole) ** d)) === whole * place ** d,
+             'the rules do not keep polynomials, or at places that depend on the parameter');
+    }
+    const family = control_family(divided_symbol({arity, degree: 0, q: [whole], a: at_low.map(x => [x])}, order), null);
+    let e = added, differences = [1n];
+    for (let round = 0; round < order; ++round) {  // divided by 1 - z^A
+      e = [...e];
+      for (let i = arity; i < e.length; ++i) e[i] += e[i - arity];
+      demand(e.slice(-arity).every(x => !x), 'the rules do not keep polynomials for all values');
+      [e, differences] = [e.slice(0, -arity), product_of(differences, [1n, -1n])];
+    }
+    e = e.map(x => x * BigInt(arity) ** BigInt(order));
+    const {size} = family, matrices = [];
+    family.matrices.forEach((m, t) => {
+      const free = range_of(size + order).filter(back => e.some((x, i) => x && (i + back - t + arity) % arity === 0));
+      demand(free.length <= 10 && matrices.length + 2 ** free.length <= 1024, 'more choices of ends than the checker allows');
+      demand((matrices.length + 2 ** free.length) * size * size <= 2 ** 22, too_much_work);
+      for (let choice = 0; choice < 2 ** free.length; ++choice) {
+        const matrix = scaled(m, whole / family.den);
+        free.filter((_, f) => choice >> f & 1).forEach(back => differences.forEach((by, j) => {
+          const k = back - j;
+          spend(size);
+          if (k >= 0 && k < size) range_of(size).forEach(i => { matrix[i][k] += by * (e[arity * i + t - back] || 0n); });
+        }));
+        matrices.push(matrix);
+      }
+    });
+    return {size, den: whole, weights: [1n], symbol: null, matrices};
+  }
+  function check_choices(reader, {list, curve, interval, lower, exact}) {
+    if (list) check_constants(list);
     demand(!exact, 'an exact number is that of one mask or family');
-    const order = small(reader.read('sum-rules', 1)[0], 1, 500);
+    const [order_token, transposed] = reader.read('sum-rules', 1, list ? 1 : 2), order = small(order_token, 1, 500);
+    demand(transposed === undefined || transposed === 'transposed', "expected 'transposed' or nothing");
     check_ends(lower, null, 1);
-    prove(reader, list_family(list, order), {below: at_most(power_below(BigInt(list.arity), minus(order, lower)), false)});
+    const family = list ? list_family(list, order) : each_point_family(curve, interval, order), {arity} = list || curve;
+    if (transposed) family.matrices = family.matrices.map(m => m.map((row, k) => row.map((_, j) => m.at(-1 - j).at(-1 - k))));
+    prove(reader, family, {below: at_most(power_below(BigInt(arity), minus(order, lower)), false)});
   }
   // w -> STEP or the root of it: the numerator and the denominator, and the first values
   function read_following(step, start, from, letter) {
@@ -3692,6 +3733,8 @@ var check_certificate = (() => {
                      [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)
        subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --levels 'w=LOW..HIGH' --lower P/Q FILE
                      (for all sequences of these w, one for each level; <, not <=)
+       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --each-point 'w=LOW..HIGH' --lower P/Q FILE
+                     (for all choices of these w, one for each new point of each level)
        subcert-check ... --levels RANGE --recurrence '[P]/(Q)' --start LOW..HIGH --from K --lower P/Q FILE
                      (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)
        subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of these
@@ -3728,7 +3771,7 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'vectors',
+    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'each-point', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'vectors',
                    'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
@@ -3742,19 +3785,19 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
-    const of_levels = ['for', 'levels', 'within'].filter(name => has(name)).length <= 1 && (none('levels') || (has('lower') && none('upper'))) &&
+    const of_levels = ['for', 'levels', 'each-point', 'within'].filter(name => has(name)).length <= 1 && (none('levels', 'each-point') || (has('lower') && none('upper'))) &&
       ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from'));
     const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'matrices', 'subradius') &&
       (!follow || (has('lower') && none('upper'))) && has('masks') === has('order') &&
-      (none('masks') || none('for', 'levels', 'within')) && !(follow && has('exact')) &&
+      (none('masks') || none('for', 'levels', 'each-point', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'levels', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
+      !(has('exact') && some('for', 'levels', 'each-point', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
       !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
       (has('refinable') || none('integral', 'component')) && (none('vertex') || has('surface', 'lower')) &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'each-point', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
@@ -3763,7 +3806,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const others = none('l1', 'contraction', 'vectors', 'hermite');
     demand(has('FILE') && (l1 || of_vectors || ((curve || surface || family) && others)), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? (follow ? check_list : check_curve) : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? (follow || has('each-point') ? check_choices : check_curve) : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
@@ -3811,13 +3854,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       demand(points <= 1000, 'the masks of a period have more than 1000 coefficients together');
       if (kind === check_curve) claim.curve = masks_in_one(claim.list);
       claim.head = `lists ${options.masks} ${options.arity} ${options.order}`;
-    } else if (kind === check_curve) {
+    } else if (kind === check_curve || kind === check_choices) {
       const arity = small(options.arity, 2, 16);
       const letter = read_range_of(options, claim);
       if (options.within !== undefined) claim.within = read_rounding(options.within);
       if (options.attains !== undefined) read_letters(options.attains);
       claim.curve = read_curve(options.mask, arity, letter);
-      claim.head = `${claim.levels ? 'levels' : 'exponent'} ${options.mask} ${options.arity}${claim.values}` +
+      claim.head = `${claim.levels ? 'levels' : kind === check_choices ? 'each-point' : 'exponent'} ${options.mask} ${options.arity}${claim.values}` +
         (claim.within ? ` within=${options.within}` : '') + claim.following;
     }
     return claim;
@@ -3830,7 +3873,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return {options, kind: check_l1, l1, contraction, lower, upper, head: `l1 ${l1.points} ${l1.degree}${l1.arity === 2 ? '' : ` ${l1.arity}`}`};
   }
   function read_range_of(options, claim) {  // its letter, or null; sets of the claim what is about its values
-    const {recurrence: step, start, from} = options, range = options.levels === undefined ? options.for : options.levels;
+    const {recurrence: step, start, from} = options, range = [options['each-point'], options.levels, options.for].find(x => x !== undefined);
     const letter = range === undefined ? null : read_range(range, claim), follow = step !== undefined;
     claim.levels = options.levels !== undefined;
     if (follow) claim.recurrence = read_following(step, start, from, letter);
@@ -3872,9 +3915,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return recurrence === undefined ? ` for all sequences of levels with ${range}`
       : ` from ${level} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}`;
   }
-  const text_of_values = (options, levels, interval) => levels ? text_of_levels(options) : interval ? ` for all ${options.for}` : '';
+  const text_of_values = (options, levels, interval) => levels ? text_of_levels(options) : !interval ? ''
+    : options.for === undefined ? ` for all choices for each new point of ${options['each-point']}` : ` for all ${options.for}`;
   function text_of({options, of_family, lower, upper, rough, interval, levels, list}) {
-    const relation = interval ? ' < ' : ' <= ';
+    const relation = interval && options['each-point'] === undefined ? ' < ' : ' <= ';
     let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
     const {attains} = options, product = attains === undefined ? []
       : [`${small(options.within.split(',')[1], 1, 500)}-log rho(${attains})^1/${attains.split(',').length}`];

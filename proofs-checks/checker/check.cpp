@@ -59,8 +59,8 @@ class Checker {
   void read_proof() {
     if (claim_.recurrence) read_recurrence(*claim_.recurrence, *claim_.range, reader_, arithmetic_);
     if (claim_.list) check_constants(*claim_.list);
-    if (claim_.list && claim_.list->period.empty())
-      read_bounds(read_list(*claim_.list), false);
+    if (claim_.each_point || (claim_.list && claim_.list->period.empty()))
+      read_bounds(read_choices(), false);
     else if (claim_.arity != 0 && !claim_.is_strict() && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
@@ -223,12 +223,18 @@ class Checker {
     }
   }
 
-  /// Section 6.5: all masks, and what is to be shown of them.
-  Family read_list(const MaskList& list) {
+  /// Section 6.5: all masks, or the ends of the range for each new point, and what is to be shown of them.
+  Family read_choices() {
     require(!exact_, "an exact number is that of one mask or family");
-    const std::size_t sum_rules = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 500);
-    show_exponent(list.arity, power(list.arity, sum_rules), sum_rules);
-    return list_family(list, sum_rules);
+    const Fields fields = reader_.take("sum-rules", 1, claim_.each_point ? 2 : 1);
+    const std::size_t sum_rules = parse_size(fields[0], 1, 500);
+    const bool transposed = fields.size() == 2;
+    require(!transposed || fields[1] == "transposed", "expected 'transposed' or nothing");
+    show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
+    if (!claim_.each_point) return list_family(*claim_.list, sum_rules);
+    Family family = each_point_family(*claim_.mask, claim_.arity, *claim_.range, sum_rules, arithmetic_);
+    if (transposed) family.reflect();
+    return family;
   }
 
   /// Section 6.7: of a vector scheme.

@@ -13,6 +13,8 @@ const char* const usage =
     "                     [--lower P/Q] [--upper P/Q] FILE    (for all these w; <, not <=)\n"
     "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --levels 'w=LOW..HIGH' --lower P/Q FILE\n"
     "                     (for all sequences of these w, one for each level; <, not <=)\n"
+    "       subcert-check --mask '[-w,0,1/2+w,...]@first' --arity A --each-point 'w=LOW..HIGH' --lower P/Q FILE\n"
+    "                     (for all choices of these w, one for each new point of each level)\n"
     "       subcert-check ... --levels RANGE --recurrence '[P]/(Q)' --start LOW..HIGH --from K --lower P/Q FILE\n"
     "                     (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)\n"
     "       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of "
@@ -61,11 +63,11 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name :
-       {"--mask",        "--arity",    "--for",     "--levels",  "--recurrence", "--start",     "--from",
-        "--masks",       "--order",    "--within",  "--surface", "--refinable",  "--integral",  "--component",
-        "--vertex",      "--dilation", "--vectors", "--hermite", "--matrices",   "--subradius", "--l1",
-        "--contraction", "--lower",    "--upper",   "--exact",   "--attains",    "--logarithm", "FILE"})
+  for (const char* name : {"--mask",      "--arity",    "--for",       "--levels",    "--each-point",  "--recurrence",
+                           "--start",     "--from",     "--masks",     "--order",     "--within",      "--surface",
+                           "--refinable", "--integral", "--component", "--vertex",    "--dilation",    "--vectors",
+                           "--hermite",   "--matrices", "--subradius", "--l1",        "--contraction", "--lower",
+                           "--upper",     "--exact",    "--attains",   "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -99,7 +101,10 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
             "mask and dilation have different numbers of variables");
   }
   const bool curve = kind == "arity";
-  const std::string of_numbers = !curve ? "surface " : claim.levels ? "levels " : "exponent ";
+  const std::string of_numbers = !curve             ? "surface "
+                                 : claim.levels     ? "levels "
+                                 : claim.each_point ? "each-point "
+                                                    : "exponent ";
   const std::string vectors = claim.hermite ? "hermite " : "vectors ";
   claim.head = (!of_matrices ? of_numbers : curve ? vectors : "refinable ") + mask + " " + scale;
   claim.text = "Hoelder exponent";
@@ -173,8 +178,12 @@ std::pair<ExactRadius, std::size_t> parse_exact(std::string_view text, bool expo
 Claim read_claim(const std::vector<std::string>& arguments) {
   Options given = read_options(arguments);
   const auto &mask = given["--mask"], &arity = given["--arity"], &values = given["--for"], &levels = given["--levels"],
-             &range = levels ? levels : values, &rounding = given["--within"], &scheme = given["--surface"],
-             &refinable = given["--refinable"], &integral = given["--integral"], &component = given["--component"],
+             &each = given["--each-point"],
+             &range = each     ? each
+                      : levels ? levels
+                               : values,
+             &rounding = given["--within"], &scheme = given["--surface"], &refinable = given["--refinable"],
+             &integral = given["--integral"], &component = given["--component"],
              &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &vertex = given["--vertex"],
              &radius = given["--matrices"], &subradius = given["--subradius"], &vectors = given["--vectors"],
              &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"],
@@ -192,9 +201,10 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               surface.has_value() == dilation.has_value() && (mask || of_matrices || !range) && (mask || !rounding) &&
               !(mask && masks) && masks.has_value() == order.has_value() &&
               recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
-              (levels || !from) && !(range && rounding) &&
-              (!of_matrices || (!exact && lower.has_value() != upper.has_value())) && !(values && levels) &&
-              !((levels || follow_each_other) && (upper || !lower)) &&
+              (levels || !from) && (mask || !each) && !(range && rounding) &&
+              (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
+              values.has_value() + levels.has_value() + each.has_value() <= 1 &&
+              !((levels || each || follow_each_other) && (upper || !lower)) &&
               !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
               (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : one.has_value())) &&
               (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
@@ -217,6 +227,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (logarithm) claim.logarithm = parse_size(*logarithm, 0, 256);
   if (range) claim.range = parse_range(*range);
   claim.levels = levels.has_value();
+  claim.each_point = each.has_value();
   if (rounding) claim.rounding = parse_rounding(*rounding);
   claim.hermite = hermite.has_value();
   if (masks) read_masks_claim(*masks, *arity, *order, claim);
@@ -285,7 +296,10 @@ Claim read_claim(const std::vector<std::string>& arguments) {
                     range->substr(0, 1) + " -> " + *recurrence + " with " + range->substr(0, 1) + "=" + *start +
                     " at level 0, all in " + *range;
     } else {
-      claim.text += (levels ? " for all sequences of levels with " : " for all ") + *range;
+      claim.text += (levels ? " for all sequences of levels with "
+                     : each ? " for all choices for each new point of "
+                            : " for all ") +
+                    *range;
     }
   }
   if (rounding) {

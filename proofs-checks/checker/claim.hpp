@@ -29,6 +29,7 @@ struct Claim {
   std::optional<Range> range;
   bool hermite = false;  // of matrices with an arity: HC^k of a Hermite scheme, not the exponent of limits
   bool levels = false;
+  bool each_point = false;               // of all choices of values, one for each new point of each level; not strict
   std::optional<Recurrence> recurrence;  // of these levels
   std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
   std::optional<Rounding> rounding;
@@ -51,7 +52,7 @@ struct Claim {
 
   /// Of matrices with an arity: about a scheme on vectors itself, section 6.7.
   bool is_vector_scheme() const { return arity != 0 && mask && mask->components > 0; }
-  bool is_strict() const { return range || is_vector_scheme(); }
+  bool is_strict() const { return (range && !each_point) || is_vector_scheme(); }
 };
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
 
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t most_masks = 64, most_pairs = 4096, most_levels = 1000;
+constexpr std::size_t most_masks = 64, most_pairs = 4096, most_levels = 1000, most_choices = 1024;
 constexpr unsigned most_classes = 64;
 constexpr const char* expected_order = "an order is any, period=0,1,... or follows=0-1,1-0,...";
 
@@ -24,6 +25,56 @@ void check_not_negative(Vector form, const std::string& what, Arithmetic& arithm
   while (!form.empty() && form.back() == 0) form.pop_back();
   form.erase(form.begin(), std::ranges::find_if(form, [](const mpz_class& c) { return c != 0; }));
   if (!form.empty()) check_positive_form(form, what, arithmetic);
+}
+
+/// A mask at the lower end of a range; and what the upper end adds to each coefficient, over the same denominator.
+std::pair<Mask, Vector> ends_of(const Mask& mask, const Range& range) {
+  const std::size_t points = mask.points();
+  const auto is_zero = [](const mpz_class& x) { return x == 0; };
+  require(mask.divisor[0] != 0 && std::all_of(mask.divisor.begin() + 1, mask.divisor.end(), is_zero) &&
+              std::ranges::all_of(mask.coefficients | std::views::drop(2 * points), is_zero),
+          "a value for each new point needs coefficients of degree 1 in it, over a number");
+  Rationals ends(2 * points);
+  for (std::size_t i = 0; i < points; ++i) {
+    const mpq_class slope = mask.powers > 1 ? ratio(mask.coefficients[points + i], mask.denominator) : mpq_class(0);
+    ends[i] = (ratio(mask.coefficients[i], mask.denominator) + slope * range.low) / mask.divisor[0];
+    ends[points + i] = slope * (range.high - range.low) / mask.divisor[0];
+  }
+  const Family cleared = clear_denominators(1, ends);
+  const auto middle = cleared.entries.begin() + static_cast<std::ptrdiff_t>(points);
+  Mask low = mask;
+  low.powers = 1;
+  low.coefficients.assign(cleared.entries.begin(), middle);
+  low.denominator = cleared.denominator;
+  low.divisor = {1};
+  return {low, {middle, cleared.entries.end()}};
+}
+
+/// Rejects unless the sums of a_i i^d over the multiples i of the arity are the powers of one number, d < order.
+void check_one_place(const Mask& mask, unsigned arity, std::size_t order, Arithmetic& arithmetic) {
+  mpz_class place = 0, power_of_place = mask.denominator;
+  Vector terms;
+  for (std::size_t i = 0; i < mask.points(); i += arity) {
+    terms.push_back(mask.coefficients[i]);
+    place += terms.back() * i;
+  }
+  for (std::size_t d = 0; d < order; ++d, power_of_place *= place) {  // times the denominator to the power d + 1
+    arithmetic.spend(terms.size() * (d + 1));
+    mpz_class sum = 0;
+    for (std::size_t k = 0; k < terms.size(); terms[k] *= mask.denominator * (arity * k), ++k) sum += terms[k];
+    require(sum == power_of_place, "the rules do not keep polynomials, or at places that depend on the parameter");
+  }
+}
+
+/// Divides by (1 - z^arity)^order, times arity^order; empty for 0.
+Vector divided_by_classes(Vector e, unsigned arity, std::size_t order) {
+  for (std::size_t round = 0; round < order; ++round) {
+    for (std::size_t i = arity; i < e.size(); ++i) e[i] += e[i - arity];
+    for (unsigned i = 0; i < arity && !e.empty(); ++i, e.pop_back())
+      require(e.back() == 0, "the rules do not keep polynomials for all values");
+  }
+  for (mpz_class& x : e) x *= power(arity, order).get_num();
+  return e;
 }
 
 /// The numerator and the denominator of a recurrence as polynomials, and what is shown of them on intervals.
@@ -174,6 +225,41 @@ Family list_family(const MaskList& list, std::size_t sum_rules) {
           block[(after * width + k) * result.size + before * width + i] = families[after].matrix(t)[k * width + i];
       result.entries.insert(result.entries.end(), block.begin(), block.end());
     }
+  return result;
+}
+
+Family each_point_family(const Mask& mask, unsigned arity, const Range& range, std::size_t sum_rules,
+                         Arithmetic& arithmetic) {
+  const auto [low, added] = ends_of(mask, range);
+  check_one_place(low, arity, sum_rules, arithmetic);
+  const Family at_low = transition_family(low, arity, sum_rules);
+  const Vector e = divided_by_classes(added, arity, sum_rules);
+  Vector differences{1};
+  for (std::size_t k = 0; k < sum_rules; ++k) differences = product_of_symbols(differences, {1, -1}, 1, arithmetic);
+  const std::size_t size = at_low.size;
+  Family result{size, {}, at_low.denominator};
+  for (std::size_t t = 0; t < arity; ++t) {
+    std::vector<std::size_t> free;  // the new points t - back that depend on the parameter
+    for (std::size_t back = 0; back < size + sum_rules; ++back) {
+      bool depends = false;
+      for (std::size_t i = (t + arity * back - back) % arity; i < e.size(); i += arity) depends |= e[i] != 0;
+      if (depends) free.push_back(back);
+    }
+    require(free.size() <= 10 && result.count() + (std::size_t{1} << free.size()) <= most_choices,
+            "more choices of ends than the checker allows");
+    require((result.count() + (std::size_t{1} << free.size())) * size * size <= std::size_t{1} << 22, too_much_work);
+    for (std::size_t choice = 0; choice < std::size_t{1} << free.size(); ++choice) {
+      Vector matrix(at_low.matrix(t).begin(), at_low.matrix(t).end());
+      for (std::size_t f = 0; f < free.size(); ++f)
+        for (std::size_t j = 0; (choice >> f & 1) != 0 && j <= std::min(sum_rules, free[f]); ++j) {
+          const std::size_t k = free[f] - j;
+          for (std::size_t i = 0; k < size && i < size; ++i)
+            if (arity * i + t >= free[f] && arity * i + t - free[f] < e.size())
+              arithmetic.add_product(matrix[k * size + i], differences[j], e[arity * i + t - free[f]]);
+        }
+      result.entries.insert(result.entries.end(), matrix.begin(), matrix.end());
+    }
+  }
   return result;
 }
 

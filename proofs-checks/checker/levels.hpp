@@ -32,6 +32,12 @@ void check_constants(const MaskList& list);
 /// T_0, T_1, ... of the masks in any order, or the matrices of the pairs.
 Family list_family(const MaskList& list, std::size_t sum_rules);
 
+/// The T_t with an end of the range for each new point, of a mask whose coefficients are of degree 1 in the parameter.
+/// Rejects unless each rule takes polynomials of degrees below `sum_rules` to their values, at places that do not
+/// depend on the parameter.
+Family each_point_family(const Mask& mask, unsigned arity, const Range& range, std::size_t sum_rules,
+                         Arithmetic& arithmetic);
+
 /// The coefficients of symbol(z) factor(z^step).
 Vector product_of_symbols(const Vector& symbol, const Vector& factor, std::size_t step, Arithmetic& arithmetic);
 

@@ -109,6 +109,13 @@ void Family::transpose() {
         std::swap(entries[(t * size + i) * size + j], entries[(t * size + j) * size + i]);
 }
 
+void Family::reflect() {
+  transpose();
+  for (std::size_t t = 0; t < count(); ++t)
+    std::reverse(entries.begin() + static_cast<std::ptrdiff_t>(t * size * size),
+                 entries.begin() + static_cast<std::ptrdiff_t>((t + 1) * size * size));
+}
+
 std::vector<std::size_t> Family::letters() const {
   std::vector<std::size_t> result;
   for (std::size_t t = 0; t < count(); ++t) {

@@ -16,6 +16,8 @@ struct Family {
   std::size_t count() const { return entries.size() / (size * size); }
   std::span<const mpz_class> matrix(std::size_t t) const { return {&entries.at(t * size * size), size * size}; }
   void transpose();
+  /// Transposes each matrix, and takes its rows and columns in reverse order.
+  void reflect();
   /// The letters of the matrices; of equal matrices the first one's stands for all.
   std::vector<std::size_t> letters() const;
 };

@@ -172,12 +172,20 @@ py::tuple values_in_turn(const std::vector<std::string>& first, const std::vecto
   return py::make_tuple(found.arity, found.first_index, found.values);
 }
 
-py::tuple local_of(const ParametricScheme& scheme, const Rational& low, const Rational& high, double seconds,
-                   const py::object& progress) {
-  const LocalLevels found = interruptible(progress, [&] {
-    return local_levels(scheme.mask, {{low}, {high}}, {Deadline::in(seconds)});
+/// A value for each new point.
+struct LocalEvidence {
+  ParametricScheme scheme;
+  Box box;
+  LocalLevels found;
+};
+
+std::shared_ptr<LocalEvidence> local_of(const ParametricScheme& scheme, const Rational& low, const Rational& high,
+                                        double seconds, const py::object& progress) {
+  return interruptible(progress, [&] {
+    const Box box{{low}, {high}};
+    return std::make_shared<LocalEvidence>(
+        LocalEvidence{scheme, box, local_levels(scheme.mask, box, {Deadline::in(seconds)})});
   });
-  return py::make_tuple(found.order, found.exponent);
 }
 
 /// Of masks, one for each level.
@@ -265,6 +273,16 @@ void add_families(py::module_& module) {
       .def_property_readonly("facts", &list_dict)
       .def("certificates", &certificates_of);
   module.def("exponent_of_levels", &list_of);
+  py::class_<LocalEvidence, std::shared_ptr<LocalEvidence>>(module, "LocalEvidence")
+      .def_property_readonly("order", [](const LocalEvidence& evidence) { return evidence.found.order; })
+      .def_property_readonly("exponent", [](const LocalEvidence& evidence) { return evidence.found.exponent; })
+      .def("certificates", [](const LocalEvidence& evidence) {
+        const auto& [scheme, box, found] = evidence;
+        std::vector<RangeCertificate> certificates;
+        if (auto one = each_point_certificate(scheme.mask, scheme.letter, box, found))
+          certificates.push_back({box.low[0], box.high[0], Truth::yes, std::move(*one)});
+        return certificates_list(certificates);
+      });
   module.def("local_levels", &local_of);
   module.def("masks_of_levels", &masks_at);
   module.def("limit_values_of_levels", &values_of);

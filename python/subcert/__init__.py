@@ -30,6 +30,7 @@ from ._families import (
     Levels,
     LevelsExponent,
     LevelsLimit,
+    LocalExponent,
     Piece,
     PropertyRange,
     RangeEnd,

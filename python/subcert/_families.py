@@ -159,6 +159,20 @@ class LevelsExponent:
         ]
 
 
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class LocalExponent(Enclosure):
+    """The exponent where each new point of each level takes a value of its own: all limits have at least the lower end,
+    those of one value everywhere at most the upper one."""
+
+    order: int = 0
+    """Each rule by itself keeps polynomials of lower degree."""
+    _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
+
+    def certificates(self) -> list[IntervalCertificate]:
+        """One about all choices of values, where there is a lower end."""
+        return _certificates(self._evidence)
+
+
 @dataclasses.dataclass(frozen=True)
 class LevelsLimit:
     """Of a scheme whose parameter follows a recurrence and tends to `value`."""
@@ -363,16 +377,17 @@ class Family(Named):
         arity, first, ends = _core.limit_values_of_levels(self._handle, recurrence, fraction(start), level, progress)
         return [Fraction(first + i, arity**level) for i in range(len(ends))], [Enclosure._of(e) for e in ends]
 
-    def local_levels(self, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None) -> Enclosure:
+    def local_levels(self, low: Exact, high: Exact, *, budget: float = 60, progress: Progress = None) -> LocalExponent:
         """The exponent where each new point of each level takes a value of its own between low and high: the lower end
         holds for all choices, the upper one for one value everywhere.
 
         >>> import subcert
-        >>> subcert.family("four-point:w").local_levels("1/1000", "3/20") > 1
-        <Truth.yes: 'yes'>
+        >>> found = subcert.family("four-point:w").local_levels("1/1000", "3/20")
+        >>> found > 1, found.order, found.certificates()[0].certificate.verify().accepted
+        (<Truth.yes: 'yes'>, 2, True)
         """
-        _, ends = _core.local_levels(self._handle, fraction(low), fraction(high), budget, progress)
-        return Enclosure._of(ends)
+        evidence = _core.local_levels(self._handle, fraction(low), fraction(high), budget, progress)
+        return LocalExponent(*evidence.exponent, evidence.order, evidence)
 
     def curve(
         self,

@@ -28,7 +28,18 @@ def listed(name, masks, order, end, lines, arity=2):
     return name, lists(masks, order, end, arity), f"lists {masks} {arity} {order}; bounds - -; {lines}; end"
 
 
+def each_point(mask, values, end, arity=2):
+    return f"--mask {mask} --arity {arity} --each-point {values} --lower {end}"
+
+
+def chosen(name, mask, values, end, lines, arity=2):
+    return name, each_point(mask, values, end, arity), f"each-point {mask} {arity} {values}; bounds - -; {lines}; end"
+
+
 MATRICES, CHANGED = [], []
+MOVING = "[1-w,2-w,1+w,w]/2"  # linear data are moved by w
+WIDE = {points: f"[w,w{',0' * (points - 3)},1-w,1-w]" for points in (10, 11)}  # as many points depend on w for each t
+FOUR, FOURS = "[-w,0,1/2+w,1,1/2+w,0,-w]", "w=1/32..3/32"
 ACCEPTED = [
     followed("follow-affine", HALF, "0..1", 2, "level 1/10 3/5; level 3/20 2/5; "),
     followed("follow-affine-later", HALF, "0..1", 3, "level 1/10 3/5; level 3/20 2/5; "),
@@ -54,6 +65,17 @@ ACCEPTED = [
     listed("list-arity-3", THREE, "any", "--lower 1", "sum-rules 2; block 0 norm 1", 3),
     listed("list-arity-3-follows", THREE, "follows=1-0,0-1", "--lower 1", "sum-rules 2; block 0 norm 2", 3),
     listed("list-4096-pairs", "[1,3,3,1]/4", "follows=" + ",".join(4096 * ["0-0"]), "--lower 2", "sum-rules 2; block 0 norm 1"),
+    chosen("points-four", FOUR, FOURS, "1", "sum-rules 2; block 0 norm 1"),
+    chosen("points-four-2", FOUR, FOURS, "1", "sum-rules 2; block 0 norm 2"),
+    chosen("points-four-1", FOUR, FOURS, "1/2", "sum-rules 1; block 0 norm 2"),
+    chosen("points-corner", CORNER, "w=1/5..3/10", "1/2", "sum-rules 1; block 0 norm 2"),
+    chosen("points-hat", "[1,2,1]/2", FOURS, "1", "sum-rules 2; block 0 norm 1"),
+    chosen("points-transposed", CORNER, "w=1/5..3/10", "3/10", "sum-rules 1 transposed; block 0 norm 1"),
+    chosen("points-four-transposed", FOUR, FOURS, "7/10", "sum-rules 2 transposed; block 0 norm 2"),
+    chosen("points-quotient", "[w,2-w,2-w,w]/(2)", "w=2/5..3/5", "1/2", "sum-rules 1; block 0 norm 2"),
+    chosen("points-quotient-negative", "[-w,w-2,w-2,-w]/(-2)", "w=2/5..3/5", "1/2", "sum-rules 1; block 0 norm 2"),
+    chosen("points-none", "[1,3,3,1]/4", FOURS, "2", "sum-rules 2; block 0 norm 1"),
+    chosen("points-no-square", "[1,3,3,1+0*w^2]/4", FOURS, "2", "sum-rules 2; block 0 norm 1"),
     listed("period", FOUR_SPLINE, "period=0,1", "--lower 2 --upper 5/2",
            "sum-rules 4; stability; product 0 8 0 2; block 0 norm 2"),
     listed("period-exact", FOUR_SPLINE, "period=0,1", "--exact 4-log|[-8,1]@8,0,1/1000|^1/1 --logarithm 0",
@@ -129,6 +151,30 @@ EDITED = [
     ("list-one-class", "list-any", lists("[1,3]", "any", "--lower 1"), "does not keep constant data", [(HAT_CHAIKIN, "[1,3]")]),
     ("list-1000", "list-any", lists(f"[{'1,' * 999}1]", "any", "--lower 1"), "expected 'lists ", []),
     ("period-1000", "period-twice", lists(f"[{'1,' * 499}1];[1,1]", "period=0,1", "--lower 1"), "expected 'lists ", []),
+    ("points-high", "points-four", each_point(FOUR, FOURS, "3/2"), "does not prove the claim", []),
+    ("points-zero", "points-four", each_point(FOUR, FOURS, "0"), "must be positive", []),
+    ("points-wide", "points-four-2", each_point(FOUR, "w=1/32..1/4", "1"), "does not prove the claim", [(FOURS, "w=1/32..1/4")]),
+    ("points-other", "points-four", each_point(FOUR, "w=1/32..1/16", "1"), "expected 'each-point ", []),
+    ("points-as-levels", "points-four", f"--mask {FOUR} --arity 2 --levels {FOURS} --lower 0", "expected 'levels ", []),
+    ("levels-as-points", "corner-levels", each_point(CORNER, RANGE, "1/2"), "expected 'each-point ", []),
+    ("points-place", "points-none", None, "at places that depend", [("sum-rules 2", "sum-rules 3")]),
+    ("points-places", "points-corner", each_point(MOVING, "w=1/5..3/10", "1/2"), "for all values", [(CORNER, MOVING), ("sum-rules 1", "sum-rules 2")]),
+    ("points-rules", "points-four", None, "at places that depend", [("sum-rules 2", "sum-rules 3")]),
+    ("points-constants", "points-none", each_point("[1,3,3,2]/4", FOURS, "2"), "no sum rules of this order", [("[1,3,3,1]", "[1,3,3,2]"), ("sum-rules 2", "sum-rules 1")]),
+    ("points-class", "points-none", each_point("[1,3,3,1+w]/4", FOURS, "2"), "sum rules of this order", [("[1,3,3,1]", "[1,3,3,1+w]"), ("sum-rules 2", "sum-rules 1")]),
+    ("points-values", "points-none", each_point("[1+w,3,3,1+w]/4", "w=0..1", "1/2"), "for all values", [("[1,3,3,1]", "[1+w,3,3,1+w]"), (FOURS, "w=0..1"), ("sum-rules 2", "sum-rules 1")]),
+    ("points-square", "points-corner", each_point("[w^2,1-w,1-w,w]", "w=1/5..3/10", "1/2"), "of degree 1", [(CORNER, "[w^2,1-w,1-w,w]")]),
+    ("points-over", "points-corner", each_point("[w,1-w,1-w,w]/(1+w)", "w=1/5..3/10", "1/2"), "over a number", [(CORNER, "[w,1-w,1-w,w]/(1+w)")]),
+    ("points-over-0", "points-corner", each_point("[w,1-w,1-w,w]/(0)", "w=1/5..3/10", "1/2"), "over a number", [(CORNER, "[w,1-w,1-w,w]/(0)")]),
+    ("points-exact", "points-four", None, "of one mask or family",
+     [("bounds - -", "bounds - -; exact 2-log|[-2,1]@2,0,1/10|^1/1; root 2 0 0 2 2")]),
+    ("points-full", "points-four", None, "expected 'transposed'", [("sum-rules 2", "sum-rules 2 full")]),
+    ("points-11-free", "points-corner", each_point(WIDE[11], "w=1/5..3/10", "1/2"), "more choices", [(CORNER, WIDE[11])]),
+    ("points-2048", "points-corner", each_point(WIDE[10], "w=1/5..3/10", "1/2"), "more choices", [(CORNER, WIDE[10])]),
+    ("points-transposed-twice", "points-transposed", None, "fields", [("transposed", "transposed transposed")]),
+    ("points-by-columns", "points-corner", None, "does not prove the claim", [("sum-rules 1", "sum-rules 1 transposed")]),
+    ("list-transposed", "list-any", None, "fields", [("sum-rules 2", "sum-rules 2 transposed")]),
+    ("points-to", "points-four", None, "expected 'block 0'", [("block 0", "to 3/32; block 0")]),
     ("period-other", "period", lists(FOUR_SPLINE, "period=1,0", "--lower 2 --upper 5/2"), "expected 'lists ", []),
     ("period-high", "period", lists(FOUR_SPLINE, "period=0,1", "--lower 13/5"), "does not prove the claim", []),
     ("period-low", "period", lists(FOUR_SPLINE, "period=0,1", "--lower 2 --upper 12/5"), "does not prove the claim", []),

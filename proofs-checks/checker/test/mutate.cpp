@@ -121,7 +121,8 @@ std::vector<Case> read_cases(const std::string& directory) {
       is_range = is_range || option == "--for";
       is_hermite = is_hermite || option == "--hermite";
       of_matrices = of_matrices || is_hermite || option == "--vectors";
-      is_levels = is_levels || option == "--levels" || (option == "--order" && !value.starts_with("period"));
+      is_levels = is_levels || option == "--levels" || option == "--each-point" ||
+                  (option == "--order" && !value.starts_with("period"));
       if (option == "--upper" && value[0] == 'C')
         rough = std::stoi(value.substr(1));
       else if (option == "--upper")

@@ -35,6 +35,11 @@ USAGE = [
     *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 {more}golden.cert") for more in (
         "", "--upper 1 ", "--lower 0 --upper 1 ", "--upper C1 ", "--lower 0 --for w=0..1 ", "--lower 0 --within 1/9,1 ",
         "--lower 0 --levels w=0..1 ", "--lower 0 --exact 1-log|[-1,1]@1,0,1|^1/1 ")),
+    *((64, f"--mask [w,1-w,1-w,w] --arity 2 --each-point w=0..1 {more}golden.cert") for more in (
+        "", "--upper 1 ", "--lower 1 --upper 1 ", "--upper C1 ", "--lower 1 --for w=0..1 ", "--lower 1 --levels w=0..1 ", "--lower 1 --within 1/9,1 ",
+        "--lower 1 --exact 1-log|[-1,1]@1,0,1|^1/1 ", "--lower 1 --recurrence [w] --start 0..1 --from 0 ")),
+    (64, "--masks [1,2,1]/2 --arity 2 --order any --each-point w=0..1 --lower 1 golden.cert"),
+    (64, "--vectors [[[w]],[[1]]] --arity 2 --each-point w=0..1 --lower 0 golden.cert"),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --levels w=1..1 --lower 0 golden.cert"),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --levels v=0..1 --lower 0 golden.cert"),
     *((64, f"--mask [w,1-w,1-w,w] --arity 2 --levels w=0..1 --lower 0 {more} golden.cert") for more in (
@@ -215,7 +220,7 @@ def printed(arguments):
     """What a checker prints where it accepts a claim."""
     values = dict(zip(arguments[::2], arguments[1::2]))
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
-    levels, vertex = (values.pop(name, None) for name in ("--levels", "--vertex"))
+    levels, each_point, vertex = (values.pop(name, None) for name in ("--levels", "--each-point", "--vertex"))
     order, step, start, level = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from"))
     range_ = levels or values.get("--for")
     exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
@@ -243,6 +248,7 @@ def printed(arguments):
     if step:
         level = "some level" if level == "some" else f"level {level}"
         over = f" from {level} on of {levels[0]} -> {step} with {levels[0]}={start} at level 0, all in {levels}"
+    over = f" for all choices for each new point of {each_point}" if each_point else over
     text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + over
     if order:
         text = text.replace("--masks ", "").replace("masks ", "") + (" for levels" if order.startswith("period") else " for all sequences of levels")

@@ -18,10 +18,10 @@ namespace {
 
 using namespace certificate_text;
 
-constexpr slong factor_bits = 320;          // of the balls of zeros
-constexpr std::size_t least_inverted = 24;  // the size from which on an inverse proves a product
-constexpr std::size_t root_bits = 512;      // of the root in the matrices near by
-constexpr int weight_bits_of_numbers = 64;  // of a polytope in one dimension
+constexpr slong zero_bits = 320;               // of the balls of zeros
+constexpr std::size_t smallest_inverted = 24;  // the size from which on an inverse proves a product
+constexpr std::size_t taken_bits = 512;        // of the root in the matrices near by
+constexpr int weight_bits_of_numbers = 64;     // of a polytope in one dimension
 constexpr const char* no_name = "the radius has no name of this kind that was found";
 
 /// Matrices X + sqrt(D) Y.
@@ -129,7 +129,7 @@ std::string name_radius(PolytopeProof& polytope, const FieldBlock& block, long r
     // Zeros that are about as large as 1 are found fast.
     const Rational& near = proof.nearby->eigenvectors[k].eigenvalue;
     const Rational unit = power(Rational(2), binary_exponent(near) / length), less = power(unit, -length);
-    const auto factor = radius::leading_factor(less * product, {less * near, 0}, factor_bits, {});
+    const auto factor = radius::leading_factor(less * product, {less * near, 0}, zero_bits, {});
     ComplexVector start(product.rows(), RationalComplex{0, 0});
     const ComplexVector vertex = polytope.vertex(cycle.vertex);
     std::copy(vertex.begin(), vertex.end(), start.begin());
@@ -148,7 +148,7 @@ std::string name_radius(PolytopeProof& polytope, const FieldBlock& block, long r
 /// The polytope [-1, 1] of numbers of the field, of which that of the letter is the largest.
 PolytopeProof polytope_of_numbers(const FieldBlock& block, const JointSpectralRadius& radius, long root) {
   const auto best = static_cast<std::size_t>(radius.product.word.front());
-  const Rational value = rounded_root(root, root_bits);
+  const Rational value = rounded_root(root, taken_bits);
   PolytopeProof polytope{PolytopeKind::real, false, {}, 0, weight_bits_of_numbers, {{1}}, {}, {}, {}, 0, 2, {}, {}};
   polytope.group = {MatrixFamily({RationalMatrix::identity(1)}).group().front()};
   const Rational one = power(Rational(2), weight_bits_of_numbers);
@@ -191,12 +191,12 @@ JointSpectralRadius with_names(JointSpectralRadius radius, const std::vector<Fie
 std::string product_over_field(const JointSpectralRadius& radius, const FieldBlock& block, std::size_t number,
                                long root) {
   const ProductEvidence& product = radius.product;
-  if (block.front().x.rows() >= least_inverted) {
+  if (block.front().x.rows() >= smallest_inverted) {
     std::vector<RationalMatrix> near;
     for (const OverField& m : block) {
       RationalMatrix& matrix = near.emplace_back(m.x);
       for (std::size_t i = 0; i < matrix.rows(); ++i)
-        for (std::size_t k = 0; k < matrix.rows(); ++k) matrix(i, k) += rounded_root(root, root_bits) * m.y(i, k);
+        for (std::size_t k = 0; k < matrix.rows(); ++k) matrix(i, k) += rounded_root(root, taken_bits) * m.y(i, k);
     }
     if (const auto inverse = approximate_inverse(MatrixFamily(std::move(near)), product))
       return product_text(number, inverse->point, product.word) + inverse_text(inverse->bits, inverse->columns);

@@ -121,8 +121,26 @@ FLIP = [[[3, (0, 3)], [0, 3]], [[3, 0], [(0, 3), 3]]]
 WORD = [[[3, (0, 2)], [0, 3]], [[3, 0], [(1, 1), 3]]]
 
 
+def two_numbers(number, section="norm 1", sign=""):
+    """A bubble with sqrt(2)/2 as before, or less that, and one with a rational number, which is said to be the radius."""
+    c, size = f"{sign}1/2*sqrt(2)", 5
+    mask = f"[[[1/2,0,0],[0,0,0],[0,0,0]],[[1,0,0],[0,{c},0],[0,0,{number}]],[[1/2,0,0],[1,{c},0],[1,0,{number}]]]@-1"
+    exact, n, d = f"0-log|[-{number.numerator},{number.denominator}]@7/10,0,1/10|^1/1", number.numerator, number.denominator
+    unit = lambda head: [f"{head} " + " ".join("1" if i == k else "0" for k in range(2 * size)) for i in range(size)]
+    bits = d.bit_length() - 1
+    weight = round(number * 2**bits)  # the number, or a little more
+    return claim(mask, f"--exact {exact}").split(), [
+        "subcert-certificate 3", f"refinable {mask} [2]", "bounds - -", f"exact {exact}", f"root {number} 0 0 {number} {number}",
+        "differences 2", "digits 0 1", "values 0.0:1", "space 5", "vector 0.1:1", "vector 0.2:1", "vector 1.1:1", "vector 1.2:1",
+        "vector -1.0:1 0.0:-2 1.0:1", "blocks 1 1 1 1 1", *unit("basis"), *unit("inverse"), *f"block 0 {section}".split("; "),
+        f"block 1 polytope 1 0 {bits}", "vertex 1", f"unit 0 0:{2**bits}", f"image 0 0 0:{weight}", f"image 0 1 0:{weight}", "cycle 0 - 0", "seed 1",
+        "same 0 1 0", *f"block 2 {section.partition('; image 0 1')[0]}".split("; "), *(["image 0 1"] if "image" in section else []), "block 3 norm 1", "block 4 norm 1", "end"]
+
+
 def accepted_by(tools):
     """Names and cases; `tools`: make_certificates."""
+    yield "field-two-numbers", two_numbers(Q(725, 1024))
+    yield "field-two-numbers-polytope", two_numbers(Q(725, 1024), "polytope 1 0 10; vertex 1; unit 0 0:1024; image 0 0 0:-724; image 0 1 0:-724", "-")
     yield "field-flip", word_case(tools, FLIP, [0, 1], [(0, "f", [1])], "18111/25000", symmetric=True)
     yield "field-word", word_case(tools, WORD, [0, 1], [(0, "-", [1, 0])], "16379/50000")
     yield "field-word-transposed", word_case(tools, WORD, [0, 1], [(0, "-", [1, 0])], "16379/50000", transposed=True)
@@ -192,6 +210,12 @@ REJECTED = [(name, base, options, reason, [tuple(part.replace("; ", "\n") for pa
 
 def rejected_by(tools):
     """Names, cases and reasons."""
+    # a rational number that is smaller than sqrt(2)/2 and not below what is taken for it: the exponent is another one
+    less, above = Q(NEAR, 2 * ONE), "the bound of a block is above the exact radius"
+    for sign in ("", "-"):
+        polytope = f"polytope 1 0 513; vertex 1; unit 0 0:{2**513}; image 0 0 0:{sign}{NEAR}; image 0 1 0:{sign}{NEAR}"
+        for name, section in (("norm", "norm 1"), ("polytope", polytope)):
+            yield f"field-two-numbers-less-{name}{sign}", two_numbers(less, section, sign), above
     options, lines = word_case(tools, FLIP, [0, 1], [(0, "f", [1])], "18111/25000", symmetric=True)
     near = [[[f"{3 * NEAR}/{ONE}" if x == (0, 3) else str(x) for x in row] for row in m] for m in FLIP]
     mask = options[1].replace("[8,3*sqrt(2),3]", f"[8,{near[1][1][0]},3]")

@@ -260,7 +260,7 @@ TEST_CASE("regularity: vectors of functions by name") {
   CHECK(run("verify " + with_root + " --claim '0.5964 <= cl:2'").code == 1);
   CHECK(run("verify " + with_root + " --claim '0.5 <= bat:2'").code == 1);
   check_fails(run("verify " + with_root + " --claim '0.5 <= component 1 of cl:2'"), 64,
-              "of matrices with a square root need all functions, of no given integral");
+              "--claim: component 1 of cl:2: of matrices with a square root need all functions, of no given integral");
   CHECK(contains(run("regularity cl:2 --component 1 --certificate " + folder / "no.cert").out,
                  "not written: of matrices with the square root of 7 need all functions"));
   check_fails(run("regularity bat:4"), 64,

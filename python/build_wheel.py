@@ -37,7 +37,7 @@ class BuildByCMake(build_py):
             given = [f"-D{name}={value}" for name, value in switches.items()]
             subprocess.run(["cmake", "-S", str(project), "-B", build, *given], check=True)
             jobs = str(os.cpu_count() or 1)
-            subprocess.run(["cmake", "--build", build, "--target", "subcert_python", "-j", jobs], check=True)
+            subprocess.run(["cmake", "--build", build, "-j", jobs, "--target", "subcert_python", "atlas"], check=True)
             install(build, target)
 
 

@@ -55,5 +55,7 @@ build -f cmake/Containerfile -t subcert-test . >/dev/null
 [ "$engine" != buildah ] || container=$(buildah from subcert-test)
 check "exponent     1.9901439593863" regularity primal:n=5 --certificate s5.cert
 check VERIFIED verify s5.cert
+check "mask                 mask:[1,3,3,1]/4@0" atlas chaikin --no-add
+check ",dd:n=3" atlas query "holder > 2 and support <= 10 and interpolatory"
 [ -s "$data/s5.cert" ] || { echo "the certificate is not in the folder that was mounted"; exit 1; }
 echo "built and run by $engine"

@@ -28,6 +28,8 @@ check "subcert $(sed -n 's/^CPACK_PACKAGE_VERSION "\(.*\)"/\1/p; s/^set(CPACK_PA
 check "[-1,0,9,16,9,0,-1]/16@-3" subcert mask four-point:w=1/16
 inside subcert regularity dual:n=2 --certificate /root/c.cert >/dev/null
 check VERIFIED subcert verify /root/c.cert
+check "mask                 mask:[1,3,3,1]/4@0" unshare --net subcert atlas chaikin --no-add
+check ",dd:n=3" unshare --net subcert atlas query "holder > 2 and support <= 10 and interpolatory"
 for file in man/man1/subcert.1.gz man/man1/subcert-range.1.gz bash-completion/completions/subcert \
   zsh/vendor-completions/_subcert fish/vendor_completions.d/subcert.fish doc/subcert/copyright \
   doc/subcert/changelog.gz; do

@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <gmp.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ void answer_lack_of_memory() {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  prctl(PR_SET_NAME, "subcert");  // a process that answers is started as "exe"
   answer_lack_of_memory();
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // a failed write says so
   try {

@@ -85,11 +85,11 @@ const char* why_text(SpecialValue::Why why) {
   }
 }
 
-void require_folder(const std::string& directory) {
+void require_folder(const std::string& directory, const std::string& option) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (!std::filesystem::is_directory(directory, error))
-    fail(ErrorKind::missing_file, "--certificate {}: expected a folder, or a place where one can be made", directory);
+    fail(ErrorKind::missing_file, "{} {}: expected a folder, or a place where one can be made", option, directory);
 }
 
 namespace {

@@ -38,8 +38,8 @@ struct NamedCertificate {
   Certificate certificate;
 };
 
-/// The folder, made if it is missing. Errors: throws missing_file where it cannot be made.
-void require_folder(const std::string& directory);
+/// The folder that the option names, made if it is missing. Errors: throws missing_file where it cannot be made.
+void require_folder(const std::string& directory, const std::string& option = "--certificate");
 
 /// What became of them: the lines that tell how to verify them, and why some are not there.
 struct WrittenCertificates {

@@ -6,6 +6,8 @@
 #include <subcert/reports/formats/provenance.hpp>
 #include <subcert/schemes/data/runtime/process.hpp>
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -15,11 +17,13 @@ namespace subcert::cli {
 namespace {
 
 /// The lines of a file, or of standard input, without empty ones and remarks.
-void add_lines(const std::string& file, std::vector<std::string>& schemes) {
+void add_lines(const std::string& file, std::vector<sweeps::SchemeText>& schemes) {
   std::istringstream lines(read_input(file));
-  for (std::string line; std::getline(lines, line);)
+  std::size_t number = 1;
+  for (std::string line; std::getline(lines, line); ++number)
     if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
-      schemes.push_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+      schemes.push_back(
+          {line.substr(0, line.find_last_not_of(" \t\r") + 1), fmt::format("{}, line {}", input_name(file), number)});
 }
 
 /// Whether the argument names a file of schemes.
@@ -35,6 +39,7 @@ sweeps::SweepPlan plan_of_texts(const std::vector<std::string>& texts, const std
     const std::string& file = texts.front();
     try {
       plan = sweeps::read_sweep_plan(read_file(file));
+      for (sweeps::SchemeText& grid : plan.schemes) grid.place = file + ", " + grid.place;
     } catch (const FileError& error) {
       fail(ErrorKind::data, "{}, {}", file, error.what());
     }
@@ -44,10 +49,16 @@ sweeps::SweepPlan plan_of_texts(const std::vector<std::string>& texts, const std
       if (is_list(text))
         add_lines(text, plan.schemes);
       else
-        plan.schemes.push_back(text);
+        plan.schemes.push_back({text});
     }
+    if (plan.schemes.empty())
+      fail(ErrorKind::data, "{}: there is no scheme; expected one in each line", input_name(texts.front()));
   }
   return plan;
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several.empty() ? one + "s" : several);
 }
 
 void add_schemes_of_sweep(Command& command, std::vector<std::string>& schemes) {
@@ -65,7 +76,7 @@ void add_sweep_arguments(Command& command, SweepArguments& arguments) {
 }
 
 std::string WorkerArguments::answering_program() const {
-  if (const std::string self = runtime::own_program(); worker.empty()) return self.empty() ? "subcert" : self;
+  if (worker.empty()) return runtime::this_program();
   runtime::run_process(worker, {"--version"});  // throws where there is none
   return worker;
 }

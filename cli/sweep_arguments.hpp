@@ -17,6 +17,9 @@ void add_schemes_of_sweep(Command& command, std::vector<std::string>& schemes);
 /// cannot be read, a usage error for one beside other texts.
 sweeps::SweepPlan plan_of_texts(const std::vector<std::string>& texts, const std::string& command);
 
+/// `1 scheme`, `2 schemes`; what has another plural gives it.
+std::string counted(std::size_t count, const std::string& one, const std::string& several = "");
+
 /// --journal and --shard, as they stand on the command line.
 struct SweepArguments {
   std::string journal;
@@ -29,8 +32,7 @@ void add_sweep_arguments(Command& command, SweepArguments& arguments);
 struct WorkerArguments {
   std::string worker;
 
-  /// That one, or this program, as it is on the PATH where the system does not say which it is. Errors: throws
-  /// missing_file where it cannot be started.
+  /// That one, or this program. Errors: throws missing_file where it cannot be started.
   std::string answering_program() const;
 };
 

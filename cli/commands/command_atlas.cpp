@@ -97,7 +97,7 @@ Json entry_of_scheme(const LookUpOptions& options, const std::string& id) {
   if (known && (is_fixed || !atlas::is_wanted(*known, plan))) return *known;
   if (is_fixed) fail(ErrorKind::undecided, "atlas: there is no entry {}", options.scheme);
   sweeps::SweepOptions sweep = sweep_options(options, {}, "atlas");
-  const auto report = atlas::build(options.own(), plan, {options.scheme}, runtime::own_program().string(), sweep);
+  const auto report = atlas::build(options.own(), plan, {options.scheme}, runtime::this_program(), sweep);
   options.end_progress();
   if (!report) return {};  // the first rank prints
   if (!report->failed.empty()) fail(ErrorKind::undecided, "atlas: {}", report->failed.front());
@@ -144,6 +144,8 @@ ExitCode query(const QueryOptions& options) {
   const sweeps::Condition condition = atlas::parse_query(options.text);
   std::vector<std::string> columns = options.columns;
   if (columns.empty()) columns = {"id", "holder.lower", "holder.upper", "sum_rules", "support", "scheme"};
+  for (const std::string& column : columns)
+    if (column != "scheme") atlas::require_member("--columns", column);
   const SweepLines lines(false, columns);
   Json found = Json::array(), open = Json::array();
   std::string text = lines.head();
@@ -178,7 +180,7 @@ ExitCode build(const BuildOptions& options) {
   if (options.budget) plan.budget = *options.budget;
   if (options.memory) plan.memory = static_cast<std::size_t>(*options.memory);
   plan.certificates = plan.certificates || options.certificates;
-  const auto report = atlas::build(options.own(), plan, schemes_of_plan(plan), runtime::own_program().string(),
+  const auto report = atlas::build(options.own(), plan, schemes_of_plan(plan), runtime::this_program(),
                                    sweep_options(options, options, "atlas"));
   if (!report) return done;  // the first rank prints
   options.end_progress();
@@ -192,8 +194,8 @@ ExitCode build(const BuildOptions& options) {
                   {"entries", entries},
                   {"not_entered", report->left_out},
                   {"no_answer", report->failed}},
-                 fmt::format("{}: {} schemes, {} masks, {} added; {} entries\n", options.own().string(),
-                             report->schemes, report->masks, report->added, entries));
+                 fmt::format("{}: {}, {}, {} added; {}\n", options.own().string(), counted(report->schemes, "scheme"),
+                             counted(report->masks, "mask"), report->added, counted(entries, "entry", "entries")));
   return report->failed.empty() ? done : undecided;
 }
 
@@ -209,7 +211,7 @@ ExitCode site(const SiteOptions& options) {
   if (options.json)
     print_json({{"page", page}, {"entries", entries}});
   else
-    std::cout << page << ": " << entries << (entries == 1 ? " entry\n" : " entries\n");
+    std::cout << page << ": " << counted(entries, "entry", "entries") << "\n";
   return done;
 }
 
@@ -262,7 +264,7 @@ void add_atlas(Command& app) {
   Command group = add_command(app, "atlas", "What is known of a mask, looked up, or computed and added to a database",
                               "subcert atlas primal:n=3", options, [=] { return look_up(*options); });
   group.run_without_subcommand([=] { return static_cast<int>(look_up(*options)); });
-  group.option("SCHEME", options->scheme, "A scheme with a mask of rational numbers in one variable, or an id")
+  group.option("SCHEME", options->scheme, "A scheme with a mask of rational numbers in one or two variables, or an id")
       .suggest(suggested_schemes);
   add_atlas_file(group, options->file);
   group.flag("--no-add", options->no_add, "Only look");

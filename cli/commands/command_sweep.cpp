@@ -2,14 +2,16 @@
 
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/cli/pages/sweep_lines.hpp>
+#include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/sweep_arguments.hpp>
 #include <subcert/proofs-checks/sweeps/growth.hpp>
 #include <subcert/proofs-checks/sweeps/sweep_plan.hpp>
+#include <subcert/schemes/data/runtime/files.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <iostream>
 
 namespace subcert::cli {
@@ -36,8 +38,35 @@ sweeps::SweepPlan plan_of(const SweepCommandOptions& options) {
   if (!options.expect.empty()) plan.expect = options.expect;
   if (options.budget) plan.budget = *options.budget;
   if (options.memory) plan.memory = static_cast<std::size_t>(*options.memory);
+  if (std::ranges::count(plan.columns, "") > 0) fail(ErrorKind::usage, "sweep: need a name for each column, got none");
   return plan;
 }
+
+/// Names that no answer has: they may be mistaken.
+class UnknownNames {
+ public:
+  explicit UnknownNames(std::vector<std::string> names) : names_(std::move(names)) {
+    std::ranges::sort(names_);
+    names_.erase(std::ranges::unique(names_).begin(), names_.end());
+  }
+
+  void see(const Json& answers) {
+    if (!names_.empty() && !answers.at("answers").empty()) has_answer_ = true;
+    std::erase_if(names_, [&](const std::string& name) { return sweeps::value_of(answers, name) != nullptr; });
+    if (names_.empty() || !members_.empty()) return;
+    for (const Json& answer : answers.at("answers"))
+      for (const auto& [member, value] : answer.items()) members_.push_back(member);
+  }
+
+  void tell(const CommonOptions& options) const {
+    for (const std::string& name : names_)
+      if (has_answer_) options.remark(fmt::format("no answer has {}{}", in_quotes(name), did_you_mean(name, members_)));
+  }
+
+ private:
+  std::vector<std::string> names_, members_;
+  bool has_answer_ = false;
+};
 
 /// What came of the schemes.
 class Tally {
@@ -45,6 +74,9 @@ class Tally {
   explicit Tally(const std::string& expect) {
     if (!expect.empty()) expect_ = sweeps::Condition::parse("--expect", expect);
   }
+
+  /// What is expected something of.
+  std::vector<std::string> names() const { return expect_ ? expect_->names() : std::vector<std::string>(); }
 
   /// The answers with what became of the expectation, where there is one.
   Json judged(Json answers) const {
@@ -68,7 +100,7 @@ class Tally {
   }
 
   std::string text() const {
-    std::string result = fmt::format("{} schemes", schemes_);
+    std::string result = counted(schemes_, "scheme");
     if (errors_ > 0) result += fmt::format(", {} with errors, the first: {}", errors_, first_error_);
     if (!expect_) return result;
     result += fmt::format("; as expected {}, not {}, open {}", held_, failed_, schemes_ - held_ - failed_);
@@ -85,9 +117,7 @@ class Tally {
 
  private:
   /// Domain: something is expected.
-  Truth verdict_on(const Json& answers) const {
-    return expect_->holds([&](const std::string& name) { return sweeps::value_of(answers, name); });
-  }
+  Truth verdict_on(const Json& answers) const { return sweeps::meets(answers, *expect_); }
 
   std::optional<sweeps::Condition> expect_;
   std::size_t schemes_ = 0, errors_ = 0, held_ = 0, failed_ = 0;
@@ -95,15 +125,15 @@ class Tally {
   std::vector<std::string> counterexamples_;
 };
 
-/// Lets the program write and verify a certificate of the exponent of each scheme; says which there are.
+/// Writes a certificate of the exponent of each scheme, made and verified by the program; says which there are.
 void write_certificates(const SweepCommandOptions& options, const sweeps::SweepPlan& plan, const std::string& program,
                         const std::vector<std::string>& schemes) {
-  std::filesystem::create_directories(options.certificates);
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     const std::string file = fmt::format("{}/{}.cert", options.certificates, k + 1);
-    const bool is_written = sweeps::write_certificate(plan, schemes[k], program, file);
-    options.remark(is_written ? fmt::format("{}: certificate {}, verified", schemes[k], file)
-                              : schemes[k] + ": no certificate");
+    const auto certificate = sweeps::certificate_of(plan, schemes[k], program);
+    if (certificate) runtime::write_file(file, *certificate);
+    options.remark(certificate ? fmt::format("{}: certificate {}, verified", schemes[k], file)
+                               : schemes[k] + ": no certificate");
   }
 }
 
@@ -128,7 +158,10 @@ std::vector<Suggestion> question_suggestions() {
 ExitCode run(const SweepCommandOptions& options) {
   const sweeps::SweepPlan plan = plan_of(options);
   const std::vector<std::string> schemes = schemes_of_plan(plan);
-  if (schemes.empty()) fail(ErrorKind::usage, "sweep: no scheme is left; expected schemes for which {}", plan.where);
+  if (schemes.empty())
+    fail(ErrorKind::usage, "sweep: no scheme is left; expected schemes{}",
+         plan.where.empty() ? "" : " for which " + plan.where);
+  if (!options.certificates.empty()) require_folder(options.certificates, "--certificates");
   std::vector<sweeps::SweepCase> cases;
   for (const std::string& scheme : schemes) cases.push_back(case_of(plan, scheme));
   const std::string program = options.answering_program();
@@ -136,6 +169,10 @@ ExitCode run(const SweepCommandOptions& options) {
   if (plan.columns.empty() && !plan.expect.empty()) columns.emplace_back("expected");
   const SweepLines lines(options.json, columns);
   Tally tally(plan.expect);
+  std::vector<std::string> named = tally.names();
+  named.insert(named.end(), plan.columns.begin(), plan.columns.end());
+  std::erase(named, "expected");
+  UnknownNames unknown(named);
   std::optional<sweeps::Growths> growths;
   if (!options.fit.empty()) growths.emplace(sweeps::GrowthQuestion::parse(options.fit));
   const bool on_screen = options.out.empty() || options.out == standard_stream;
@@ -153,6 +190,7 @@ ExitCode run(const SweepCommandOptions& options) {
   std::string text = lines.head();  // of a file
   sweep.in_order = [&](std::size_t, const Json& answers) {
     tally.add(answers);
+    unknown.see(answers);
     if (growths) growths->add(answers);
     if (as_they_come) return;
     const std::string line = lines.line(tally.judged(answers));
@@ -166,6 +204,7 @@ ExitCode run(const SweepCommandOptions& options) {
   if (!on_screen) options.answer(text);
   if (on_screen && !has_head) print("");
   options.remark(tally.text());
+  unknown.tell(options);
   if (growths) tell_growths(options, *growths);
   if (!options.certificates.empty()) write_certificates(options, plan, program, tally.counterexamples());
   return tally.code();

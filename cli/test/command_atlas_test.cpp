@@ -42,7 +42,7 @@ TEST_CASE("atlas: a scheme is computed once, and found by all that have its limi
   CHECK(run("verify " + certificate).code == 0);
   CHECK(atlas("0123456789ab").code == 2);
   CHECK(run("atlas").code == 64);
-  CHECK(atlas("loop").code == 64);
+  CHECK(atlas("daubechies:n=2").code == 64);
   CHECK(contains(run("atlas --members").out, "\nnoise_factor         largest variance"));
 }
 
@@ -52,13 +52,37 @@ TEST_CASE("atlas: several steps are their scheme") {
   CHECK(contains(atlas("'mask:[1,3,6,10,12,12,10,6,3,1]/16,arity=4'", "--no-add").out, "mask:[1,3,3,1]/4@0\n"));
 }
 
+TEST_CASE("atlas: surfaces, whatever the basis of the lattice") {
+  const Atlas atlas;
+  const Run loop = atlas("loop", "--json");
+  CHECK(loop.code == 0);
+  const nlohmann::json entry = nlohmann::json::parse(loop.out);
+  CHECK(entry.at("variables") == 2);
+  CHECK(entry.at("holder").at("lower") == "3");
+  CHECK(entry.at("support").is_null());
+  CHECK(entry.at("stable") == "yes");
+  const Run slanted = atlas("'box:[1,0;1,0;0,1;0,1;1,-1;1,-1]'", "--no-add");
+  CHECK(slanted.code == 0);
+  CHECK(contains(slanted.out, "\nnames                loop\n"));
+  const std::string certificate = atlas.folder / "loop.cert";
+  CHECK(atlas("loop", "--certificate " + certificate).code == 0);
+  CHECK(run("verify " + certificate).code == 0);
+  CHECK(atlas("build chaikin quincunx 'tensor:(dd:n=2)x(dd:n=2)'").code == 0);
+  CHECK(contains(atlas("query 'variables == 2'").err, "3 of 4 entries; open 0"));
+  CHECK(contains(atlas("query 'support <= 3'").err, "1 of 4 entries; open 0"));
+  CHECK(contains(atlas("query 'arity == 2'").err, "3 of 4 entries; open 0"));
+  CHECK(contains(atlas("query 'holder > 2.5 and symmetric'").err, "1 of 4 entries; open 0"));
+  CHECK(atlas("site --out " + (atlas.folder / "pages")).code == 0);
+  CHECK(contains(content(atlas.folder / "pages/index.html"), "surface, another dilation, interpolatory, symmetric"));
+}
+
 TEST_CASE("atlas: built by a plan, continued, asked") {
   const Atlas atlas;
   CHECK(contains(atlas("build 'dd:n=1..3'").out, ": 3 schemes, 3 masks, 3 added; 3 entries\n"));
-  const Run more = atlas("build 'dd:n=1..4' loop");
+  const Run more = atlas("build 'dd:n=1..4' daubechies:n=2");
   CHECK(more.code == 0);
   CHECK(contains(more.out, ": 5 schemes, 4 masks, 1 added; 4 entries\n"));
-  CHECK(contains(more.err, "not entered: loop: atlas: need a mask of rational numbers"));
+  CHECK(contains(more.err, "not entered: daubechies:n=2: atlas: need a mask of rational numbers"));
   const std::string plan = atlas.folder.write("plan.toml",
                                               "schemes = [\"four-point:w=0..1/8 step 1/16\"]\nbudget = 1\n");
   CHECK(contains(atlas("build " + plan).out, ": 3 schemes, 3 masks, 1 added; 5 entries\n"));
@@ -72,6 +96,7 @@ TEST_CASE("atlas: built by a plan, continued, asked") {
   CHECK(all.at("open").empty());
   CHECK(nlohmann::json::parse(atlas("query 'holder > 2.83007499855768763'", "--json").out).at("entries").size() == 2);
   CHECK(atlas("query 'holdr > 2'").code == 64);
+  CHECK(contains(atlas("query interpolatory", "--columns id,holdr").err, "'holdr'; expected a member of an entry"));
   CHECK(run("atlas query interpolatory --atlas " + (atlas.folder / "none")).code == 66);
 }
 

@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -97,6 +98,42 @@ TEST_CASE("sweep: expectations, conditions, and input from elsewhere") {
   CHECK(run("sweep nosuch:3").code == 2);
 }
 
+TEST_CASE("sweep: what is wrong is told with its place, before anything is computed") {
+  const Folder folder;
+  const auto refused = [](int code, const std::string& words, const std::string& message) {
+    const Run found = run("sweep " + words);
+    CAPTURE(words, found.err);
+    CHECK(found.code == code);
+    CHECK(found.out.empty());
+    CHECK(contains(found.err, message));
+    CHECK(std::ranges::count(found.err, '\n') == 1);
+  };
+  const std::string list = folder.write("list.txt", "dd:n=1\n# and\nprimal:n=3..1\n");
+  refused(65, list, "list.txt, line 3: scheme specification, position 10: '3..1'; expected A..B");
+  refused(65, "- < " + list, "standard input, line 3: scheme");
+  refused(65, folder.write("none.txt", "# nothing\n"), "none.txt: there is no scheme; expected one in each line");
+  refused(65, folder.write("p.toml", "schemes = [\"dd:n=3..1\"]"), "p.toml, line 1, column 12: scheme specification");
+  refused(65, folder.write("w.toml", "schemes = [\"a\"]\nwhere = \"n >\""), "w.toml, line 2, column 9: where, pos");
+  refused(65, folder.write("m.toml", "schemes = [\"a\"]\nmemory = 99.5"), "'memory' takes a whole number of MiB");
+  refused(64, "dd:n=1 --where 'm > 1'", "no scheme is left; expected schemes for which m > 1");
+  refused(64, "masks:length=3,denominator=2", "sweep: no scheme is left; expected schemes\n");
+  refused(64, "dd:n=1 --columns ''", "need a name for each column");
+  refused(64, "dd:n=1..1000000000", "expected at most 1000000 values");
+  refused(66, "dd:n=1 --expect 'holder > 3' --certificates " + list + "/x",
+          "--certificates " + list + "/x: expected a folder");
+}
+
+TEST_CASE("sweep: names that no answer has, schemes that diverge, schemes that look like options") {
+  const Run found = run("sweep dd:n=1 --expect 'holdr > 1' --columns scheme,holder.lower,nothing");
+  CHECK(found.code == 2);
+  CHECK(contains(found.err, "subcert: note: 1 scheme; as expected 0, not 0, open 1\n"));
+  CHECK(contains(found.err, "subcert: note: no answer has 'holdr'; did you mean 'holder'?\n"));
+  CHECK(contains(found.err, "subcert: note: no answer has 'nothing'\n"));
+  CHECK(run("sweep 'mask:[4,4,3,0,-3]/4' --expect 'holder > 1'").code == 1);
+  CHECK(contains(run("sweep --columns errors -- --help").out, "position 1: '--help'; expected a family"));
+  CHECK(contains(run("sweep --ask 'check stable' --columns errors -- --help").out, "position 1: '--help'; expected"));
+}
+
 TEST_CASE("sweep: commands with settings, and properties") {
   const Run found = run(
       "sweep dd:n=1..3 loop --in-order --ask 'check smoothness >= 1, check reproduces 3,check symmetry "
@@ -123,6 +160,16 @@ TEST_CASE("sweep: commands with settings, and properties") {
     CHECK(refused.code == 64);
     CHECK(contains(refused.err, message));
   }
+}
+
+TEST_CASE("sweep: the program that asks is the one that answers, also where its file is replaced") {
+  const Folder folder;
+  const std::string program = folder / "subcert";
+  std::filesystem::copy_file(SUBCERT_PROGRAM, program);
+  const Run found = run_command("(sleep 1; rm " + program + "; echo dd:n=1) | " + program +
+                                " sweep - --columns holder.upper");
+  CHECK(found.code == 0);
+  CHECK(found.out == "holder.upper\n1\n");
 }
 
 TEST_CASE("sweep: processes end with the program that asked") {

@@ -4,8 +4,9 @@
 Usage: kill_sweep.py SUBCERT KILLS [SEED]. Sweeps follow one another, each on a new journal or on two for two shards that
 are joined, until so many runs were killed. After each kill every line of the journal is whole, and no case that was
 there before is gone; a file for --out is whole or not there; at the end of each sweep the answers and the journal are
-those of the undisturbed run, byte by byte.
+those of the undisturbed run, byte by byte. So are the entries of atlases that are built meanwhile.
 """
+import json
 import random
 import subprocess
 import sys
@@ -21,6 +22,7 @@ SWEEPS = [("conjecture", "7", "--n", "1..9", "--d", "1,3,5"), ("conjecture", "8"
           ("sweep", "masks:length=2..4,numerators=3,denominator=2", "--ask", "regularity,check stable", "--in-order",
            "--quiet"),
           ("check", str(Path(__file__).parents[2] / "docs" / "examples" / "properties.toml"))]
+ATLAS = ("atlas", "build", "masks:length=2..4,numerators=3,denominator=2", "--quiet")
 kills = ended = 0
 print("seed", seed, flush=True)
 
@@ -68,6 +70,27 @@ def sweep_to_the_end(command, journal, longest):
             return out
 
 
+def entries_of(atlas):
+    done = subprocess.run([program, "atlas", "query", "arity == 2", "--json", "--quiet", "--atlas", atlas],
+                          capture_output=True, check=False)
+    if done.returncode != 0:
+        fail(f"an atlas cannot be read: {done.stderr}")
+    return json.loads(done.stdout)["entries"]
+
+
+def atlas_to_the_end(file, longest):
+    """Builds an atlas, killed again and again: what was entered stays."""
+    count = 0
+    while True:
+        out = run_killed([*ATLAS, "--atlas", file, "--jobs", str(chance.randint(1, 3))], longest)
+        if file.exists():
+            count, before = len(entries_of(file)), count
+            if count < before:
+                fail("an atlas lost entries")
+        if out is not None:
+            return
+
+
 def merge_to_the_end(parts, whole):
     """Joins journals, killed again and again: the joined one is whole or not there."""
     cases = sorted({line for part in parts for line in lines_of(part)})
@@ -96,6 +119,11 @@ with tempfile.TemporaryDirectory() as name:
         if sweep not in expected:
             expected[sweep] = undisturbed(sweep, folder)
         printed, lines, seconds = expected[sweep]
+        if chance.random() < 0.2:
+            for name_of_atlas, longest in (("killed", 1), ("whole", None)):
+                atlas_to_the_end(folder / name_of_atlas, longest)
+            if entries_of(folder / "killed") != entries_of(folder / "whole"):
+                fail("the atlas is another than that of an undisturbed build")
         command, whole = list(sweep), folder / "whole"
         if chance.random() < 0.3:
             parts = [folder / "one", folder / "two"]

@@ -17,7 +17,7 @@ from pathlib import Path
 
 program, checker = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 # those that name something to be written
-OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--journal", "--page", "--html", "--junit", "--sarif",
+OPTIONS = {"--out", "--plot", "--csv", "--certificate", "--certificates", "--journal", "--page", "--html", "--junit", "--sarif",
            "--stencils-header"}
 MAP = "map mask:[-w,0,1/2+w,1,1/2+w,0,-w] --over w=0..1/5 --over t=0..1 --property convergent --resolution 2"
 # a command, and what it can write: of files the ending is given where it matters, folders end with a slash
@@ -42,7 +42,7 @@ COMMANDS = [
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),
     ("smooth data.csv --scheme primal:n=2", ["--plot.svg"]), ("refine primal:n=2 data.csv", ["--plot.svg"]),
     ("check vectors.toml", ["--certificate/"]), ("analyze primal:n=1", ["--html"]), ("compare primal:n=1 dual:n=1", ["--out", "--html", "--plot.svg"]),
-    ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
+    ("sweep primal:n=1 --expect holder>3 --quiet", ["--certificates/"]), ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
     ("experiment fig3 --runs 2", ["--out/"]), ("reproduce dyn-2015 --only masks,fig1", ["--out/"]),
 ]
 PRINTED = 17

@@ -50,6 +50,7 @@ limit primal:n=3 --level 1 --derivative 1
 variance primal:n=2
 atlas dd:n=2 --atlas a.sqlite
 atlas mask:[1,0,0,1] --atlas a.sqlite
+atlas quincunx --atlas a.sqlite
 vertex loop --valence 3..5
 vertex butterfly --valence 3,7,8
 range four-point:w --over w=-1..1 --property C1

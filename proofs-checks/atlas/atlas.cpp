@@ -19,7 +19,7 @@ constexpr const char* file_name = "atlas.sqlite";
 
 /// The masks of a build in the order of the schemes, each with the names that it is to get.
 struct Wanted {
-  std::vector<Mask> masks;
+  std::vector<LatticeMask> masks;
   std::map<std::string, std::vector<std::string>> names;  ///< by id
   std::vector<std::string> left_out;
 };
@@ -28,10 +28,10 @@ Wanted wanted_masks(const std::vector<std::string>& schemes) {
   Wanted wanted;
   for (const std::string& text : schemes) try {
       const Scheme scheme = make_linear_scheme(text);
-      const Mask mask = mask_of_entry(scheme);
+      const LatticeMask mask = mask_of_entry(scheme);
       const auto [at, is_new] = wanted.names.try_emplace(entry_id(mask));
       if (is_new) wanted.masks.push_back(mask);
-      if (!scheme.specification.starts_with("mask:")) at->second.push_back(scheme.specification);
+      if (!scheme.specification.starts_with("mask")) at->second.push_back(scheme.specification);
     } catch (const Error& error) {
       wanted.left_out.push_back(text + ": " + error.what());
     }
@@ -68,15 +68,19 @@ std::optional<std::filesystem::path> own_atlas() {
 }
 
 std::optional<std::filesystem::path> shipped_atlas() {
-  const std::filesystem::path folder = runtime::own_program().parent_path();
+  std::filesystem::path folder = runtime::own_program().parent_path();
+  if (folder.empty()) folder = "/usr/bin";  // that of a package, where the system does not say which program runs
   std::error_code error;
   for (const std::filesystem::path& file : {folder / file_name, folder / ".." / "share" / "subcert" / file_name})
-    if (!folder.empty() && std::filesystem::is_regular_file(file, error)) return file.lexically_normal();
+    if (std::filesystem::is_regular_file(file, error)) return file.lexically_normal();
   return std::nullopt;
 }
 
 Atlas::Atlas(const std::vector<std::filesystem::path>& files) {
-  for (const std::filesystem::path& file : files) databases_.emplace_back(file, Database::Access::read);
+  std::error_code error;
+  for (const std::filesystem::path& file : files)
+    if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) > 0)
+      databases_.emplace_back(file, Database::Access::read);
 }
 
 std::optional<Json> Atlas::find(const std::string& id) const {
@@ -111,7 +115,7 @@ std::optional<BuildReport> build(const std::filesystem::path& file, const sweeps
                                  sweeps::SweepOptions options) {
   const Wanted wanted = wanted_masks(schemes);
   std::vector<sweeps::SweepCase> cases;
-  for (const Mask& mask : wanted.masks) cases.push_back(case_of(plan, mask_text(mask)));
+  for (const LatticeMask& mask : wanted.masks) cases.push_back(case_of(plan, mask_text(mask)));
   BuildReport report{.schemes = schemes.size(), .masks = wanted.masks.size(), .left_out = wanted.left_out};
   std::optional<Database> database;
   if (sweeps::own_rank() == 0) database = opened_on_first_rank(file);
@@ -121,13 +125,14 @@ std::optional<BuildReport> build(const std::filesystem::path& file, const sweeps
   };
   options.in_order = [](std::size_t, const Json&) {};  // no answer is held
   options.finished = [&](std::size_t i, const Json& answers) {
-    const Mask& mask = wanted.masks[i];
+    const LatticeMask& mask = wanted.masks[i];
     try {
       enter(*database, entry_of(mask, plan, answers, options.version), answers, wanted.names.at(entry_id(mask)));
       ++report.added;
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::undecided) throw;
-      report.failed.push_back(mask_text(mask) + ": " + error.what());
+      const auto& names = wanted.names.at(entry_id(mask));
+      report.failed.push_back((names.empty() ? printable(mask_text(mask)) : names.front()) + ": " + error.what());
     }
   };
   if (!run_sweep(
@@ -148,23 +153,26 @@ bool is_wanted(const Json& entry, const sweeps::SweepPlan& plan) {
 }
 
 Truth meets(const Json& entry, const sweeps::Condition& condition) {
-  const auto member = [&](const std::string& name) { return sweeps::member_at(entry, name); };
-  if (entry.at("converges") == to_text(Truth::no))
+  if (entry.at("variables") != 1)
     for (const std::string& name : condition.names())
-      if (const Json* value = member(name.substr(0, name.find('.'))); value && value->is_null()) return Truth::no;
-  return condition.holds(member);
+      for (const Member& member : entry_members())
+        if (member.of_curves && member.name == name.substr(0, name.find('.')) && entry.at(member.name).is_null())
+          return Truth::no;
+  return condition.meets([&](const std::string& name) { return sweeps::member_at(entry, name); });
+}
+
+void require_member(const std::string& subject, const std::string& name, std::size_t position) {
+  std::vector<std::string> known;
+  for (const Member& member : entry_members()) known.push_back(member.name);
+  const std::string first = name.substr(0, name.find('.'));
+  if (std::ranges::find(known, first) == known.end())
+    throw ParseError(subject, first, position,
+                     "a member of an entry" + did_you_mean(first, known) + " (subcert atlas --members lists them)");
 }
 
 sweeps::Condition parse_query(const std::string& text) {
   sweeps::Condition condition = sweeps::Condition::parse("atlas query", text);
-  std::vector<std::string> known;
-  for (const Member& member : entry_members()) known.push_back(member.name);
-  for (const std::string& name : condition.names()) {
-    const std::string first = name.substr(0, name.find('.'));
-    if (std::ranges::find(known, first) == known.end())
-      throw ParseError("atlas query", first, text.find(first) + 1,
-                       "a member of an entry" + did_you_mean(first, known) + " (subcert atlas --members lists them)");
-  }
+  for (const std::string& name : condition.names()) require_member("atlas query", name, text.find(name) + 1);
   return condition;
 }
 

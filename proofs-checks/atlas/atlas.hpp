@@ -17,14 +17,15 @@ namespace subcert::atlas {
 /// that nor HOME is set.
 std::optional<std::filesystem::path> own_atlas();
 
-/// The one that came with the program: in the folder of the program, or in ../share/subcert; nothing where there is
-/// none.
+/// The one that came with the program: in the folder of the program, /usr/bin where the system does not say which runs,
+/// or in ../share/subcert; nothing where there is none.
 std::optional<std::filesystem::path> shipped_atlas();
 
 /// Several files as one: what an earlier one has hides what a later one has of the same mask.
 class Atlas {
  public:
-  /// Files that are there, opened to be read. Errors: as Database.
+  /// Files that are there, opened to be read; an empty one, which a killed process may leave, has no entries. Errors:
+  /// as Database.
   explicit Atlas(const std::vector<std::filesystem::path>& files);
 
   std::optional<Json> find(const std::string& id) const;
@@ -57,8 +58,11 @@ std::optional<BuildReport> build(const std::filesystem::path& file, const sweeps
 /// was asked for, with no larger budget.
 bool is_wanted(const Json& entry, const sweeps::SweepPlan& plan);
 
-/// As Condition::holds; a scheme without limits meets no condition on what only limits have.
+/// As Condition::meets; a surface meets nothing about a member that only curves have.
 Truth meets(const Json& entry, const sweeps::Condition& condition);
+
+/// Errors: throws ParseError, about `subject`, for a name, with what may follow behind a dot, that no entry has.
+void require_member(const std::string& subject, const std::string& name, std::size_t position = 1);
 
 /// A condition on members of entries, as `holder > 2 and support <= 8 and interpolatory`. Errors: throws ParseError,
 /// also for a name that no entry has.

@@ -1,7 +1,10 @@
 #include "canonical_mask.hpp"
 
+#include "canonical_surface.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/identity.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
@@ -76,12 +79,21 @@ Mask canonical_mask(const Mask& mask) {
   return {forward.coefficients() <= backward.coefficients() ? forward : backward, root.arity()};
 }
 
-std::string mask_text(const Mask& canonical) {
-  return "mask:" + canonical.symbol().to_mask_text() +
-         (canonical.arity() == 2 ? "" : fmt::format(",arity={}", canonical.arity()));
+LatticeMask canonical_mask(const LatticeMask& mask) {
+  return mask.dimension() == 1 ? LatticeMask(canonical_mask(mask.curve())) : canonical_surface(mask);
 }
 
-std::string entry_id(const Mask& canonical) { return content_id(mask_text(canonical)).substr(0, digits_of_id); }
+std::string mask_text(const LatticeMask& canonical) {
+  const Dilation& dilation = canonical.dilation();
+  const int factor = dilation.factor().value_or(0);
+  return (canonical.dimension() == 1 ? "mask:" + canonical.curve().symbol().to_mask_text()
+                                     : "mask2:" + to_mask_text(canonical)) +
+         (factor == 2  ? ""
+          : factor > 2 ? fmt::format(",arity={}", factor)
+                       : ",dilation=" + dilation.to_text());
+}
+
+std::string entry_id(const LatticeMask& canonical) { return content_id(mask_text(canonical)).substr(0, digits_of_id); }
 
 bool is_entry_id(const std::string& text) {
   return text.size() == digits_of_id && text.find_first_not_of("0123456789abcdef") == std::string::npos;

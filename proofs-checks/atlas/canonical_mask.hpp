@@ -18,11 +18,16 @@ std::optional<Mask> root_of(const Mask& mask, int arity);
 /// if their roots are up to a shift and a reflection.
 Mask canonical_mask(const Mask& mask);
 
-/// `mask:[1,4,6,4,1]/8@0`, with `,arity=A` unless that is 2: the text that names an entry.
-std::string mask_text(const Mask& canonical);
+/// The same of a mask in one or two variables, of the latter as canonical_surface(). Domain: numbers; one variable or
+/// two.
+LatticeMask canonical_mask(const LatticeMask& mask);
+
+/// `mask:[1,4,6,4,1]/8@0`, with `,arity=A` unless that is 2, or as `mask2:[[1,2,1],[2,4,2],[1,2,1]]/4@0,0`, with
+/// `,dilation=[...]` where that is no multiple of the identity: the text that names an entry.
+std::string mask_text(const LatticeMask& canonical);
 
 /// The first 12 hexadecimal digits of the SHA-256 of that text: by it an entry is cited.
-std::string entry_id(const Mask& canonical);
+std::string entry_id(const LatticeMask& canonical);
 
 /// Whether the text could be one.
 bool is_entry_id(const std::string& text);

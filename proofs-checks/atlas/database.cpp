@@ -1,6 +1,9 @@
 #include "database.hpp"
 
+#include "entry.hpp"
+
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
@@ -90,9 +93,11 @@ struct Database::Impl {
   Json entry(const std::string& facts, const std::string& id) const {
     Json entry = Json::parse(facts, nullptr, false);
     if (!entry.is_object()) fail_with(path, SQLITE_CORRUPT);
+    entry.emplace("variables", 1);  // where surfaces were not entered yet
     entry["names"] = Json::array();
     run("SELECT name FROM names WHERE id = ? ORDER BY length(name), name", {id},
-        [&](const std::vector<std::string>& row) { entry["names"].push_back(row.front()); });
+        [&](const std::vector<std::string>& row) { entry["names"].push_back(visible(row.front())); });
+    if (!is_entry(entry) || entry.at("id") != id) fail_with(path, SQLITE_CORRUPT);
     return entry;
   }
 
@@ -120,8 +125,10 @@ Database::Database(const std::filesystem::path& path, Access access) : impl_(std
   if (!writes && !std::filesystem::is_regular_file(path, error))
     fail(ErrorKind::missing_file, "atlas {}: there is no such file", path.string());
   sqlite3* made = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &made,
-                                   writes ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY, nullptr);
+  // Also where it is only read, as what a killed process left half is taken back first; SQLite itself reads only where
+  // the file cannot be written.
+  const int code = sqlite3_open_v2(path.c_str(), &made, SQLITE_OPEN_READWRITE | (writes ? SQLITE_OPEN_CREATE : 0),
+                                   nullptr);
   impl_->connection.reset(made);
   impl_->check(code);
   sqlite3_busy_timeout(made, patience);
@@ -157,6 +164,7 @@ std::optional<std::string> Database::certificate(const std::string& id) const {
 
 void Database::put(const Json& entry, const std::optional<std::string>& certificate) {
   const auto text = [&](const char* name) { return entry.at(name).get<std::string>(); };
+  const auto number = [&](const char* name) { return entry.at(name).is_null() ? "0" : entry.at(name).dump(); };
   const std::string id = text("id"), mask = text("mask");
   const auto before = impl_->value("SELECT mask FROM entries WHERE id = ?", {id});
   if (before && *before != mask) fail(ErrorKind::data, "atlas: {} and {} have the same id {}", *before, mask, id);
@@ -164,7 +172,7 @@ void Database::put(const Json& entry, const std::optional<std::string>& certific
   facts.erase("names");
   together([&] {
     impl_->run("INSERT INTO entries VALUES (?1, ?2, ?3, ?4, ?5) ON CONFLICT (id) DO UPDATE SET facts = ?5",
-               {id, mask, entry.at("arity").dump(), entry.at("length").dump(), facts.dump()});
+               {id, mask, number("arity"), number("length"), facts.dump()});
     impl_->run("DELETE FROM certificates WHERE id = ?", {id});
     if (certificate) impl_->run("INSERT INTO certificates VALUES (?, ?)", {id, *certificate});
   });

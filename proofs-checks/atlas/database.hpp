@@ -34,7 +34,7 @@ class Database {
   /// The entry with this id, with its names.
   std::optional<Json> find(const std::string& id) const;
   bool has(const std::string& id) const;
-  /// All entries by arity, length and mask, one at a time.
+  /// All entries by arity, length and mask, one at a time, those that have none first.
   void for_each(const std::function<void(const Json&)>& take) const;
   std::size_t count() const;
   /// The text of a certificate by the id of its entry.

@@ -32,6 +32,13 @@ Truth equals(const Enclosure& x, const Rational& y) {
   return x.lower && x.upper && *x.lower == *x.upper ? Truth::yes : Truth::unknown;
 }
 
+/// Whether it is null, or an enclosure without ends.
+bool says_nothing(const Json& value) {
+  const bool is_enclosure = value.is_object() && value.contains("lower") && value.contains("upper");
+  const Enclosure ends = enclosure_of(value);
+  return value.is_null() || (is_enclosure && !ends.lower && !ends.upper);
+}
+
 /// Of an object the member of this name, of a list that of this number.
 const Json* part_of(const Json& whole, std::string_view name) {
   if (whole.is_object()) {
@@ -128,6 +135,14 @@ Truth Condition::holds(const Lookup& lookup) const {
     if (truth == Truth::unknown) all = Truth::unknown;
   }
   return all;
+}
+
+Truth Condition::meets(const Lookup& lookup) const {
+  const Json* converges = lookup("converges");
+  if (converges && *converges == to_text(Truth::no))
+    for (const std::string& name : names())
+      if (const Json* value = lookup(name.substr(0, name.find('.'))); value && says_nothing(*value)) return Truth::no;
+  return holds(lookup);
 }
 
 std::vector<std::string> Condition::names() const {

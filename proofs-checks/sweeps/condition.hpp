@@ -32,6 +32,10 @@ class Condition {
   /// nothing, or for null, does. Numbers are compared exactly, as they are printed; true is the word yes, false no.
   Truth holds(const Lookup& lookup) const;
 
+  /// The same of what is said of a scheme, but a scheme with `converges` no meets nothing about a member that is null
+  /// or has no ends: it has no limits, to which these belong.
+  Truth meets(const Lookup& lookup) const;
+
   /// What is compared, in the order of the text.
   std::vector<std::string> names() const;
 

@@ -28,6 +28,7 @@ struct AnsweringCommand {
 };
 
 constexpr const char* check_command = "check";
+constexpr int not_written = 66;  // the exit code behind an answer
 
 const std::vector<AnsweringCommand>& answering_commands() {
   static const std::vector<AnsweringCommand> all = {
@@ -102,7 +103,7 @@ Reply reply_to(const std::vector<std::string>& arguments, const runtime::Process
   if (end.signal != 0) return {nullptr, fmt::format("ended by signal {}", end.signal)};
   Json answer = Json::parse(end.output, nullptr, false);
   if (!answer.is_object()) return {nullptr, message_of(end)};
-  return {std::move(answer), ""};
+  return {std::move(answer), end.code == not_written ? message_of(end) : ""};
 }
 
 double most_seconds(double budget) { return 4 * budget + 60; }
@@ -197,11 +198,15 @@ Reply SchemeQuestion::ask(const std::string& scheme, const AnswerLimits& limits,
     return reply.answer.is_null() ? reply : checked(reply.answer);
   }
   const AnsweringCommand& command = *find_command(command_);
-  std::vector<std::string> arguments{command.name, scheme, "--json", "--quiet", "--jobs", "1"};
+  const bool is_like_option = scheme.starts_with('-');
+  std::vector<std::string> arguments{command.name};
+  if (!is_like_option) arguments.push_back(scheme);
+  arguments.insert(arguments.end(), {"--json", "--quiet", "--jobs", "1"});
   arguments.insert(arguments.end(), settings_.begin(), settings_.end());
   if (!certificate.empty()) arguments.insert(arguments.end(), {"--certificate", certificate});
   if (command.has_budget) arguments.insert(arguments.end(), {"--budget", fmt::format("{}", limits.budget)});
   if (command.has_memory) arguments.insert(arguments.end(), {"--memory", std::to_string(limits.memory)});
+  if (is_like_option) arguments.insert(arguments.end(), {"--", scheme});
   Reply reply = reply_to(arguments, {.most_seconds = seconds}, program);
   if (!reply.answer.is_null())
     for (const char* changing : {"seconds", "subcert"}) reply.answer.erase(changing);

@@ -17,7 +17,8 @@ struct AnswerLimits {
   std::size_t memory = 512;  ///< MiB that a search may hold
 };
 
-/// The JSON object that a program answered; where it did not, null, and why.
+/// The JSON object that a program answered; where it did not, null, and why. Beside an answer: which file could not be
+/// written.
 struct Reply {
   Json answer;
   std::string error;

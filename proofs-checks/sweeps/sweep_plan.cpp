@@ -18,6 +18,7 @@ namespace subcert::sweeps {
 namespace {
 
 constexpr const char* certificate_name = "certificate";
+constexpr std::size_t most_schemes = 1'000'000;
 
 /// Whether an answer tells of a certificate.
 bool is_written(const Json& answer) {
@@ -29,6 +30,38 @@ bool is_written(const Json& answer) {
 std::string content(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A condition that can be read; empty where there is none.
+std::string condition_at(const toml::table& table, const std::string& key) {
+  const std::string text = optional_text(table, key);
+  try {
+    if (!text.empty()) Condition::parse(key, text);
+  } catch (const ParseError& error) {
+    throw FileError(place_of(*table.get(key)), error.what());
+  }
+  return text;
+}
+
+/// The texts at the key with their places.
+std::vector<SchemeText> scheme_texts(const toml::table& table) {
+  std::vector<SchemeText> result;
+  const std::vector<std::string> texts = optional_texts(table, "schemes");
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const Place at = place_of(*table.get("schemes")->as_array()->get(k));
+    result.push_back({texts[k], fmt::format("line {}, column {}", at.line, at.column)});
+  }
+  return result;
+}
+
+/// The schemes that a text names. Errors: as schemes_of_plan().
+std::vector<std::string> schemes_of_text(const SchemeText& grid) {
+  try {
+    return schemes_of_grid(grid.text);
+  } catch (const ParseError& error) {
+    if (grid.place.empty()) throw;
+    fail(ErrorKind::data, "{}: {}", grid.place, error.what());
+  }
 }
 
 /// What stands at the key, or the usual number.
@@ -53,7 +86,7 @@ SweepPlan read_sweep_plan(std::string_view toml) {
   SweepPlan plan;
   const toml::table table = parse_toml(toml);
   only_keys(table, {"schemes", "ask", "where", "expect", "columns", "budget", "memory", "certificates"});
-  plan.schemes = optional_texts(table, "schemes");
+  plan.schemes = scheme_texts(table);
   if (plan.schemes.empty()) throw FileError({1, 1}, "no schemes; expected schemes = [\"primal:n=1..9\", ...]");
   if (table.get("ask")) plan.ask = optional_texts(table, "ask");
   for (std::string& text : plan.ask) try {
@@ -62,10 +95,12 @@ SweepPlan read_sweep_plan(std::string_view toml) {
       throw FileError(place_of(*table.get("ask")),
                       fmt::format("'ask' takes questions, got '{}'; expected {}", text, error.expected()));
     }
-  plan.where = optional_text(table, "where");
-  plan.expect = optional_text(table, "expect");
+  plan.where = condition_at(table, "where");
+  plan.expect = condition_at(table, "expect");
   plan.columns = optional_texts(table, "columns");
   plan.budget = number_at(table, "budget", 0.001, 1e6, plan.budget);
+  if (const toml::node* node = table.get("memory"); node && !node->is_integer())
+    throw FileError(place_of(*node), "'memory' takes a whole number of MiB");
   plan.memory = static_cast<std::size_t>(number_at(table, "memory", 16, 1e6, static_cast<double>(plan.memory)));
   if (const toml::node* node = table.get("certificates")) {
     if (!node->is_boolean()) throw FileError(place_of(*node), "'certificates' takes true or false");
@@ -79,13 +114,15 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan) {
   if (!plan.where.empty()) where = Condition::parse("--where", plan.where);
   std::vector<std::string> result;
   std::set<std::string> seen;
-  for (const std::string& grid : plan.schemes)
-    for (std::string& scheme : schemes_of_grid(grid)) {
+  for (const SchemeText& grid : plan.schemes)
+    for (std::string& scheme : schemes_of_text(grid)) {
       if (where) {
         const Json keys = keys_json(scheme);
         if (where->holds([&](const std::string& name) { return member_at(keys, name); }) != Truth::yes) continue;
       }
-      if (seen.insert(scheme).second) result.push_back(std::move(scheme));
+      if (!seen.insert(scheme).second) continue;
+      require(result.size() < most_schemes, "sweep: need at most {} schemes", most_schemes);
+      result.push_back(std::move(scheme));
     }
   return result;
 }
@@ -115,9 +152,18 @@ SweepCase case_of(const SweepPlan& plan, const std::string& scheme) {
                       plan.memory, plan.certificates ? " certificates" : "")};
 }
 
-bool write_certificate(const SweepPlan& plan, const std::string& scheme, const std::string& program,
-                       const std::string& file) {
-  return is_written(SchemeQuestion::parse("regularity").ask(scheme, plan, program, file).answer);
+std::optional<std::string> certificate_of(const SweepPlan& plan, const std::string& scheme,
+                                          const std::string& program) {
+  const runtime::TemporaryFolder folder;
+  const std::string file = folder / certificate_name;
+  const Reply reply = SchemeQuestion::parse("regularity").ask(scheme, plan, program, file);
+  if (!reply.answer.is_null() && !reply.error.empty()) fail(ErrorKind::missing_file, "{}", reply.error);
+  if (!is_written(reply.answer)) return std::nullopt;
+  return content(file);
+}
+
+Truth meets(const Json& answers, const Condition& condition) {
+  return condition.meets([&](const std::string& name) { return value_of(answers, name); });
 }
 
 const Json* value_of(const Json& answers, std::string_view name) {

@@ -236,7 +236,7 @@ class Atlas:
     def find(self, scheme: Union[str, Scheme], *, add: bool = True, budget: float = 10) -> Optional[AtlasEntry]:
         """The entry of a scheme, or of an id: that of its mask up to a shift, a reflection and several steps. What is
         missing is computed and added, or with `add=False` None. Raises UsageError for what has no mask of rational
-        numbers in one variable."""
+        numbers in one or two variables."""
         [text] = _texts(scheme)
         words = self._words(text, "--budget", str(budget), *([] if add else ["--no-add"]))
         try:

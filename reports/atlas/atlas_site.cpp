@@ -28,7 +28,8 @@ std::string text_of(const Json& entry, const char* name) { return entry.at(name)
 
 /// What a reader may search for beside numbers.
 std::string words_of(const Json& entry) {
-  std::string words = fmt::format("arity {}", entry.at("arity").get<int>());
+  std::string words = entry.at("variables") == 1 ? "" : "surface, ";
+  words += entry.at("arity").is_null() ? "another dilation" : "arity " + entry.at("arity").dump();
   for (const char* name : {"interpolatory", "symmetric"})
     if (entry.at(name) == true) words += std::string(", ") + name;
   if (entry.at("non_negative") == true) words += ", non-negative";
@@ -46,8 +47,8 @@ std::string row(const Json& entry, const std::string& page) {
       "<tr><td><a href=\"{}.html#{}\">{}</a></td><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
       page, id, id, formats::shortened_html(title, longest),
       title == mask ? "" : "<br><small>" + formats::shortened_html(mask, longest) + "</small>",
-      holder ? html(holder->text) : "none", entry.at("sum_rules").dump(), html(text_of(entry, "support")),
-      words_of(entry));
+      holder ? html(holder->text) : "none", entry.at("sum_rules").dump(),
+      entry.at("support").is_null() ? "" : html(text_of(entry, "support")), words_of(entry));
 }
 
 /// Nothing where there are no limits, or no values of them.

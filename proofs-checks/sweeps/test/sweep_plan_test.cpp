@@ -89,6 +89,25 @@ TEST_CASE("conditions: three-valued, on enclosures, numbers and words") {
   }
 }
 
+TEST_CASE("conditions on schemes without limits: nothing is met that only limits have") {
+  const auto meets = [](const char* converges, const std::string& text) {
+    const Json answer = {{"converges", converges},
+                         {"holder", {{"lower", "-inf"}, {"upper", "inf"}}},
+                         {"formula", nullptr},
+                         {"rules", 1}};
+    return Condition::parse("--expect", text).meets([&](const std::string& name) { return member_at(answer, name); });
+  };
+  for (const char* text : {"holder > 1", "holder < 1", "holder.lower < 1", "holder != 1", "formula == 1",
+                           "rules == 1 "
+                           "and holder > 1"}) {
+    CAPTURE(text);
+    CHECK(meets("no", text) == Truth::no);
+    CHECK(meets("unknown", text) == Truth::unknown);
+  }
+  CHECK(meets("no", "rules == 1") == Truth::yes);
+  CHECK(meets("no", "missing == 1") == Truth::unknown);
+}
+
 TEST_CASE("plans of sweeps: read, refused, and their schemes") {
   const SweepPlan plan = read_sweep_plan(R"(
     schemes = ["primal:n=1..4,d=1", "dd:n=2", "primal:n=3,d=1"]
@@ -105,8 +124,28 @@ TEST_CASE("plans of sweeps: read, refused, and their schemes") {
   CHECK(schemes_of_plan(plan) == Texts{"primal:n=2,d=1", "primal:n=3,d=1", "primal:n=4,d=1", "dd:n=2"});
   for (const char* text :
        {"", "schemes = []", "schemes = 3", "schemes = [\"a\"]\nask = [\"jsr\"]", "schemes = [\"a\"]\nscheme = 1",
-        "schemes = [\"a\"]\nbudget = 0", "schemes = [\"a\"]\ncertificates = 1", "schemes ="}) {
+        "schemes = [\"a\"]\nbudget = 0", "schemes = [\"a\"]\nbudget = nan", "schemes = [\"a\"]\nmemory = 99.5",
+        "schemes = [\"a\"]\nwhere = \"n >\"", "schemes = [\"a\"]\nexpect = \"two names\"",
+        "schemes = [\"a\"]\ncertificates = 1", "schemes ="}) {
     CAPTURE(text);
     CHECK_THROWS_AS(read_sweep_plan(text), FileError);
   }
+  const auto refused = [](const SweepPlan& bad) -> std::string {
+    try {
+      schemes_of_plan(bad);
+    } catch (const Error& error) {
+      return fmt::format("{} {}", error.kind() == ErrorKind::data ? "data" : "usage", error.what());
+    }
+    return "";
+  };
+  const std::string why =
+      "scheme specification, position 6: '3..1'; expected A..B or A..B step S with A <= B and S > 0";
+  CHECK(refused(read_sweep_plan("schemes = [\"a\",\n  \"dd:n=3..1\"]")) == "data line 2, column 3: " + why);
+  SweepPlan many;
+  many.schemes = {{"dd:n=3..1"}};
+  CHECK(refused(many) == "usage " + why);
+  many.schemes = {{"a:x=1..1000000"}, {"a:x=1000000"}};  // the same
+  CHECK(schemes_of_plan(many).size() == 1'000'000);
+  many.schemes.push_back({"a:x=1000001"});
+  CHECK(refused(many) == "usage sweep: need at most 1000000 schemes");
 }

@@ -19,6 +19,9 @@
 namespace subcert::runtime {
 namespace {
 
+constexpr const char* running = "/proc/self/exe";  // in a new process too, until it becomes another program
+constexpr const char* own_name = "subcert";
+
 /// Closed when it ends, and by other programs that start meanwhile.
 class Pipe {
  public:
@@ -107,7 +110,7 @@ int wait_for(pid_t child) {
 /// Starts the program. Errors: throws missing_file.
 pid_t started(const std::string& program, const std::vector<std::string>& arguments,
               const std::array<int, 3>& streams) {
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  std::vector<char*> argv{const_cast<char*>(program == running ? own_name : program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   Pipe trouble;
@@ -160,6 +163,8 @@ std::filesystem::path own_program() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error);
 }
+
+std::string this_program() { return own_program().empty() ? own_name : running; }
 
 ProcessEnd run_process(const std::string& program, const std::vector<std::string>& arguments,
                        const ProcessSettings& settings) {

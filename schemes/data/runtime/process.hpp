@@ -16,6 +16,10 @@ struct ProcessEnd {
 /// The file of the program that runs; empty where the system does not say.
 std::filesystem::path own_program();
 
+/// The program by which run_process starts this one again: the same, also where its file was replaced or removed, so
+/// that one run has the answers of one version. Where the system does not say which it is, `subcert` on the PATH.
+std::string this_program();
+
 struct ProcessSettings {
   std::string input = {};     ///< that it reads
   double most_seconds = 1e9;  ///< of processor time, after which it is ended by SIGKILL

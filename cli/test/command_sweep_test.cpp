@@ -123,15 +123,13 @@ TEST_CASE("sweep: what is wrong is told with its place, before anything is compu
           "--certificates " + list + "/x: expected a folder");
 }
 
-TEST_CASE("sweep: names that no answer has, schemes that diverge, schemes that look like options") {
+TEST_CASE("sweep: names that no answer has, schemes that diverge") {
   const Run found = run("sweep dd:n=1 --expect 'holdr > 1' --columns scheme,holder.lower,nothing");
   CHECK(found.code == 2);
   CHECK(contains(found.err, "subcert: note: 1 scheme; as expected 0, not 0, open 1\n"));
   CHECK(contains(found.err, "subcert: note: no answer has 'holdr'; did you mean 'holder'?\n"));
   CHECK(contains(found.err, "subcert: note: no answer has 'nothing'\n"));
   CHECK(run("sweep 'mask:[4,4,3,0,-3]/4' --expect 'holder > 1'").code == 1);
-  CHECK(contains(run("sweep --columns errors -- --help").out, "position 1: '--help'; expected a family"));
-  CHECK(contains(run("sweep --ask 'check stable' --columns errors -- --help").out, "position 1: '--help'; expected"));
 }
 
 TEST_CASE("sweep: commands with settings, and properties") {

@@ -120,9 +120,9 @@ with tempfile.TemporaryDirectory() as name:
             expected[sweep] = undisturbed(sweep, folder)
         printed, lines, seconds = expected[sweep]
         if chance.random() < 0.2:
-            for name_of_atlas, longest in (("killed", 1), ("whole", None)):
+            for name_of_atlas, longest in (("killed.sqlite", 1), ("whole.sqlite", None)):
                 atlas_to_the_end(folder / name_of_atlas, longest)
-            if entries_of(folder / "killed") != entries_of(folder / "whole"):
+            if entries_of(folder / "killed.sqlite") != entries_of(folder / "whole.sqlite"):
                 fail("the atlas is another than that of an undisturbed build")
         command, whole = list(sweep), folder / "whole"
         if chance.random() < 0.3:

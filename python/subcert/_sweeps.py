@@ -49,9 +49,10 @@ def _lines(words: Sequence[str], lines: Iterable[str], answering: tuple[int, ...
                 process.terminate()
         if process.returncode not in answering:
             errors.seek(0)
-            said = errors.read().strip().split("\n")[-1]
-            kind = _ERRORS.get(process.returncode, Error)
-            raise kind(said[len("subcert: ") :] if said.startswith("subcert: ") else said or "subcert did not answer")
+            said = errors.read().strip().split("\n")[-1].removeprefix("subcert: ")
+            if said.startswith("standard input, line "):  # an argument here
+                raise UsageError(said.partition(": ")[2])
+            raise _ERRORS.get(process.returncode, Error)(said or "subcert did not answer")
 
 
 def _object(words: Sequence[str], lines: Iterable[str] = (), answering: tuple[int, ...] = (0,)) -> Optional[Any]:

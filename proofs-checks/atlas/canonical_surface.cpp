@@ -63,13 +63,14 @@ std::optional<LatticeMask> moved(const LatticeMask& mask, const Points& t) {
   }
 }
 
-/// The support, or that of two steps where it is on a line.
+/// Of the support, or of that of two steps where it is on a line.
 Points corners_of(const LatticeMask& mask) {
   Points support, two_steps;
   for (const LatticeMask::Term& term : mask.terms()) support.push_back(term.exponents);
-  if (Points corners = corners_of_hull(support); corners.size() >= 3) return corners;
-  for (const LatticePoint& first : support)
-    for (const LatticePoint& second : support) two_steps.push_back(first + mask.dilation() * second);
+  const Points corners = corners_of_hull(support);
+  if (corners.size() >= 3) return corners;
+  for (const LatticePoint& first : corners)
+    for (const LatticePoint& second : corners) two_steps.push_back(first + mask.dilation() * second);
   return corners_of_hull(two_steps);
 }
 

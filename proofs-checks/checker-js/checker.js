@@ -2073,10 +2073,12 @@ var check_certificate = (() => {
     const {den, numbers: [from, wide]} = common([low, minus(high, low)]), turn = q[0] < 0n ? -1n : 1n, whole = q[0] * den * turn;
     const at_low = a.map(p => turn * (p[0] * den + (p[1] || 0n) * from)), added = a.map(p => turn * (p[1] || 0n) * wide);
     const first = at_low.map((x, i) => [x, BigInt(i)]).filter((_, i) => i % arity === 0), place = sum(first.map(([x, i]) => x * i));
-    for (let d = 0n; d < order; ++d) {  // the sums of a_i i^d are the powers of one number
-      spend(first.length, 64 * Number(d) + 64, 64);
-      demand(sum(first.map(([x, i]) => x * (i * whole) ** d)) === whole * place ** d,
-             'the rules do not keep polynomials, or at places that depend on the parameter');
+    let terms = first.map(([x]) => x), right = whole;
+    for (let d = 0; d < order; ++d) {  // the sums of a_i i^d are the powers of one number
+      spend(first.length, (64 + bits(whole)) * (d + 1), 64 + bits(whole));
+      demand(sum(terms) === right, 'the rules do not keep polynomials, or at places that depend on the parameter');
+      terms = terms.map((x, k) => x * first[k][1] * whole);
+      right *= place;
     }
     const family = control_family(divided_symbol({arity, degree: 0, q: [whole], a: at_low.map(x => [x])}, order), null);
     let e = added, differences = [1n];

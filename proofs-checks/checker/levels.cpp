@@ -58,8 +58,9 @@ void check_one_place(const Mask& mask, unsigned arity, std::size_t order, Arithm
     terms.push_back(mask.coefficients[i]);
     place += terms.back() * i;
   }
+  const std::size_t limbs = 1 + mpz_size(mask.denominator.get_mpz_t());
   for (std::size_t d = 0; d < order; ++d, power_of_place *= place) {  // times the denominator to the power d + 1
-    arithmetic.spend(terms.size() * (d + 1));
+    arithmetic.spend(terms.size() * (d + 1) * limbs * limbs);
     mpz_class sum = 0;
     for (std::size_t k = 0; k < terms.size(); terms[k] *= mask.denominator * (arity * k), ++k) sum += terms[k];
     require(sum == power_of_place, "the rules do not keep polynomials, or at places that depend on the parameter");

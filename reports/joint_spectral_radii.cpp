@@ -19,7 +19,7 @@ extern const std::map<std::string, std::string_view> matrix_files;
 namespace subcert::reports {
 namespace {
 
-constexpr double radius_seconds = 5;
+constexpr double radius_seconds = 10;
 
 struct Family {
   std::size_t count, size;  ///< as given

@@ -192,11 +192,12 @@ std::string product_over_field(const JointSpectralRadius& radius, const FieldBlo
                                long root) {
   const ProductEvidence& product = radius.product;
   if (block.front().x.rows() >= smallest_inverted) {
+    const Rational value = rounded_root(root, taken_bits);
     std::vector<RationalMatrix> near;
     for (const OverField& m : block) {
       RationalMatrix& matrix = near.emplace_back(m.x);
       for (std::size_t i = 0; i < matrix.rows(); ++i)
-        for (std::size_t k = 0; k < matrix.rows(); ++k) matrix(i, k) += rounded_root(root, taken_bits) * m.y(i, k);
+        for (std::size_t k = 0; k < matrix.rows(); ++k) matrix(i, k) += value * m.y(i, k);
     }
     if (const auto inverse = approximate_inverse(MatrixFamily(std::move(near)), product))
       return product_text(number, inverse->point, product.word) + inverse_text(inverse->bits, inverse->columns);

@@ -4,12 +4,17 @@
 
 namespace subcert_check {
 
-std::pair<std::vector<Family>, std::size_t> read_blocks(const Family& family, const Component& component,
-                                                        Reader& reader, Arithmetic& arithmetic) {
-  const std::size_t n = family.size;
+std::vector<std::size_t> read_block_sizes(std::size_t n, Reader& reader) {
   std::vector<std::size_t> sizes;
   for (const std::string_view field : reader.take("blocks", 1, n)) sizes.push_back(parse_size(field, 1, n));
   require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == n, "the block sizes do not sum to n");
+  return sizes;
+}
+
+std::pair<std::vector<Family>, std::size_t> read_blocks(const Family& family, const Component& component,
+                                                        Reader& reader, Arithmetic& arithmetic) {
+  const std::size_t n = family.size;
+  const std::vector<std::size_t> sizes = read_block_sizes(n, reader);
   std::size_t unobservable = 0;
   for (std::size_t sum = 0; sum < component.unobservable; sum += sizes[unobservable++])
     require(sum + sizes[unobservable] <= component.unobservable, "what is unobservable consists of no blocks");

@@ -4,8 +4,12 @@
 #include "surfaces/component.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace subcert_check {
+
+/// The line `blocks` of a family of this size.
+std::vector<std::size_t> read_block_sizes(std::size_t n, Reader& reader);
 
 /// The diagonal blocks, and how many of them, the first ones, are of what the component does not show. Reads the lines
 /// from `blocks` on.

@@ -358,15 +358,14 @@ class Checker {
     GivenProduct given{{}, parse_rational(fields[1]), parse_rational(fields[2])};
     for (std::size_t i = 3; i < fields.size(); ++i)
       given.letters.push_back(parse_size(fields[i], 0, family.count() / weights_.size() - 1));
-    const bool is_range = claim_.range && !claim_.each_point;
     mpq_class radius = abs(given.re + given.im);  // JSR^length is at least that, over a range above it
-    if (is_range)
+    if (claim_.is_of_values())
       check_eigenvalue(family, weights_, given.letters, given.re, given.im, arithmetic_);
     else
       radius = spectral_radius_bound(family, given, entry_error_, reader_, arithmetic_);
     if (!lower_) return;
     const mpq_class value = power(radius, root_), least = power(above_, given.letters.size());
-    require(value > least || (is_range && value == least),
+    require(value > least || (claim_.is_of_values() && value == least),
             "the product proves no exponent below the number of sum rules");
     require(*lower_ <= 0 || value >= power(*lower_, given.letters.size()),
             "the product's spectral radius does not prove the claim");

@@ -52,7 +52,9 @@ struct Claim {
 
   /// Of matrices with an arity: about a scheme on vectors itself, section 6.7.
   bool is_vector_scheme() const { return arity != 0 && mask && mask->components > 0; }
-  bool is_strict() const { return (range && !each_point) || is_vector_scheme(); }
+  /// Of each value of a range by itself.
+  bool is_of_values() const { return range && !each_point; }
+  bool is_strict() const { return is_of_values() || is_vector_scheme(); }
 };
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.

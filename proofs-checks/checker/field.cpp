@@ -1,7 +1,8 @@
 #include "field.hpp"
 
+#include "blocks.hpp"
+
 #include <algorithm>
-#include <numeric>
 
 namespace subcert_check {
 namespace {
@@ -95,9 +96,7 @@ FieldFamily field_family(std::size_t size, const Rationals& values, const mpz_cl
 
 std::vector<FieldFamily> read_field_blocks(const FieldFamily& family, Reader& reader, Arithmetic& arithmetic) {
   const std::size_t n = family.size(), count = family.rational.count();
-  std::vector<std::size_t> sizes;
-  for (const std::string_view field : reader.take("blocks", 1, n)) sizes.push_back(parse_size(field, 1, n));
-  require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == n, "the block sizes do not sum to n");
+  const std::vector<std::size_t> sizes = read_block_sizes(n, reader);
   const FieldFamily basis = read_matrix("basis", n, family.root, reader),
                     inverse = read_matrix("inverse", n, family.root, reader);
   const FieldMatrix columns = matrix_of(basis, 0), rows = matrix_of(inverse, 0);

@@ -32,9 +32,24 @@ std::string content(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// An answer, and the certificate that came with it.
+struct CertifiedReply {
+  Reply reply;
+  std::optional<std::string> certificate;
+};
+
+CertifiedReply ask_with_certificate(const SchemeQuestion& question, const std::string& scheme, const SweepPlan& plan,
+                                    const std::string& program) {
+  const runtime::TemporaryFolder folder;
+  const std::string file = folder / certificate_name;
+  CertifiedReply result{question.ask(scheme, plan, program, file), std::nullopt};
+  if (is_written(result.reply.answer)) result.certificate = content(file);
+  return result;
+}
+
 /// A condition that can be read; empty where there is none.
 std::string condition_at(const toml::table& table, const std::string& key) {
-  const std::string text = optional_text(table, key);
+  std::string text = optional_text(table, key);
   try {
     if (!text.empty()) Condition::parse(key, text);
   } catch (const ParseError& error) {
@@ -130,17 +145,17 @@ std::vector<std::string> schemes_of_plan(const SweepPlan& plan) {
 Json answers_of_scheme(const SweepPlan& plan, const std::string& scheme, const std::string& program) {
   Json result = {
       {"scheme", scheme}, {"keys", keys_json(scheme)}, {"answers", Json::object()}, {"errors", Json::object()}};
-  std::optional<runtime::TemporaryFolder> folder;
   for (const std::string& text : plan.ask) {
     const SchemeQuestion question = SchemeQuestion::parse(text);
-    const bool is_certified = plan.certificates && question.has_certificate();
-    const std::string file = is_certified ? folder.emplace() / certificate_name : "";
-    auto [answer, error] = question.ask(scheme, plan, program, file);
+    auto [reply, certificate] = plan.certificates && question.has_certificate()
+                                    ? ask_with_certificate(question, scheme, plan, program)
+                                    : CertifiedReply{question.ask(scheme, plan, program), std::nullopt};
+    auto& [answer, error] = reply;
     if (answer.is_null()) {
       result["errors"][text] = error;
       continue;
     }
-    if (is_written(answer)) result["certificate"] = content(file);
+    if (certificate) result["certificate"] = *certificate;
     answer.erase("certificate");
     result["answers"][text] = std::move(answer);
   }
@@ -154,12 +169,9 @@ SweepCase case_of(const SweepPlan& plan, const std::string& scheme) {
 
 std::optional<std::string> certificate_of(const SweepPlan& plan, const std::string& scheme,
                                           const std::string& program) {
-  const runtime::TemporaryFolder folder;
-  const std::string file = folder / certificate_name;
-  const Reply reply = SchemeQuestion::parse("regularity").ask(scheme, plan, program, file);
+  auto [reply, certificate] = ask_with_certificate(SchemeQuestion::parse("regularity"), scheme, plan, program);
   if (!reply.answer.is_null() && !reply.error.empty()) fail(ErrorKind::missing_file, "{}", reply.error);
-  if (!is_written(reply.answer)) return std::nullopt;
-  return content(file);
+  return certificate;
 }
 
 Truth meets(const Json& answers, const Condition& condition) {

@@ -161,7 +161,7 @@ void exchange(pid_t child, double most_seconds, Input& input, const Pipe& output
 
 std::filesystem::path own_program() {
   std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error);
+  return std::filesystem::read_symlink(running, error);
 }
 
 std::string this_program() { return own_program().empty() ? own_name : running; }

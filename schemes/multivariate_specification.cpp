@@ -98,7 +98,7 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_coefficients = 100'000, max_mask = 2 * max_points;
+constexpr long max_of_factors = 100'000, max_mask = 2 * max_points;
 
 Scheme make_tensor(const Piece&, const Piece& body, const std::string&) {
   std::string specification = "tensor:";
@@ -115,8 +115,8 @@ Scheme make_tensor(const Piece&, const Piece& body, const std::string&) {
       throw SpecificationError(error.token(), factor.at + error.position(), error.expected());
     }
     coefficients *= factors.back().symbol().length();
-    if (coefficients > max_coefficients)
-      fail(factor, "factors with at most " + std::to_string(max_coefficients) + " coefficients in all");
+    if (coefficients > max_of_factors)
+      fail(factor, "factors with at most " + std::to_string(max_of_factors) + " coefficients in all");
   }
   return {specification, "tensor product", tensor_product(factors)};
 }
@@ -135,9 +135,9 @@ Scheme make_grid(Fields& fields) {
     points += (points.empty() ? "" : "x") + std::to_string(count);
     coefficients *= scheme.arity * count;
     longest = std::max(longest, count);
-    if (coefficients > max_coefficients)
+    if (coefficients > max_of_factors)
       fail(points_piece,
-           "at most " + std::to_string(max_coefficients) + " coefficients (points times a along each axis)");
+           "at most " + std::to_string(max_of_factors) + " coefficients (points times a along each axis)");
   }
   if (scheme.points.size() < 2) fail(points_piece, "two or three numbers of points, as 4x4");
   if (const auto piece = fields.optional("d")) {

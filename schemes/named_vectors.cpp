@@ -12,7 +12,7 @@ namespace {
 
 using namespace specification_text;
 
-constexpr long max_data = 64, max_degree = 64;
+constexpr long max_data = 64, max_spline_degree = 64;
 
 std::string arity_text(long arity) { return arity == 2 ? "" : fmt::format(",a={}", arity); }
 
@@ -63,7 +63,7 @@ Scheme make_multiple_knot_bspline(const Piece& family, const Piece& body, const 
   const long arity = read_a(fields);
   fields.finish();
   if (!multiplicity_piece) return make_scheme(fmt::format("{}:{}", family.text, body.text));
-  const long degree = read_integer(degree_piece, "degree", 1, max_degree),
+  const long degree = read_integer(degree_piece, "degree", 1, max_spline_degree),
              multiplicity = read_integer(*multiplicity_piece, "multiplicity", 1, degree);
   if (multiplicity == 1) return make_scheme(fmt::format("bspline:degree={}{}", degree, arity_text(arity)));
   require_entries(degree_piece, arity * (degree + multiplicity) * multiplicity);

@@ -18,7 +18,7 @@ namespace {
 using namespace vertex;
 
 constexpr int most_levels = 7;
-constexpr slong least_bits = 128, most_bits = 512;
+constexpr slong first_bits = 128, last_bits = 512;
 
 /// Whether the rules are those of the mask itself: the valence is regular, and each weight is that of the mask.
 bool is_regular_vertex(const SectorRules& rules) {
@@ -85,7 +85,7 @@ class VertexProof {
   }
 
   VertexSmoothness run() {
-    for (bits_ = least_bits; bits_ <= most_bits && !spectrum_; bits_ *= 2)
+    for (bits_ = first_bits; bits_ <= last_bits && !spectrum_; bits_ *= 2)
       spectrum_ = vertex_spectrum(rules_, set_, bits_);
     bits_ /= 2;
     if (!spectrum_) {
@@ -177,7 +177,7 @@ class VertexProof {
   const RegularPart& regular_;
   ClosedSet set_;
   VertexSmoothness result_;
-  slong bits_ = least_bits;
+  slong bits_ = first_bits;
   std::optional<VertexSpectrum> spectrum_;
   std::optional<SquareTest> is_square_;  // of the leader
 };

@@ -16,9 +16,9 @@
 namespace subcert {
 namespace {
 
-constexpr std::string_view contracts = "contraction ", belongs_to = " of ", component = "component", hc = "HC of ",
-                           of_scheme = "scheme of ";
-constexpr std::string_view range_begins = " for ", all = "all ", levels = "levels ", each_point = "points ";
+constexpr std::string_view of_contraction = "contraction ", belongs_to = " of ", of_component = "component",
+                           hc = "HC of ", of_scheme = "scheme of ";
+constexpr std::string_view range_begins = " for ", all = "all ", of_levels = "levels ", of_points = "points ";
 
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
@@ -108,10 +108,10 @@ std::optional<ForClause> read_for(std::string text, const ParametricScheme& fami
   const std::string& name = family.name;
   ForClause clause{};
   if (text.starts_with(all)) text = trimmed(text.substr(all.size()));
-  clause.is_each_point = text.starts_with(each_point);
-  if (clause.is_each_point) text = trimmed(text.substr(each_point.size()));
-  clause.is_levels = !clause.is_each_point && text.starts_with(levels);
-  if (clause.is_levels) text = trimmed(text.substr(levels.size()));
+  clause.is_each_point = text.starts_with(of_points);
+  if (clause.is_each_point) text = trimmed(text.substr(of_points.size()));
+  clause.is_levels = !clause.is_each_point && text.starts_with(of_levels);
+  if (clause.is_levels) text = trimmed(text.substr(of_levels.size()));
   if (const std::size_t comma = text.find(','); clause.is_levels && comma != std::string::npos) {
     if (!read_following(text.substr(comma + 1), family, clause)) return std::nullopt;
     text = trimmed(text.substr(0, comma));
@@ -176,8 +176,8 @@ ClaimSubject stated_subject(const std::string& subject, const ReadList& read_lis
       return vector_scheme_subject(trimmed(subject.substr(word.size())), hermite);
   std::string scheme_text = subject;
   std::optional<int> number;
-  if (const std::size_t at = subject.find(belongs_to); subject.starts_with(component) && at != std::string::npos) {
-    number = whole_number(trimmed(subject.substr(component.size(), at - component.size()))).value_or(0);
+  if (const std::size_t at = subject.find(belongs_to); subject.starts_with(of_component) && at != std::string::npos) {
+    number = whole_number(trimmed(subject.substr(of_component.size(), at - of_component.size()))).value_or(0);
     scheme_text = trimmed(subject.substr(at + belongs_to.size()));
   }
   const Scheme scheme = make_refinable_scheme(scheme_text);
@@ -202,14 +202,14 @@ ClaimSubject stated_subject(const std::string& subject, const ReadList& read_lis
 /// `contraction STEPS,ORDER of SCHEME <= BOUND`, if the claim is one.
 std::optional<StatedClaim> stated_contraction(const std::string& words) {
   const std::optional<Chain> chain = chain_of(words);
-  if (!chain || !chain->parts[0].starts_with(contracts)) return std::nullopt;
+  if (!chain || !chain->parts[0].starts_with(of_contraction)) return std::nullopt;
   const std::vector<std::string>& parts = chain->parts;
   const std::size_t at = parts[0].find(belongs_to);
   const std::optional<Rational> bound = parts.size() == 2 && !chain->strict[0] ? parse_number(parts[1]) : std::nullopt;
   if (!bound || at == std::string::npos) refuse(words);
   L1Subject subject = l1_subject(trimmed(parts[0].substr(at + belongs_to.size())));
-  subject.contraction = fmt::format("{},{}", trimmed(parts[0].substr(contracts.size(), at - contracts.size())),
-                                    to_text(*bound));
+  subject.contraction = fmt::format(
+      "{},{}", trimmed(parts[0].substr(of_contraction.size(), at - of_contraction.size())), to_text(*bound));
   StatedClaim stated;
   stated.claim.subject = subject;
   return stated;

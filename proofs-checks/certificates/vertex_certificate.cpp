@@ -11,7 +11,7 @@
 namespace subcert {
 namespace {
 
-constexpr int bits = 128, value_bits = 64, radius_bits = 24, inverse_bits = 24, most_levels = 8, most_power = 12,
+constexpr int bits = 128, value_bits = 64, disc_bits = 24, row_bits = 24, most_hulls = 8, most_power = 12,
               most_halvings = 12;
 constexpr long most_turn = 3;
 
@@ -92,14 +92,14 @@ Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegul
   Certificate certificate = certificate_around(rules.mask, rules_text(rules), regularity, smoothness.c1,
                                                smoothness.evidence != nullptr);
   const VertexEvidence& evidence = *smoothness.evidence;
-  const Integer radius = to_integer(power(Rational(2), radius_bits), Rounding::nearest);
+  const Integer radius = to_integer(power(Rational(2), disc_bits), Rounding::nearest);
   std::string text = fmt::format(
-      "vertex {} {} {} {} {}\npoints", bits, value_bits, std::min(smoothness.levels + 1, most_levels),
+      "vertex {} {} {} {} {}\npoints", bits, value_bits, std::min(smoothness.levels + 1, most_hulls),
       to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(), radius.str());
   for (const LatticePoint& point : evidence.points) text += fmt::format(" {}", fmt::join(point, ","));
-  text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), inverse_bits);
+  text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), row_bits);
   for (std::size_t i = 0; i < evidence.inverse.size(); ++i)
-    text += fmt::format("row {}{}\n", i, pairs_text(evidence.inverse[i], inverse_bits));
+    text += fmt::format("row {}{}\n", i, pairs_text(evidence.inverse[i], row_bits));
   certificate.sections.push_back({std::move(text)});
   return certificate;
 }
@@ -108,7 +108,7 @@ Certificate vertex_certificate(const SectorRuleFamily& family, const Multivariat
                                const EveryValence& smoothness) {
   Certificate certificate = certificate_around(family.rules.mask, rules_text(family, smoothness.first), regularity,
                                                smoothness.c1, smoothness.evidence.has_value());
-  const Rational scale = power(Rational(2), radius_bits);
+  const Rational scale = power(Rational(2), disc_bits);
   const Rational start = Rational(to_integer(Rational(smoothness.evidence->subdominant * scale), Rounding::nearest)) /
                          scale;
   std::string text = fmt::format("vertices {} {} {}\npoints", bits, most_halvings, to_text(start));

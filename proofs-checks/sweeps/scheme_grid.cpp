@@ -18,7 +18,6 @@ using specification_text::Piece;
 using specification_text::split;
 using specification_text::trimmed;
 
-constexpr std::size_t most_schemes = 1'000'000;
 constexpr double most_combinations = 1e8;
 
 Piece part(const Piece& piece, std::size_t begin, std::size_t end = std::string_view::npos) {

@@ -1,12 +1,15 @@
 #pragma once
 /// Many schemes in one text: lists of values where a specification has one, and all small masks.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace subcert::sweeps {
+
+inline constexpr std::size_t most_schemes = 1'000'000;  ///< of a grid, and of a plan
 
 /// The specifications that a text names, the last key changing first. A value is `A..B` (integers and what lies between
 /// in steps of 1), `A..B step S` (rational numbers), or a list `{V,W,A..B}` of values and ranges: as

@@ -18,7 +18,6 @@ namespace subcert::sweeps {
 namespace {
 
 constexpr const char* certificate_name = "certificate";
-constexpr std::size_t most_schemes = 1'000'000;
 
 /// Whether an answer tells of a certificate.
 bool is_written(const Json& answer) {

@@ -39,11 +39,11 @@ KeptByScheme<std::optional<FrequencyBound>>& known_bounds() {
 
 // Theorem U.
 
-constexpr int tail = 64;
+constexpr int first_of_tail = 64;
 
 /// For n >= 64: the coefficient of 2^(-t(t-1)/2), t = log2(pi N/4), and what it is made of.
 void degree_one_tail(Ledger& ledger) {
-  const Ball pi = Ball::pi(proof_bits), N = exactly(Rational(4 * tail - 1, 2));
+  const Ball pi = Ball::pi(proof_bits), N = exactly(Rational(4 * first_of_tail - 1, 2));
   const auto above = [&](const char* name, const char* id, const char* meaning, const std::string& formula,
                          const Ball& number) { return ledger.state(name, Side::above, id, meaning, formula, number); };
   const Ball kappa = above("kappa", "2.1", "sup |cos x - sin(x)/x|", "sup |cos x - sin(x)/x|",
@@ -85,7 +85,7 @@ void degree_one_tail(Ledger& ledger) {
 void degree_one_single(Ledger& ledger, const SchemeFamily& family) {
   const Ball C = exactly(ledger["C"]);
   std::optional<Rational> least;
-  for (int n = 2; n < tail; ++n) {
+  for (int n = 2; n < first_of_tail; ++n) {
     const std::optional<FrequencyBound>& bound = known_bounds()(family.scheme(n, 1));
     const Ball N = exactly(family.size(n)), L = log2(N);
     const Ball right = C * power_of_two(L - L * L / 2);
@@ -94,7 +94,7 @@ void degree_one_single(Ledger& ledger, const SchemeFamily& family) {
     const Rational exponent = bound ? bound->exponent : Rational(0);
     if (n >= 4) least = least ? std::min(*least, exponent) : exponent;
   }
-  const Ball N = exactly(family.size(tail)), L = log2(N);
+  const Ball N = exactly(family.size(first_of_tail)), L = log2(N);
   ledger.need(
       less("U.9", "C N_1^(1 - log2(N_1)/2) < 1", (C * power_of_two(L - L * L / 2)).enclosure(), Enclosure::exactly(1)));
   const Ball all = min(exactly(*least), 2 - C * power_of_two(L - L * L / 2));
@@ -261,7 +261,7 @@ std::optional<int> first_start(int degree, const State& state) {
 bool is_degree_one(const SchemeFamily& family, int degree) { return family.id == "primal" && degree == 1; }
 
 SmoothnessRange find_range(const SchemeFamily& family, int degree) {
-  SmoothnessRange range{alias_order(family.evaluation, degree) - 1, 2, tail, 2};
+  SmoothnessRange range{alias_order(family.evaluation, degree) - 1, 2, first_of_tail, 2};
   if (is_degree_one(family, degree)) return range;
   const auto start = first_start(degree, [&](Ledger& ledger, int from) { state_class(ledger, family, degree, from); });
   range.is_found = start.has_value();
@@ -328,7 +328,7 @@ void smoothness(Ledger& ledger, const SchemeFamily& family, int degree, int thre
   if (is_degree_one(family, degree)) {
     degree_one_tail(ledger);
     if (!ledger.holds()) return;
-    known_bounds().prepare(family.schemes(2, tail - 1, 1), threads);
+    known_bounds().prepare(family.schemes(2, first_of_tail - 1, 1), threads);
     degree_one_single(ledger, family);
     return;
   }

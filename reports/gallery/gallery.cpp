@@ -27,7 +27,7 @@ namespace {
 
 constexpr int levels_of_norms = 16, most_derivatives = 4;
 constexpr long most_coefficients = 250;  // of masks with a variance curve
-constexpr double points_of_variance = 600, points_of_polygon = 1500;
+constexpr double variance_points = 600, points_of_polygon = 1500;
 constexpr double sobolev_share = 0.3, smoothness_share = 0.5, variance_seconds = 2;
 
 /// Corners of the sample polygons: a cross, and a meander.
@@ -74,7 +74,7 @@ PlatePicture polygon_picture(const Scheme& scheme, bool open) {
 }
 
 PlatePicture variance_picture(const Mask& mask) {
-  const VarianceGrid grid = variance_grid(mask, steps_between(1, points_of_variance, mask.arity()), false);
+  const VarianceGrid grid = variance_grid(mask, steps_between(1, variance_points, mask.arity()), false);
   formats::Curve curve{"", {}};
   for (std::size_t i = 0; i < grid.values.size(); ++i)
     curve.points.emplace_back((grid.step() * Rational(i)).convert_to<double>(), grid.values[i].convert_to<double>());

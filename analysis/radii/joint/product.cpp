@@ -22,7 +22,7 @@ constexpr slong precision = 320;
 constexpr int dyadic_bits = 200;
 constexpr long resolved_bits = 20;     // that an eigenvalue may be smaller than the entries
 constexpr int smallest_exponent = 40;  // smaller eigenvalues than 2^-40 get as many bits more
-constexpr long least_bits = 150;       // of evidence by balls, relatively
+constexpr long evidence_bits = 150;    // of evidence by balls, relatively
 constexpr double nearly_real = 1e-12, nearly_real_if_multiple = 1e-6,
                  nearly_double = 1e-7;                              // in doubles, relatively
 constexpr std::size_t longest_common_power = 64, most_paired = 12;  // letters, and the size of matrices
@@ -155,7 +155,7 @@ std::optional<NearbyEigenvalue> nearby_eigenvalue(const RationalMatrix& product,
   if (middle.im == 0 && overlap(pair->value, ball_around({nearest(middle.re), 0}, pair->value.bits())))
     return std::nullopt;
   const Rational away = *abs(pair->value - ball_around(point, precision)).enclosure().upper;
-  if (away * power(Rational(2), least_bits) > *root_enclosure(point.squared_modulus(), 2).lower) return std::nullopt;
+  if (away * power(Rational(2), evidence_bits) > *root_enclosure(point.squared_modulus(), 2).lower) return std::nullopt;
   return NearbyEigenvalue{point, away};
 }
 

@@ -21,6 +21,9 @@ std::optional<LatticeMask> divided_along(const LatticeMask& mask, const LatticeP
   return LatticeMask(*quotient * MultivariatePolynomial(2, Rational(m)), m);
 }
 
+using Entry = std::pair<std::size_t, long>;
+using SparseVector = std::vector<Entry>;
+
 /// The operators v(x) = B_d v(y), x = (y + d)/m, of v(x) = (phi(x - k))_k: column p of B_d has a_{d + p - mk} at k.
 class CellOperators {
  public:
@@ -78,20 +81,22 @@ class CellOperators {
   /// Whether what is made of it fits.
   static bool fits(const Product& product) { return largest(product) < 1L << 52; }
   /// A bound of |product vector|_1.
-  Rational norm(const Product& product, const std::vector<long>& vector) const {
-    Rational sum = 0;
+  Rational norm(const Product& product, const SparseVector& vector) const {
+    Wide sum = 0;
     long length = 0;
-    for (const long entry : vector) length += std::abs(entry);
+    for (const Entry& entry : vector) length += std::abs(entry.second);
     for (const std::vector<long>& row : product.rows) {
-      Wide entry = 0;
-      for (std::size_t i = 0; i < size_; ++i) entry += static_cast<Wide>(row[i]) * vector[i];
-      sum += Rational(static_cast<long>(entry < 0 ? -entry : entry));
+      Wide value = 0;
+      for (const auto& [i, entry] : vector) value += static_cast<Wide>(row[i]) * entry;
+      sum += value < 0 ? -value : value;
     }
-    return (sum + Rational(static_cast<long>(size_) * length) * product.error) / Rational(one);
+    constexpr long half = 1L << 32;
+    const Rational exact = Rational(static_cast<long>(sum / half)) * Rational(half) +
+                           Rational(static_cast<long>(sum % half));
+    return (exact + Rational(static_cast<long>(size_) * length) * product.error) / Rational(one);
   }
 
  private:
-  using Entry = std::pair<std::size_t, long>;
   __extension__ using Wide = __int128;
 
   static long largest(const Product& product) {
@@ -105,18 +110,18 @@ class CellOperators {
   long scale_;
   Rational most_ = 1, rounded_;  ///< the largest sum of moduli of a column, and of their errors
   std::size_t widest_ = 1;
-  std::vector<std::vector<std::vector<Entry>>> columns_;
+  std::vector<std::vector<SparseVector>> columns_;
 };
 
 /// sup |v| of vectors v(x) = factor^n B_w v(y) in base + span of the `rest`, in which the coefficients of v are those
 /// of its entries: |v| <= |B_w base| + max |B_w rest_k| |v| for a full set of words w.
 class Contraction {
  public:
-  Contraction(const CellOperators& operators, long factor, std::vector<std::vector<long>> rest)
+  Contraction(const CellOperators& operators, long factor, std::vector<SparseVector> rest)
       : operators_(operators), factor_(factor), rest_(std::move(rest)) {}
 
   /// With the smallest rates that few words reach.
-  std::optional<Rational> bound(const std::vector<long>& base) {
+  std::optional<Rational> bound(const SparseVector& base) {
     for (const Rational& rate : {Rational(1) / 2, Rational(3) / 4}) {
       largest_ = 0;
       words_ = 0;
@@ -126,11 +131,10 @@ class Contraction {
   }
 
  private:
-  bool visit(const CellOperators::Product& product, const Rational& scale, const std::vector<long>& base,
+  bool visit(const CellOperators::Product& product, const Rational& scale, const SparseVector& base,
              const Rational& wanted) {
     Rational rate = 0;
-    for (const std::vector<long>& vector : rest_)
-      rate = std::max(rate, Rational(scale * operators_.norm(product, vector)));
+    for (const SparseVector& vector : rest_) rate = std::max(rate, Rational(scale * operators_.norm(product, vector)));
     if (rate <= wanted) {
       largest_ = std::max(largest_, Rational(scale * operators_.norm(product, base) / (1 - rate)));
       return true;
@@ -145,16 +149,10 @@ class Contraction {
   static constexpr long most_words = 3000;
   const CellOperators& operators_;
   long factor_;
-  std::vector<std::vector<long>> rest_;
+  std::vector<SparseVector> rest_;
   Rational largest_ = 0;
   long words_ = 0;
 };
-
-std::vector<long> unit(std::size_t at, std::size_t size) {
-  std::vector<long> result(size, 0);
-  result[at] = 1;
-  return result;
-}
 
 }  // namespace
 
@@ -213,12 +211,10 @@ std::optional<LatticeMask> derivative_mask(const LatticeMask& mask, std::size_t 
 std::optional<Rational> sum_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window) {
   if (is_positive(mask)) return Rational(1);
   const std::size_t o = window.size() / 2;
-  std::vector<std::vector<long>> rest;
-  for (std::size_t k = 0; k < window.size(); ++k) {
-    rest.push_back(unit(k, window.size()));
-    rest.back()[o] -= 1;
-  }
-  return Contraction(CellOperators(mask, window), 1, rest).bound(unit(o, window.size()));
+  std::vector<SparseVector> rest;
+  for (std::size_t k = 0; k < window.size(); ++k)
+    if (k != o) rest.push_back({{k, 1}, {o, -1}});
+  return Contraction(CellOperators(mask, window), 1, rest).bound({{o, 1}});
 }
 
 std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vector<LatticePoint>& window,
@@ -232,16 +228,13 @@ std::optional<Rational> derivative_bound(const LatticeMask& mask, const std::vec
   const std::size_t o = index_of(corner),
                     along[] = {index_of(corner + LatticePoint{1, 0}), index_of(corner + LatticePoint{0, 1})};
   if (std::max(along[0], along[1]) >= size) return std::nullopt;
-  std::vector<std::vector<long>> rest;
+  std::vector<SparseVector> rest;
   for (std::size_t k = 0; k < size; ++k) {
+    if (k == o || k == along[0] || k == along[1]) continue;
     const LatticePoint step = window[k] - corner;
-    rest.push_back(unit(k, size));
-    rest.back()[o] -= 1 - step[0] - step[1];
-    for (std::size_t v = 0; v < 2; ++v) rest.back()[along[v]] -= step[v];
+    rest.push_back({{k, 1}, {o, step[0] + step[1] - 1}, {along[0], -step[0]}, {along[1], -step[1]}});
   }
-  std::vector<long> base = unit(along[axis], size);
-  base[o] -= 1;
-  return Contraction(CellOperators(mask, window), mask.arity(), rest).bound(base);
+  return Contraction(CellOperators(mask, window), mask.arity(), rest).bound({{along[axis], 1}, {o, -1}});
 }
 
 }  // namespace subcert::vertex

@@ -111,7 +111,7 @@ inline constexpr double stability = 0.5;
 inline constexpr double sobolev = 0.3;
 inline constexpr double search = 0.9;                       ///< of the radius, so that some is left for convergence
 inline constexpr double norms = 0.05;                       ///< of the search, for each space
-inline constexpr double first_slice = 2, slice_factor = 5;  ///< seconds for each of several dilations
+inline constexpr double first_slice = 3, slice_factor = 2;  ///< seconds for each of several dilations
 inline constexpr double along = 0.5;                        ///< differences of one order along a subspace
 inline constexpr double convergence = 0.5;                  ///< by norms, and by differences of one order
 inline constexpr double convergence_seconds = 5, convergence_grace = 0.5;  ///< once the rest of the time is gone

@@ -13,6 +13,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace subcert {
 namespace {
@@ -137,23 +138,30 @@ std::optional<DifferenceSpace> searchable_space(const LatticeMask& mask,
   }
 }
 
-/// Fills in what the differences tell: by the dilation with which a polytope closes, in slices of time that grow.
+/// Fills in what the differences tell: by the dilation with which a polytope closes, in slices of time that grow. After
+/// the first of them the dilations have their turns by how near the ends of the radius came.
 void search_radius(const LatticeMask& mask, const std::optional<MultivariateSobolev>& sobolev, const Budget& budget,
                    MultivariateRegularity& result) {
   const std::vector<LatticeMask> masks = with_turned_dilations(mask);
   std::vector<std::optional<DifferenceSpace>>
       spaces;  // of the masks that had their turn; nothing where it is too large
+  std::vector<Rational> gaps(masks.size());
+  std::vector<std::size_t> turns(masks.size());
+  std::iota(turns.begin(), turns.end(), std::size_t{0});
   for (double slice = masks.size() > 1 ? schedule::surface::first_slice : budget.deadline.remaining();;
        slice *= schedule::surface::slice_factor) {
-    for (std::size_t k = 0; k < masks.size(); ++k) {
+    std::stable_sort(turns.begin(), turns.end(), [&](std::size_t a, std::size_t b) { return gaps[a] < gaps[b]; });
+    for (const std::size_t k : turns) {
       if (k == spaces.size()) spaces.push_back(searchable_space(masks[k], sobolev, result));
       if (!spaces[k]) continue;
       const DifferenceSpace& space = *spaces[k];
       if (result.radius && result.space->is_of_values() && !space.is_of_values()) continue;
-      const Budget share{budget.deadline.at_most(slice), budget.memory};
+      const double turns_left = spaces.size() < masks.size() ? static_cast<double>(masks.size() - k) : 1;
+      const Budget share{budget.deadline.after(1 / turns_left).at_most(slice), budget.memory};
       const NormProof norms = norm_of_products(space.family,
                                                {share.deadline.after(schedule::surface::norms), share.memory});
       JointSpectralRadius radius = joint_spectral_radius(space.family, share, norms);
+      gaps[k] = radius.proved_upper() - radius.radius.lower.value_or(0);
       if (result.radius && !radius.exact.is_yes() && radius.proved_upper() >= result.radius->proved_upper()) continue;
       result.space = space;
       result.bound = HolderBound{norms.level, norms.norm,

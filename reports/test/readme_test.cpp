@@ -171,7 +171,7 @@ TEST_CASE("docs quote what the experiments find on curves and surfaces of [DHHS1
       fmt::format("cover {:.3f} of {:.3f}, {:.1f} % of the period", covered, period, 100 * covered / period));
 }
 
-TEST_CASE("docs quote what the experiments find on l1 schemes and cars") {
+TEST_CASE("docs quote what the experiments find on l1 schemes and cars", "[long]") {
   for (const char* count : {"2", "3"})
     CHECK(groups(finding("l1-fig2", "The basic", std::string("fits = ") + count).numbers, "D_\\d: (\\d) of") ==
           std::vector<std::string>{"2", "2", "2"});

@@ -84,7 +84,7 @@ void check_cell(const std::string& text, const std::string& key, std::size_t col
 /// The numbers of theorems that take longer, which a long test runs.
 const std::set<std::string> costly{"T.16", "W.1", "W.2", "W.3"};
 
-TEST_CASE("the text has the numbered inequalities that the program runs") {
+TEST_CASE("the text has the numbered inequalities that the program runs", "[long]") {
   std::set<std::string> run;
   for (const char* id : {"conjecture-7", "conjecture-8-n"}) {
     for (const Check& check : proved(id, 1).checks) run.insert(check.id);

@@ -108,6 +108,11 @@ Reply reply_to(const std::vector<std::string>& arguments, const runtime::Process
 
 double most_seconds(double budget) { return 4 * budget + 60; }
 
+double searching_seconds(double budget) {
+  constexpr double proofs = 0.5, proofs_share = 0.1, most = 1.15;  // as Deadline::later() has it; of the budget
+  return std::clamp((most * budget - proofs) / (1 + proofs_share), budget / 2, budget);
+}
+
 std::vector<std::string> check_arguments(const AnswerLimits& limits) {
   return {check_command,
           "-",
@@ -204,7 +209,8 @@ Reply SchemeQuestion::ask(const std::string& scheme, const AnswerLimits& limits,
   arguments.insert(arguments.end(), {"--json", "--quiet", "--jobs", "1"});
   arguments.insert(arguments.end(), settings_.begin(), settings_.end());
   if (!certificate.empty()) arguments.insert(arguments.end(), {"--certificate", certificate});
-  if (command.has_budget) arguments.insert(arguments.end(), {"--budget", fmt::format("{}", limits.budget)});
+  if (command.has_budget)
+    arguments.insert(arguments.end(), {"--budget", fmt::format("{:.6g}", searching_seconds(limits.budget))});
   if (command.has_memory) arguments.insert(arguments.end(), {"--memory", std::to_string(limits.memory)});
   if (is_like_option) arguments.insert(arguments.end(), {"--", scheme});
   Reply reply = reply_to(arguments, {.most_seconds = seconds}, program);

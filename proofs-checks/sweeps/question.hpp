@@ -13,7 +13,7 @@ namespace subcert::sweeps {
 
 /// What an answer may cost.
 struct AnswerLimits {
-  double budget = 10;        ///< seconds of processor time
+  double budget = 10;        ///< seconds of processor time, with those of proofs
   std::size_t memory = 512;  ///< MiB that a search may hold
 };
 
@@ -34,6 +34,9 @@ Reply reply_to(const std::vector<std::string>& arguments, const runtime::Process
 std::vector<std::string> check_arguments(const AnswerLimits& limits);
 /// Processor seconds after which a process that has this budget is ended; a search that heeds it never needs them.
 double most_seconds(double budget);
+/// What a command gets as its budget, so that what proofs may take beyond it is within 15 % of this one: less of less
+/// than 10 s, half of less than a second, of which that does not hold.
+double searching_seconds(double budget);
 
 /// `regularity`, `vertex --valence 3..50`, `levels --over w=0..1/8 --property C1`, `check smoothness >= 1`.
 class SchemeQuestion {

@@ -388,7 +388,7 @@ std::optional<GraphProof> prove_by_forms(const MatrixFamily& family, const Ratio
   AttainedGraph attained = *proof->attained;
   const RationalMatrix matrix = transposed(family.product(attained.product));
   const auto factor = leading_factor(matrix, product.eigenvalue, eigenvalue_bits,
-                                     Deadline().at_most(budget.deadline.remaining() + schedule::block::grace));
+                                     Deadline::in(budget.deadline.remaining() + schedule::block::grace));
   if (const auto seed = factor ? seed_of(matrix, *factor, {}) : std::nullopt) {
     attained.number = factor->number(attained.product.size());
     attained.seed = *seed;

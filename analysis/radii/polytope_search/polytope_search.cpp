@@ -58,7 +58,7 @@ class Search {
   Search(const SearchFamily& family, const SearchOptions& options)
       : options_(options),
         seconds_(options.budget.deadline.remaining()),
-        races_(Deadline().at_most(schedule::polytope::races * seconds_)) {
+        races_(Deadline::in(schedule::polytope::races * seconds_)) {
     family_[0] = family_[1] = family;
     for (Matrix& a : family_[1].matrices) a = a.transposed();
     family_[1].symmetry = family.symmetry.transposed();

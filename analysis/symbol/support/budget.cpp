@@ -14,8 +14,7 @@ using Nanoseconds = Meter::Nanoseconds;
 
 constexpr double per_second = 1e9;
 constexpr double endless = 1e9;                         // seconds
-constexpr double overtime = 0.5, overtime_share = 0.1;  // seconds, and of the time, for proofs of what was found
-constexpr double most_overtime = 0.15;  // of the time: where it is short, what proofs need beyond that ends it earlier
+constexpr double overtime = 0.5, overtime_share = 0.1;  // seconds, and of the time
 constexpr auto look = std::chrono::milliseconds(1);
 
 Nanoseconds processor_time() {
@@ -74,14 +73,7 @@ TaskScope::~TaskScope() {
 
 const std::shared_ptr<Meter>& TaskScope::current() { return this_thread().task; }
 
-Deadline Deadline::in(double seconds) {
-  const double longest = (1 + most_overtime) * seconds;
-  const double searching = std::clamp((longest - overtime) / (1 + overtime_share), seconds / 2, seconds);
-  Deadline result = Deadline().at_most(searching);
-  if (result.task_)
-    result.last_ = std::min(result.last_, result.end_ + static_cast<Nanoseconds>((longest - searching) * per_second));
-  return result;
-}
+Deadline Deadline::in(double seconds) { return Deadline().at_most(seconds); }
 
 bool Deadline::expired() const {
   if (is_stopped()) return true;

@@ -88,8 +88,6 @@ class Deadline {
     result.stop_ = nullptr;
     return result;
   }
-  /// For a question: where a tenth and half a second more would be over 15 % of the time, below ten seconds, the search
-  /// ends as much earlier, so that proofs have theirs, but has half of the time in any case.
   /// Domain: seconds >= 0; more than 10^9 is as good as no end.
   static Deadline in(double seconds);
 

@@ -59,3 +59,18 @@ TEST_CASE("replies: an object, a crash, a message") {
   CHECK(reply("echo '[1]'; exit 7").error == "exit code 7 without an answer");
   CHECK(reply("echo '{\"a\":'").answer.is_null());
 }
+
+TEST_CASE("a search leaves time for proofs within 15 per cent of the budget of its question") {
+  CHECK(searching_seconds(10) == 10);
+  CHECK(searching_seconds(1000) == 1000);
+  CHECK(searching_seconds(0.25) == 0.125);
+  double before = 0;
+  for (const double budget : {0.001, 0.5, 0.9, 1.0, 1.5, 3.0, 7.0, 9.9, 20.0}) {
+    const double searching = searching_seconds(budget);
+    CHECK(searching > before);
+    CHECK(searching >= budget / 2);
+    CHECK(searching <= budget);
+    if (budget >= 1 && budget <= 10) CHECK(1.1 * searching + 0.5 <= 1.15 * budget + 1e-12);
+    before = searching;
+  }
+}

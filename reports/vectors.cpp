@@ -43,8 +43,8 @@ struct Facts {
 
 Facts facts_of(const std::string& specification, const ReportOptions& options) {
   Scheme scheme = make_refinable_scheme(specification);
-  const double seconds = options.budget.value_or(seconds_of_vector);
-  MultivariateRegularity regularity = *regularity_of(scheme.mask, {Deadline::in(seconds)}, of_scheme(scheme)).surface;
+  const Budget budget{Deadline::in(options.budget.value_or(seconds_of_vector))};
+  MultivariateRegularity regularity = *regularity_of(scheme.mask, budget, of_scheme(scheme)).surface;
   return {std::move(scheme), std::move(regularity)};
 }
 

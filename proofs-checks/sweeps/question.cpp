@@ -109,8 +109,8 @@ Reply reply_to(const std::vector<std::string>& arguments, const runtime::Process
 double most_seconds(double budget) { return 4 * budget + 60; }
 
 double searching_seconds(double budget) {
-  constexpr double proofs = 0.5, proofs_share = 0.1, most = 1.15;  // as Deadline::later() has it; of the budget
-  return std::clamp((most * budget - proofs) / (1 + proofs_share), budget / 2, budget);
+  constexpr double proofs = 0.5;  // as Deadline::later() has it, beside a tenth
+  return std::max(budget - proofs, budget / 2);
 }
 
 std::vector<std::string> check_arguments(const AnswerLimits& limits) {

@@ -34,8 +34,8 @@ Reply reply_to(const std::vector<std::string>& arguments, const runtime::Process
 std::vector<std::string> check_arguments(const AnswerLimits& limits);
 /// Processor seconds after which a process that has this budget is ended; a search that heeds it never needs them.
 double most_seconds(double budget);
-/// What a command gets as its budget, so that what proofs may take beyond it is within 15 % of this one: less of less
-/// than 10 s, half of less than a second, of which that does not hold.
+/// What a command gets as its budget, so that what proofs may take beyond it ends within a tenth more than this one:
+/// half a second less, but of less than a second half, of which that does not hold.
 double searching_seconds(double budget);
 
 /// `regularity`, `vertex --valence 3..50`, `levels --over w=0..1/8 --property C1`, `check smoothness >= 1`.

@@ -60,17 +60,15 @@ TEST_CASE("replies: an object, a crash, a message") {
   CHECK(reply("echo '{\"a\":'").answer.is_null());
 }
 
-TEST_CASE("a search leaves time for proofs within 15 per cent of the budget of its question") {
-  CHECK(searching_seconds(10) == 10);
-  CHECK(searching_seconds(1000) == 1000);
+TEST_CASE("a search leaves time for proofs within a tenth more than the budget of its question") {
+  CHECK(searching_seconds(10) == 9.5);
   CHECK(searching_seconds(0.25) == 0.125);
   double before = 0;
-  for (const double budget : {0.001, 0.5, 0.9, 1.0, 1.5, 3.0, 7.0, 9.9, 20.0}) {
+  for (const double budget : {0.001, 0.5, 0.9, 1.0, 1.5, 3.0, 7.0, 9.9, 20.0, 1e6}) {
     const double searching = searching_seconds(budget);
     CHECK(searching > before);
     CHECK(searching >= budget / 2);
-    CHECK(searching <= budget);
-    if (budget >= 1 && budget <= 10) CHECK(1.1 * searching + 0.5 <= 1.15 * budget + 1e-12);
+    if (budget >= 1) CHECK(1.1 * searching + 0.5 <= 1.1 * budget);
     before = searching;
   }
 }

@@ -32,7 +32,7 @@ struct ComponentRegularity {
 /// sequences that do not show it.
 struct ComponentProof {
   DifferenceSpace space;
-  std::size_t unobservable = 0;  ///< the dimension of that subspace
+  std::size_t unobservable = 0;  ///< the dimension of that subspace, with a square root over its field
   /// On the space; the proof has the blocks of that subspace first, which are below 1, and all else is of the others.
   JointSpectralRadius radius;
 };
@@ -59,7 +59,7 @@ struct FunctionVector {
   long root = 0;        ///< the number whose square root the matrices hold; 0 where they are rational
   Decision continuous;  ///< of all of them; no where there is none
   std::vector<ComponentRegularity> components;
-  /// Of the function that was asked for, where the matrices are rational and a proof was found.
+  /// Of the function that was asked for, where a proof was found.
   std::optional<ComponentProof> proof = std::nullopt;
   std::optional<HermiteOrder> hermite = std::nullopt;  ///< of a Hermite scheme
 };

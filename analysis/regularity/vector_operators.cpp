@@ -108,13 +108,16 @@ struct FieldBlocks {
   }
 };
 
-/// The even columns, each with its image under the root behind it.
+}  // namespace
+
 RationalMatrix with_root_columns(RationalMatrix basis, const RationalMatrix& root) {
   const RationalMatrix images = root * basis;
   for (std::size_t c = 1; c < basis.columns(); c += 2)
     for (std::size_t r = 0; r < basis.rows(); ++r) basis(r, c) = images(r, c - 1);
   return basis;
 }
+
+namespace {
 
 /// Of the diagonal blocks over the field of the root, each by itself.
 JointSpectralRadius radius_over_field(const Operators& operators, long number, const Budget& budget) {

@@ -43,6 +43,9 @@ Operators operators_of(const DifferenceSpace& space, const Parts& parts);
 /// with its image under the root behind it. Domain: the root times itself is a number that is no square.
 RationalMatrix basis_of_pairs(const RationalMatrix& columns, const RationalMatrix& root);
 
+/// The even columns, each with its image under the root behind it in place of the next one.
+RationalMatrix with_root_columns(RationalMatrix basis, const RationalMatrix& root);
+
 /// Domain: with a root; a regular basis.
 Operators in_basis(const Operators& operators, const RationalMatrix& basis);
 

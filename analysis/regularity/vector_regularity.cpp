@@ -163,8 +163,8 @@ BlockProof in_blocks(const MatrixFamily& family, const JointSpectralRadius& radi
   return {{{family.size()}, RationalMatrix::identity(family.size()), family.matrices(), {{}}}, {radius}, 0};
 }
 
-/// That of a subspace and that of the rest, in a basis of this family of which the first columns are the subspace.
-BlockProof joined(const MatrixFamily& family, const RationalMatrix& basis, const BlockProof& first,
+/// That of a subspace and that of the rest, in a basis for these operators of which the first columns are the subspace.
+BlockProof joined(const Operators& operators, const RationalMatrix& basis, const BlockProof& first,
                   const BlockProof& rest) {
   BlockProof result = first;
   RationalMatrix change(basis.rows(), basis.rows());
@@ -180,17 +180,18 @@ BlockProof joined(const MatrixFamily& family, const RationalMatrix& basis, const
   triangular.irreducible.insert(triangular.irreducible.end(), rest.triangular.irreducible.begin(),
                                 rest.triangular.irreducible.end());
   triangular.groups.clear();
-  triangular.basis = basis * change;
+  triangular.basis = operators.root ? with_root_columns(basis * change, *operators.root) : basis * change;
   triangular.triangular.clear();
-  for (const RationalMatrix& matrix : family)
-    triangular.triangular.push_back(solve(triangular.basis, matrix * triangular.basis));
+  if (!operators.root)
+    for (const RationalMatrix& matrix : operators.family)
+      triangular.triangular.push_back(solve(triangular.basis, matrix * triangular.basis));
   result.blocks.insert(result.blocks.end(), rest.blocks.begin(), rest.blocks.end());
   result.leading = first.blocks.size() + rest.leading;
   return result;
 }
 
 /// `quotient`: the radius on what is observed. Nothing where that of the rest is not proved to be below 1.
-std::optional<ComponentProof> component_proof(const DifferenceSpace& space, const Observed& seen,
+std::optional<ComponentProof> component_proof(const DifferenceSpace& space, const Parts& parts, const Observed& seen,
                                               const JointSpectralRadius& quotient, const Budget& budget) {
   const std::size_t size = space.family.size(), observable = seen.rows.size(), unobservable = size - observable;
   if (unobservable == 0) return ComponentProof{space, 0, quotient};
@@ -203,20 +204,22 @@ std::optional<ComponentProof> component_proof(const DifferenceSpace& space, cons
     for (std::size_t k = 0; k < size; ++k) basis(k, c) = unseen[c][k];
   const std::vector<std::size_t> pivots = pivot_columns(rows);
   for (std::size_t r = 0; r < observable; ++r) basis(pivots[r], unobservable + r) = 1 / rows(r, pivots[r]);
+  const Operators operators = operators_of(space, parts);
   std::vector<RationalMatrix> first;
-  for (const RationalMatrix& matrix : space.family) {
+  for (const RationalMatrix& matrix : operators.matrices()) {
     const RationalMatrix image = solve(basis, matrix * basis);
     RationalMatrix& corner = first.emplace_back(unobservable, unobservable);
     for (std::size_t i = 0; i < unobservable; ++i)
       for (std::size_t k = 0; k < unobservable; ++k) corner(i, k) = image(i, k);
   }
-  const MatrixFamily family(std::move(first));
-  const NormProof norms = norm_of_products(family, {budget.deadline.after(schedule::vector::norms), budget.memory});
-  const JointSpectralRadius hidden = joint_spectral_radius(family, budget, norms, 1 - power(Rational(2), -20));
+  const Operators unseen_part = operators_of(std::move(first), parts);
+  const NormProof norms = norms_of(on_functions(unseen_part, parts.root),
+                                   {budget.deadline.after(schedule::vector::norms), budget.memory});
+  const JointSpectralRadius hidden = radius_of(unseen_part, parts.root, budget, norms, 1 - power(Rational(2), -20));
   if (!(hidden.proved_upper() < 1)) return std::nullopt;
-  ComponentProof result{space, unobservable, quotient};
-  result.radius.proof = joined(space.family, basis, in_blocks(family, hidden),
-                               in_blocks(MatrixFamily(seen.operators), quotient));
+  ComponentProof result{space, parts.root > 0 ? unobservable / 2 : unobservable, quotient};
+  result.radius.proof = joined(operators, basis, in_blocks(unseen_part.family, hidden),
+                               in_blocks(operators_of(seen.operators, parts).family, quotient));
   return result;
 }
 
@@ -249,7 +252,7 @@ ComponentRegularity regularity_of_component(const Parts& parts, const std::vecto
     Told told = is_whole ? whole
                          : exponent_of(operators_of(found->operators, parts), parts.root, space->order,
                                        parts.mask.dilation(), budget, bits);
-    if (proof && parts.root == 0) *proof = component_proof(*space, *found, told.radius, budget);
+    if (proof) *proof = component_proof(*space, parts, *found, told.radius, budget);
     if (told.exponent.lower && whole.exponent.lower && *told.exponent.lower < *whole.exponent.lower)
       told.exponent.lower = whole.exponent.lower;  // that of the worst function
     result = {told.exponent, told.radius.exact, false, component};

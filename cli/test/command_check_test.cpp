@@ -216,11 +216,12 @@ TEST_CASE("check: questions reach the processes whatever they are about") {
       "[[scheme]]\nmasks = ['dd:n=2', 'bspline:degree=3']\nfollows = [[0, 1], [1, 0]]\nholder = '>= 1'\n"
       "[[scheme]]\nmask = 'conic-four-point:v'\nlevels = '9/20 <= v <= 1000'\nrecurrence = 'v=sqrt((1+v)/2)'\n"
       "start = '1/4 <= v0 <= 1000'\nholder = '>= 2'\n[[scheme]]\nmask = 'four-point:w'\nfor = '0.001 <= w < "
-      "0.1927'\nsmoothness = '>= 1'\n");
+      "0.1927'\nsmoothness = '>= 1'\n[[scheme]]\nmask = 'four-point:w'\npoints = '0.001 <= w <= 0.15'\n"
+      "smoothness = '>= 1'\n");
   const Run found = run("check " + file);
   CHECK(found.code == 0);
   CHECK(contains(found.out, ":6: Δ \"1\": support [-2, 1]\n"));
-  CHECK(contains(found.out, "\n\n8 properties: 8 hold, 0 fail, 0 undecided.\n"));
+  CHECK(contains(found.out, "\n\n9 properties: 9 hold, 0 fail, 0 undecided.\n"));
   CHECK(run("check " + file + " --in-process").out == found.out);
 }
 

@@ -275,6 +275,13 @@ TEST_CASE("values and derivatives are refined") {
   CHECK(content(folder / "y.svg").find("<svg") != std::string::npos);
   CHECK(with("0,0,1,0\n1,1,0,1\n", hermite + " --closed --levels 1").out ==
         "0,0,1,0\n0.625,0.375,1.25,1.25\n1,1,0,1\n0.375,0.625,-1.75,-1.75\n");
+  // x^2, by Merrien's scheme with mu = sqrt(2)/4
+  CHECK(
+      with("f,slope\n0,0\n1,2\n4,4\n",
+           "'hermite:[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@"
+           "-1' --levels 1 " +
+               data)
+          .out == "f,slope\n0,0\n0.25,1\n1,2\n2.25,3\n4,4\n");
   CHECK(with("1,0\n0,1\n", "'vector:[[[1,0],[0,1]],[[0,1],[1,0]]]@0' --closed --levels 1 " + data).out ==
         "1,0\n0,1\n0,1\n1,0\n");
   const auto json = run_json("refine hermite-dd:points=2,order=2 --closed --levels 1 " + data);

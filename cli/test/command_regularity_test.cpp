@@ -259,10 +259,17 @@ TEST_CASE("regularity: vectors of functions by name") {
   CHECK(run("verify " + with_root + " --claim '0.59632 <= cl:2 <= 0.59633'").code == 0);
   CHECK(run("verify " + with_root + " --claim '0.5964 <= cl:2'").code == 1);
   CHECK(run("verify " + with_root + " --claim '0.5 <= bat:2'").code == 1);
-  check_fails(run("verify " + with_root + " --claim '0.5 <= component 1 of cl:2'"), 64,
-              "--claim: component 1 of cl:2: of matrices with a square root need all functions, of no given integral");
-  CHECK(contains(run("regularity cl:2 --component 1 --certificate " + folder / "no.cert").out,
-                 "not written: of matrices with the square root of 7 need all functions"));
+  CHECK(run("verify " + with_root + " --claim '0.5 <= component 1 of cl:2'").code == 1);
+  const std::string of_one = folder / "one.cert",
+                    mixed =
+                        "'refinable:[[[2,-sqrt(2)],[0,1]],[[4,-sqrt(2)],[0,3]],[[2,sqrt(2)],[0,3]],[[0,sqrt(2)],[0,1]]"
+                        "]/4@-1,integral=[0,1]'";
+  CHECK(contains(run("regularity cl:2 --component 1 --certificate " + of_one).out,
+                 "verified: the bounds, and that the product attains the radius"));
+  CHECK(run("verify " + of_one + " --claim '0.5 <= component 1 of cl:2'").code == 0);
+  CHECK(run("verify " + of_one + " --claim '0.5 <= component 2 of cl:2'").code == 1);
+  CHECK(run("regularity " + mixed + " --component 2 --certificate " + of_one).code == 0);
+  CHECK(contains(run("verify " + of_one).out, " <= 2 of component 1 of the refinable functions of "));
   check_fails(run("regularity bat:4"), 64,
               "scheme specification, position 5: '4'; expected the number of bat as an integer from 1 to 3");
   CHECK(run("regularity hermit-dd:points=4,order=2").err.ends_with("did you mean 'hermite-dd'?\n"));

@@ -58,8 +58,8 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
 Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget);
 
 /// The same of matrices with a square root. Domain: `regularity` is that of the mask. Errors: throws Error where
-/// nothing positive is proved from below, of one function, and of functions with a given integral. Proof: SPEC.md,
-/// theorems 60 and 61.
+/// nothing positive is proved from below, and for an integral with multiples of the root. Proof: SPEC.md, theorems 60,
+/// 61 and 63.
 Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegularity& regularity);
 
 /// The one or the other. `quadratic`: what is meant where `mask` is rounded. Errors: of a tensor product, whose

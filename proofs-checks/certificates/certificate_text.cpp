@@ -228,6 +228,32 @@ std::string rows_text(const std::string& head, const RationalMatrix& matrix) {
   return text;
 }
 
+std::string functionals_text(const LatticeMask& mask) {
+  RationalMatrix rest = mean_matrix(mask);
+  for (std::size_t c = 0; c < rest.rows(); ++c) rest(c, c) -= 1;
+  const auto basis = kernel(transposed(power(rest, static_cast<long>(rest.rows()))));
+  RationalMatrix rows(basis.size(), rest.rows());
+  for (std::size_t r = 0; r < basis.size(); ++r)
+    for (std::size_t c = 0; c < rest.rows(); ++c) rows(r, c) = basis[r][c];
+  return rows_text("functional", common_denominator(rows) * rows);
+}
+
+const ComponentProof* proof_of_component(const FunctionVector& vector) {
+  require(vector.solutions == 1,
+          "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
+          vector.solutions);
+  if (vector.components.size() != 1) return nullptr;
+  require(!vector.components.front().is_zero, "certificate: need a function that is not 0");
+  require(vector.proof.has_value(), "certificate: need a proof of the exponent of the function, got none");
+  return &*vector.proof;
+}
+
+std::size_t unobservable_blocks(const ComponentProof& proof) {
+  std::size_t count = 0;
+  for (std::size_t sum = 0; sum < proof.unobservable; ++count) sum += proof.radius.by_blocks()->triangular.sizes[count];
+  return count;
+}
+
 std::string product_text(std::size_t block, const RationalComplex& eigenvalue, const std::vector<int>& word) {
   return fmt::format("product {} {} {} {}\n", block, to_text(eigenvalue.re), to_text(eigenvalue.im),
                      fmt::join(word, " "));

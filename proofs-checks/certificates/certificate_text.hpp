@@ -14,6 +14,9 @@ std::string outward(const Rational& value, Rounding rounding);
 /// As to_mask_text(), with numbers 1/2-3/4*sqrt(7).
 std::string mask_text(const QuadraticMask& mask);
 
+/// Of the multiples of 1 and then those of a square root the first ones. Errors: throws Error unless the others are 0.
+std::optional<std::vector<Rational>> rational_integral(const std::optional<std::vector<Rational>>& integral);
+
 /// Each after a blank.
 std::string numbers_text(const std::vector<Integer>& numbers);
 
@@ -37,6 +40,17 @@ std::string polynomial_text(const std::string& head, const LaurentPolynomial& p)
 
 /// A line for each row, after the head.
 std::string rows_text(const std::string& head, const RationalMatrix& matrix);
+
+/// What tells the integral of a solution from the sums of its values: a line for each of a basis of the functionals l
+/// with l (B - 1)^r = 0, B the mean matrix.
+std::string functionals_text(const LatticeMask& mask);
+
+/// What tells the exponent of the one function that was asked for; null where all are meant. Errors: throws Error where
+/// there are several solutions, or no proof.
+const ComponentProof* proof_of_component(const FunctionVector& vector);
+
+/// How many of the blocks, the first ones, are of what the component does not show.
+std::size_t unobservable_blocks(const ComponentProof& proof);
 
 /// The line `product`.
 std::string product_text(std::size_t block, const RationalComplex& eigenvalue, const std::vector<int>& word);

@@ -170,12 +170,13 @@ PolytopeProof polytope_of_numbers(const FieldBlock& block, const JointSpectralRa
   return polytope;
 }
 
-/// With what names radii of blocks that are attained.
-JointSpectralRadius with_names(JointSpectralRadius radius, const std::vector<FieldBlock>& blocks, long root) {
+/// With what names radii of blocks that are attained, from the first one on.
+JointSpectralRadius with_names(JointSpectralRadius radius, const std::vector<FieldBlock>& blocks, long root,
+                               std::size_t first) {
   if (!radius.exact.is_yes()) return radius;
   auto& proof = std::get<BlockProof>(radius.proof);
   const Rational least = *proof.blocks[proof.leading].radius.lower;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
+  for (std::size_t i = first; i < blocks.size(); ++i) {
     JointSpectralRadius& block = proof.blocks[i];
     if (!block.exact.is_yes() || *block.radius.upper < least) continue;
     if (std::holds_alternative<NormProof>(block.proof) && blocks[i].front().x.rows() == 1)
@@ -207,6 +208,15 @@ std::string product_over_field(const JointSpectralRadius& radius, const FieldBlo
 
 }  // namespace
 
+std::optional<std::vector<Rational>> certificate_text::rational_integral(
+    const std::optional<std::vector<Rational>>& integral) {
+  if (!integral) return std::nullopt;
+  const auto half = integral->begin() + static_cast<std::ptrdiff_t>(integral->size() / 2);
+  require(std::all_of(half, integral->end(), [](const Rational& x) { return x == 0; }),
+          "certificate: need an integral of rational numbers, got multiples of a square root");
+  return std::vector<Rational>(integral->begin(), half);
+}
+
 std::string certificate_text::mask_text(const QuadraticMask& mask) {
   const text::MaskText doubled = mask_text_parts(mask.doubled);
   const std::size_t r = mask.components();
@@ -226,25 +236,22 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   require(regularity.radius && regularity.space && regularity.vector,
           "certificate: need a joint spectral radius, got none");
   const FunctionVector& vector = *regularity.vector;
-  const DifferenceSpace& space = *regularity.space;
+  const ComponentProof* component = proof_of_component(vector);
+  const DifferenceSpace& space = component ? component->space : *regularity.space;
+  const JointSpectralRadius& found = component ? component->radius : *regularity.radius;
   const Dilation& dilation = mask.doubled.dilation();
-  require(!vector.integral && vector.components.size() != 1,
-          "certificate: of matrices with the square root of {} need all functions, of no given integral, got {}",
-          mask.root, vector.integral ? "an integral" : "one of them");
-  require(vector.solutions == 1,
-          "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
-          vector.solutions);
-  const BlockTriangular& triangular = regularity.radius->by_blocks()->triangular;
+  const BlockTriangular& triangular = found.by_blocks()->triangular;
   std::vector<FieldBlock> blocks(triangular.sizes.size());
   for (const RationalMatrix& matrix : space.family) {
     const RationalMatrix moved = solve(triangular.basis, matrix * triangular.basis);
     for (std::size_t i = 0, first = 0; i < blocks.size(); first += triangular.sizes[i++])
       blocks[i].push_back(parts_of(moved, first, triangular.sizes[i]));
   }
-  const JointSpectralRadius radius = with_names(*regularity.radius, blocks, mask.root);
+  const std::size_t first_block = component ? unobservable_blocks(*component) : 0;
+  const JointSpectralRadius radius = with_names(found, blocks, mask.root, first_block);
   const auto exponent = [&](const ExactRadius& exact) {
-    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact)}, dilation.classes(),
-                                        dilation.variables());
+    Enclosure ends = exponent_of_radius({proved_lower(radius.product), upper_end(radius, exact, first_block)},
+                                        dilation.classes(), dilation.variables());
     ends.lower = std::min(ends.lower.value_or(0), Rational(space.order));
     return ends;
   };
@@ -252,8 +259,12 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   require(*ends.lower > 0, "certificate: need a positive lower bound of the exponent, got {}",
           to_decimal(*ends.lower, 6, Rounding::nearest));
   const bool tells_upper_end = ends.upper && *ends.upper < space.order;
-  const ExactRadius exact = tells_upper_end ? exact_radius(radius) : ExactRadius{};
-  Certificate certificate{{{}, SurfaceSubject{mask_text(mask), dilation.to_text(), true}}, {}};
+  const ExactRadius exact = tells_upper_end ? exact_radius(radius, first_block) : ExactRadius{};
+  Certificate certificate{{{},
+                           SurfaceSubject{mask_text(mask), dilation.to_text(), true,
+                                          component ? std::to_string(vector.components.front().component) : "",
+                                          integral_text(rational_integral(vector.integral))}},
+                          {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*ends.upper, Rounding::up);
   certificate.bounds = {outward(*ends.lower, Rounding::down), certificate.claim.upper};
@@ -263,7 +274,8 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   std::string text = fmt::format("differences {}\ndigits", space.order);
   for (const LatticePoint& digit : space.dilation.digits()) text += fmt::format(" {}", fmt::join(digit, ","));
   text += "\nvalues" + terms_text(space.values, common_denominator({space.values}), variables) +
-          vectors_text(own.basis, own.pivots, variables);
+          (vector.integral ? functionals_text(mask.doubled) : "") + vectors_text(own.basis, own.pivots, variables);
+  if (component) text += fmt::format("unobservable {}\n", component->unobservable);
   const RationalMatrix basis = own.coordinates * triangular.basis,
                        inverse = solve(basis, RationalMatrix::identity(2 * size));
   text += fmt::format("blocks {}\n", fmt::join(triangular.sizes, " ")) +

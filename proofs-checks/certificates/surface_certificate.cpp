@@ -13,18 +13,6 @@ namespace {
 
 using namespace certificate_text;
 
-/// What tells the integral of a solution from the sums of its values: a basis of the functionals l with l (B - 1)^r =
-/// 0, B the mean matrix.
-std::string functionals_text(const LatticeMask& mask) {
-  RationalMatrix rest = mean_matrix(mask);
-  for (std::size_t c = 0; c < rest.rows(); ++c) rest(c, c) -= 1;
-  const auto basis = kernel(transposed(power(rest, static_cast<long>(rest.rows()))));
-  RationalMatrix rows(basis.size(), rest.rows());
-  for (std::size_t r = 0; r < basis.size(); ++r)
-    for (std::size_t c = 0; c < rest.rows(); ++c) rows(r, c) = basis[r][c];
-  return rows_text("functional", common_denominator(rows) * rows);
-}
-
 /// The lines from the order of the differences to the vectors of the space; `functionals` are among them.
 std::string space_text(const DifferenceSpace& space, const Dilation& dilation, const std::string& functionals) {
   std::string text = fmt::format("{} {}\n", space.is_of_values() ? "differences" : "sum-rules", space.order);
@@ -55,13 +43,6 @@ std::string gram_text(const LatticeSequence& gram) {
   return "gram" + terms_text(half, common_denominator({half}), gram.begin()->first.size());
 }
 
-/// How many of the blocks, the first ones, are of what the component does not show.
-std::size_t unobservable_blocks(const ComponentProof& proof) {
-  std::size_t count = 0;
-  for (std::size_t sum = 0; sum < proof.unobservable; ++count) sum += proof.radius.by_blocks()->triangular.sizes[count];
-  return count;
-}
-
 }  // namespace
 
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity) {
@@ -70,13 +51,7 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const Dilation& dilation = mask.dilation();
   require(dilation.is_isotropic(), "certificate: need an isotropic dilation, got {}", dilation.to_text());
   const FunctionVector* vector = regularity.vector ? &*regularity.vector : nullptr;
-  const bool is_one = vector && vector->components.size() == 1;
-  require(!vector || vector->solutions == 1,
-          "certificate: need a continuous solution that is the only one up to a factor, got up to {}",
-          vector ? vector->solutions : 0);
-  require(!is_one || !vector->components.front().is_zero, "certificate: need a function that is not 0");
-  require(!is_one || vector->proof, "certificate: need a proof of the exponent of the function, got none");
-  const ComponentProof* component = is_one ? &*vector->proof : nullptr;
+  const ComponentProof* component = vector ? proof_of_component(*vector) : nullptr;
   const JointSpectralRadius& radius = component ? component->radius : *regularity.radius;
   const DifferenceSpace& space = component ? component->space : *regularity.space;
   require(!space.is_of_values() || vector || regularity.shrinking,
@@ -97,7 +72,7 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
   const ExactRadius exact = tells_upper_end ? exact_radius(radius, first_block) : ExactRadius{};
   Certificate certificate{{{},
                            SurfaceSubject{to_mask_text(mask), dilation.to_text(), vector != nullptr,
-                                          is_one ? std::to_string(vector->components.front().component) : "",
+                                          component ? std::to_string(vector->components.front().component) : "",
                                           vector ? integral_text(vector->integral) : ""}},
                           {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);

@@ -588,15 +588,19 @@ var check_certificate = (() => {
   }
 
   // ---- 4.4: blocks --------------------------------------------------------------------------------------------------
-  function read_blocks(reader, {size, den, weights, matrices}, part = null) {
+  function read_block_sizes(reader, size, part) {  // and how many blocks, the first ones, are of what is unobservable
     const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
-    demand(sizes.reduce((x, y) => x + y) === size, 'the block sizes do not sum to n');
+    demand(sum_of(sizes) === size, 'the block sizes do not sum to n');
+    const ends = sizes.map((_, i) => sum_of(sizes.slice(0, i))), hidden = part ? ends.indexOf(part.unobservable) : 0;
+    demand(hidden >= 0, 'what is unobservable consists of no blocks');
+    return {sizes, ends, hidden};
+  }
+  function read_blocks(reader, {size, den, weights, matrices}, part = null) {
+    const {sizes, ends, hidden} = read_block_sizes(reader, size, part);
     const square = words => {
       const {den: by, numbers} = common(reader.rows(words, size, size, rational).flat());
       return {by, rows: range_of(size).map(i => numbers.slice(i * size, (i + 1) * size))};
     };
-    const ends = sizes.map((_, i) => sum_of(sizes.slice(0, i))), hidden = part ? ends.indexOf(part.unobservable) : 0;
-    demand(hidden >= 0, 'what is unobservable consists of no blocks');
     const basis = square('basis');
     if (part) check_unobservable(part, basis.rows);
     const inverse = square('inverse'), by = basis.by * inverse.by;
@@ -618,7 +622,7 @@ var check_certificate = (() => {
     const zero = readings.length && unobservable ? multiply(readings, basis.map(row => row.slice(0, unobservable))) : [];
     demand(zero.flat().every(x => !x), 'the component shows what is said to be unobservable');
   }
-  function check_observable({readings, unobservable}, {size, matrices}) {
+  function check_observable({readings, unobservable, degree}, {size, matrices}) {
     const p = 2n ** 32n - 5n, rest = x => (x % p + p) % p, rows = [];  // each with its pivot, where it is 1
     const extend = row => {
       spend(size * (rows.length + 2), 64);
@@ -636,7 +640,7 @@ var check_certificate = (() => {
     readings.forEach(extend);
     for (let i = 0; i < rows.length; ++i)
       for (const matrix of matrices) extend(multiply([rows[i].row], matrix)[0]);
-    demand(rows.length + unobservable >= size, 'more than what is said to be unobservable may be so');
+    demand(rows.length + degree * unobservable >= size, 'more than what is said to be unobservable may be so');
   }
 
   // ---- 4.5: lower bounds by a product -------------------------------------------------------------------------------
@@ -1766,7 +1770,7 @@ var check_certificate = (() => {
     const in_blocks = reader.peek() === 'blocks';
     demand(!in_blocks || !rounding, 'blocks prove nothing of rounded masks');
     demand(in_blocks || !part || !part.unobservable, "expected 'blocks', those of what is unobservable first");
-    const blocks = !in_blocks ? [family] : family.field ? read_field_blocks(reader, family) : read_blocks(reader, family, part);
+    const blocks = !in_blocks ? [family] : family.field ? read_field_blocks(reader, family, part) : read_blocks(reader, family, part);
     if (goal.above || reader.peek() === 'product') {
       const {radius, length} = product(reader, blocks, rounding);
       if (goal.above) goal.above(radius, length);
@@ -1775,7 +1779,7 @@ var check_certificate = (() => {
     if (goal.below || exact || reader.peek() === 'block')
       blocks.forEach((block, i) => {
         if (block.hidden) {  // phi is continuous: their radius is below 1
-          const {value, level} = read_section(reader, i, block, false, null, null);
+          const {value, level} = read_section(reader, i, block, false, block.rounding || null, null);
           at_most(fraction(1n), true)(value, level);
           return;
         }
@@ -2561,18 +2565,20 @@ var check_certificate = (() => {
     return family;
   }
   // 5.13: the same of matrices with a square root, in a basis over the field; matrices on halves are [X, R Y; Y, X]
-  function read_values_over_field(reader, transition, order, den, spanned, components, of_root) {
+  function read_values_over_field(reader, transition, order, den, spanned, components, of_root, integral) {
     const dimension = transition.M.length, values = read_sequence(reader.read('values', 1, 2 ** 24), dimension, components);
     demand(is_multiple(transition.apply(transition.digits[0], values), values, den),
            'the values line is not fixed by the operator of the first digit');
-    check_unique(transition, den, components, [], 2);
+    const functionals = integral ? read_functionals(reader, transition, den, components, values, integral, of_root) : [];
+    check_unique(transition, den, components, functionals, 2);
     const vectors = read_space(reader, dimension, components, of_root), size = vectors.length / 2;
     const {den: by, matrices} = space_family(vectors, transition, den, size);
     const both = [values, times_root(values, of_root, components)];
     const start = both.flatMap(x => differences(x, order, dimension)), steps = lead_into(vectors, start, transition);
     const rank = () => long_words(start, [], transition, steps, 2n ** 32n - 5n).basis.length;
     demand(!spanned || rank() === vectors.length, 'the differences do not span the space');
-    return near_family({root: of_root, size, den: by, halves: matrices.map(m => on_halves(m.slice(0, size), m.slice(size), of_root))});
+    const halves = matrices.map(m => on_halves(m.slice(0, size), m.slice(size), of_root));
+    return {...near_family({root: of_root, size, den: by, halves}), vectors};
   }
   const on_halves = (x, y, of_root) => [...x.map((row, i) => [...row, ...y[i].map(value => value * of_root)]),
                                         ...x.map((row, i) => [...y[i], ...row])];
@@ -2587,15 +2593,16 @@ var check_certificate = (() => {
     return {...family, field, rounding: {e, nu: norm_of_family(family), field}};
   }
   const scaled_root = of_root => root(of_root << 1024n);
-  function read_field_blocks(reader, {field: {root: of_root, size, den, halves}}) {  // 4.4
-    const sizes = reader.read('blocks', 1, size).map(token => small(token, 1, size));
-    demand(sum_of(sizes) === size, 'the block sizes do not sum to n');
+  function read_field_blocks(reader, {field: {root: of_root, size, den, halves}}, part) {  // 4.4
+    const {sizes, hidden} = read_block_sizes(reader, size, part);
     const matrix = words => {
       const {den: by, numbers} = common(reader.rows(words, size, 2 * size, rational).flat());
       const rows = range_of(size).map(i => numbers.slice(2 * i * size, 2 * (i + 1) * size));
       return {by, rows: on_halves(rows.map(row => row.slice(0, size)), rows.map(row => row.slice(size)), of_root)};
     };
-    const basis = matrix('basis'), inverse = matrix('inverse'), by = basis.by * inverse.by;
+    const basis = matrix('basis');
+    if (part) check_unobservable(part, basis.rows);
+    const inverse = matrix('inverse'), by = basis.by * inverse.by;
     demand(equal(multiply(basis.rows, inverse.rows), scaled(identity(2 * size), by)), 'basis times inverse is not the unit matrix');
     const all = halves.map(m => quarters(multiply(multiply(inverse.rows, m), basis.rows), size));
     return sizes.map((n, i) => {
@@ -2604,7 +2611,8 @@ var check_certificate = (() => {
       const parts = all.map(pair => pair.map(m => m.slice(first, first + n).map(inside)));
       const factor = common_factor(den * by, parts.flat(3));
       const own = parts.map(pair => pair.map(m => m.map(row => row.map(x => x / factor))));
-      return near_family({root: of_root, size: n, den: den * by / factor, halves: own.map(([x, y]) => on_halves(x, y, of_root))});
+      const near = near_family({root: of_root, size: n, den: den * by / factor, halves: own.map(([x, y]) => on_halves(x, y, of_root))});
+      return {...near, hidden: i < hidden};
     });
   }
   // 5.9: no coordinate of a point j is larger in modulus if a solution of compact support does not vanish at x' + j
@@ -2647,8 +2655,9 @@ var check_certificate = (() => {
     return inner;
   }
   // 5.9: what tells the integral of a solution from the sums of its values; that of these values is a multiple of `integral`
-  function read_functionals(reader, {mask, det}, den, size, values, integral) {
-    const goal = common(integral).numbers.map(x => [x]);
+  // of_root: of a doubled mask, 5.13, whose functionals come with their multiples by the root
+  function read_functionals(reader, {mask, det}, den, size, values, integral, of_root) {
+    const numbers = common(integral).numbers, goal = range_of(size).map(c => [numbers[c] || 0n]);
     const rest = scaled(identity(size), -den * abs(BigInt(det)));  // q |det M| (B - 1), q the denominator of the mask
     for (const [p, value] of mask.values()) rest[p[p.length - 2]][p[p.length - 1]] += value;
     demand(multiply(rest, goal).every(([x]) => !x), 'the integral is none of a solution');
@@ -2662,8 +2671,7 @@ var check_certificate = (() => {
     rest.forEach(add_row);
     const functionals = [];
     let of_sums = 0n, of_goal = 0n;  // under the first functional that is not 0 at the integral
-    do {
-      const row = reader.read('functional', size).map(integer);
+    const take = row => {
       add_row(row);
       let image = [row];
       for (let n = 0; n < size; ++n) image = multiply(image, rest);
@@ -2672,6 +2680,11 @@ var check_certificate = (() => {
       if (!of_goal) [of_sums, of_goal] = [total, value];
       demand(of_goal ? total * of_goal === value * of_sums : !total, 'the values are not those of this integral');
       functionals.push(row);
+    };
+    do {
+      const row = reader.read('functional', size).map(integer), half = size / 2;
+      take(row);
+      if (of_root) take([...row.slice(half), ...row.slice(0, half).map(x => x * of_root)]);
     } while (reader.peek() === 'functional');
     demand(of_sums, 'the values are of the integral 0');
     demand(span.rows.length >= size, 'the functionals do not tell all of an integral');
@@ -2691,17 +2704,19 @@ var check_certificate = (() => {
     });
     demand(images.filter(x => !x).length <= (functionals.length ? 0 : solutions), 'the refinement equation may have several continuous solutions');
   }
-  function read_component(reader, {size, vectors}, component) {  // what reads it on the space, by points
-    const readings = new Map();
+  // What reads it on the space, by points; with `degree` 2 by both of its parts, 5.13
+  function read_component(reader, {vectors}, component, functions, degree = 1) {
+    const readings = new Map(), size = vectors.length;
     vectors.forEach((v, k) => {
       for (const [key, [p, value]] of v)
-        if (p[p.length - 1] === component) {
+        if (p[p.length - 1] % functions === component) {
           spend(readings.has(key) ? 1 : size);
           if (!readings.has(key)) readings.set(key, Array(size).fill(0n));
           readings.get(key)[k] = value;
         }
     });
-    return {readings: [...readings.values()], unobservable: small(reader.read('unobservable', 1)[0], 0, size - 1)};
+    const unobservable = small(reader.read('unobservable', 1)[0], 0, size / degree - 1);
+    return {readings: [...readings.values()], unobservable, degree};
   }
   // 6.7: vector schemes. sum_k x_k . e_l(-k) is 0 for all l
   function annihilates(x, data) {
@@ -2798,11 +2813,12 @@ var check_certificate = (() => {
     const digits = reader.read('digits', D).map(token => read_point(token, dimension));
     const transition = new Transition(mask, M, digits), both = upper || exact;
     demand(new Set(digits.map(t => transition.class_of(t))).size === D, 'two digits of one class');
-    const family = surface.root ? read_values_over_field(reader, transition, order, den, both, components, surface.root)
+    const family = surface.root ? read_values_over_field(reader, transition, order, den, both, components, surface.root, integral)
       : by_values ? read_values(reader, transition, order, den, both, components, integral)
       : read_differences(reader, transition, order, den);
-    const part = component === undefined ? null : read_component(reader, family, component);
-    if (part && both) check_observable(part, family);
+    const degree = surface.root ? 2 : 1, on_rationals = family.field ? {size: 2 * family.size, matrices: family.field.halves} : family;
+    const part = component === undefined ? null : read_component(reader, family, component, components / degree, degree);
+    if (part && both) check_observable(part, on_rationals);
     if (!by_values && (both || reader.peek() === 'gram')) check_gram(reader, transition, den);
     const within = lower && at_most(power_below(base, minus(0n, lower)), false);
     const reached = upper && at_least(over(1n, power_below(base, upper)));
@@ -3832,16 +3848,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
         claim.sectors = read_sectors(options.vertex);
         claim.head += ` vertex=${options.vertex}`;
       }
-      demand(!claim.surface.root || (options.integral === undefined && options.component === undefined),
-             'of matrices with a square root all functions are asked for, and no integral');
+      const functions = claim.surface.components / (claim.surface.root ? 2 : 1);
       if (options.integral !== undefined) {
         claim.integral = options.integral.split(',').map(rational);
-        demand(claim.integral.length === claim.surface.components && claim.integral.some(x => sign(x)),
+        demand(claim.integral.length === functions && claim.integral.some(x => sign(x)),
                'an integral is a list of a number for each component, not all 0');
         claim.head += ` integral=${options.integral}`;
       }
       if (options.component !== undefined) {
-        claim.component = small(options.component, 0, claim.surface.components - 1);
+        claim.component = small(options.component, 0, functions - 1);
         claim.head += ` component=${options.component}`;
       }
     } else if (kind === check_vectors) {

@@ -11,13 +11,18 @@ std::vector<std::size_t> read_block_sizes(std::size_t n, Reader& reader) {
   return sizes;
 }
 
+std::size_t unobservable_blocks(const std::vector<std::size_t>& sizes, const Component& component) {
+  std::size_t result = 0;
+  for (std::size_t sum = 0; sum < component.unobservable; sum += sizes[result++])
+    require(sum + sizes[result] <= component.unobservable, "what is unobservable consists of no blocks");
+  return result;
+}
+
 std::pair<std::vector<Family>, std::size_t> read_blocks(const Family& family, const Component& component,
                                                         Reader& reader, Arithmetic& arithmetic) {
   const std::size_t n = family.size;
   const std::vector<std::size_t> sizes = read_block_sizes(n, reader);
-  std::size_t unobservable = 0;
-  for (std::size_t sum = 0; sum < component.unobservable; sum += sizes[unobservable++])
-    require(sum + sizes[unobservable] <= component.unobservable, "what is unobservable consists of no blocks");
+  const std::size_t unobservable = unobservable_blocks(sizes, component);
   const Family basis = read_family(reader, "basis", 1, n);
   check_unobservable(component, basis.entries, n, arithmetic);
   const Family inverse = read_family(reader, "inverse", 1, n);

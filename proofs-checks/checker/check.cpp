@@ -188,7 +188,9 @@ class Checker {
 
   /// Section 5.13: rational matrices near those of the blocks over the field.
   std::vector<Family> near_blocks(bool divided) {
-    field_blocks_ = divided ? read_field_blocks(*over_field_, reader_, arithmetic_) : std::vector{*over_field_};
+    field_blocks_ = {*over_field_};
+    if (divided)
+      std::tie(field_blocks_, unobservable_blocks_) = read_field_blocks(*over_field_, component_, reader_, arithmetic_);
     std::vector<Family> blocks;
     for (const FieldFamily& block : field_blocks_) {
       NearFamily near = near_family(block);
@@ -271,18 +273,18 @@ class Checker {
               "the lower end is above the order of the differences");
       root_ = claim_.dilation->variables;
       show_exact_exponent(1, 0);
-      if (claim_.root > 0) {
-        over_field_ = read_vector_over_field(mask, claim_.root, *claim_.dilation, sum_rules, claim_.upper || exact_,
-                                             reader_, arithmetic_);
-        return {};
-      }
-      SurfaceFamily surface = read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_,
-                                           claim_.integral, reader_, arithmetic_);
+      SurfaceFamily surface = claim_.root > 0
+                                  ? read_vector_over_field(mask, claim_.root, *claim_.dilation, sum_rules,
+                                                           claim_.upper || exact_, claim_.integral, reader_,
+                                                           arithmetic_)
+                                  : read_surface(mask, *claim_.dilation, sum_rules, of_values, claim_.upper || exact_,
+                                                 claim_.integral, reader_, arithmetic_);
       of_scheme_ = std::move(surface.of_scheme);
       if (claim_.component) {
         component_ = surface.of_component(*claim_.component);
         if (claim_.upper || exact_) check_observable(component_, surface.family, arithmetic_);
       }
+      over_field_ = std::move(surface.over_field);
       return std::move(surface.family);
     }
     for (std::size_t k = 0; k < mask.powers; ++k) {

@@ -239,19 +239,18 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.head += " vertex=" + *vertex;
     claim.subject += ", and C^1 limits of almost all data around " + *vertex;
   }
-  require(claim.root == 0 || (!integral && !component),
-          "of matrices with a square root all functions are asked for, and no integral");
+  const std::size_t functions = claim.mask ? claim.mask->components / (claim.root == 0 ? 1 : 2) : 0;
   if (integral) {
     claim.integral.emplace();
     for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
-    require(claim.integral->size() == claim.mask->components &&
+    require(claim.integral->size() == functions &&
                 std::ranges::any_of(*claim.integral, [](const mpq_class& x) { return x != 0; }),
             "an integral is a list of a number for each component, not all 0");
     claim.head += " integral=" + *integral;
     claim.subject += " and integral " + *integral;
   }
   if (component) {
-    claim.component = parse_size(*component, 0, claim.mask->components - 1);
+    claim.component = parse_size(*component, 0, functions - 1);
     claim.head += " component=" + *component;
     claim.subject = "component " + *component + " of " + claim.subject;
   }

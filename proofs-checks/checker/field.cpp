@@ -60,6 +60,21 @@ void FieldFamily::transpose() {
   multiples.transpose();
 }
 
+Family FieldFamily::on_halves() const {
+  Family result{2 * size(), {}, rational.denominator};
+  for (std::size_t t = 0; t < rational.count(); ++t) {
+    const auto p = rational.matrix(t), q = multiples.matrix(t);
+    for (const bool of_multiples : {false, true})
+      for (std::size_t k = 0; k < size(); ++k)
+        for (std::size_t i = 0; i < 2 * size(); ++i) {
+          const bool upper = i < size();
+          const mpz_class& entry = upper == of_multiples ? q[k * size() + i % size()] : p[k * size() + i % size()];
+          result.entries.push_back(upper && of_multiples ? mpz_class(entry * root) : entry);
+        }
+  }
+  return result;
+}
+
 Vector FieldFamily::image(std::size_t letter, const Vector& x, Arithmetic& arithmetic) const {
   const auto half = x.begin() + static_cast<std::ptrdiff_t>(size());
   const FieldMatrix moved = product(matrix_of(*this, letter), {{x.begin(), half}, {half, x.end()}}, root, size(),
@@ -94,11 +109,15 @@ FieldFamily field_family(std::size_t size, const Rationals& values, const mpz_cl
           root};
 }
 
-std::vector<FieldFamily> read_field_blocks(const FieldFamily& family, Reader& reader, Arithmetic& arithmetic) {
+std::pair<std::vector<FieldFamily>, std::size_t> read_field_blocks(const FieldFamily& family,
+                                                                   const Component& component, Reader& reader,
+                                                                   Arithmetic& arithmetic) {
   const std::size_t n = family.size(), count = family.rational.count();
   const std::vector<std::size_t> sizes = read_block_sizes(n, reader);
-  const FieldFamily basis = read_matrix("basis", n, family.root, reader),
-                    inverse = read_matrix("inverse", n, family.root, reader);
+  const std::size_t unobservable = unobservable_blocks(sizes, component);
+  const FieldFamily basis = read_matrix("basis", n, family.root, reader);
+  check_unobservable(component, basis.on_halves().entries, 2 * n, arithmetic);
+  const FieldFamily inverse = read_matrix("inverse", n, family.root, reader);
   const FieldMatrix columns = matrix_of(basis, 0), rows = matrix_of(inverse, 0);
   const mpz_class denominator = basis.rational.denominator * inverse.rational.denominator;
   const FieldMatrix unit = product(columns, rows, family.root, n, arithmetic);
@@ -125,7 +144,7 @@ std::vector<FieldFamily> read_field_blocks(const FieldFamily& family, Reader& re
     entries[i].insert(entries[i].end(), multiples[i].begin(), multiples[i].end());
     blocks.push_back(field_family(sizes[i], entries[i], family.root));
   }
-  return blocks;
+  return {std::move(blocks), unobservable};
 }
 
 namespace {

@@ -1,7 +1,9 @@
 // Matrices over a quadratic field: section 5.13 of ../certificates/SPEC.md.
 #pragma once
 
-#include "scheme.hpp"
+#include "surfaces/component.hpp"
+
+#include <utility>
 
 namespace subcert_check {
 
@@ -16,6 +18,8 @@ struct FieldFamily {
   /// Whether the last matrix is the first one with rows and columns reversed, and so on.
   bool is_mirrored() const;
   void transpose();
+  /// [p, root q; q, p]: the rational matrices on vectors over the field.
+  Family on_halves() const;
   /// `denominator` times the matrix times x.
   Vector image(std::size_t letter, const Vector& x, Arithmetic& arithmetic) const;
 };
@@ -36,8 +40,10 @@ NearFamily near_family(const FieldFamily& family);
 /// The p of all matrices, column by column, and then the q.
 FieldFamily field_family(std::size_t size, const Rationals& values, const mpz_class& root);
 
-/// Section 4.4 over the field: the diagonal blocks. Reads the lines from `blocks` on.
-std::vector<FieldFamily> read_field_blocks(const FieldFamily& family, Reader& reader, Arithmetic& arithmetic);
+/// Section 4.4 over the field, as read_blocks(). Reads the lines from `blocks` on.
+std::pair<std::vector<FieldFamily>, std::size_t> read_field_blocks(const FieldFamily& family,
+                                                                   const Component& component, Reader& reader,
+                                                                   Arithmetic& arithmetic);
 
 /// [[[a,b],[c,d]],...]/D@first with numbers c, sqrt(R), c*sqrt(R) and sums of such as entries: P + sqrt(R) Q.
 struct FieldMask {

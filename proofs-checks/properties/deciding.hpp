@@ -29,8 +29,10 @@ std::vector<int> valences_of(const std::string& text);
 /// rules there. Cost: as vertex_smoothness().
 Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits);
 
-/// Of masks that change from level to level. Domain: property.of_levels().
+/// Of masks that change from level to level, or from point to point. Domain: property.of_levels().
 Decision property_of(const SchemeLevels& levels, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits);
+Decision property_of(const SchemePoints& points, const Property& property, const Expectation& expectation,
                      const SearchLimits& limits);
 Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation,
                      const SearchLimits& limits);

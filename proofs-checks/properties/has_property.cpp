@@ -225,9 +225,7 @@ Decision hermite(const Scheme& scheme, const Expectation& expectation, const Sea
 
 /// Of polynomials whose values and derivatives are kept; -1 where not even those of constants are.
 Decision reproduces_hermite(const Scheme& scheme, const Expectation& expectation, const SearchLimits&) {
-  return whole_number(
-      scheme.quadratic ? data::hermite_degree(*scheme.quadratic) : data::hermite_reproduction(scheme.mask).degree,
-      expectation);
+  return whole_number(data::hermite_reproduction(scheme.mask, scheme.quadratic).degree, expectation);
 }
 
 }  // namespace

@@ -61,6 +61,12 @@ struct SchemeLevels {
   std::optional<Following> following;
 };
 
+/// The same family with a value for each new point of each level: every choice of values, closed ends included.
+struct SchemePoints {
+  ParametricScheme family;
+  Interval values;
+};
+
 /// Masks of a list, one for each level.
 struct SchemeList {
   std::string specification;  ///< for people
@@ -70,7 +76,7 @@ struct SchemeList {
 struct ExpectedScheme {
   std::string name;  ///< the specification where the file gives none
   std::string specification;
-  std::variant<Scheme, SchemeRange, SchemeLevels, SchemeList> scheme;
+  std::variant<Scheme, SchemeRange, SchemeLevels, SchemePoints, SchemeList> scheme;
   std::vector<Expectation> expectations;
   std::string lines;  ///< of the file that say which scheme it is: TOML, which lines of expectations follow
 };
@@ -89,7 +95,7 @@ struct Property {
   Decides of_curve;
   Decides of_surface;
   std::optional<RangeProperty::Kind> of_ranges = {};  ///< for all values of a parameter
-  /// Of masks that change from level to level.
+  /// Of masks that change from level to level, or from point to point.
   bool of_levels() const;
   Decides of_vector = nullptr;  ///< of masks of matrices
   bool of_hermite = false;      ///< of these of Hermite schemes alone
@@ -112,9 +118,9 @@ std::vector<std::variant<ExpectedScheme, FileError>> read_schemes(std::string_vi
 std::vector<ExpectedScheme> read_expectations(std::string_view text);
 
 /// Whether the scheme has the property, of a range: for all values of the parameter, of levels: for all sequences that
-/// are meant. The reason says what was found. Domain: a property of surfaces for schemes of two and three variables, of
-/// vectors for masks of matrices, of ranges for ranges, of levels for these. Cost: as the analysis that it needs, with
-/// these limits for each search.
+/// are meant, of points: for all choices. The reason says what was found. Domain: a property of surfaces for schemes of
+/// two and three variables, of vectors for masks of matrices, of ranges for ranges, of levels for these. Cost: as the
+/// analysis that it needs, with these limits for each search.
 Decision has_property(const ExpectedScheme& scheme, const Expectation& expectation, const SearchLimits& limits);
 
 }  // namespace subcert::properties

@@ -1,6 +1,7 @@
 #include "deciding.hpp"
 
 #include <subcert/analysis/family/limit_of_levels.hpp>
+#include <subcert/analysis/family/local_levels.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -16,11 +17,11 @@ void require_levels(const Property& property) {
 
 std::string number_text(const Rational& value) { return to_decimal(value, 10, Rounding::nearest); }
 
-/// Of all limits at least the lower end, of some at most the upper one.
-Decision by_exponent(const Enclosure& exponent, const RangeProperty& asked) {
-  if (!exponent.lower) return {Truth::unknown, "no convergence is proved for all sequences"};
-  std::string found = "the exponents are at least " + exponent.lower_text(8);
-  if (exponent.upper) found += ", of some limits at most " + exponent.upper_text(8);
+/// Of all limits at least the lower end, of some at most the upper one. `all`: whose limits they are.
+Decision by_exponent(const Enclosure& exponent, const RangeProperty& asked, const char* all) {
+  std::string found = exponent.lower ? "the exponents are at least " + exponent.lower_text(8)
+                                     : fmt::format("no convergence is proved for all {}", all);
+  if (exponent.upper && *exponent.upper > 0) found += ", of some limits at most " + exponent.upper_text(8);
   return {holds(exponent, asked), std::move(found)};
 }
 
@@ -56,13 +57,21 @@ Decision property_of(const SchemeLevels& levels, const Property& property, const
   if (answer == Truth::yes || !followed.limit)
     return {answer, answer == Truth::yes ? fmt::format("in the range from level {} on", followed.way->size())
                                          : "not proved for every sequence in the range"};
-  return {answer, by_exponent(followed.limit->exponent.exponent, asked).reason};
+  return {answer, by_exponent(followed.limit->exponent.exponent, asked, "sequences").reason};
+}
+
+Decision property_of(const SchemePoints& points, const Property& property, const Expectation& expectation,
+                     const SearchLimits& limits) {
+  require_levels(property);
+  const LocalLevels found = local_levels(points.family.mask, {{points.values.lower}, {points.values.upper}},
+                                         limits.budget());
+  return by_exponent(found.exponent, asked_of(property, expectation), "choices of values");
 }
 
 Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation,
                      const SearchLimits& limits) {
   require_levels(property);
-  return by_exponent(exponent_of(list.list, limits.budget()).exponent, asked_of(property, expectation));
+  return by_exponent(exponent_of(list.list, limits.budget()).exponent, asked_of(property, expectation), "sequences");
 }
 
 }  // namespace subcert::properties

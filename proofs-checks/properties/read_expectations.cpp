@@ -106,7 +106,8 @@ Expectation read_expectation(const Property& property, const toml::node& node, c
 std::vector<std::string> known_keys() {
   std::vector<std::string> keys{"mask", "name"};
   for (const Property& property : known_properties()) keys.push_back(property.name);
-  for (const char* key : {"for", "levels", "recurrence", "start", "masks", "period", "follows"}) keys.emplace_back(key);
+  for (const char* key : {"for", "levels", "points", "recurrence", "start", "masks", "period", "follows"})
+    keys.emplace_back(key);
   return keys;
 }
 
@@ -165,13 +166,19 @@ std::optional<Interval> read_start(const std::string& text, const std::string& n
   return range ? std::optional(Interval{range->low, range->high}) : std::nullopt;
 }
 
-SchemeLevels read_levels(const toml::table& table, const toml::node& levels, ParametricScheme family) {
+/// The values of the parameter, closed ends included, of a family of numbers.
+Interval read_values(const toml::node& node, const char* key, const ParametricScheme& family) {
   const std::string &name = family.name, range = "\"LOW <= " + name + " <= HIGH\" with LOW < HIGH";
-  const auto values = parse_parameter_range(text_of(levels, "levels", range), name);
+  const auto values = parse_parameter_range(text_of(node, key, range), name);
   if (!values || !values->low_included || !values->high_included)
-    throw FileError(place_of(levels), "'levels' takes " + range);
-  if (family.form) throw FileError(place_of(levels), "'levels' is for masks of numbers");
-  SchemeLevels result{family, {values->low, values->high}, {}};
+    throw FileError(place_of(node), fmt::format("'{}' takes {}", key, range));
+  if (family.form) throw FileError(place_of(node), fmt::format("'{}' is for masks of numbers", key));
+  return {values->low, values->high};
+}
+
+SchemeLevels read_levels(const toml::table& table, const toml::node& levels, ParametricScheme family) {
+  SchemeLevels result{family, read_values(levels, "levels", family), {}};
+  const std::string& name = family.name;
   const toml::node *recurrence = table.get("recurrence"), *start = table.get("start");
   if (!recurrence && !start) return result;
   if (!recurrence || !start) throw FileError(place_of(levels), "expected both 'recurrence' and 'start', or none");
@@ -197,7 +204,7 @@ SchemeList read_list(const toml::table& table) {
 }
 
 /// What the keys of the table name, of which others need these.
-using Subject = std::variant<Scheme, SchemeRange, SchemeLevels, SchemeList>;
+using Subject = std::variant<Scheme, SchemeRange, SchemeLevels, SchemePoints, SchemeList>;
 
 Subject read_subject(const toml::table& table) {
   const auto needs = [&](const char* key, const char* other) {
@@ -208,16 +215,25 @@ Subject read_subject(const toml::table& table) {
                                    std::pair{"recurrence", "levels"}, std::pair{"start", "levels"}})
     needs(key, other);
   const toml::node *mask = table.get("mask"), *masks = table.get("masks"), *levels = table.get("levels"),
-                   *range = table.get("for");
-  if (masks && (mask || levels || range))
+                   *points = table.get("points"), *range = table.get("for");
+  if (masks && (mask || levels || points || range))
     throw FileError(place_of(*masks), "'masks' stands without 'mask' and its values");
-  if (range && levels) throw FileError(place_of(*levels), "'levels' beside 'for'; expected one of them");
+  for (const auto& [key, node, other, beside] : {std::tuple{"levels", levels, "for", range},
+                                                 {"points", points, "for", range},
+                                                 {"points", points, "levels", levels}})
+    if (node && beside)
+      throw FileError(place_of(*node), fmt::format("'{}' beside '{}'; expected one of them", key, other));
   if (masks) return read_list(table);
   if (!mask) throw FileError(place_of(table), "a scheme needs 'mask', a scheme specification");
   const std::string& specification = text_of(*mask, "mask", "a scheme specification in quotes");
   try {
     if (range) return read_range(*range, make_parametric_scheme(specification));
     if (levels) return read_levels(table, *levels, make_parametric_scheme(specification));
+    if (points) {
+      ParametricScheme family = make_parametric_scheme(specification);
+      const Interval values = read_values(*points, "points", family);
+      return SchemePoints{std::move(family), values};
+    }
     return make_refinable_scheme(specification);
   } catch (const FileError&) {
     throw;
@@ -229,6 +245,7 @@ Subject read_subject(const toml::table& table) {
 struct SpecificationOf {
   std::string operator()(const SchemeRange& range) const { return range.family.specification; }
   std::string operator()(const SchemeLevels& levels) const { return levels.family.specification; }
+  std::string operator()(const SchemePoints& points) const { return points.family.specification; }
   template <class One>
   std::string operator()(const One& scheme) const {
     return scheme.specification;
@@ -246,7 +263,8 @@ ExpectedScheme read_scheme(const toml::table& table) {
   const std::string written = mask ? printable(mask->as_string()->get()) : specification;
   ExpectedScheme result{written, std::move(specification), std::move(scheme), {}, ""};
   const auto* single = std::get_if<Scheme>(&result.scheme);
-  const bool range = std::holds_alternative<SchemeRange>(result.scheme);
+  const bool range = std::holds_alternative<SchemeRange>(result.scheme),
+             points = std::holds_alternative<SchemePoints>(result.scheme);
   for (const auto& [key, node] : table) {
     const Place place = place_of(key.source());
     if (key.str() != "name" && !find_property(key.str())) {
@@ -264,13 +282,16 @@ ExpectedScheme read_scheme(const toml::table& table) {
     if (range && !property->of_ranges)
       throw FileError(place, "'" + property->name + "' is a property of single schemes, got a range of a parameter");
     if (!single && !range && !property->of_levels())
-      throw FileError(place, "'" + property->name + "' is no property of masks that change from level to level");
+      throw FileError(place, fmt::format("'{0}' is no property of masks that change from {1} to {1}", property->name,
+                                         points ? "point" : "level"));
     result.expectations.push_back(read_expectation(*property, node, place));
     if (const Expectation& expected = result.expectations.back();
         !single && (expected.relation.starts_with('<') || expected.relation == ">" || expected.relation == "=" ||
                     (expected.relation.empty() && !expected.yes)))
       throw FileError(place, "'" + property->name +
-                                 (range ? "' over a range of a parameter takes " : "' over levels takes ") +
+                                 (range    ? "' over a range of a parameter takes "
+                                  : points ? "' over points takes "
+                                           : "' over levels takes ") +
                                  (expected.relation.empty() ? "true" : "\">= X\""));
   }
   if (result.expectations.empty())

@@ -62,6 +62,61 @@ TEST_CASE("certificates of matrices with a square root: of random functions, and
   }
 }
 
+TEST_CASE("certificates of matrices with a square root: of one function, and of one of several solutions") {
+  const auto asked = [](const Certificate& certificate) {
+    const auto& named = std::get<SurfaceSubject>(certificate.claim.subject);
+    return subject_of(certificate) + (named.integral.empty() ? "" : " --integral " + named.integral) +
+           (named.component.empty() ? "" : " --component " + named.component);
+  };
+  // (x h + sqrt(2) y q, y q), h the hat function and q the quadratic B-spline; in the last one the bubble beside it
+  const std::string mixed =
+      "refinable:[[[2,-sqrt(2)],[0,1]],[[4,-sqrt(2)],[0,3]],[[2,sqrt(2)],[0,3]],[[0,sqrt(2)],[0,1]]]/4@-1";
+  const std::string bubble = beside_hat({"sqrt(2)/2", "0", "1/3", "1/4", "sqrt(2)/2", "0", "0", "1/5"});
+  for (const auto& [text, component, lower, upper] : std::vector<std::tuple<std::string, int, Rational, Rational>>{
+           {mixed + ",integral=[1,0]", -1, 1, 1},
+           {mixed + ",integral=[0,1]", -1, 1, 1},
+           {mixed + ",integral=[0,1]", 0, 1, 1},
+           {mixed + ",integral=[-2/3,1]", 1, 2, 2},
+           {bubble, 0, 1, 1},
+           {bubble, 1, Rational(1, 2), Rational(1, 2)},
+           {"bat:2", 1, Rational(1167, 1000), Rational(1168, 1000)}}) {
+    CAPTURE(text, component);
+    const Scheme scheme = make_refinable_scheme(text);
+    VectorQuestion question{.integral = scheme.integral};
+    if (component >= 0) question.component = component;
+    const Certificate certificate = field_certificate(
+        *scheme.quadratic, vector_regularity(*scheme.quadratic, {Deadline::in(60)}, question));
+    CHECK(proves_exactly(asked(certificate), certificate));
+    CHECK(abs(*parse_rational(*certificate.claim.lower) - lower) < Rational(1, 500));
+    CHECK(abs(*parse_rational(*certificate.claim.upper) - upper) < Rational(1, 500));
+    CHECK_FALSE(proves(subject_of(certificate), *certificate.claim.lower, "", certificate.text()));
+  }
+}
+
+TEST_CASE("certificates of matrices with a square root: of one function of random ones") {
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(6)) {
+    std::vector<std::string> entries;
+    for (int k = 0; k < 8; ++k)
+      entries.push_back(random.chance(40) ? "0"
+                                          : std::to_string(random.integer(-3, 3)) + "/10+" +
+                                                std::to_string(random.integer(0, 2)) + "/20*sqrt(3)");
+    const Scheme scheme = make_refinable_scheme(beside_hat(entries));
+    CAPTURE(scheme.specification);
+    if (!scheme.quadratic) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const MultivariateRegularity found = vector_regularity(*scheme.quadratic, {Deadline::in(20)}, {.component = c});
+      if (!found.exponent.lower || *found.exponent.lower <= 0 || !found.vector->proof) continue;
+      const Certificate certificate = field_certificate(*scheme.quadratic, found);
+      const std::string subject = subject_of(certificate) + " --component " + std::to_string(c);
+      const std::string upper = certificate.claim.upper.value_or("");
+      CHECK(proves(subject, *certificate.claim.lower, upper, certificate.text()));
+      CHECK_FALSE(proves(subject, to_text(*parse_rational(*certificate.claim.lower) + Rational(1, 1000)), "",
+                         certificate.text()));
+    }
+  }
+}
+
 TEST_CASE("certificates of matrices with a square root: what there are none for") {
   const Scheme scheme = make_refinable_scheme("cl:2");
   const Budget budget{Deadline::in(20)};
@@ -69,9 +124,14 @@ TEST_CASE("certificates of matrices with a square root: what there are none for"
     CHECK_THROWS_WITH(field_certificate(*scheme.quadratic, vector_regularity(*scheme.quadratic, budget, question)),
                       Catch::Contains(message));
   };
-  fails({.component = 0}, "need all functions, of no given integral, got one of them");
+  fails({.integral = std::vector<Rational>{0, 0, 1, 1}}, "need a joint spectral radius, got none");
   const Scheme two = make_refinable_scheme("refinable:[[[2,0],[0,2]],[[4,0],[0,4]],[[2,0],[sqrt(2),2]]]/4@-1");
   CHECK_THROWS_WITH(certificate_of(two), Catch::Contains("need a continuous solution that is the only one"));
+  const Scheme mixed = make_refinable_scheme(
+      "refinable:[[[2,-sqrt(2)],[0,1]],[[4,-sqrt(2)],[0,3]],[[2,sqrt(2)],[0,3]],[[0,sqrt(2)],[0,1]]]/4@-1");
+  const MultivariateRegularity of_root = vector_regularity(*mixed.quadratic, budget,
+                                                           {.integral = std::vector<Rational>{0, 0, 1, 0}});
+  CHECK_THROWS_WITH(field_certificate(*mixed.quadratic, of_root), Catch::Contains("an integral of rational numbers"));
   // discontinuous functions, as the matrices of differences have a radius of 1 or more
   const Scheme rough = make_refinable_scheme(beside_hat({"sqrt(2)", "0", "0", "1/2", "1/2", "0", "0", "1/2"}));
   CHECK_THROWS_AS(certificate_of(rough), Error);

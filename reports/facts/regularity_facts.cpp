@@ -218,8 +218,7 @@ std::string solutions_text(const FunctionVector& vector) {
 /// What a Hermite scheme keeps, and whether it would keep more in another convention.
 Fact spectral_fact(const Scheme& scheme) {
   const LatticeMask& mask = scheme.mask;
-  const int degree = scheme.quadratic ? data::hermite_degree(*scheme.quadratic)
-                                      : data::hermite_reproduction(mask).degree,
+  const int degree = data::hermite_reproduction(mask, scheme.quadratic).degree,
             wanted = static_cast<int>(mask.components()) - 1;
   const auto up_to = [](int d) {
     return d == 0 ? std::string("of constants") : fmt::format("of polynomials up to degree {}", d);

@@ -47,20 +47,19 @@ GridData<double> refined_columns(const GridData<double>& data, const Scheme& sch
   require_columns(scheme, data, [](std::optional<std::size_t> i) {
     return i ? "refine, point " + std::to_string(*i + 1) : std::string("refine");
   });
-  if (!has_positions(scheme, data.dimension)) return refine_vectors(data, scheme.mask, *scheme.form, options);
+  const auto refined = [&](const GridData<double>& numbers, const Rational& spacing) {
+    return refine_vectors(numbers, scheme.mask, *scheme.form, options, spacing, scheme.quadratic);
+  };
+  if (!has_positions(scheme, data.dimension)) return refined(data, 1);
   const UniformGrid grid = uniform_grid(part(data, 0, 1).values);
-  return with_positions(refine_vectors(part(data, 1, data.dimension), scheme.mask, *scheme.form, options, grid.spacing),
-                        grid);
+  return with_positions(refined(part(data, 1, data.dimension), grid.spacing), grid);
 }
 
 }  // namespace
 
 AnyScheme make_data_scheme(std::string_view specification) {
   if (is_l1_specification(specification_as_written(specification))) return make_any_scheme(specification);
-  Scheme scheme = make_refinable_scheme(specification);
-  require(!scheme.quadratic || scheme.form != VectorForm::hermite,
-          "refine: need a Hermite scheme of rational matrices, got {}", scheme.specification);
-  return scheme;
+  return make_refinable_scheme(specification);
 }
 
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
@@ -121,7 +120,8 @@ std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundar
     return continues_data(boundary) ? std::vector<std::size_t>(l1->rules.points.size(), 1)
                                     : std::vector<std::size_t>(l1->rules.points.begin(), l1->rules.points.end());
   if (const Scheme* vectors = vectors_of(scheme)) {
-    const std::size_t window = AxisRefiner(axis_rule(vectors->mask, *vectors->form), boundary).window();
+    const std::size_t window = AxisRefiner(axis_rule(vectors->mask, *vectors->form, vectors->quadratic), boundary)
+                                   .window();
     return {boundary == Boundary::periodic ? 1 : window};
   }
   if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))

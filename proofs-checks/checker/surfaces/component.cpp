@@ -78,7 +78,7 @@ void check_observable(const Component& component, const Family& family, Arithmet
       }
       functionals.add(std::move(image));
     }
-  require(functionals.rows().size() + component.unobservable >= size,
+  require(functionals.rows().size() + component.degree * component.unobservable >= size,
           "more than what is said to be unobservable may be so");
 }
 

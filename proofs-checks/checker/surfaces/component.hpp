@@ -9,6 +9,7 @@ namespace subcert_check {
 struct Component {
   std::vector<Vector> readings;  // functionals on the space: the values at each point of what its vectors have there
   std::size_t unobservable = 0;  // the dimension of an invariant subspace on which they are 0
+  std::size_t degree = 1;        // of the field, over which that is the dimension; the readings are over the rationals
 };
 
 /// Rejects unless the first `unobservable` columns of the basis, of vectors of this size, are 0 under the readings.

@@ -54,11 +54,13 @@ class Surface {
   }
 
   /// Section 5.13: the space of the differences of phi over the field of a root, of the mask [P, root Q; Q, P].
-  FieldFamily over_field(std::size_t order, bool spanned, const mpz_class& root) {
+  FieldFamily over_field(std::size_t order, bool spanned, const mpz_class& root,
+                         const std::optional<Rationals>& integral) {
     const Sequence values = read_values();
     std::set<Sequence> starts = operators_.differences(values, order);
     starts.merge(operators_.differences(times_root(values, root), order));
-    check_unique(operators_, {}, 2);
+    check_unique(operators_,
+                 integral ? read_functionals(operators_, values, *integral, reader_, &root) : std::vector<Vector>(), 2);
     read_space(&root);
     const std::size_t size = space_.size() / 2, count = operators_.classes();
     const Family moved = restricted(size);
@@ -104,18 +106,21 @@ class Surface {
     return result;
   }
 
-  /// Section 5.9: what reads a component on the space, and the line that says what it does not show.
-  Component read_component(std::size_t number) {
-    std::map<Point, Vector> readings;
+  /// Section 5.9: what reads a component on the space, and the line that says what it does not show. With `degree` 2 it
+  /// is read by both of its parts, section 5.13.
+  Component read_component(std::size_t number, std::size_t degree) {
+    const std::size_t half = operators_.components() / degree;
+    std::map<Place, Vector> readings;
     for (std::size_t k = 0; k < space_.size(); ++k)
       for (const auto& [place, value] : space_[k].values)
-        if (place.component == number) {
+        if (place.component % half == number) {
           arithmetic_.spend(100 * space_.size());
-          readings.try_emplace(place.point, space_.size()).first->second[k] = value;
+          readings.try_emplace(place, space_.size()).first->second[k] = value;
         }
     Component result;
-    for (auto& [point, reading] : readings) result.readings.push_back(std::move(reading));
-    result.unobservable = parse_size(reader_.take("unobservable", 1, 1)[0], 0, space_.size() - 1);
+    for (auto& [place, reading] : readings) result.readings.push_back(std::move(reading));
+    result.unobservable = parse_size(reader_.take("unobservable", 1, 1)[0], 0, space_.size() / degree - 1);
+    result.degree = degree;
     return result;
   }
 
@@ -403,7 +408,7 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   surface->read_digits();
   if (mask.components > 0)
     return {surface->of_values(order, upper, integral), {}, [surface](std::size_t c) {
-              return surface->read_component(c);
+              return surface->read_component(c, 1);
             }};
   if (of_values)
     return {
@@ -415,12 +420,14 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
   return result;
 }
 
-FieldFamily read_vector_over_field(const Mask& doubled, const mpz_class& root, const Dilation& dilation,
-                                   std::size_t order, bool upper, Reader& reader, Arithmetic& arithmetic) {
+SurfaceFamily read_vector_over_field(const Mask& doubled, const mpz_class& root, const Dilation& dilation,
+                                     std::size_t order, bool upper, const std::optional<Rationals>& integral,
+                                     Reader& reader, Arithmetic& arithmetic) {
   require(order <= max_order, "a higher order than the checker allows in several variables");
-  Surface surface(doubled, dilation, reader, arithmetic);
-  surface.read_digits();
-  return surface.over_field(order, upper, root);
+  const auto surface = std::make_shared<Surface>(doubled, dilation, reader, arithmetic);
+  surface->read_digits();
+  const FieldFamily family = surface->over_field(order, upper, root, integral);
+  return {family.on_halves(), {}, [surface](std::size_t c) { return surface->read_component(c, 2); }, family};
 }
 
 Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic) {

@@ -17,6 +17,8 @@ struct SurfaceFamily {
   std::function<Family()> of_scheme;
   /// Of matrices: the rest of what is said of one component, from the line `unobservable` on.
   std::function<Component(std::size_t)> of_component;
+  /// Of matrices with a square root: those over the field, of which `family` has the rational ones on halves.
+  std::optional<FieldFamily> over_field = {};
 };
 
 /// f'_i = sum over j of A_(i-aj)^T f_j, and y_0, ..., y_m of the data that it keeps: section 6.7.
@@ -38,7 +40,8 @@ SurfaceFamily read_surface(const Mask& mask, const Dilation& dilation, std::size
                            const std::optional<Rationals>& integral, Reader& reader, Arithmetic& arithmetic);
 
 /// The same of matrices with a square root, section 5.13.
-FieldFamily read_vector_over_field(const Mask& doubled, const mpz_class& root, const Dilation& dilation,
-                                   std::size_t order, bool upper, Reader& reader, Arithmetic& arithmetic);
+SurfaceFamily read_vector_over_field(const Mask& doubled, const mpz_class& root, const Dilation& dilation,
+                                     std::size_t order, bool upper, const std::optional<Rationals>& integral,
+                                     Reader& reader, Arithmetic& arithmetic);
 
 }  // namespace subcert_check

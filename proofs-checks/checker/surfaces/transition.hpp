@@ -89,9 +89,10 @@ class Elimination {
 };
 
 /// Section 5.9: reads what tells the integral of a solution from the sums of its values. Rejects unless the solution
-/// with these values has a multiple of this integral, other than 0.
+/// with these values has a multiple of this integral, other than 0. `root`: of a doubled mask, section 5.13, whose
+/// functionals come with their multiples by the root.
 std::vector<Vector> read_functionals(const Transition& operators, const Sequence& values, const Rationals& integral,
-                                     Reader& reader);
+                                     Reader& reader, const mpz_class* root = nullptr);
 
 /// Section 5.9: rejects unless the continuous solutions of compact support of the refinement equation are the multiples
 /// of one; or with functionals, unless there is only one that has their values. `solutions`: the dimension of their

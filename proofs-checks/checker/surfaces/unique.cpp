@@ -110,7 +110,7 @@ class Places {
 }  // namespace
 
 std::vector<Vector> read_functionals(const Transition& operators, const Sequence& values, const Rationals& integral,
-                                     Reader& reader) {
+                                     Reader& reader, const mpz_class* root) {
   const std::size_t size = operators.components();
   Arithmetic& arithmetic = operators.arithmetic();
   // q |det M| (B - 1), row by row, q the denominator of the mask
@@ -122,7 +122,8 @@ std::vector<Vector> read_functionals(const Transition& operators, const Sequence
     for (std::size_t c = 0; c < size; ++c) arithmetic.add_product(sum, x[c], y[c * step]);
     return sum;
   };
-  const Vector goal = clear_denominators(1, integral).entries;
+  Vector goal = clear_denominators(1, integral).entries;
+  goal.resize(size);
   for (std::size_t r = 0; r < size; ++r)
     require(product(goal, &rest[r * size], 1) == 0, "the integral is none of a solution");
   Vector sums(size);
@@ -138,10 +139,8 @@ std::vector<Vector> read_functionals(const Transition& operators, const Sequence
   for (std::size_t r = 0; r < size; ++r) add({&rest[r * size], &rest[r * size] + size});
   std::vector<Vector> result;
   mpz_class of_sums = 0, of_goal = 0;  // under the first functional that is not 0 at the integral
-  do {
-    Vector& functional = result.emplace_back();
-    for (const std::string_view field : reader.take("functional", size, size))
-      functional.push_back(parse_integer(field));
+  const auto take = [&](const Vector& functional) {
+    result.push_back(functional);
     add(functional);
     Vector image = functional;
     for (std::size_t n = 0; n < size; ++n) {
@@ -154,6 +153,16 @@ std::vector<Vector> read_functionals(const Transition& operators, const Sequence
     const mpz_class sum = product(functional, sums.data(), 1), value = product(functional, goal.data(), 1);
     if (of_goal == 0) std::tie(of_sums, of_goal) = std::pair(sum, value);
     require(of_goal == 0 ? sum == 0 : sum * of_goal == value * of_sums, "the values are not those of this integral");
+  };
+  do {
+    Vector functional;
+    for (const std::string_view field : reader.take("functional", size, size))
+      functional.push_back(parse_integer(field));
+    take(functional);
+    if (!root) continue;
+    std::rotate(functional.begin(), functional.begin() + static_cast<std::ptrdiff_t>(size / 2), functional.end());
+    for (std::size_t c = size / 2; c < size; ++c) functional[c] *= *root;
+    take(functional);
   } while (reader.at("functional"));
   require(of_sums != 0, "the values are of the integral 0");
   require(span.size() >= size, "the functionals do not tell all of an integral");

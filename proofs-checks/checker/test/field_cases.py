@@ -34,6 +34,14 @@ def accepted(name, mask, ends, lines):
             f"refinable {mask} [2]; bounds {lower} {upper or '-'}; {lines}")
 
 
+def asked(name, mask, what, ends, lines):
+    """Of one component, or of the solution with an integral: `what` as in the second line."""
+    lower, upper = ends.split()
+    options = what.replace("integral=", "--integral ").replace("component=", "--component ")
+    return (name, claim(mask, f"{options} --lower {lower} --upper {upper}"),
+            f"refinable {mask} [2] {what}; bounds {lower} {upper}; {lines}")
+
+
 def exact(name, mask, number, lines):
     return name, claim(mask, f"--exact {number}"), f"refinable {mask} [2]; bounds - -; exact {number}; {lines}"
 
@@ -93,6 +101,13 @@ MATRICES = []
 CHANGED = []
 # what subcert-check takes for sqrt(2), times 2^512
 NEAR, ONE = math.isqrt(2 * 4**512), 2**512
+# (h + sqrt(2) q, q), h the hat function and q the quadratic B-spline: solutions (x h + sqrt(2) y q, y q), with the integral (x + sqrt(2) y, y)
+MIXED = "[[[2,-sqrt(2)],[0,1]],[[4,-sqrt(2)],[0,3]],[[2,sqrt(2)],[0,3]],[[0,sqrt(2)],[0,1]]]/4@-1"
+FUNCTIONALS = "functional 1 0 0 0; functional 0 1 0 0; "
+HAT = f"differences 2; digits 0 1; values 0.0:1; {FUNCTIONALS}space 1; vector -1.0:1 0.0:-2 1.0:1; product 0 1/2 0 0; block 0 norm 1; end"
+# b and b' times sqrt(2)
+OF_ROOT = ("blocks 1 1 1; basis 0 0 0 1 0 0; basis 0 0 0 0 1 0; basis 0 0 1 0 0 0; inverse 0 0 0 1/2 0 0; inverse 0 0 0 0 1/2 0; "
+           "inverse 0 0 1 0 0 0; ")
 ACCEPTED = [
     accepted("field-by-hand", BUBBLE, BOUNDS, SPACE + UNIT + PRODUCT + NORMS),
     accepted("field-turned", BUBBLE, BOUNDS, SPACE + TURNED + PRODUCT + NORMS),
@@ -105,6 +120,14 @@ ACCEPTED = [
     accepted("field-conjugate", CONJUGATE, "1 1", SPACE + UNIT + "product 2 1/2 0 0; " + NORMS),
     accepted("field-rational-form", CONJUGATE, "1 1", SPACE + UNIT + "product 2 1/2 0 0; block 0 norm 1; block 1 norm 1; "
              "block 2 quadratic 2 1/2; form 1; word 0; word 1; end"),
+    # the hat without the bubble, the bubble, and the number of the hat; the hat as one of several solutions
+    asked("field-component", BUBBLE, "component=0", "1 1", SPACE + "unobservable 2; " + UNIT + "product 2 1/2 0 0; " + NORMS),
+    asked("field-component-turned", BUBBLE, "component=0", "1 1", SPACE + "unobservable 2; " + OF_ROOT + "product 2 1/2 0 0; " + NORMS),
+    asked("field-component-all", BUBBLE, "component=1", BOUNDS, SPACE + "unobservable 0; " + UNIT + PRODUCT + NORMS),
+    asked("field-integral", MIXED, "integral=1,0", "1 1", HAT),
+    asked("field-integral-multiple", MIXED, "integral=-1/3,0", "1 1", HAT.replace("values 0.0:1", "values 0.0:5")),
+    asked("field-integral-root", MIXED, "integral=1,0", "1 1", HAT.replace("functional 1 0 0 0", "functional 0 0 1 0; functional 3 0 -2 0")),
+    asked("field-integral-component", MIXED, "integral=1,0 component=0", "1 1", HAT.replace("product", "unobservable 0; product")),
     exact("field-exact", BUBBLE, EXACT, ROOT + SPACE + UNIT + NAMED),
     exact("field-exact-rational", CONJUGATE, "0-log|[-1,2]@1/2,0,1/4|^1/1", "root 1/2 0 0 1/2 1/2; " + SPACE + UNIT +
           "block 0 norm 1; block 1 norm 1; block 2 polytope 1 0 1; vertex 1; unit 0 0:2; image 0 0 0:1; image 0 1; cycle 0 - 0; seed 1; end"),
@@ -152,6 +175,7 @@ def accepted_by(tools):
 
 TWO_HATS = "[[[2,0],[0,2]],[[4,0],[0,4]],[[2,0],[sqrt(2),2]]]/4@-1"
 HALVES = f"[[[2,0],[0,0]],[[4,0],[0,2*sqrt(2)]],[[2,0],[4,{2 * NEAR}/{ONE}]]]/4@-1"  # c for T_0 and a number near c for T_1
+ROUGH = BUBBLE.replace("2*sqrt(2)", "3*sqrt(2)")  # a bubble that is not continuous
 BELOW = ("blocks 1 1 1; basis 0 0 0 0 1 0; basis 0 0 0 0 0 1; basis 1 0 0 0 0 0; inverse 0 0 1 0 0 0; inverse 0 0 0 1/2 0 0; "
          "inverse 0 0 0 0 1/2 0; ")
 EDITED = [
@@ -181,6 +205,26 @@ EDITED = [
     ("field-below", "field-by-hand", None, "not block upper triangular", [("basis 1 0 0 0 0 0; basis 0 1 0 0 0 0; basis 0 0 1 0 0 0", "basis 0 0 1 0 0 0; basis 0 1 0 0 0 0; basis 1 0 0 0 0 0"),
      ("inverse 1 0 0 0 0 0; inverse 0 1 0 0 0 0; inverse 0 0 1 0 0 0", "inverse 0 0 1 0 0 0; inverse 0 1 0 0 0 0; inverse 1 0 0 0 0 0")]),
     ("field-below-root", "field-by-hand", None, "not block upper triangular", [(UNIT[:-2], BELOW[:-2])]),
+    # one component
+    ("field-component-whole", "field-component", None, "number outside 0..2", [("unobservable 2", "unobservable 3")]),
+    ("field-component-absent", "field-by-hand", claim(BUBBLE, "--component 0 --lower 49/100"), "expected 'refinable ", []),
+    ("field-component-line", "field-component", None, "expected 'unobservable'", [("unobservable 2; ", "")]),
+    ("field-component-shown", "field-component-all", None, "the component shows what is said to be unobservable", [("unobservable 0", "unobservable 2")]),
+    ("field-component-shown-root", "field-component-all", None, "the component shows what is said to be unobservable", [
+        ("unobservable 0", "unobservable 2"), (UNIT[:-2], OF_ROOT[:-2])]),
+    ("field-component-less", "field-component", None, "more than what is said to be unobservable may be so", [("unobservable 2", "unobservable 1")]),
+    ("field-component-sizes", "field-component", None, "what is unobservable consists of no blocks", [("blocks 1 1 1", "blocks 1 2")]),
+    ("field-component-no-blocks", "field-component", None, "expected 'blocks', those of what is unobservable first", [(UNIT, "")]),
+    ("field-component-product", "field-component", None, "number outside 2..2", [("product 2 1/2", "product 0 7071/10000")]),
+    ("field-component-hidden", "field-component", claim(ROUGH, "--component 0 --lower 1 --upper 1"), "the bound does not prove the claim", [(BUBBLE, ROUGH)]),
+    # an integral
+    ("field-integral-other", "field-integral", claim(MIXED, "--integral 1,1 --lower 1"), "the values are not those of this integral", [("integral=1,0", "integral=1,1")]),
+    ("field-integral-none", "field-integral", claim(TWO_HATS, "--integral 1,0 --lower 1"), "the integral is none of a solution", [(MIXED, TWO_HATS)]),
+    ("field-integral-factor", "field-integral", None, "the values are not those of this integral", [("values 0.0:1", "values 0.0:1 0.2:1")]),
+    ("field-integral-conjugate", "field-integral", None, "the values are not those of this integral", [("values 0.0:1", "values 0.2:1"), ("functional 1 0 0 0; functional 0 1 0 0", "functional 0 0 1 0; functional 0 1 0 0")]),
+    ("field-integral-few", "field-integral", None, "the functionals do not tell all of an integral", [("functional 0 1 0 0; ", "")]),
+    ("field-integral-functional", "field-integral", None, "wrong number of fields", [("functional 1 0 0 0", "functional 1 0")]),
+    ("field-integral-line", "field-integral", None, "expected 'functional'", [(FUNCTIONALS, "")]),
     # the ends
     ("field-lower", "field-by-hand", claim(BUBBLE, "--lower 1/2"), "the bound does not prove the claim", []),
     ("field-upper", "field-by-hand", claim(BUBBLE, "--lower 49/100 --upper 1/2"), "does not prove the claim", []),

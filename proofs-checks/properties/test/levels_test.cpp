@@ -56,11 +56,47 @@ TEST_CASE("properties of lists of masks") {
   CHECK(schemes.at(0).expectations.size() == 1);
 }
 
+TEST_CASE("properties of a value for each new point") {
+  for (const char* text :
+       {"points = '0.001 <= w <= 0.15'\nsmoothness = '>= 1'", "points = '0 <= w <= 1/8'\nconvergent = true",
+        "points = '0.001 <= w <= 0.15'\nholder = '>= 1.0058'", "points = '0 <= w <= 1/8'\nsmoothness = '>= 0'"}) {
+    CAPTURE(text);
+    CHECK(first_answer(slider + text).is_yes());
+  }
+  const Decision refuted = first_answer(slider + "points = '0.001 <= w <= 0.15'\nholder = '>= 1.0059'");
+  CHECK(refuted.is_no());
+  CHECK(refuted.reason == "the exponents are at least 1.0058057, of some limits at most 1.0058058");
+  // C1 with one value for each level, and with one for each point open.
+  const std::string values = " = '1/100 <= w <= 17/100'\nsmoothness = '>= 1'";
+  CHECK(first_answer(slider + "levels" + values).is_yes());
+  CHECK(first_answer(slider + "points" + values).truth == Truth::unknown);
+  const Decision diverges = first_answer(
+      "mask = 'mask:[-1/2+7/5*w,1/10+7/5*w,3/2-7/5*w,9/10-7/5*w]'\npoints = '0 <= w <= 1'\nconvergent = true");
+  CHECK(diverges.truth == Truth::unknown);
+  CHECK(diverges.reason.starts_with("no convergence is proved for all choices of values"));
+  const auto schemes = read_expectations(slider + "points = '0 <= w <= 1/8'\nholder = '>= 1'");
+  CHECK(schemes.at(0).name == "four-point:w");
+  CHECK(schemes.at(0).lines == "mask = \"four-point:w\"\npoints = \"0 <= w <= 1/8\"\n");
+}
+
 TEST_CASE("properties of levels: what is refused") {
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {slider + "levels = '0 < w <= 1'\nconvergent = true", "'levels' takes \"LOW <= w <= HIGH\""},
            {slider + "levels = 3\nconvergent = true", "'levels' takes"},
            {slider + "levels = '0 <= w <= 1'\nfor = '0 <= w <= 1'\nconvergent = true", "beside 'for'"},
+           {slider + "points = '0 <= w < 1'\nconvergent = true", "'points' takes \"LOW <= w <= HIGH\""},
+           {slider + "points = '1 <= w <= 1'\nconvergent = true", "'points' takes \"LOW <= w <= HIGH\""},
+           {slider + "points = '0 <= v <= 1'\nconvergent = true", "'points' takes \"LOW <= w <= HIGH\""},
+           {slider + "points = true\nconvergent = true", "'points' takes"},
+           {slider + "points = '0 <= w <= 1'\nfor = '0 <= w <= 1'\nconvergent = true", "'points' beside 'for'"},
+           {slider + "points = '0 <= w <= 1'\nlevels = '0 <= w <= 1'\nconvergent = true", "'points' beside 'levels'"},
+           {slider + "points = '0 <= w <= 1'\nstart = 'w0=1'\nconvergent = true", "'start' needs 'levels'"},
+           {slider + "points = '0 <= w <= 1'\nsum_rules = 2", "no property of masks that change from point to point"},
+           {slider + "points = '0 <= w <= 1'\nholder = '= 2'", "over points takes \">= X\""},
+           {slider + "points = '0 <= w <= 1'", "the scheme has no expected property"},
+           {masks_of_two + "points = '0 <= w <= 1'\nconvergent = true", "'masks' stands without"},
+           {"mask = 'dd:n=2'\npoints = '0 <= w <= 1'\nconvergent = true", "parameter"},
+           {"mask = 'merrien:lambda=-1/8,mu'\npoints = '0 <= mu <= 1'\nconvergent = true", "masks of numbers"},
            {slider + "levels = '0 <= w <= 1'\nstable = true", "is no property of masks that change"},
            {slider + "levels = '0 <= w <= 1'\nsum_rules = 2", "is no property of masks that change"},
            {slider + "levels = '0 <= w <= 1'\nconvergent = false", "over levels takes true"},

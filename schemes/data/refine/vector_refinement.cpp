@@ -132,24 +132,19 @@ void require_boundary(VectorForm form, const Axis& axis, Boundary boundary) {
 
 }  // namespace
 
-HermiteReproduction hermite_reproduction(const LatticeMask& mask) {
-  const FieldMask entries{mask, mask.components()};
-  const FieldNumber centre = hermite_centre(entries);
-  return {centre.x, kept_degree(entries, centre)};
+HermiteReproduction hermite_reproduction(const LatticeMask& mask, const std::optional<QuadraticMask>& meant) {
+  const FieldMask rounded{mask, mask.components()},
+      entries = meant ? FieldMask{meant->doubled, meant->components(), meant->root} : rounded;
+  return {hermite_centre(rounded).x, kept_degree(entries, hermite_centre(entries))};
 }
 
-int hermite_degree(const QuadraticMask& mask) {
-  const FieldMask entries{mask.doubled, mask.components(), mask.root};
-  return kept_degree(entries, hermite_centre(entries));
-}
-
-AxisRule axis_rule(const LatticeMask& mask, VectorForm form) {
+AxisRule axis_rule(const LatticeMask& mask, VectorForm form, const std::optional<QuadraticMask>& meant) {
   require(mask.dimension() == 1, "refine: need a curve for a scheme of vectors, got one of {} variables",
           mask.dimension());
   const bool hermite = form == VectorForm::hermite;
   const auto size = static_cast<int>(mask.components());
   const long arity = mask.arity();
-  const HermiteReproduction kept = hermite ? hermite_reproduction(mask) : HermiteReproduction{0, -1};
+  const HermiteReproduction kept = hermite ? hermite_reproduction(mask, meant) : HermiteReproduction{0, -1};
   require(
       !hermite || kept.degree >= 0,
       "refine: need a Hermite scheme that keeps the value 1 with derivatives 0, got one that does not; its matrices "
@@ -170,14 +165,15 @@ AxisRule axis_rule(const LatticeMask& mask, VectorForm form) {
 
 template <class Number>
 GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask& mask, VectorForm form,
-                                const RefineOptions& options, const Rational& spacing) {
+                                const RefineOptions& options, const Rational& spacing,
+                                const std::optional<QuadraticMask>& meant) {
   require(data.is_canonical() && data.axes.size() == 1 && data.dimension % mask.components() == 0,
           "refine: need a curve of points with a multiple of {} numbers, got {}", mask.components(), data.dimension);
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   require(spacing > 0, "refine: need spacing > 0, got {}", to_text(spacing));
   require_refinement_boundary(options.boundary);
   require_boundary(form, data.axes[0], options.boundary);
-  AxisRefiner refiner(axis_rule(mask, form), options.boundary);
+  AxisRefiner refiner(axis_rule(mask, form, meant), options.boundary);
   require_refinable(data.values.size(), mask.arity(), options.levels);
   GridData<Number> result = data;
   Rational from = spacing;
@@ -195,8 +191,10 @@ GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask&
 }
 
 template GridData<double> refine_vectors<double>(const GridData<double>&, const LatticeMask&, VectorForm,
-                                                 const RefineOptions&, const Rational&);
+                                                 const RefineOptions&, const Rational&,
+                                                 const std::optional<QuadraticMask>&);
 template GridData<Rational> refine_vectors<Rational>(const GridData<Rational>&, const LatticeMask&, VectorForm,
-                                                     const RefineOptions&, const Rational&);
+                                                     const RefineOptions&, const Rational&,
+                                                     const std::optional<QuadraticMask>&);
 
 }  // namespace subcert::data

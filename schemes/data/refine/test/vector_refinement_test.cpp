@@ -5,6 +5,7 @@
 #include <subcert/schemes/data/refine/vector_refinement.hpp>
 #include <subcert/schemes/data/scheme_refinement.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace subcert;
@@ -138,7 +139,9 @@ std::vector<Rational> step_by_definition(const LatticeMask& mask, VectorForm for
 
 TEST_CASE("Hermite schemes with a square root keep data of polynomials around places with it") {
   const auto degree = [](const std::string& text) {
-    return hermite_degree(*make_refinable_scheme("hermite:" + text).quadratic);
+    const Scheme scheme = make_refinable_scheme("hermite:" + text);
+    REQUIRE(scheme.quadratic);
+    return hermite_reproduction(scheme.mask, scheme.quadratic).degree;
   };
   // Merrien's scheme, mu = sqrt(2)/4; slopes that are not those of lines; no constants
   CHECK(degree("[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1") ==
@@ -152,9 +155,39 @@ TEST_CASE("Hermite schemes with a square root keep data of polynomials around pl
     std::vector<QuadraticTerm> terms;
     for (const LatticeMask::Term& term : scheme.mask.terms())
       terms.push_back({term.exponents, term.row, term.column, term.coefficient, 0});
-    CHECK(hermite_degree(quadratic_mask(terms, scheme.mask.components(), 7, scheme.mask.dilation())) == expected);
+    const QuadraticMask meant = quadratic_mask(terms, scheme.mask.components(), 7, scheme.mask.dilation());
+    CHECK(hermite_reproduction(scheme.mask, meant).degree == expected);
   }
-  CHECK_THROWS(make_data_scheme("hermite:[[[1,-sqrt(2)/2],[0,1/2]],[[1,1/2-sqrt(2)/2],[0,1/2]]]@0"));
+}
+
+TEST_CASE("Hermite schemes with a square root refine data of polynomials up to the rounding of the root") {
+  Random random;
+  const Rational error = power(Rational(2), -200);
+  // Merrien's scheme, mu = sqrt(2)/4; values on the tangents at (i - sqrt(2))/2
+  for (const auto& [text, degree] : std::vector<std::pair<std::string, int>>{
+           {"[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1", 2},
+           {"[[[1,-sqrt(2)/2],[0,1/2]],[[1,1/2-sqrt(2)/2],[0,1/2]]]@0", 1}}) {
+    const Scheme scheme = make_refinable_scheme("hermite:" + text);
+    CAPTURE(scheme.specification);
+    CHECK(axis_rule(scheme.mask, *scheme.form, scheme.quadratic).stencils.degree() == degree);
+    for (const Boundary boundary : {Boundary::regression, Boundary::shrink}) {
+      const std::vector<std::vector<Rational>> curve{random_coefficients(random, degree),
+                                                     random_coefficients(random, degree)};
+      const Rational spacing(random.integer(1, 5), 3);
+      const Axis axis = Axis::of(fewest_points(scheme, boundary)[0] + 4);
+      const GridData<Rational> data{samples(curve, 2, axis, spacing), 4, {axis}};
+      const GridData<Rational> refined = refine_vectors(data, scheme.mask, *scheme.form, {3, boundary}, spacing,
+                                                        scheme.quadratic);
+      CHECK(refined.is_canonical());
+      const std::vector<Rational> expected = samples(curve, 2, refined.axes[0], spacing);
+      REQUIRE(refined.values.size() == expected.size());
+      CHECK(std::ranges::equal(refined.values, expected,
+                               [&](const Rational& a, const Rational& b) { return abs(Rational(a - b)) < error; }));
+    }
+  }
+  const AnyScheme no_constants = make_data_scheme(
+      "hermite:[[[1/2,-1/8],[sqrt(2)/2,0]],[[1,0],[0,1/2]],[[sqrt(2)/2,1/8],[-sqrt(2)/2,0]]]@-1");
+  CHECK_THROWS(fewest_points(no_constants, Boundary::regression));
 }
 
 TEST_CASE("Hermite data of polynomials are refined exactly, up to the ends") {

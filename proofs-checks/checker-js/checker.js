@@ -3362,14 +3362,13 @@ var check_certificate = (() => {
       return {all: letters(low, high), middle: letters(middle, middle), from_zero: k === 0};
     }
     start_of(p, middle, near) { return this.p.approach(this.p.values(p, middle), near); }
-    change(p, letter, at, zero) {
+    change(p, letter, at, zero) {  // of a zero that was found, where the slope is not 0
       const by = this.p.value(this.p.values(p.map(c => letter_slope(c, letter)), at), zero);
-      const minus_change = this.real.quotient(by, this.p.slope(this.p.values(p, at), zero));
-      return minus_change && this.real.opposite(minus_change);
+      return this.real.opposite(this.real.quotient(by, this.p.slope(this.p.values(p, at), zero)));
     }
     slope(p, at, zero) {  // by 1/n; c changes by between -40/n and 0
       const of_c = this.change(p, by_c, at, zero), of_share = this.change(p, by_share, at, zero);
-      return of_c && of_share && this.real.plus(of_share, this.real.times(of_c, [-40n * at[by_share][1], 0n]));
+      return this.real.plus(of_share, this.real.times(of_c, [-40n * at[by_share][1], 0n]));
     }
     constants_are_behind({all, middle}, leader) {  // null, or whether it still meets
       const p = this.p.values(this.constants, all);
@@ -3377,14 +3376,12 @@ var check_certificate = (() => {
       if (!this.meets) return null;
       const zero = this.p.zero(p, this.start_of(this.constants, middle, (leader[0] + leader[1]) / 2n));
       if (!zero || zero[0] <= -leader[0] || !this.p.has_zeros_below(this.p.deflated(p, zero), leader[0])) return null;
-      const own = this.slope(this.first, all, leader), other = this.slope(this.constants, all, zero);
-      return own && other && own[0] > other[1] ? {meets: true} : null;
+      return this.slope(this.first, all, leader)[0] > this.slope(this.constants, all, zero)[1] ? {meets: true} : null;
     }
     grows_on(at, middle, leader, near) {  // null, or near the zero
       const start = this.start_of(this.general, middle, near), p = this.p.values(this.general, at), zero = this.p.zero(p, start);
-      if (!zero || zero[0] <= 0n || !this.p.has_zeros_below(this.p.deflated(p, zero), leader[0] < zero[0] ? leader[0] : zero[0])) return null;
-      const growth = this.change(this.general, by_C, at, zero);
-      return growth && growth[0] > 0n ? start : null;
+      if (!zero || zero[0] <= 0n || !this.p.has_zeros_below(this.p.deflated(p, zero), leader[0])) return null;
+      return this.change(this.general, by_C, at, zero)[0] > 0n ? start : null;
     }
     general_is_behind({all, middle}, leader) {
       const {W} = this.real, last = 2n * this.real.times(all[by_c], all[by_c])[1] - W, open = [[-W, this.grows_from_first ? all[by_c][1] : last]];

@@ -159,8 +159,7 @@ bool has_root(std::string_view text) { return text.find(root_begins) != text.npo
 FieldMask parse_field_mask(std::string_view text) {
   constexpr char letter = 'w';
   require(text.find_first_of("w^") == text.npos && text.find("/(") == text.npos, one_root);
-  const std::size_t begin = text.find(root_begins) + root_begins.size(), end = std::min(text.find(')'), text.size());
-  require(begin < end, one_root);
+  const std::size_t begin = text.find(root_begins) + root_begins.size(), end = text.find(')');
   const std::string root(text.substr(begin, end - begin)), whole = std::string(root_begins) + root + ")";
   std::string polynomials(text);
   for (std::size_t at = 0; (at = polynomials.find(whole, at)) != std::string::npos; ++at)

@@ -128,18 +128,17 @@ class Vertices {
     return approach_zero(values(p, middle, intervals_), near, intervals_);
   }
 
-  std::optional<Interval> change(const Polynomials& p, Letter by, const Letters& at, const Interval& zero) const {
-    const auto minus = quotient(value_at(derivatives(p, by, at, intervals_), zero, intervals_),
-                                slope_at(values(p, at, intervals_), zero, intervals_), intervals_);
-    return minus ? std::optional(-*minus) : std::nullopt;
+  /// How a zero that zero_near() has found, where the slope is not 0, changes with a letter.
+  Interval change(const Polynomials& p, Letter by, const Letters& at, const Interval& zero) const {
+    return -quotient(value_at(derivatives(p, by, at, intervals_), zero, intervals_),
+                     slope_at(values(p, at, intervals_), zero, intervals_), intervals_)
+                .value();
   }
 
-  /// How a zero changes with 1/n.
-  std::optional<Interval> slope(const Polynomials& p, const Letters& at, const Interval& zero) const {
-    const auto by_c = change(p, letter_c, at, zero), by_share = change(p, letter_share, at, zero);
-    if (!by_c || !by_share) return std::nullopt;
-    // c changes by -2 pi sin(2 pi/n), between -40/n and 0.
-    return *by_share + intervals_.times(*by_c, {-40 * at[letter_share].high, 0});
+  /// And with 1/n: c changes by -2 pi sin(2 pi/n), between -40/n and 0.
+  Interval slope(const Polynomials& p, const Letters& at, const Interval& zero) const {
+    return change(p, letter_share, at, zero) +
+           intervals_.times(change(p, letter_c, at, zero), {-40 * at[letter_share].high, 0});
   }
 
   bool constants_are_behind(const Box& box, const Interval& leader, bool& meets) const {
@@ -152,19 +151,16 @@ class Vertices {
     const auto zero = zero_near(p, start_of(constants_, box.middle, (leader.low + leader.high) / 2), intervals_);
     if (!zero || zero->low <= -leader.low || !has_zeros_below(deflated(p, *zero, intervals_), leader.low, intervals_))
       return false;
-    const auto own = slope(first_, box.all, leader), other = slope(constants_, box.all, *zero);
-    return own && other && own->low > other->high;
+    return slope(first_, box.all, leader).low > slope(constants_, box.all, *zero).high;
   }
 
   bool grows_on(const Letters& at, const Letters& middle, const Interval& leader, mpz_class& near) const {
     const mpz_class start = start_of(general_, middle, near);
     const IntervalPolynomial p = values(general_, at, intervals_);
     const auto zero = zero_near(p, start, intervals_);
-    if (!zero || zero->low <= 0 ||
-        !has_zeros_below(deflated(p, *zero, intervals_), std::min(leader.low, zero->low), intervals_))
+    if (!zero || zero->low <= 0 || !has_zeros_below(deflated(p, *zero, intervals_), leader.low, intervals_))
       return false;
-    const auto by_frequency = change(general_, letter_frequency, at, *zero);
-    if (!by_frequency || by_frequency->low <= 0) return false;
+    if (change(general_, letter_frequency, at, *zero).low <= 0) return false;
     near = start;
     return true;
   }
@@ -204,9 +200,9 @@ class Vertices {
     std::optional<Interval> growth = growth_;
     if (leader->high >= intervals_.one() || growth) {
       if (!may_be_one_ || (!box.from_zero && !growth)) return false;
-      const auto here = change(first_, letter_c, box.all, *leader);
-      if (!here || here->low <= 0) return false;
-      growth = growth ? Interval{std::min(growth->low, here->low), std::max(growth->high, here->high)} : *here;
+      const Interval here = change(first_, letter_c, box.all, *leader);
+      if (here.low <= 0) return false;
+      growth = growth ? Interval{std::min(growth->low, here.low), std::max(growth->high, here.high)} : here;
     }
     bool meets = meets_;
     if (!general_is_behind(box, *leader) || !constants_are_behind(box, *leader, meets)) return false;

@@ -116,6 +116,9 @@ ACCEPTED = [
     # a multiple of the values; the root of another number, in another form
     accepted("field-multiple", BUBBLE, BOUNDS, SPACE.replace("values 0.0:1", "values 0.0:1 0.2:-3") + UNIT + PRODUCT + NORMS),
     accepted("field-other-form", BUBBLE.replace("2*sqrt(2)", "1/2*sqrt(8)+1-1+3/2*sqrt(8)-sqrt(8)"), BOUNDS, SPACE + UNIT + PRODUCT + NORMS),
+    accepted("field-values-root", BUBBLE, BOUNDS, SPACE.replace("values 0.0:1", "values 0.2:1") + UNIT + PRODUCT + NORMS),
+    # the limit of the root
+    accepted("field-root-large", BUBBLE.replace("2*sqrt(2)", "1/12500*sqrt(1000000000)"), "66/100 67/100", SPACE + UNIT + "product 0 632/1000 0 0; " + NORMS),
     # the conjugate would have the radius 0.6; the last block is rational
     accepted("field-conjugate", CONJUGATE, "1 1", SPACE + UNIT + "product 2 1/2 0 0; " + NORMS),
     accepted("field-rational-form", CONJUGATE, "1 1", SPACE + UNIT + "product 2 1/2 0 0; block 0 norm 1; block 1 norm 1; "
@@ -178,6 +181,7 @@ HALVES = f"[[[2,0],[0,0]],[[4,0],[0,2*sqrt(2)]],[[2,0],[4,{2 * NEAR}/{ONE}]]]/4@
 ROUGH = BUBBLE.replace("2*sqrt(2)", "3*sqrt(2)")  # a bubble that is not continuous
 BELOW = ("blocks 1 1 1; basis 0 0 0 0 1 0; basis 0 0 0 0 0 1; basis 1 0 0 0 0 0; inverse 0 0 1 0 0 0; inverse 0 0 0 1/2 0 0; "
          "inverse 0 0 0 0 1/2 0; ")
+MANY_ENTRIES = f"[{'[[sqrt(2),0],[0,1]],' * 624}[[1,0],[0,1]]]"  # 2500
 EDITED = [
     ("field-other-values", "field-by-hand", None, "not fixed", [("values 0.0:1", "values 0.0:1 0.3:1")]),
     ("field-no-values", "field-by-hand", None, "expected 'values'", [("values 0.0:1; ", "")]),
@@ -188,6 +192,8 @@ EDITED = [
     ("field-as-rational", "field-by-hand", claim(BUBBLE.replace("*sqrt(2)", "")), "wrong number of fields", [(BUBBLE, BUBBLE.replace("*sqrt(2)", ""))]),
     # the space
     ("field-pivot", "field-by-hand", None, "the first point of a vector is of a multiple of the root", [("vector 0.1:1", "vector 0.3:1")]),
+    ("field-pivot-first", "field-by-hand", None, "the first point of a vector is of a multiple of the root",
+     [("vector -1.0:1 0.0:-2 1.0:1", "vector -1.2:1 0.2:-2 1.2:1")]),
     ("field-pivot-twice", "field-by-hand", None, "occurs in another", [("vector 0.1:1", "vector 0.1:1 0.3:1")]),
     ("field-pivot-root", "field-by-hand", None, "occurs in another", [("vector 1.1:1", "vector 1.1:1 0.3:1")]),
     ("field-space-129", "field-by-hand", None, "number outside 1..128", [("space 3", "space 129")]),
@@ -196,14 +202,19 @@ EDITED = [
     ("field-larger-space", "field-by-hand", None, "the differences do not span the space", [("space 3; ", "space 4; vector 2.1:1; ")]),
     ("field-larger-space-exact", "field-exact", None, "the differences do not span the space", [("space 3; ", "space 4; vector 2.1:1; ")]),
     ("field-above-order", "field-by-hand", claim(BUBBLE, "--lower 201/100"), "the lower end is above the order of the differences", []),
+    ("field-order-64", "field-by-hand", None, "not fixed", [("differences 2", "differences 64"), ("values 0.0:1", "values 0.0:1 0.3:1")]),
     ("field-order-65", "field-by-hand", None, "a higher order than the checker allows", [("differences 2", "differences 65")]),
     # blocks
     ("field-sizes", "field-by-hand", None, "the block sizes do not sum to n", [("blocks 1 1 1", "blocks 1 1")]),
     ("field-basis-fields", "field-by-hand", None, "wrong number of fields", [("basis 1 0 0 0 0 0", "basis 1 0 0")]),
     ("field-inverse", "field-turned", None, "basis times inverse is not the unit matrix", [("inverse -1 0 0 1 0 0", "inverse -1 0 0 2 0 0")]),
+    ("field-inverse-twice", "field-by-hand", None, "basis times inverse is not the unit matrix", [("inverse 1 0 0 0 0 0", "inverse 2 0 0 0 0 0")]),
     ("field-inverse-root", "field-by-hand", None, "basis times inverse is not the unit matrix", [("inverse 1 0 0 0 0 0", "inverse 1 0 0 1 0 0")]),
     ("field-below", "field-by-hand", None, "not block upper triangular", [("basis 1 0 0 0 0 0; basis 0 1 0 0 0 0; basis 0 0 1 0 0 0", "basis 0 0 1 0 0 0; basis 0 1 0 0 0 0; basis 1 0 0 0 0 0"),
      ("inverse 1 0 0 0 0 0; inverse 0 1 0 0 0 0; inverse 0 0 1 0 0 0", "inverse 0 0 1 0 0 0; inverse 0 1 0 0 0 0; inverse 1 0 0 0 0 0")]),
+    ("field-below-rational", "field-by-hand", None, "not block upper triangular", [
+        (f"{head} 0 1 0 0 0 0; {head} 0 0 1 0 0 0", f"{head} 0 0 1 0 0 0; {head} 0 1 0 0 0 0") for head in ("basis", "inverse")]),
+    ("field-many-entries", "field-by-hand", claim(MANY_ENTRIES), "expected 'refinable ", []),
     ("field-below-root", "field-by-hand", None, "not block upper triangular", [(UNIT[:-2], BELOW[:-2])]),
     # one component
     ("field-component-whole", "field-component", None, "number outside 0..2", [("unobservable 2", "unobservable 3")]),

@@ -1,4 +1,5 @@
 """Masks that change from level to level (6.5): values that follow from each other, and lists of masks."""
+from fractions import Fraction as Q
 
 CORNER, RANGE = "[w,1-w,1-w,w]", "w=1/100..49/100"
 PROOF = "sum-rules 1; to 49/100; block 0 norm 1; "
@@ -38,8 +39,22 @@ def chosen(name, mask, values, end, lines, arity=2):
 
 MATRICES, CHANGED = [], []
 MOVING = "[1-w,2-w,1+w,w]/2"  # linear data are moved by w
-WIDE = {points: f"[w,w{',0' * (points - 3)},1-w,1-w]" for points in (10, 11)}  # as many points depend on w for each t
+WIDE = {points: f"[w,w{',0' * (points - 3)},1-w,1-w]" for points in (9, 10, 11, 72)}  # as many points depend on w for each t
 FOUR, FOURS = "[-w,0,1/2+w,1,1/2+w,0,-w]", "w=1/32..3/32"
+ONE_SIDED = "[w,3/4,1-w,1/4]"
+SIDES = [Q(x, 10) for x in (11, 9)]
+
+
+def two_vertices(bits=40):
+    """A polytope of (1, 0) and (0, 9/8) for the transposed matrices of that mask, of w from 1/5 to 3/10, sum rules of order 1."""
+    matrices = [[[a, Q(0)], [Q(1, 2), d]] for a in SIDES for d in (Q(2, 5), Q(3, 5))] + [[[Q(1, 2), b], [Q(0), d]] for b, d in zip((Q(2, 5), Q(3, 5)), SIDES)]
+    vertices = [[Q(1), Q(0)], [Q(0), Q(9, 8)]]
+    terms = lambda x: "".join(f" {k}:{round(y / v[k] * 2**bits)}" for k, (y, v) in enumerate(zip(x, vertices)) if y)
+    image = lambda m, v: [sum(a * b for a, b in zip(row, v)) for row in m]
+    return "; ".join([f"block 0 polytope 2 3 {bits}", "vertex 8 0", "vertex 0 9", f"unit 0{terms([1, 0])}", f"unit 1{terms([0, 1])}",
+                      *(f"image {j} {t}{terms(image(m, v))}" for j, v in enumerate(vertices) for t, m in enumerate(matrices))])
+
+
 ACCEPTED = [
     followed("follow-affine", HALF, "0..1", 2, "level 1/10 3/5; level 3/20 2/5; "),
     followed("follow-affine-later", HALF, "0..1", 3, "level 1/10 3/5; level 3/20 2/5; "),
@@ -73,6 +88,7 @@ ACCEPTED = [
     chosen("points-hat", "[1,2,1]/2", FOURS, "1", "sum-rules 2; block 0 norm 1"),
     chosen("points-transposed", CORNER, "w=1/5..3/10", "3/10", "sum-rules 1 transposed; block 0 norm 1"),
     chosen("points-four-transposed", FOUR, FOURS, "7/10", "sum-rules 2 transposed; block 0 norm 2"),
+    chosen("points-transposed-polytope", ONE_SIDED, "w=1/5..3/10", "17/50", f"sum-rules 1 transposed; {two_vertices()}"),
     chosen("points-quotient", "[w,2-w,2-w,w]/(2)", "w=2/5..3/5", "1/2", "sum-rules 1; block 0 norm 2"),
     chosen("points-quotient-negative", "[-w,w-2,w-2,-w]/(-2)", "w=2/5..3/5", "1/2", "sum-rules 1; block 0 norm 2"),
     chosen("points-none", "[1,3,3,1]/4", FOURS, "2", "sum-rules 2; block 0 norm 1"),
@@ -172,6 +188,8 @@ EDITED = [
      [("bounds - -", "bounds - -; exact 2-log|[-2,1]@2,0,1/10|^1/1; root 2 0 0 2 2")]),
     ("points-full", "points-four", None, "expected 'transposed'", [("sum-rules 2", "sum-rules 2 full")]),
     ("points-11-free", "points-corner", each_point(WIDE[11], "w=1/5..3/10", "1/2"), "more choices", [(CORNER, WIDE[11])]),
+    ("points-70-free", "points-corner", each_point(WIDE[72], "w=1/5..3/10", "1/2"), "more choices", [(CORNER, WIDE[72])]),
+    ("points-1024", "points-corner", each_point(WIDE[9], "w=1/5..3/10", "1/2"), "does not prove the claim", [(CORNER, WIDE[9]), ("norm 2", "norm 1")]),
     ("points-2048", "points-corner", each_point(WIDE[10], "w=1/5..3/10", "1/2"), "more choices", [(CORNER, WIDE[10])]),
     ("points-transposed-twice", "points-transposed", None, "fields", [("transposed", "transposed transposed")]),
     ("points-by-columns", "points-corner", None, "does not prove the claim", [("sum-rules 1", "sum-rules 1 transposed")]),

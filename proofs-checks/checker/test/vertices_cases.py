@@ -9,6 +9,15 @@ DOO_SABIN = "dual:{};0,0=1/4@0,0,0|3/4@0,0~0|1/4@0,0~1"
 MIDEDGE = "dual:{};0,0=1/2@0,0,0|1/4@0,0,1|1/4@0,0,-1"
 OWN = ";1,0=3/8@0,0,0|3/8@1,0,0|1/16@1,1,0|1/16@1,0,1|1/16@1,1,-1|1/16@1,0,-1"  # that of the mask itself
 FACE = ";1,1=1/4@0,0,0|1/4@1,0,0|1/4@1,1,0|1/4@1,0,1"
+# Next to a corner whose data are c z, (1,1) stays in the line, (1,0) and (0,1) are on those of the next sector: no number is rounded
+STRAIGHT = ";1,0=3/4@0,0,0|1/4@0,0,-1;0,1=3/4@0,0,0|1/4@0,0,1;1,1=3/4@0,0,0|1/4@1,1,0"
+EXACT = "dual:13+;0,0=1/4@0,0,0|3/4@0,0~0|1/4@0,0~1" + STRAIGHT
+NEAR_1 = MIDEDGE.format("100+") + STRAIGHT.replace("1,1=3/4@0,0,0|1/4@1,1,0", "1,1=1/2@1,0,0|1/2@0,1,0")  # lambda = (1 + c)/2
+ON_LINE = {"points": "0,0 1,1"}
+# The plane of x + y w in each sector, with lambda = 1/2 for all n; the constants have 1/2 + (1 - c)/8 - 5/16 nu
+PLANE = ("quads:16+;0,0=1@0,0,0|-5/16/n@0,0,0|5/16/n@1,0~0;1,0=1/2-1/8*c@1,0,0|1/16@1,0,1|1/16@1,0,-1|3/8+1/8*c@0,0,0;"
+         "2,0=1@1,0,0;1,1=1/2@1,0,0|1/2@1,0,1;2,1=1@1,0,0|1/2@1,0,1|-1/2@0,0,0;1,2=1/2@1,0,0|1@1,0,1|-1/2@0,0,0;2,2=1@1,0,0|1@1,0,1|-1@0,0,0")
+ON_AXIS = {"points": "0,0 1,0", "start": "1/2"}
 BENT = "dual:30+;0,0=1-1/2*c@0,0,0|1/4*c@0,0,1|1/4*c@0,0,-1"  # lambda = 1 - c/2 + c^2/2
 POINTS = {"loop": "0,0 1,0 1,1 2,0", "catmull-clark": "0,0 1,0 1,1 1,2 2,0 2,1 2,2", "doo-sabin": "0,0 0,1 1,0 1,1", "midedge": "0,0 0,1 1,0"}
 STARTS = {"loop": "5/8", "catmull-clark": "2/3", "doo-sabin": "1/2", "midedge": "1"}
@@ -33,6 +42,10 @@ ACCEPTED = [
     ("doo-sabin-vertices-7", "doo-sabin", DOO_SABIN.format("7+"), {}),
     ("doo-sabin-vertices-named", "doo-sabin", DOO_SABIN.format("20+") + "|1/9@0,0~2|1/8@0,0~8", {}),
     ("midedge-vertices", "midedge", MIDEDGE.format("100+"), {"halvings": 7}),
+    ("vertices-exact", "doo-sabin", EXACT, ON_LINE),
+    ("vertices-exact-named", "doo-sabin", EXACT + "|-5/8@1,1~2", ON_LINE),
+    ("vertices-exact-near-1", "midedge", NEAR_1, {"points": "0,0"}),
+    ("vertices-plane", "catmull-clark", PLANE, ON_AXIS),
     ("vertices-free", "doo-sabin", DOO_SABIN.format("40+").replace("1/4@0,0~1", "73/100@0,0~1"), {"start": "49/50"}),
 ]
 
@@ -62,6 +75,9 @@ def rejected():
     # rules that are not C^1, or not for all: a named frequency leads, all others, the constants, none of frequency 1
     yield case("vertices-named-leads", "doo-sabin", ds.replace("1/4@0,0~1", "1/5@0,0~1") + "|3/10@0,0~2", open_rest)
     yield case("vertices-named-equal", "doo-sabin", ds + "|1/4@0,0~3", open_rest)
+    yield case("vertices-named-exactly", "doo-sabin", EXACT.replace("0~1", "0~1|1/4@0,0~2"), open_rest, **ON_LINE)
+    yield case("vertices-others-equal", "doo-sabin", EXACT.replace("1/4@0,0,0|3/4@0,0~0|1/4@0,0~1", "1/2@0,0,0|1/2@0,0~0"), open_rest, **ON_LINE)
+    yield case("vertices-constants-as-fast", "catmull-clark", PLANE, open_rest, **ON_AXIS, halvings=0)
     yield case("vertices-others-lead", "doo-sabin", ds.replace("1/4@0,0,0|3/4@", "3/5@0,0,0|2/5@").replace("1/4@0,0~1", "-1/10@0,0~1"), open_rest)
     yield case("vertices-constants-lead", "loop", loop.replace("33/64+3/16*c+1/16*c^2", "101/100").replace("31/64-3/16*c-1/16*c^2", "-1/100"), open_rest)
     yield case("vertices-constants-grow", "catmull-clark", clark.replace("-7/4/n", "7/4/n").replace("3/2/n", "-3/2/n").replace("1/4/n", "-1/4/n"), open_rest)

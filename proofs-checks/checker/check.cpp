@@ -460,8 +460,7 @@ class Checker {
   std::vector<FieldFamily> field_blocks_;     // their blocks,
   Rationals entry_errors_;                    // the errors of these,
   const FieldFamily* field_block_ = nullptr;  // and the block of the section, if it is not rational
-  // What is to be shown: lower <= JSR^root <= upper (`strict`: <); and JSR^root > above, where there is a lower
-  // end.
+  // What is to be shown: lower <= JSR^root <= upper (`strict`: <); JSR^root > above, where there is a lower end.
   std::optional<mpq_class> lower_, upper_;
   bool strict_;
   mpq_class above_ = 0;

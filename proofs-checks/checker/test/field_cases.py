@@ -5,6 +5,7 @@ from fractions import Fraction as Q
 BUBBLE = "[[[2,0],[0,0]],[[4,0],[0,2*sqrt(2)]],[[2,0],[4,2*sqrt(2)]]]/4@-1"  # SPEC.md, 5.13: exponent 1/2
 # that and its conjugate beside it, which is rougher: 1 + sqrt(2) and 1 - sqrt(2) over 4
 CONJUGATE = "[[[2,0],[0,0]],[[4,0],[0,-1+sqrt(2)]],[[2,0],[4,-1+sqrt(2)]]]/4@-1"
+SWAPPED = "[[[0,0],[0,2]],[[2*sqrt(2),0],[0,4]],[[2*sqrt(2),4],[0,2]]]/4@-1"  # the hat function is the second one
 SPACE = "differences 2; digits 0 1; values 0.0:1; space 3; vector 0.1:1; vector 1.1:1; vector -1.0:1 0.0:-2 1.0:1; "
 UNIT = ("blocks 1 1 1; basis 1 0 0 0 0 0; basis 0 1 0 0 0 0; basis 0 0 1 0 0 0; inverse 1 0 0 0 0 0; inverse 0 1 0 0 0 0; "
         "inverse 0 0 1 0 0 0; ")
@@ -113,10 +114,14 @@ ACCEPTED = [
     accepted("field-turned", BUBBLE, BOUNDS, SPACE + TURNED + PRODUCT + NORMS),
     accepted("field-two", BUBBLE, "499/1000 5001/10000", SPACE + TWO + "product 0 7071/10000 0 1; block 0 norm 1; block 1 norm 1; end"),
     accepted("field-whole", BUBBLE, "1/5", SPACE + "block 0 norm 12; end"),
+    # for a lower end the space may be a larger one
+    accepted("field-larger-space-lower", BUBBLE, "1/10", SPACE.replace("space 3; ", "space 4; vector 2.1:1; ") + "block 0 norm 12; end"),
     # a multiple of the values; the root of another number, in another form
     accepted("field-multiple", BUBBLE, BOUNDS, SPACE.replace("values 0.0:1", "values 0.0:1 0.2:-3") + UNIT + PRODUCT + NORMS),
     accepted("field-other-form", BUBBLE.replace("2*sqrt(2)", "1/2*sqrt(8)+1-1+3/2*sqrt(8)-sqrt(8)"), BOUNDS, SPACE + UNIT + PRODUCT + NORMS),
     accepted("field-values-root", BUBBLE, BOUNDS, SPACE.replace("values 0.0:1", "values 0.2:1") + UNIT + PRODUCT + NORMS),
+    accepted("field-swapped", SWAPPED, BOUNDS, SPACE.replace("values 0.0", "values 0.1").replace("vector 0.1", "vector 0.0")
+             .replace("vector 1.1", "vector 1.0").replace("-1.0:1 0.0:-2 1.0:1", "-1.1:1 0.1:-2 1.1:1") + UNIT + PRODUCT + NORMS),
     # the limit of the root
     accepted("field-root-large", BUBBLE.replace("2*sqrt(2)", "1/12500*sqrt(1000000000)"), "66/100 67/100", SPACE + UNIT + "product 0 632/1000 0 0; " + NORMS),
     # the conjugate would have the radius 0.6; the last block is rational
@@ -274,6 +279,7 @@ def rejected_by(tools):
     options, lines = word_case(tools, FLIP, [0, 1], [(0, "f", [1])], "18111/25000", symmetric=True)
     near = [[[f"{3 * NEAR}/{ONE}" if x == (0, 3) else str(x) for x in row] for row in m] for m in FLIP]
     mask = options[1].replace("[8,3*sqrt(2),3]", f"[8,{near[1][1][0]},3]")
-    yield "field-nearly-symmetric", ([options[0], mask, *options[2:]], [lines[0], f"refinable {mask} [2]", *lines[2:]]), "the family is not symmetric"
+    for name, other in (("nearly", mask), ("not", options[1].replace("[8,3*sqrt(2),3]", "[8,3*sqrt(2),4]"))):
+        yield f"field-{name}-symmetric", ([options[0], other, *options[2:]], [lines[0], f"refinable {other} [2]", *lines[2:]]), "the family is not symmetric"
     options, lines = beside_hat(tools, 2, 8, [[[(0, 4), 1], [0, 1]], [[2, 1], [1, 1]]], [0], [(0, "-", [0], [0, 1, 0, 0])], [-1, 0, 2], "7/10", "1/10")
     yield "field-other-seed", (options, lines), "the polynomial of the cycle does not vanish on the seed"

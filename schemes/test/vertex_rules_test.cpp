@@ -175,7 +175,8 @@ TEST_CASE("rows are the expressions that they are the values of") {
     check_equal(weights_of(rules_at(row, n), centre), weights_of(vertex_rules("doo-sabin", n), centre));
     CHECK_THROWS_AS(rule_family(row), Error);
     // Equal weights have one form.
-    for (const SectorTerm& term : rules_at(row, n).rules.at(centre).terms)
+    const SectorRules made = rules_at(row, n);
+    for (const SectorTerm& term : made.rules.at(centre).terms)
       CHECK(term.weight == CosineField(n).number(term.weight).polynomial());
   }
 }

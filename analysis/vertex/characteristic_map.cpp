@@ -6,7 +6,6 @@
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 
 #include <algorithm>
-#include <deque>
 #include <set>
 
 namespace subcert::vertex {
@@ -345,16 +344,34 @@ MapProof CharacteristicMap::prove(int most_levels) const {
 
 bool CharacteristicMap::winds(int most_levels) const {
   if (!forms_.values.bound || !is_plane_on_ring()) return false;
+  const long r = radius(), m = rules_.mask.arity();
   // Along the squares of one radius: those of the ring with x = m r - 1, and their mirror images.
-  const long x = rules_.mask.arity() * radius() - 1;
-  std::deque<Cell> open;
-  for (long y = 0; y <= x; ++y) open.push_back({x, y, 0});
+  const auto along_side = [&](long x) {
+    std::deque<Cell> cells;
+    for (long y = 0; y <= x; ++y) cells.push_back({x, y, 0});
+    return has_no_zero(std::move(cells), most_levels);
+  };
+  if (along_side(m * r - 1)) return true;
+  if (block_.frequency() != 0) return false;
+  // A real map may have zeros along some curves: others of the ring, and those with x + y = s.
+  for (long x = r; x + 1 < m * r; ++x)
+    if (along_side(x)) return true;
+  for (long s = 2 * r + 1; s <= 2 * m * r; ++s) {
+    std::deque<Cell> cells;
+    for (long y = 0; 2 * y <= s - 1; ++y) cells.push_back({s - 1 - y, y, 0});
+    if (has_no_zero(std::move(cells), 0)) return true;
+  }
+  return false;
+}
+
+bool CharacteristicMap::has_no_zero(std::deque<Cell> open, int most_levels) const {
   while (!open.empty()) {
     const Cell cell = open.front();
     open.pop_front();
     // Some linear form of F keeps its sign: that of the values at the corner.
     const Point at = data_at({cell.x, cell.y});
-    const Rational a(at.x.middle()), b(at.y.middle());
+    Rational a(at.x.middle()), b(at.y.middle());
+    if (block_.frequency() == 0) a = b = a + b;  // w is 1, and F real
     if (is_positive(values_on(cell, a, b))) continue;
     if (cell.level == most_levels) return false;
     for (const Cell& child : children(cell)) open.push_back(child);

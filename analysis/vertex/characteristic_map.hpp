@@ -7,6 +7,7 @@
 #include "sector_block.hpp"
 
 #include <array>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -70,6 +71,7 @@ class CharacteristicMap {
   /// Cuts squares up to `most_levels` times. Domain: frequency 1.
   MapProof prove(int most_levels) const;
   /// Whether F has no zero on some closed curve around the vertex: then it winds around 0 as often as k modulo n.
+  /// Domain: also frequency 0, with a real eigenvalue other than 0.
   bool winds(int most_levels) const;
 
  private:
@@ -94,6 +96,7 @@ class CharacteristicMap {
   bool is_plane_on_ring() const;
   std::vector<Cell> ring() const;
   std::vector<Cell> children(const Cell& cell) const;
+  bool has_no_zero(std::deque<Cell> open, int most_levels) const;
   Truth sign_of_jacobian(const Cell& cell) const;
   Truth jacobian_by_hulls(const Cell& cell) const;
   /// The data of a form, or the differences along an axis that its derivative is a function of.

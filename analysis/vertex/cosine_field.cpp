@@ -2,6 +2,7 @@
 
 #include <subcert/analysis/symbol/polynomials/complex_roots.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace subcert::vertex {
@@ -27,9 +28,18 @@ FieldPolynomial reduced(FieldPolynomial a, const FieldPolynomial& b, FieldPolyno
 
 }  // namespace
 
-Ball BallField::number(const LaurentPolynomial& p) const {
+Ball BallField::in_cosine(const LaurentPolynomial& p, long from, long to) const {
   Ball value(0, bits());
-  for (long k = p.is_zero() ? -1 : p.highest(); k >= 0; --k) value = value * first_ + Ball(p.coefficient(k), bits());
+  for (long k = to; k >= from; --k) value = value * first_ + Ball(p.coefficient(k), bits());
+  return value;
+}
+
+Ball BallField::number(const LaurentPolynomial& p) const {
+  const long highest = p.is_zero() ? -1 : p.highest();
+  if (!letter_) return in_cosine(p, 0, highest);
+  Ball value(0, bits());
+  for (long power = highest / letter_stride; power >= 0; --power)
+    value = value * *letter_ + in_cosine(p, power * letter_stride, std::min(highest, (power + 1) * letter_stride - 1));
   return value;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Balls with cos(2 pi/n), and polynomials over the field of that number. For sources.
 
+#include <subcert/analysis/symbol/masks/sector_rules.hpp>
 #include <subcert/analysis/symbol/numbers/balls.hpp>
 #include <subcert/analysis/symbol/polynomials/cosine_field.hpp>
 
@@ -14,10 +15,12 @@ class BallField {
  public:
   using Number = Ball;
   BallField(long valence, slong bits) : BallField(Ball(Rational(Integer(1), Integer(valence)), bits)) {}
+  /// With the powers of a letter, those of c^letter_stride in the weights of rules.
+  BallField(long valence, const Ball& letter) : BallField(valence, letter.bits()) { letter_ = letter; }
   /// For all 1/n in a ball.
   explicit BallField(const Ball& over_valence) : over_valence_(over_valence), first_(cosine_of(1)) {}
 
-  /// A polynomial in c = cos(2 pi/n).
+  /// A polynomial in c = cos(2 pi/n), and in the letter.
   Ball number(const LaurentPolynomial& p) const;
   Ball number(long value) const { return {value, bits()}; }
   /// cos(2 pi k/n).
@@ -26,7 +29,9 @@ class BallField {
 
  private:
   Ball cosine_of(long k) const { return cos(Ball::pi(bits()) * over_valence_ * (2 * k)); }
+  Ball in_cosine(const LaurentPolynomial& p, long from, long to) const;
   Ball over_valence_, first_;
+  std::optional<Ball> letter_ = std::nullopt;
 };
 
 /// Polynomials over the field, the lowest coefficient first. Canonical: the last coefficient is not zero.

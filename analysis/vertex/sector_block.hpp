@@ -106,6 +106,7 @@ class SectorBlock {
     return sum;
   }
 
+  long frequency() const { return frequency_; }
   const Number& twice_cosine() const { return twice_cosine_; }
 
  private:

@@ -1,4 +1,6 @@
-// subcert vertex SCHEME --valence 3..12 | --all-valences [--certificate DIR] [--stencils] [--stencils-header FILE]
+// subcert vertex SCHEME|FILE.toml --valence 3..12 | --all-valences [--certificate DIR] [--stencils]
+// [--stencils-header FILE]
+// subcert vertex FILE.toml --over b=LOW..HIGH [--property C1|bounded-curvature] [--width 1e-6] [--valence 3..12]
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -6,11 +8,15 @@
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/number_list.hpp>
+#include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/reports/facts/vertex_facts.hpp>
+#include <subcert/reports/facts/weight_facts.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace subcert::cli {
 namespace {
@@ -24,10 +30,14 @@ struct VertexOptions : SearchOptions {
   bool all = false, stencils = false;
   std::string header;
   std::string certificate;
+  std::string over;
+  std::string property = facts::property_text(WeightProperty::c1);
+  std::string width = "1e-6";
 };
 
 /// One for each valence where smoothness is proved by what certificates can say, and one for all that follow.
-WrittenCertificates write_certificates_of(const VertexOptions& options, const std::vector<SectorRules>& rules,
+WrittenCertificates write_certificates_of(const VertexOptions& options, const VertexScheme& scheme,
+                                          const std::vector<SectorRules>& rules,
                                           const std::vector<VertexSmoothness>& valences,
                                           const std::optional<EveryValence>& rest, Json& json) {
   std::vector<NamedCertificate> certificates;
@@ -39,29 +49,79 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
         {fmt::format("{:04}-{}", valence, end), vertex_certificate(of, *regularity->surface, smoothness)});
   };
   for (std::size_t i = 0; i < rules.size(); ++i) add(valences[i].valence, "vertex", rules[i], valences[i]);
-  if (rest && rest->evidence) add(rest->first, "vertices", vertex_rule_family(options.scheme), *rest);
+  if (rest && rest->evidence) add(rest->first, "vertices", scheme.family(), *rest);
   return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
                             "what is not proved, or not by hulls of differences", json);
 }
 
-ExitCode run(const VertexOptions& options) {
-  if (options.all && options.valence != usual_valences)
-    fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
-  const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
-  const Scheme scheme = make_linear_scheme(options.scheme);
+/// A scheme by its name, or rules that a file says.
+VertexScheme scheme_of(const std::string& text) {
+  if (text.ends_with(".toml")) return read_vertex_rules(read_input(text), text);
+  const Scheme scheme = make_linear_scheme(text);
   if (!has_vertex_rules(scheme))
     fail(ErrorKind::usage, "{}: has no rules at vertices; these have: {}", scheme.specification,
          fmt::join(schemes_with_vertex_rules(), ", "));
+  return VertexScheme::named(scheme.specification);
+}
+
+WeightProperty property_of(const std::string& text) {
+  for (const WeightProperty property : {WeightProperty::c1, WeightProperty::bounded_curvature})
+    if (text == facts::property_text(property)) return property;
+  fail(ErrorKind::usage, "--property: expected C1 or bounded-curvature, got {}", in_quotes(text));
+}
+
+/// For which values of a letter.
+ExitCode run_over(const VertexOptions& options) {
+  if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty())
+    fail(ErrorKind::usage, "--over: need no --all-valences, --stencils, --stencils-header or --certificate beside it");
+  const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
+  const WeightProperty property = property_of(options.property);
+  const auto width = parse_number(options.width);
+  if (!width || !(*width > 0))
+    fail(ErrorKind::usage, "--width: expected a positive number, as 1e-6, got {}", in_quotes(options.width));
+  const VertexScheme scheme = scheme_of(options.scheme);
+  if (!scheme.written || !scheme.written->letter)
+    fail(ErrorKind::usage, "--over: need rules with a letter, a file with letter = \"b\", got {}",
+         scheme.specification);
+  const auto [low, high] = read_over(options.over, std::string(1, scheme.written->letter->name));
+  options.progress("the regular part");
+  const Budget budget = options.limits();
+  std::vector<SectorRules> rules;
+  for (const int n : numbers) rules.push_back(rules_with_letter(*scheme.written, n));
+  const RegularPart regular = regular_part(rules.front(), budget);
+  std::vector<WeightRange> ranges;
+  for (const SectorRules& at : rules) {
+    options.progress(fmt::format("valence {}", at.valence));
+    ranges.push_back(weight_range(at, regular, property, low, high, *width, budget));
+  }
+  options.end_progress();
+  const Facts list = facts::weight_facts(scheme, regular, property, ranges);
+  options.answer(page_json(list), page_text(list, 14));
+  return exit_code(std::ranges::all_of(ranges, facts::is_decided) ? Truth::yes : Truth::unknown,
+                   !budget.deadline.expired());
+}
+
+ExitCode run(const VertexOptions& options) {
+  if (!options.over.empty()) return run_over(options);
+  if (options.all && options.valence != usual_valences)
+    fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
+  std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
+  const VertexScheme scheme = scheme_of(options.scheme);
+  std::optional<SectorRuleFamily> family;
+  if (options.all) {
+    family = scheme.family();
+    for (int n = first_of_all; n < family->least; ++n) numbers.push_back(n);
+  }
   if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("the regular part");
-  const std::vector<SectorRules> rules = vertex_rules(scheme.specification, numbers);
+  const std::vector<SectorRules> rules = scheme.at(numbers);
   const RegularPart regular = regular_part(rules.front(), options.limits());
   options.progress("eigenvalues and characteristic maps");
   const std::vector<VertexSmoothness> valences = vertex_smoothness(rules, regular, options.threads());
   std::optional<EveryValence> rest;
-  if (options.all) {
-    options.progress(fmt::format("all valences from {} on", first_of_all));
-    rest = every_valence(vertex_rule_family(scheme.specification), regular, first_of_all, options.limits());
+  if (family) {
+    options.progress(fmt::format("all valences from {} on", numbers.back() + 1));
+    rest = every_valence(*family, regular, numbers.back() + 1, options.limits());
   }
   std::vector<StencilsAt> stencils;
   if (options.stencils || !options.header.empty())
@@ -72,7 +132,7 @@ ExitCode run(const VertexOptions& options) {
                                   options.stencils ? stencils : std::vector<StencilsAt>{});
   Json json = page_json(list);
   WrittenCertificates written;
-  if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, rest, json);
+  if (!options.certificate.empty()) written = write_certificates_of(options, scheme, rules, valences, rest, json);
   options.end_progress();
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();
@@ -93,14 +153,21 @@ void add_vertex(Command& app) {
   command.flag("--stencils", options->stencils, "What each datum counts in the limit point and in two tangents");
   command.option("--stencils-header", options->header, "Write them as a header of C");
   command.option("--certificate", options->certificate, "Write certificates for 'subcert verify' into this folder");
+  command.option("--over", options->over, "For which values of the letter of a file: b=LOW..HIGH");
+  command.option("--property", options->property, "With --over: C1 or bounded-curvature").with_default();
+  command.option("--width", options->width, "With --over: of what is left open about an end")
+      .exact_number()
+      .with_default();
   add_limits(command, *options);
   std::string known;
   for (const std::string& name : schemes_with_vertex_rules()) known += " " + name;
-  command.option("SCHEME", options->scheme, "Scheme specification").required().suggest([] {
-    std::vector<Suggestion> words;
-    for (const std::string& name : schemes_with_vertex_rules()) words.push_back({name, ""});
-    return words;
-  });
+  command.option("SCHEME", options->scheme, "Scheme specification, or a file with rules, FILE.toml")
+      .required()
+      .suggest([] {
+        std::vector<Suggestion> words;
+        for (const std::string& name : schemes_with_vertex_rules()) words.push_back({name, ""});
+        return words;
+      });
   command.add_to_footer("\n\nSchemes with rules at vertices:" + known);
 }
 

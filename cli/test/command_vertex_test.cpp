@@ -1,5 +1,6 @@
 #include "program.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -58,6 +59,122 @@ TEST_CASE("vertex: stencils in JSON, and as a header that a compiler of C takes"
   CHECK(text.find("static const double loop_6_limit[7] = {\n  0.5,  /* 1/2 */") != std::string::npos);
   CHECK(text.find("0.8660254037844386,  /* s*(1) */") != std::string::npos);
   CHECK(std::system(("cc -std=c99 -Wall -Werror -Wno-unused -x c -fsyntax-only " + header).c_str()) == 0);
+}
+
+TEST_CASE("vertex: rules that a file says") {
+  const Folder folder;
+  const std::string examples = std::string(SUBCERT_DOCS) + "/examples/vertices/";
+  const auto warren = run_json("vertex " + examples + "warren.toml --all-valences");
+  CHECK(warren.at("all") == "yes");
+  CHECK(warren.at("rest").at("first") == 13);
+  CHECK(has_digits(warren.at("valences")[0].at("exponent"), "lower", "1.5"));
+  for (const char* name : {"doo-sabin", "catmull-clark"}) {
+    const std::string place = folder / name;
+    CHECK(run_json("vertex " + examples + name + ".toml --all-valences --certificate " + place).at("certificates") ==
+          11);
+    CHECK(run("verify " + place).code == 0);
+  }
+  // The scheme itself, written down.
+  const std::string own = folder / "own.toml";
+  std::ofstream(own)
+      << "scheme = \"loop\"\nletter = \"b\"\nvalue = \"3/8\"\n[[rule]]\nweights = {vertex = \"b + (b + c/4)^2\", "
+         "neighbours = \"(1 - b - (b + c/4)^2)/n\"}\n";
+  CHECK(run_json("vertex " + own + " --valence 3..12 --stencils").at("valences") ==
+        run_json("vertex loop --valence 3..12 --stencils").at("valences"));
+  // Kept from the tensor product, whose lattice is said.
+  const std::string quads = folder / "quads.toml";
+  std::ofstream(quads) << "scheme = \"tensor:(bspline:degree=3)x(bspline:degree=3)\"\nlattice = \"quads\"\n[[rule]]\n"
+                          "weights = {vertex = \"1-7/(4*n)\", neighbours = \"3/2/n^2\", across = \"1/4/n^2\"}\n";
+  CHECK(run_json("vertex " + quads + " --valence 3..5").at("valences") ==
+        run_json("vertex catmull-clark --valence 3..5").at("valences"));
+}
+
+TEST_CASE("vertex: files that are no rules get one line with file, line and key") {
+  const Folder folder;
+  const std::string file = folder / "rules.toml";
+  const std::string weights = "weights = {vertex = \"5/8\", neighbours = \"3/(8*n)\"}";
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {"[[rule]]\nweights = {vertex = \"1/2\", neighbours = \"1/2\"}",
+       "line 3, column 11, 'weights': the weights at valence 3 sum to 2; need 1"},
+      {"[[rule]]\nweights = {vertex = \"1/2\", neighbours = \"x/(2*n)\"}",
+       "line 3, column 41, 'neighbours': 'x/(2*n)': 'x'; expected exact numbers, c, C, n, +, -, *, /, ^ and "
+       "parentheses"},
+      {"[[rule]]\nweights = {vertex = \"1/2\", neighbours = [\"1/4\", \"1/4\"]}",
+       "line 3, column 41, 'neighbours': a row of 2 weights; need 3, one for each sector"},
+      {"[[rule]]\nvalence = 4\n" + weights,
+       "line 4, column 11, 'weights': no rule of the point (0,0) is one for valence 3"},
+      {"[[rule]]\nvalence = \"2..\"\n" + weights, "line 3, column 11: '2..' is no valence"},
+      {"[[rule]]\n" + weights + "\n[[rule]]\nvalence = 5\n" + weights, "two rules of the point (0,0) at valence 5"},
+      {"[[rule]]\nweights = {vertex = 0.5, neighbours = \"1/(2*n)\"}",
+       "expected a whole number or an exact expression"},
+      {"[[rule]]\nweights = {corner = \"1\"}", "line 3, column 21: 'corner' names no data"},
+      {"[[rule]]\nweights = {\"-1,0\" = \"1\"}", "'-1,0' names no data"},
+      {"[[rule]]\nweights = {vertex = \"1 - 1/(1+2*c)\", neighbours = \"1/(1+2*c)/n\"}",
+       "a quotient by 0 at valence 3"},
+      {"[[rule]]\nweights = {vertex = \"1/\"}", "'1/'"},
+      {"[[rule]]\npoint = \"middle\"\n" + weights, "'middle' is no new point of a sector"},
+      {"[[rule]]\nvalence = 3", "expected the table 'weights'"},
+      {"", "no rules; expected tables [[rule]]"},
+      {"letter = \"n\"\n[[rule]]\n" + weights, "'letter' takes one letter other than c, C and n"},
+      {"[[rule]]\nweigths = 1", "unknown key 'weigths'"},
+      {"[[rule]", "not TOML"}};
+  for (const auto& [text, expected] : faults) {
+    CAPTURE(text);
+    std::ofstream(file) << "scheme = \"loop\"\n" << text << "\n";
+    const Run answer = run("vertex " + file + " --valence 3");
+    CHECK(answer.code == 65);
+    CHECK(answer.out.empty());
+    CHECK(answer.err.find("subcert: " + file + ", ") == 0);
+    CHECK(answer.err.find(expected) != std::string::npos);
+    CHECK(std::count(answer.err.begin(), answer.err.end(), '\n') == 1);
+  }
+  for (const char* scheme : {"sqrt3", "quincunx", "primal:n=2", "nothing"}) {
+    std::ofstream(file) << "scheme = \"" << scheme << "\"\n[[rule]]\n" << weights << "\n";
+    CHECK(run("vertex " + file).code == 65);
+  }
+  std::ofstream(file) << "scheme = \"loop\"\n[[rule]]\nvalence = \"3..5\"\n" << weights << "\n";
+  CHECK(run("vertex " + file + " --all-valences").code == 65);
+  CHECK(run("vertex " + (folder / "missing.toml")).code == 66);
+}
+
+TEST_CASE("vertex: for which values of a weight") {
+  const std::string examples = std::string(SUBCERT_DOCS) + "/examples/vertices/";
+  const std::string loop = "vertex " + examples + "loop-weight.toml --over b=0..4/5";
+  // lambda is 1/4, 3/8 for n = 3, 4, and 5/8 - b the eigenvalue of the vertex.
+  const auto c1 = run_json(loop + " --valence 3,4");
+  for (const auto& [index, value] : {std::pair<std::size_t, const char*>{0, "3/8"}, {1, "1/4"}}) {
+    const auto& at = c1.at("ranges")[index];
+    CAPTURE(value);
+    REQUIRE(at.at("pieces").size() == 3);
+    CHECK(at.at("pieces")[0].at("verdict") == "refuted");
+    CHECK(at.at("pieces")[2].at("verdict") == "proved");
+    REQUIRE(at.at("ends").size() == 1);
+    CHECK(at.at("ends")[0].at("value") == value);
+    CHECK(at.at("ends")[0].at("verdict") == "undecided");
+  }
+  // 3/8 + c/4 for n = 5.
+  const auto five = run_json(loop + " --valence 5").at("ranges")[0];
+  CHECK(five.at("ends")[0].at("value") == "1/4 - 1/4*c");
+  // |5/8 - b| <= 9/64.
+  const auto curved = run_json("vertex " + examples +
+                               "loop-weight.toml --over b=3/10..4/5 --valence 4 --property bounded-curvature")
+                          .at("ranges")[0];
+  REQUIRE(curved.at("ends").size() == 2);
+  CHECK(curved.at("ends")[0].at("value") == "31/64");
+  CHECK(curved.at("ends")[1].at("value") == "49/64");
+  CHECK(curved.at("ends")[0].at("verdict") == "proved");
+  CHECK(curved.at("pieces")[2].at("verdict") == "proved");
+  const auto dual = run_json("vertex " + examples +
+                             "doo-sabin-eigenvalue.toml --over b=2/5..4/5 --valence 5 --property bounded-curvature");
+  CHECK(dual.at("ranges")[0].at("ends")[0].at("value") == "1/2");
+  for (const std::string& words : std::vector<std::string>{
+           "loop --over b=0..1", loop.substr(7) + " --all-valences", loop.substr(7) + " --property C2",
+           loop.substr(7) + " --width 0", examples + "loop-weight.toml --over w=0..1",
+           examples + "loop-weight.toml --over b=1..0", examples + "loop-weight.toml",
+           examples + "warren.toml --over b=0..1"}) {
+    CAPTURE(words);
+    CHECK(run("vertex " + words).code == 64);
+  }
 }
 
 TEST_CASE("vertex: what is open for good, and wrong words") {

@@ -23,6 +23,7 @@ jsonschema.Draft202012Validator.check_schema(schema)
 FILES = {
     "p.toml": '[[scheme]]\nmask = "chaikin"\nsmoothness = ">= 1"\nholder = ">= 3"\n\n[[scheme]]\nmask = "mask:[-1,0,3,3,0,-1]/2"\n'
               "stable = true\n",
+    "w.toml": 'scheme = "loop"\nletter = "b"\n[[rule]]\nweights = {vertex = "1-b", neighbours = "b/n"}\n',
     "l.toml": 'masks = ["dd:n=2", "bspline:degree=3"]\n',
     "j.json": '{"matrices": [[["1/2","0"],["1","3"]], [["1","0"],["0","1/7"]]]}',
     "d.csv": "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(40)),
@@ -53,6 +54,7 @@ atlas mask:[1,0,0,1] --atlas a.sqlite
 atlas quincunx --atlas a.sqlite
 vertex loop --valence 3..5
 vertex butterfly --valence 3,7,8
+vertex w.toml --over b=1/5..1/2 --valence 3,4
 range four-point:w --over w=-1..1 --property C1
 range mask:[w,1/2,1/2-w,1/2-w,1/2,w] --over w=0..1 --property convergent --budget 0.5
 curve four-point:w --over w=-1..1 --pieces 20

@@ -13,7 +13,7 @@ std::vector<int> valences_of(const std::string& text) {
 }
 
 Decision smooth_at_vertices(const Scheme& scheme, const Expectation& expectation, const SearchLimits& limits) {
-  const std::vector<SectorRules> rules = vertex_rules(scheme.specification, valences_of(expectation.word));
+  const std::vector<SectorRules> rules = VertexScheme::named(scheme.specification).at(valences_of(expectation.word));
   const RegularPart regular = regular_part(rules.front(), limits.budget());
   if (!regular.c1.is_yes()) return {regular.c1.truth, "away from vertices: " + regular.c1.reason};
   Decision answer{Truth::yes, fmt::format("C1 at valences {}", expectation.word)};

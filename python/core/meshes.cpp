@@ -4,6 +4,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
+#include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/reports/facts/stencil_facts.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
@@ -56,20 +57,24 @@ py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, co
                         indices_of(counts));
 }
 
+VertexScheme vertex_scheme(const Scheme& scheme) {
+  if (!has_vertex_rules(scheme)) fail(ErrorKind::domain, "{} has no rules at vertices", scheme.specification);
+  return VertexScheme::named(scheme.specification);
+}
+
 template <class Valences>
-void require_valences(const Scheme& scheme, const char* asked, const Valences& valences, long least) {
-  if (!has_vertex_rules(scheme))
-    fail(ErrorKind::domain, "{}: {} has no rules at vertices", asked, scheme.specification);
+void require_valences(const char* asked, const Valences& valences, long least) {
   for (const auto n : valences)
     if (n < least || n > largest_valence)
       fail(ErrorKind::domain, "{}: need valences from {} to {}, got {}", asked, least, largest_valence, n);
 }
 
 /// For each valence what is proved there.
-py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double seconds, const py::object& progress) {
-  require_valences(scheme, "vertices", valences, smallest_valence);
+py::list vertices(const VertexScheme& scheme, const std::vector<int>& valences, double seconds,
+                  const py::object& progress) {
+  require_valences("vertices", valences, smallest_valence);
   const auto found = interruptible(progress, [&] {
-    const std::vector<SectorRules> rules = vertex_rules(scheme.specification, valences);
+    const std::vector<SectorRules> rules = scheme.at(valences);
     if (rules.empty()) return std::vector<VertexSmoothness>{};
     return vertex_smoothness(rules, regular_part(rules.front(), {Deadline::in(seconds)}), all_cores());
   });
@@ -85,10 +90,9 @@ py::list vertices(const Scheme& scheme, const std::vector<int>& valences, double
   return result;
 }
 
-py::tuple every_valence_of(const Scheme& scheme, long first, double seconds, const py::object& progress) {
-  require_valences(scheme, "every_valence", std::vector<long>{}, smallest_valence);
-  const SectorRuleFamily family = vertex_rule_family(scheme.specification);
-  require_valences(scheme, "every_valence", std::vector<long>{first}, family.least);
+py::tuple every_valence_of(const VertexScheme& scheme, long first, double seconds, const py::object& progress) {
+  const SectorRuleFamily family = scheme.family();
+  require_valences("every_valence", std::vector<long>{first}, family.least);
   const EveryValence found = interruptible(progress, [&] {
     const Budget budget{Deadline::in(seconds)};
     return every_valence(family, regular_part(family.at(first), budget), first, budget);
@@ -99,10 +103,10 @@ py::tuple every_valence_of(const Scheme& scheme, long first, double seconds, con
 }
 
 /// (point, sector, weight, exact weight or None) of the limit and of both tangents.
-py::list stencils_of(const Scheme& scheme, long valence, double seconds, const py::object& progress) {
-  require_valences(scheme, "vertex_stencils", std::vector<long>{valence}, smallest_valence);
+py::list stencils_of(const VertexScheme& scheme, long valence, double seconds, const py::object& progress) {
+  require_valences("vertex_stencils", std::vector<long>{valence}, smallest_valence);
   const VertexStencils found = interruptible(progress, [&] {
-    const SectorRules rules = vertex_rules(scheme.specification, valence);
+    const SectorRules rules = scheme.at(valence);
     return vertex_stencils(rules, vertex_smoothness(rules, regular_part(rules, {Deadline::in(seconds)})));
   });
   py::list result;
@@ -121,6 +125,11 @@ py::list stencils_of(const Scheme& scheme, long valence, double seconds, const p
 }  // namespace
 
 void add_meshes(py::module_& module) {
+  py::class_<VertexScheme>(module, "VertexScheme")
+      .def_readonly("specification", &VertexScheme::specification)
+      .def_readonly("title", &VertexScheme::title);
+  module.def("vertex_scheme", &vertex_scheme);
+  module.def("read_vertex_rules", &read_vertex_rules);
   module.def("refine_mesh", &refine_mesh);
   module.def("vertices", &vertices);
   module.def("every_valence", &every_valence_of);

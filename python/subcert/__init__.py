@@ -79,8 +79,10 @@ from ._vertices import (
     EveryValence,
     StencilWeight,
     Vertex,
+    VertexRules,
     VertexStencils,
     every_valence,
+    vertex_rules,
     vertex_stencils,
     vertices,
 )

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Iterable, Optional, Union
+import os
+from typing import Any, Iterable, Optional, Union
 
 from ._calls import core as _core
 from ._exact import Decision, Enclosure, optional_enclosure
@@ -67,8 +68,52 @@ class EveryValence:
     """Of 1/n, in which it is proved."""
 
 
+class VertexRules:
+    """A tuned scheme: one that is known, with rules at vertices of its own."""
+
+    def __init__(self, handle: Any) -> None:
+        self._handle = handle
+
+    @property
+    def title(self) -> str:
+        """What it is called, and the scheme that it changes."""
+        return str(self._handle.title)
+
+    def __repr__(self) -> str:
+        return f"<{self.title}>"
+
+
+def vertex_rules(text: str) -> VertexRules:
+    """Reads rules at vertices in TOML, the text of what `subcert vertex FILE.toml` takes. Raises DataError, with line
+    and key, for what is no such text.
+
+    >>> import subcert
+    >>> half = subcert.vertex_rules('''
+    ... scheme = "loop"
+    ... [[rule]]
+    ... weights = {vertex = "1/2", neighbours = "1/(2*n)"}
+    ... ''')
+    >>> [str(at.c1.truth) for at in subcert.vertices(half, [3, 7])]
+    ['yes', 'yes']
+    """
+    return VertexRules(_core.read_vertex_rules(text, "rules"))
+
+
+Surface = Union[str, "os.PathLike[str]", Named, MultivariateScheme, VertexRules]
+
+
+def _rules(surface: Surface) -> Any:
+    if isinstance(surface, VertexRules):
+        return surface._handle
+    if isinstance(surface, os.PathLike) or (isinstance(surface, str) and surface.endswith(".toml")):
+        with open(surface, encoding="utf-8") as file:
+            return _core.read_vertex_rules(file.read(), os.fspath(surface))
+    meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
+    return _core.vertex_scheme(meant._handle)
+
+
 def vertices(
-    surface: Union[str, Named, MultivariateScheme],
+    surface: Surface,
     valences: Iterable[int] = range(3, 13),
     *,
     budget: float = 60,
@@ -77,15 +122,14 @@ def vertices(
     """Whether the surfaces of a scheme are smooth at vertices of these valences, 3 to 1000 each, with proof.
 
     `surface`: one with rules at vertices: loop, catmull-clark, doo-sabin, midedge, butterfly, modified-butterfly,
-    sqrt3. `budget`: seconds of processor time, of the part away from vertices. Raises DomainError for other schemes and
-    valences.
+    sqrt3, triangular:, or rules of one's own, by `vertex_rules` or as a file, "FILE.toml". `budget`: seconds of
+    processor time, of the part away from vertices. Raises DomainError for other schemes and valences.
 
     >>> import subcert
     >>> [str(at.c1.truth) for at in subcert.vertices("butterfly:w=1/16", range(4, 9))]
     ['yes', 'yes', 'yes', 'yes', 'no']
     """
-    meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
-    found = _core.vertices(meant._handle, [int(n) for n in valences], budget, progress)
+    found = _core.vertices(_rules(surface), [int(n) for n in valences], budget, progress)
     return [
         Vertex(
             valence,
@@ -101,7 +145,7 @@ def vertices(
 
 
 def every_valence(
-    surface: Union[str, Named, MultivariateScheme],
+    surface: Surface,
     first: int = 13,
     *,
     budget: float = 60,
@@ -115,13 +159,12 @@ def every_valence(
     >>> str(subcert.every_valence("catmull-clark").c1.truth)
     'yes'
     """
-    meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
-    least, c1, open_ranges, intervals = _core.every_valence(meant._handle, int(first), budget, progress)
+    least, c1, open_ranges, intervals = _core.every_valence(_rules(surface), int(first), budget, progress)
     return EveryValence(least, Decision._of(c1), open_ranges, intervals)
 
 
 def vertex_stencils(
-    surface: Union[str, Named, MultivariateScheme], valence: int, *, budget: float = 60, progress: Progress = None
+    surface: Surface, valence: int, *, budget: float = 60, progress: Progress = None
 ) -> VertexStencils:
     """The limit and tangent stencils at vertices of one valence, 3 to 1000.
 
@@ -131,9 +174,8 @@ def vertex_stencils(
     >>> [weight.exact for weight in subcert.vertex_stencils("loop", 6).limit[:2]]
     ['1/2', '1/12']
     """
-    meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
     limit, first, second = (
         [StencilWeight(point, sector, Enclosure._of(weight), exact) for point, sector, weight, exact in stencil]
-        for stencil in _core.vertex_stencils(meant._handle, int(valence), budget, progress)
+        for stencil in _core.vertex_stencils(_rules(surface), int(valence), budget, progress)
     )
     return VertexStencils(limit, (first, second))

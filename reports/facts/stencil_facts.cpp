@@ -87,7 +87,7 @@ Json stencils_json(const VertexStencils& stencils) {
           {"tangents", {stencil_json(stencils.tangents[0], false), stencil_json(stencils.tangents[1], true)}}};
 }
 
-std::string stencils_header(const Scheme& scheme, const std::vector<StencilsAt>& valences) {
+std::string stencils_header(const VertexScheme& scheme, const std::vector<StencilsAt>& valences) {
   const std::string name = identifier(scheme.specification);
   std::string guard = "STENCILS_" + name + "_H";
   std::ranges::transform(guard, guard.begin(), [](unsigned char letter) { return std::toupper(letter); });

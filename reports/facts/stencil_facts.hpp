@@ -4,7 +4,7 @@
 #include "fact.hpp"
 
 #include <subcert/analysis/vertex/vertex_stencils.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <vector>
 
@@ -27,6 +27,6 @@ Json stencils_json(const VertexStencils& stencils);
 std::string exact_weight_text(const StencilWeight& weight, bool of_second_tangent);
 
 /// A header of C: for each valence the data, and the weights of each as the nearest doubles, beside the exact values.
-std::string stencils_header(const Scheme& scheme, const std::vector<StencilsAt>& valences);
+std::string stencils_header(const VertexScheme& scheme, const std::vector<StencilsAt>& valences);
 
 }  // namespace subcert::facts

@@ -80,8 +80,9 @@ Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<
   return all ? Truth::yes : Truth::unknown;
 }
 
-Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences,
-                   const std::optional<EveryValence>& rest, const std::vector<StencilsAt>& stencils) {
+Facts vertex_facts(const VertexScheme& scheme, const RegularPart& regular,
+                   const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest,
+                   const std::vector<StencilsAt>& stencils) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"regular_exponent", "regular part", cell(regular.exponent), "exponent away from vertices",
                   enclosure_json(regular.exponent)});

@@ -5,7 +5,7 @@
 #include "stencil_facts.hpp"
 
 #include <subcert/analysis/vertex/every_valence.hpp>
-#include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <vector>
 
@@ -13,7 +13,8 @@ namespace subcert::facts {
 
 /// What is proved of a scheme at the vertices of each valence, in a table, of all that follow, and of stencils. Domain:
 /// at least one valence; where there is a `rest`, all up to the first of it; stencils of all or of none.
-Facts vertex_facts(const Scheme& scheme, const RegularPart& regular, const std::vector<VertexSmoothness>& valences,
+Facts vertex_facts(const VertexScheme& scheme, const RegularPart& regular,
+                   const std::vector<VertexSmoothness>& valences,
                    const std::optional<EveryValence>& rest = std::nullopt,
                    const std::vector<StencilsAt>& stencils = {});
 

@@ -2,8 +2,10 @@
 #include <subcert/schemes/vertices/fan_regression.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
+#include <subcert/analysis/symbol/polynomials/cosine_field.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -129,6 +131,54 @@ TEST_CASE("rules at vertices have the weights that are printed") {
               {{{{0, 0}, 0}, 0.75}, {{{1, 0}, 0}, 5.0 / 12}, {{{1, 0}, 1}, -1.0 / 12}, {{{1, 0}, 2}, -1.0 / 12}});
   check_equal(weights_of(vertex_rules("modified-butterfly", 4), {1, 0}),
               {{{{0, 0}, 0}, 0.75}, {{{1, 0}, 0}, 3.0 / 8}, {{{1, 0}, 2}, -1.0 / 8}});
+}
+
+TEST_CASE("rules that are written down have the weights of their expressions") {
+  const LatticePoint centre{0, 0}, ray{1, 0};
+  WrittenRules written{SectorLattice::triangles,
+                       mask_in_sectors(make_linear_scheme("loop").mask, SectorLattice::triangles)};
+  written.rules = {
+      {ray, {{centre, 0, {"1 - (1/2 + c*(4*C^3 - 3*C) + C^4/n)"}}, {ray, std::nullopt, {"(1/2 + C)/n"}}}, 4}};
+  CHECK_THROWS_AS(rules_at(written, 5), Error);  // C at one datum
+  written.rules.front().weights = {{centre, 0, {"1/2 - 3*n/8/n"}},
+                                   {ray, std::nullopt, {"(1/2 + c*(4*C^3 - 3*C) + C^4)/n"}}};
+  for (const long n : {4L, 5L, 7L, 8L, 31L}) {
+    CAPTURE(n);
+    const Weights edge = weights_of(rules_at(written, n), ray);
+    for (long t = 0; t < n; ++t) {
+      const double expected = (0.5 + cosine(1, n) * cosine(3 * t, n) + std::pow(cosine(t, n), 4)) /
+                              static_cast<double>(n);
+      const auto found = edge.find({ray, t});
+      CHECK((found == edge.end() ? 0 : found->second) == Approx(expected).margin(1e-14));
+    }
+  }
+  CHECK(rules_at(written, 6).rules.size() == 1);
+  CHECK_THROWS_AS(rules_at(written, 3), Error);
+  written.rules.front()
+      .place = "here";  // what somebody else wrote has to sum to 1: the mean of C^4 is 3/8 from n = 5 on
+  CHECK_NOTHROW(rules_at(written, 5));
+  CHECK_THROWS_WITH(rules_at(written, 4), Catch::Contains("here: the weights at valence 4 sum to 9/8; need 1"));
+}
+
+TEST_CASE("rows are the expressions that they are the values of") {
+  const LatticePoint centre{0, 0};
+  WrittenRules row{SectorLattice::dual, mask_in_sectors(make_linear_scheme("doo-sabin").mask, SectorLattice::dual)};
+  for (const long n : {3L, 5L, 8L}) {
+    std::vector<std::string> values;
+    for (long t = 0; t < n; ++t)
+      values.push_back(t == 0 ? "1/4 + 3/(4*n) + 1/(2*n)" : "3/(4*n) + (" + [&] {
+        std::string text = chebyshev(t).to_text();
+        std::replace(text.begin(), text.end(), 'z', 'c');
+        return text;
+      }() + ")/(2*n)");
+    row.rules = {{centre, {{centre, std::nullopt, values}}, n, n}};
+    check_equal(weights_of(rules_at(row, n), centre), weights_of(vertex_rules("doo-sabin", n), centre));
+    CHECK_THROWS_AS(rule_family(row), Error);
+    // Equal weights have one form.
+    const SectorRules made = rules_at(row, n);
+    for (const SectorTerm& term : made.rules.at(centre).terms)
+      CHECK(term.weight == CosineField(n).number(term.weight).polynomial());
+  }
 }
 
 TEST_CASE("local regression at vertices keeps what its fits keep") {

@@ -7,6 +7,7 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace subcert {
@@ -15,29 +16,6 @@ namespace {
 const LatticePoint centre{0, 0}, ray{1, 0}, diagonal{1, 1};
 
 LaurentPolynomial c() { return LaurentPolynomial::monomial(1, 1); }
-
-/// The same coefficients at other places.
-template <class Place>
-LatticeMask placed(const MultivariatePolynomial& symbol, int arity, Place place) {
-  std::vector<Monomial> terms;
-  for (const Monomial& term : symbol.terms()) terms.push_back({term.coefficient, place(term.exponents)});
-  return {MultivariatePolynomial(2, terms), arity};
-}
-
-/// From the directions (1,0), (0,1), (1,1) to those of a sector.
-LatticeMask with_triangles(const LatticeMask& mask) {
-  return placed(mask.symbol(), mask.arity(), [](const LatticePoint& at) { return LatticePoint{at[0] - at[1], at[1]}; });
-}
-
-/// New points around the middle of the old ones: the mask has its middle in (m - 1)/2 along each axis.
-LatticeMask with_dual_middle(const LatticeMask& mask) {
-  const LatticePoint low = mask.symbol().lowest(), high = mask.symbol().highest();
-  return placed(mask.symbol(), mask.arity(), [&](const LatticePoint& at) {
-    LatticePoint result = at;
-    for (std::size_t v = 0; v < 2; ++v) result[v] += (mask.arity() - 1 - low[v] - high[v]) / 2;
-    return result;
-  });
-}
 
 SectorRule& add(SectorRule& rule, const LatticePoint& point, const LaurentPolynomial& weight, long turn = 0) {
   rule.terms.push_back({{point, turn}, weight});
@@ -99,54 +77,47 @@ std::map<LatticePoint, SectorRule> sqrt3_rules(const SectorRules& at) {
   return rules;
 }
 
-SectorRules loop_rules(const LatticeMask& mask, long n) {
-  const LaurentPolynomial inner = LaurentPolynomial(Rational(3, 8)) + Rational(1, 4) * c();
-  SectorRules result{n, SectorLattice::triangles, with_triangles(mask)};
-  result.rules[centre] = towards_the_mean(LaurentPolynomial(Rational(5, 8)) - inner * inner);
-  return result;
+WrittenWeights all_of(const LatticePoint& point, const char* weight) { return {point, std::nullopt, {weight}}; }
+WrittenWeights one_of(const LatticePoint& point, long turn, const char* weight) { return {point, turn, {weight}}; }
+
+/// Rules as they are printed where they come from.
+WrittenRules written(const LatticeMask& mask, SectorLattice lattice, std::vector<WrittenRule> rules) {
+  return {lattice, mask_in_sectors(mask, lattice), std::move(rules)};
 }
 
-SectorRules catmull_clark_rules(const LatticeMask& mask, long n) {
-  SectorRules result{n, SectorLattice::quads, mask};
-  add(result.rules[centre], centre, Rational(1));
-  return result;
+WrittenRules loop_rules(const LatticeMask& mask) {
+  return written(mask, SectorLattice::triangles,
+                 {{centre, {one_of(centre, 0, "3/8 + (3/8 + c/4)^2"), all_of(ray, "(5/8 - (3/8 + c/4)^2)/n")}}});
 }
 
-SectorRule catmull_clark_over_valence() {
-  SectorRule vertex;
-  add(vertex, centre, Rational(-7, 4));
-  add_ring(vertex, ray, 0, Rational(3, 2));
-  return add_ring(vertex, diagonal, 0, Rational(1, 4));
+WrittenRules catmull_clark_rules(const LatticeMask& mask) {
+  return written(
+      mask, SectorLattice::quads,
+      {{centre, {one_of(centre, 0, "1 - 7/(4*n)"), all_of(ray, "3/(2*n^2)"), all_of(diagonal, "1/(4*n^2)")}}});
 }
 
-SectorRules doo_sabin_rules(const LatticeMask& mask, long n) {
-  SectorRules result{n, SectorLattice::dual, with_dual_middle(mask)};
-  SectorRule& corner = add(result.rules[centre], centre, Rational(1, 4));
-  add_ring(corner, centre, 0, Rational(3, 4));
-  add_ring(corner, centre, 1, Rational(1, 4));
-  return result;
+WrittenRules doo_sabin_rules(const LatticeMask& mask) {
+  return written(mask, SectorLattice::dual, {{centre, {one_of(centre, 0, "1/4"), all_of(centre, "(3 + 2*C)/(4*n)")}}});
 }
 
-SectorRules midedge_rules(const LatticeMask&, long n) {
-  SectorRules result{n, SectorLattice::dual, with_dual_middle(make_linear_scheme("zwart-powell:").mask)};
-  SectorRule& corner = add(result.rules[centre], centre, Rational(1, 2));
-  add(corner, centre, Rational(1, 4), 1);
-  add(corner, centre, Rational(1, 4), n - 1);
-  return result;
+WrittenRules midedge_rules(const LatticeMask&) {
+  return written(make_linear_scheme("zwart-powell:").mask, SectorLattice::dual,
+                 {{centre, {one_of(centre, 0, "1/2"), one_of(centre, 1, "1/4"), one_of(centre, -1, "1/4")}}});
 }
 
-SectorRules butterfly_rules(const LatticeMask& mask, long n) {
-  return {n, SectorLattice::triangles, with_triangles(mask)};
-}
+WrittenRules butterfly_rules(const LatticeMask& mask) { return written(mask, SectorLattice::triangles, {}); }
 
-SectorRules modified_butterfly_rules(const LatticeMask& mask, long n) {
-  SectorRules result = butterfly_rules(mask, n);
-  if (n == 6) return result;
-  SectorRule& edge = add(result.rules[ray], centre, Rational(3, 4));
-  add_ring(edge, ray, 0, Rational(1, 4));
-  add_ring(edge, ray, 1, Rational(1, 2));
-  if (n > 3) add_ring(edge, ray, 2, Rational(1, 4));
-  return result;
+/// cos(4 pi t/n) is 2 C^2 - 1.
+WrittenRules modified_butterfly_rules(const LatticeMask& mask) {
+  const auto edge = [](const char* weights) {
+    return std::vector<WrittenWeights>{one_of(centre, 0, "3/4"), all_of(ray, weights)};
+  };
+  const char* const usual = "(1/4 + C + (2*C^2 - 1)/2)/n";
+  return written(mask, SectorLattice::triangles,
+                 {{ray, edge("(1/4 + C)/n"), 3, 3},
+                  {ray, edge("(1/4 + C + (2*C^2 - 1)/4)/n"), 4, 4},
+                  {ray, edge(usual), 5, 5},
+                  {ray, edge(usual), 7}});
 }
 
 SectorRules two_step_sqrt3_rules(const LatticeMask& mask, long n) {
@@ -161,74 +132,85 @@ SectorRules triangular_rules(const Scheme& scheme, long n) {
           regression_rules_at(*specification_text::ball_regression_of(scheme.specification), n)};
 }
 
-struct Maker {
-  std::function<SectorRules(const Scheme&, long)> rules;
-  SectorRule over_vertex = {};
-  bool of_all_valences = true;  ///< the weights are polynomials in c, and those of the vertex in 1/n, the same for all
+using WrittenMaker = WrittenRules (*)(const LatticeMask& mask);
 
-  SectorRuleFamily of(const Scheme& scheme, long valence, long least) const {
-    return {rules(scheme, valence), least, over_vertex};
-  }
-};
-
-Maker of_mask(SectorRules (*rules)(const LatticeMask&, long), const SectorRule& over_vertex = {}) {
-  return {[rules](const Scheme& scheme, long n) { return rules(scheme.mask, n); }, over_vertex};
-}
-
-const std::map<std::string, Maker, std::less<>>& makers() {
-  static const std::map<std::string, Maker, std::less<>> table{
-      {"loop", of_mask(loop_rules)},
-      {"catmull-clark", of_mask(catmull_clark_rules, catmull_clark_over_valence())},
-      {"doo-sabin", of_mask(doo_sabin_rules)},
-      {"midedge", of_mask(midedge_rules)},
-      {"butterfly", of_mask(butterfly_rules)},
-      {"modified-butterfly", of_mask(modified_butterfly_rules)},
-      {"sqrt3", of_mask(two_step_sqrt3_rules)},
-      {"triangular", {triangular_rules, {}, false}}};
+const std::map<std::string, WrittenMaker, std::less<>>& written_makers() {
+  static const std::map<std::string, WrittenMaker, std::less<>> table{
+      {"loop", loop_rules},           {"catmull-clark", catmull_clark_rules},
+      {"doo-sabin", doo_sabin_rules}, {"midedge", midedge_rules},
+      {"butterfly", butterfly_rules}, {"modified-butterfly", modified_butterfly_rules}};
   return table;
 }
 
-auto found_maker(const Scheme& scheme) {
-  return makers().find(scheme.specification.substr(0, scheme.specification.find(':')));
+/// Those that are computed from others.
+struct Maker {
+  std::function<SectorRules(const Scheme&, long)> rules;
+  bool of_all_valences;  ///< the weights are polynomials in c, the same for all
+};
+
+const std::map<std::string, Maker, std::less<>>& makers() {
+  static const std::map<std::string, Maker, std::less<>> table{
+      {"sqrt3", {[](const Scheme& scheme, long n) { return two_step_sqrt3_rules(scheme.mask, n); }, true}},
+      {"triangular", {triangular_rules, false}}};
+  return table;
 }
 
-const Maker& maker_of(const Scheme& scheme) {
-  const auto maker = found_maker(scheme);
-  require(maker != makers().end(), "rules at a vertex: need one of {}, got {}",
-          fmt::join(schemes_with_vertex_rules(), ", "), scheme.specification);
-  return maker->second;
-}
+std::string name_of(const Scheme& scheme) { return scheme.specification.substr(0, scheme.specification.find(':')); }
 
 }  // namespace
 
 SectorRule sqrt3_vertex_rule() { return towards_the_mean(Rational(1, 9) * (LaurentPolynomial(4) - 2 * c())); }
 
-SectorRules vertex_rules(std::string_view specification, long valence) {
-  require(valence >= smallest_valence, "rules at a vertex: need valence >= {}, got {}", smallest_valence, valence);
+VertexScheme VertexScheme::named(std::string_view specification) {
   const Scheme scheme = make_linear_scheme(specification);
-  return maker_of(scheme).of(scheme, valence, valence).at(valence);
-}
-
-SectorRuleFamily vertex_rule_family(std::string_view specification) {
-  const Scheme scheme = make_linear_scheme(specification);
-  const Maker& maker = maker_of(scheme);
-  require(maker.of_all_valences, "rules at a vertex: those of {} are not the same polynomials for all valences",
-          scheme.specification);
-  // The rules of smaller valences, and of regular ones, are their own.
-  return maker.of(scheme, SectorRuleFamily::many, 7);
-}
-
-std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences) {
-  std::vector<SectorRules> result;
-  for (const int n : valences) result.push_back(vertex_rules(specification, n));
+  VertexScheme result{scheme.specification, scheme.title, {}, {}};
+  if (const auto rules = written_makers().find(name_of(scheme)); rules != written_makers().end()) {
+    result.written = rules->second(scheme.mask);
+    return result;
+  }
+  const auto maker = makers().find(name_of(scheme));
+  require(maker != makers().end(), "rules at a vertex: need one of {}, got {}",
+          fmt::join(schemes_with_vertex_rules(), ", "), scheme.specification);
+  result.computed = [scheme, rules = maker->second.rules](long n) { return rules(scheme, n); };
+  result.of_all_valences = maker->second.of_all_valences;
   return result;
 }
 
-bool has_vertex_rules(const Scheme& scheme) { return found_maker(scheme) != makers().end(); }
+SectorRules VertexScheme::at(long valence) const {
+  require(valence >= smallest_valence, "rules at a vertex: need valence >= {}, got {}", smallest_valence, valence);
+  return written ? rules_at(*written, valence) : computed(valence);
+}
+
+std::vector<SectorRules> VertexScheme::at(const std::vector<int>& valences) const {
+  std::vector<SectorRules> result;
+  for (const int n : valences) result.push_back(at(n));
+  return result;
+}
+
+SectorRuleFamily VertexScheme::family() const {
+  require(of_all_valences, "rules at a vertex: those of {} are not the same polynomials for all valences",
+          specification);
+  // The rules of smaller valences, and of regular ones, are their own.
+  return written ? rule_family(*written) : SectorRuleFamily{computed(SectorRuleFamily::many), 7};
+}
+
+SectorRules vertex_rules(std::string_view specification, long valence) {
+  return VertexScheme::named(specification).at(valence);
+}
+
+SectorRuleFamily vertex_rule_family(std::string_view specification) {
+  return VertexScheme::named(specification).family();
+}
+
+bool has_vertex_rules(const Scheme& scheme) {
+  return written_makers().contains(name_of(scheme)) || makers().contains(name_of(scheme));
+}
 
 std::vector<std::string> schemes_with_vertex_rules() {
   std::vector<std::string> names;
+  for (const auto& [name, maker] : written_makers()) names.push_back(name);
   for (const auto& [name, maker] : makers()) names.push_back(name);
+  std::ranges::sort(names);
   return names;
 }
 

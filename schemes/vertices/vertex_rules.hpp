@@ -1,9 +1,11 @@
 #pragma once
 /// The rules of the classical surface schemes at vertices of any valence.
 
-#include <subcert/analysis/symbol/masks/sector_rules.hpp>
 #include <subcert/schemes/specification.hpp>
+#include <subcert/schemes/vertices/written_rules.hpp>
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +29,24 @@ SectorRules vertex_rules(std::string_view specification, long valence);
 inline constexpr int smallest_valence = 3, largest_valence = 1000;  ///< of what is answered one by one
 bool has_vertex_rules(const Scheme& scheme);
 
-/// The same for several valences, in their order.
-std::vector<SectorRules> vertex_rules(std::string_view specification, const std::vector<int>& valences);
+/// A surface scheme with rules at vertices of any valence: one of those, or one that is written down.
+struct VertexScheme {
+  std::string specification;
+  std::string title;
+  std::optional<WrittenRules> written;
+  std::function<SectorRules(long valence)> computed;  ///< where they are not written
+  bool of_all_valences = true;                        ///< whether they are the same polynomials for all valences
+
+  /// Errors: as vertex_rules().
+  static VertexScheme named(std::string_view specification);
+  /// Domain: valence >= 3. Errors: as rules_at().
+  SectorRules at(long valence) const;
+  /// The same for several valences, in their order.
+  std::vector<SectorRules> at(const std::vector<int>& valences) const;
+  /// Those of all valences from a least one on, where no rule is one of a single valence any more. Errors: as
+  /// rule_family().
+  SectorRuleFamily family() const;
+};
 
 /// The same of all valences from a least one on, where no rule is one of a single valence any more.
 SectorRuleFamily vertex_rule_family(std::string_view specification);

@@ -75,6 +75,33 @@ SectorRule SectorRules::rule_at(const LatticePoint& point) const {
   return result;
 }
 
+SectorRules with_letter_value(SectorRules rules, const LaurentPolynomial& value) {
+  const auto replace = [&](LaurentPolynomial& weight) {
+    LaurentPolynomial result;
+    for (long k = weight.is_zero() ? 0 : weight.lowest(); !weight.is_zero() && k <= weight.highest(); ++k)
+      if (weight.coefficient(k) != 0)
+        result += LaurentPolynomial::monomial(weight.coefficient(k), k % letter_stride) * value.pow(k / letter_stride);
+    weight = std::move(result);
+  };
+  for (auto& [point, rule] : rules.rules) {
+    for (SectorTerm& term : rule.terms) replace(term.weight);
+    for (RingTerm& ring : rule.rings) replace(ring.weight);
+  }
+  return rules;
+}
+
+long letter_degree(const SectorRules& rules) {
+  long degree = 0;
+  const auto see = [&](const LaurentPolynomial& weight) {
+    if (!weight.is_zero()) degree = std::max(degree, weight.highest() / letter_stride);
+  };
+  for (const auto& [point, rule] : rules.rules) {
+    for (const SectorTerm& term : rule.terms) see(term.weight);
+    for (const RingTerm& ring : rule.rings) see(ring.weight);
+  }
+  return degree;
+}
+
 SectorRules SectorRuleFamily::at(long valence) const {
   require(valence >= least || valence == rules.valence, "rules at a vertex: need valence >= {}, got {}", least,
           valence);

@@ -65,6 +65,16 @@ struct SectorRules {
   SectorRule rule_at(const LatticePoint& point) const;
 };
 
+/// In weights with a letter that powers of c stand for: c^(letter_stride k + i) is c^i times the letter's k-th power.
+/// Domain: degrees in c below it.
+inline constexpr long letter_stride = 64;
+
+/// Such rules with a polynomial in c in the place of the letter.
+SectorRules with_letter_value(SectorRules rules, const LaurentPolynomial& value);
+
+/// The highest power of the letter in the weights.
+long letter_degree(const SectorRules& rules);
+
 /// The rules of one scheme at vertices of every valence from a least one on.
 struct SectorRuleFamily {
   /// So many sectors that all turns of a rule differ as they do in each valence.

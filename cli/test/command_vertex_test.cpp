@@ -134,6 +134,13 @@ TEST_CASE("vertex: files that are no rules get one line with file, line and key"
   }
   std::ofstream(file) << "scheme = \"loop\"\n[[rule]]\nvalence = \"3..5\"\n" << weights << "\n";
   CHECK(run("vertex " + file + " --all-valences").code == 65);
+  std::ofstream(file) << "scheme = \"loop\"\nletter = \"b\"\n[[rule]]\n"
+                      << "weights = {vertex = \"1 - b\", neighbours = \"b/n\"}\n";
+  for (const char* question : {" --valence 3", " --all-valences", " --valence 3 --stencils"}) {
+    const Run answer = run("vertex " + file + question);
+    CHECK(answer.code == 64);
+    CHECK(answer.err.find("the letter b has no value") != std::string::npos);
+  }
   CHECK(run("vertex " + (folder / "missing.toml")).code == 66);
 }
 

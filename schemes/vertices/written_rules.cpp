@@ -233,6 +233,14 @@ const WrittenRule* rule_of(const WrittenRules& written, const LatticePoint& poin
   refuse(place->place, fmt::format("no rule of the point ({},{}) is one for {}", point[0], point[1], what));
 }
 
+void require_value(const WrittenRules& written) {
+  if (written.letter && !written.letter->value)
+    fail(ErrorKind::usage,
+         "the letter {0} has no value; expected one in the file, as value = \"3/8\", or a range at single valences, "
+         "--over {0}=LOW..HIGH",
+         written.letter->name);
+}
+
 SectorRules made(const WrittenRules& written, long valence, Reader::Letter letter) {
   const Reader reader(written, valence, letter);
   SectorRules result{valence, written.lattice, written.mask};
@@ -281,11 +289,7 @@ void check_rules(const WrittenRules& written) {
 }
 
 SectorRules rules_at(const WrittenRules& written, long valence) {
-  if (written.letter && !written.letter->value)
-    fail(ErrorKind::usage,
-         "the letter {0} has no value; expected one in the file, as value = \"3/8\", or a "
-         "range, --over {0}=LOW..HIGH",
-         written.letter->name);
+  require_value(written);
   return made(written, valence, Reader::Letter::value);
 }
 
@@ -295,6 +299,7 @@ SectorRules rules_with_letter(const WrittenRules& written, long valence) {
 }
 
 SectorRuleFamily rule_family(const WrittenRules& written) {
+  require_value(written);
   const Reader reader(written, SectorRuleFamily::many, Reader::Letter::share);
   SectorRuleFamily result{{SectorRuleFamily::many, written.lattice, written.mask}, first_of_family};
   for (const WrittenRule& rule : written.rules)

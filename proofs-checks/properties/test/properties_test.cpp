@@ -184,8 +184,8 @@ TEST_CASE("bad files are refused with line and column") {
             .rfind("line 2, column 2: unknown property 'smothness'; expected mask, name, convergent", 0) == 0);
   CHECK(error_of("msk = 'dd:n=2'\nstable = true")
             .ends_with(
-                "symmetry, stable, interpolatory, variance, vertices, for, levels, recurrence, start, masks, period, "
-                "follows; did you mean 'mask'?"));
+                "symmetry, stable, interpolatory, variance, vertices, for, levels, points, recurrence, start, masks, "
+                "period, follows; did you mean 'mask'?"));
   CHECK(error_of("[[scheme]]\nscheme = 'dd:n=2'\nstable = true").ends_with("; did you mean 'mask'?"));
   CHECK(error_of("mask = 'dd:n=2'\nC1 = true").ends_with("; did you mean 'smoothness'?"));
   CHECK(error_of("mask = 'dd:n=2'\nstable = true\nstable = false") ==

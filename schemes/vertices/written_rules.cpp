@@ -227,7 +227,7 @@ const WrittenRule* rule_of(const WrittenRules& written, const LatticePoint& poin
     if (rule.covers(valence)) return &rule;
     if (!place) place = &rule;
   }
-  if (valence == regular_valence(written.lattice)) return nullptr;
+  if (!place || valence == regular_valence(written.lattice)) return nullptr;
   const std::string what = valence == SectorRuleFamily::many ? "all large valences"
                                                              : fmt::format("valence {}", valence);
   refuse(place->place, fmt::format("no rule of the point ({},{}) is one for {}", point[0], point[1], what));

@@ -72,10 +72,6 @@ std::string number_text(const Enclosure& value) {
   return value.is_exact() ? number_text(*value.lower) : enclosure_text(value, 12);
 }
 
-const char* verdict_text(Truth holds) {
-  return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
-}
-
 const char* why_text(SpecialValue::Why why) {
   switch (why) {
     case SpecialValue::Why::sum_rules: return "more sum rules";

@@ -27,8 +27,7 @@ std::string number_text(const Rational& value, Rounding rounding = Rounding::nea
 int digits_apart(const Rational& low, const Rational& high);
 std::string number_text(const Enclosure& value);
 
-/// `proved`, `refuted` or `undecided`.
-const char* verdict_text(Truth holds);
+using facts::verdict_text;
 
 /// `more sum rules` and so on.
 const char* why_text(SpecialValue::Why why);

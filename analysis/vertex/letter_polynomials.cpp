@@ -4,6 +4,14 @@
 
 namespace subcert::vertex {
 
+LetterRing::Number LetterRing::number(const LaurentPolynomial& weight) const {
+  if (weight.is_zero()) return Number(letters);
+  std::vector<Monomial> terms;
+  for (long k = weight.lowest(); k <= weight.highest(); ++k)
+    if (weight.coefficient(k) != 0) terms.push_back({weight.coefficient(k), {k % letter_stride, 0, k / letter_stride}});
+  return {letters, terms};
+}
+
 LetterPolynomial::LetterPolynomial(std::vector<MultivariatePolynomial> coefficients)
     : coefficients_(std::move(coefficients)), terms_(terms_of(coefficients_)) {
   for (int letter = 0; letter < letters; ++letter) {

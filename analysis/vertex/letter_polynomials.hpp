@@ -15,17 +15,19 @@ namespace subcert::vertex {
 enum Letter { letter_c, letter_w, letter_share, letters };
 using Letters = std::array<Ball, letters>;
 
-/// Polynomials in the letters. One frequency, `general`, has the cosine w: it stands for all that no rule names.
+/// Polynomials in the letters; in weights the third one is c^letter_stride. One frequency, `general`, has the cosine w:
+/// it stands for all that no rule names. Negative: none.
 class LetterRing {
  public:
   using Number = MultivariatePolynomial;
   explicit LetterRing(long general) : general_(general) {}
 
-  Number number(const LaurentPolynomial& p) const { return Number::in_variable(letters, letter_c, p); }
+  /// Domain: a polynomial, of degree below letter_stride in c.
+  Number number(const LaurentPolynomial& weight) const;
   Number number(long value) const { return {letters, Rational(value)}; }
   Number cosine(long k) const {
     return k == general_ ? Number::in_variable(letters, letter_w, LaurentPolynomial::monomial(1, 1))
-                         : number(chebyshev(k));
+                         : Number::in_variable(letters, letter_c, chebyshev(k));
   }
 
  private:

@@ -9,27 +9,8 @@
 namespace subcert::vertex {
 namespace {
 
-/// Polynomials in c, w and the letter, which is c^letter_stride in weights. w is the cosine of one frequency from 2 on.
-class WeightRing {
- public:
-  using Number = MultivariatePolynomial;
-  explicit WeightRing(long own) : own_(own) {}
-
-  Number number(const LaurentPolynomial& p) const {
-    std::vector<Monomial> terms;
-    for (long k = p.is_zero() ? 0 : p.lowest(); !p.is_zero() && k <= p.highest(); ++k)
-      if (p.coefficient(k) != 0) terms.push_back({p.coefficient(k), {k % letter_stride, 0, k / letter_stride}});
-    return {letters, terms};
-  }
-  Number number(long value) const { return {letters, Rational(value)}; }
-  Number cosine(long k) const {
-    return k == own_ && k > 1 ? Number::in_variable(letters, letter_w, LaurentPolynomial::monomial(1, 1))
-                              : Number::in_variable(letters, letter_c, chebyshev(k));
-  }
-
- private:
-  long own_;
-};
+/// In the blocks of a frequency its cosine is w, from 2 on; those of 0 and 1 are polynomials in c.
+LetterRing ring_of(long frequency) { return LetterRing(frequency > 1 ? frequency : -1); }
 
 /// p(-x), up to a sign.
 std::vector<Ball> mirror_of(std::vector<Ball> p) {
@@ -76,8 +57,8 @@ LetterSpectrum::LetterSpectrum(const SectorRules& rules, const ClosedSet& set)
     : valence_(rules.valence), field_(rules.valence) {
   int constants = 0;
   for (long k = 0; 2 * k <= valence_; ++k) {
-    const WeightRing ring(k);
-    const auto matrix = SectorBlock<WeightRing>(rules, set, k, ring).matrix();
+    const LetterRing ring = ring_of(k);
+    const auto matrix = SectorBlock<LetterRing>(rules, set, k, ring).matrix();
     for (const Unknowns& block : diagonal_blocks(matrix, [](const auto& entry) { return entry.is_zero(); })) {
       const LetterPolynomial p(characteristic_polynomial(restricted(matrix, block), ring));
       const auto rest = k == 0 ? p.without_one() : std::nullopt;
@@ -197,7 +178,7 @@ LetterSpectrum::Polynomial LetterSpectrum::crossing(const LetterZero& zero, cons
     for (std::size_t j = 0; j < n; ++j) value[j][j] += with_cosine(q[k], other.frequency);
   }
   std::vector<LaurentPolynomial> powers;
-  for (const Monomial& term : characteristic_polynomial(value, WeightRing(1)).front().terms()) {
+  for (const Monomial& term : characteristic_polynomial(value, ring_of(1)).front().terms()) {
     const auto power = static_cast<std::size_t>(term.exponents[letter_share]);
     powers.resize(std::max(powers.size(), power + 1));
     powers[power] += LaurentPolynomial::monomial(term.coefficient, term.exponents[letter_c]);

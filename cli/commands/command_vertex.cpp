@@ -36,9 +36,9 @@ struct VertexOptions : SearchOptions {
 };
 
 /// One for each valence where smoothness is proved by what certificates can say, and one for all that follow.
-WrittenCertificates write_certificates_of(const VertexOptions& options, const VertexScheme& scheme,
-                                          const std::vector<SectorRules>& rules,
+WrittenCertificates write_certificates_of(const VertexOptions& options, const std::vector<SectorRules>& rules,
                                           const std::vector<VertexSmoothness>& valences,
+                                          const std::optional<SectorRuleFamily>& family,
                                           const std::optional<EveryValence>& rest, Json& json) {
   std::vector<NamedCertificate> certificates;
   std::optional<Regularity> regularity;  // of the mask itself, not of its factors
@@ -49,7 +49,7 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const Ve
         {fmt::format("{:04}-{}", valence, end), vertex_certificate(of, *regularity->surface, smoothness)});
   };
   for (std::size_t i = 0; i < rules.size(); ++i) add(valences[i].valence, "vertex", rules[i], valences[i]);
-  if (rest && rest->evidence) add(rest->first, "vertices", scheme.family(), *rest);
+  if (rest && rest->evidence) add(rest->first, "vertices", *family, *rest);
   return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
                             "what is not proved, or not by hulls of differences", json);
 }
@@ -132,7 +132,7 @@ ExitCode run(const VertexOptions& options) {
                                   options.stencils ? stencils : std::vector<StencilsAt>{});
   Json json = page_json(list);
   WrittenCertificates written;
-  if (!options.certificate.empty()) written = write_certificates_of(options, scheme, rules, valences, rest, json);
+  if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, family, rest, json);
   options.end_progress();
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();

@@ -13,6 +13,10 @@ Fact decided(std::string key, std::string label, const Decision& decision) {
   return {std::move(key), std::move(label), to_text(decision.truth), decision.reason, decision_json(decision)};
 }
 
+const char* verdict_text(Truth holds) {
+  return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
+}
+
 Facts named(const std::string& specification, const std::string& title) {
   return {{"scheme", "scheme", specification, title, specification}, member("title", title)};
 }

@@ -51,6 +51,8 @@ Fact plain(std::string key, std::string label, const Value& value) {
 }
 /// An answer with its reason.
 Fact decided(std::string key, std::string label, const Decision& decision);
+/// `proved`, `refuted` or `undecided`.
+const char* verdict_text(Truth holds);
 /// `phi  (a function)`, and `scheme` and `title` in JSON.
 Facts named(const std::string& specification, const std::string& title);
 

@@ -68,8 +68,7 @@ std::string weights_in_c(const std::map<SectorPoint, Row>& rows, std::size_t col
 }  // namespace
 
 std::string exact_weight_text(const StencilWeight& weight, bool of_second_tangent) {
-  std::string text = weight.exact->to_text();
-  std::ranges::replace(text, 'z', 'c');
+  const std::string text = to_text(*weight.exact, 'c');
   return of_second_tangent ? fmt::format("s*({})", text) : text;
 }
 

@@ -80,13 +80,18 @@ Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<
   return all ? Truth::yes : Truth::unknown;
 }
 
-Facts vertex_facts(const VertexScheme& scheme, const RegularPart& regular,
-                   const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest,
-                   const std::vector<StencilsAt>& stencils) {
+Facts regular_part_facts(const VertexScheme& scheme, const RegularPart& regular) {
   Facts list = named(scheme.specification, scheme.title);
   list.push_back({"regular_exponent", "regular part", cell(regular.exponent), "exponent away from vertices",
                   enclosure_json(regular.exponent)});
   list.push_back(decided("regular_c1", "C1 there", regular.c1));
+  return list;
+}
+
+Facts vertex_facts(const VertexScheme& scheme, const RegularPart& regular,
+                   const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest,
+                   const std::vector<StencilsAt>& stencils) {
+  Facts list = regular_part_facts(scheme, regular);
   Json rows = Json::array();
   for (const VertexSmoothness& at : valences) rows.push_back(row(at));
   for (std::size_t i = 0; i < stencils.size(); ++i) rows[i]["stencils"] = stencils_json(stencils[i].stencils);

@@ -11,6 +11,9 @@
 
 namespace subcert::facts {
 
+/// Its name, and what is proved of it away from vertices.
+Facts regular_part_facts(const VertexScheme& scheme, const RegularPart& regular);
+
 /// What is proved of a scheme at the vertices of each valence, in a table, of all that follow, and of stencils. Domain:
 /// at least one valence; where there is a `rest`, all up to the first of it; stencils of all or of none.
 Facts vertex_facts(const VertexScheme& scheme, const RegularPart& regular,

@@ -1,6 +1,9 @@
 #include "weight_facts.hpp"
 
+#include "vertex_facts.hpp"
+
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
+#include <subcert/analysis/symbol/polynomials/rational_function.hpp>
 
 #include <fmt/format.h>
 
@@ -11,23 +14,12 @@ namespace {
 
 constexpr int end_digits = 12;
 
-const char* verdict_of(Truth holds) {
-  return holds == Truth::yes ? "proved" : holds == Truth::no ? "refuted" : "undecided";
-}
-
-/// A polynomial in c.
-std::string in_c(const LaurentPolynomial& p) {
-  std::string text = p.to_text();
-  std::ranges::replace(text, 'z', 'c');
-  return text;
-}
-
 /// The coefficients of powers of a letter, as one expression.
 std::string in_letter(const std::vector<LaurentPolynomial>& p, char letter) {
   std::string text;
   for (std::size_t k = p.size(); k-- > 0;) {
     if (p[k].is_zero()) continue;
-    text += fmt::format("{}({}){}", text.empty() ? "" : " + ", in_c(p[k]),
+    text += fmt::format("{}({}){}", text.empty() ? "" : " + ", to_text(p[k], 'c'),
                         k == 0   ? ""
                         : k == 1 ? fmt::format("*{}", letter)
                                  : fmt::format("*{}^{}", letter, k));
@@ -48,9 +40,9 @@ std::string short_number(const Rational& value, Rounding rounding) {
 
 std::string line_of(const WeightEnd& end, char letter) {
   const std::string near = short_number(end.low, Rounding::down);
-  const std::string what = end.value ? fmt::format("{} = {}, near {}", letter, in_c(*end.value), near)
+  const std::string what = end.value ? fmt::format("{} = {}, near {}", letter, to_text(*end.value, 'c'), near)
                                      : fmt::format("the zero of {} near {}", in_letter(end.polynomial, letter), near);
-  return fmt::format("{:<10} {}: {} there", "end", what, verdict_of(end.holds.truth));
+  return fmt::format("{:<10} {}: {} there", "end", what, verdict_text(end.holds.truth));
 }
 
 std::string lines_of(const WeightRange& range, char letter) {
@@ -63,7 +55,7 @@ std::string lines_of(const WeightRange& range, char letter) {
     }
     // What is said of a piece is true as it is printed.
     const bool open = piece.holds.truth == Truth::unknown;
-    text += fmt::format("{:<10} {} <= {} <= {}", verdict_of(piece.holds.truth),
+    text += fmt::format("{:<10} {} <= {} <= {}", verdict_text(piece.holds.truth),
                         short_number(piece.low, open ? Rounding::down : Rounding::up), letter,
                         short_number(piece.high, open ? Rounding::up : Rounding::down));
     if (open || piece.holds.is_no()) text += ": " + piece.holds.reason;
@@ -76,14 +68,14 @@ Json json_of(const WeightRange& range, char letter) {
   for (const WeightPiece& piece : range.pieces)
     pieces.push_back({{"from", to_text(piece.low)},
                       {"to", to_text(piece.high)},
-                      {"verdict", verdict_of(piece.holds.truth)},
+                      {"verdict", verdict_text(piece.holds.truth)},
                       {"reason", piece.holds.reason}});
   for (const WeightEnd& end : range.ends)
     ends.push_back({{"lower", to_text(end.low)},
                     {"upper", to_text(end.high)},
-                    {"value", end.value ? Json(in_c(*end.value)) : Json()},
+                    {"value", end.value ? Json(to_text(*end.value, 'c')) : Json()},
                     {"polynomial", in_letter(end.polynomial, letter)},
-                    {"verdict", verdict_of(end.holds.truth)},
+                    {"verdict", verdict_text(end.holds.truth)},
                     {"reason", end.holds.reason}});
   return {{"valence", range.valence}, {"pieces", pieces}, {"ends", ends}};
 }
@@ -103,11 +95,7 @@ bool is_decided(const WeightRange& range) {
 Facts weight_facts(const VertexScheme& scheme, const RegularPart& regular, WeightProperty property,
                    const std::vector<WeightRange>& ranges) {
   const char letter = scheme.written->letter->name;
-  Facts list = named(scheme.specification, scheme.title);
-  list.push_back({"regular_exponent", "regular part",
-                  regular.exponent.lower || regular.exponent.upper ? enclosure_text(regular.exponent, 10) : "",
-                  "exponent away from vertices", enclosure_json(regular.exponent)});
-  list.push_back(decided("regular_c1", "C1 there", regular.c1));
+  Facts list = regular_part_facts(scheme, regular);
   list.push_back(member("letter", std::string(1, letter)));
   list.push_back({"property", "property", property_text(property), {}, property_text(property)});
   Json all = Json::array();

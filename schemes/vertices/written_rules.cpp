@@ -209,9 +209,8 @@ class Reader {
       if (ring.frequency == 0) sum += ring.weight;
     const CosineField::Number total = field_.number(sum);
     if ((total - field_.number(1)).is_zero()) return;
-    std::string text = total.polynomial().to_text();
-    std::ranges::replace(text, 'z', 'c');
-    refuse(place, fmt::format("the weights at valence {} sum to {}; need 1", valence_, text));
+    refuse(place,
+           fmt::format("the weights at valence {} sum to {}; need 1", valence_, to_text(total.polynomial(), 'c')));
   }
 
   const WrittenRules& written_;

@@ -15,12 +15,9 @@ const std::string slider = "mask = 'four-point:w'\n", conic_scheme = "mask = 'co
 }  // namespace
 
 TEST_CASE("properties of every sequence of values") {
-  for (const char* text :
-       {"levels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'", "levels = '0 <= w <= 1/8'\nconvergent = true",
-        "levels = '1/32 <= w <= 1/8'\nholder = '>= 6/5'", "levels = '0 <= w <= 1/8'\nsmoothness = '>= 0'"}) {
-    CAPTURE(text);
-    CHECK(first_answer(slider + text).is_yes());
-  }
+  check_all(slider,
+            {"levels = '0.001 <= w <= 0.19'\nsmoothness = '>= 1'", "levels = '0 <= w <= 1/8'\nconvergent = true",
+             "levels = '1/32 <= w <= 1/8'\nholder = '>= 6/5'", "levels = '0 <= w <= 1/8'\nsmoothness = '>= 0'"});
   const Decision refuted = first_answer(slider + "levels = '0 <= w <= 0.1'\nsmoothness = '>= 1'");
   CHECK(refuted.is_no());
   CHECK(refuted.reason == "not for w = 0 at all levels");
@@ -57,12 +54,9 @@ TEST_CASE("properties of lists of masks") {
 }
 
 TEST_CASE("properties of a value for each new point") {
-  for (const char* text :
-       {"points = '0.001 <= w <= 0.15'\nsmoothness = '>= 1'", "points = '0 <= w <= 1/8'\nconvergent = true",
-        "points = '0.001 <= w <= 0.15'\nholder = '>= 1.0058'", "points = '0 <= w <= 1/8'\nsmoothness = '>= 0'"}) {
-    CAPTURE(text);
-    CHECK(first_answer(slider + text).is_yes());
-  }
+  check_all(slider,
+            {"points = '0.001 <= w <= 0.15'\nsmoothness = '>= 1'", "points = '0 <= w <= 1/8'\nconvergent = true",
+             "points = '0.001 <= w <= 0.15'\nholder = '>= 1.0058'", "points = '0 <= w <= 1/8'\nsmoothness = '>= 0'"});
   const Decision refuted = first_answer(slider + "points = '0.001 <= w <= 0.15'\nholder = '>= 1.0059'");
   CHECK(refuted.is_no());
   CHECK(refuted.reason == "the exponents are at least 1.0058057, of some limits at most 1.0058058");

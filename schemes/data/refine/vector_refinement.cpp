@@ -133,9 +133,11 @@ void require_boundary(VectorForm form, const Axis& axis, Boundary boundary) {
 }  // namespace
 
 HermiteReproduction hermite_reproduction(const LatticeMask& mask, const std::optional<QuadraticMask>& meant) {
-  const FieldMask rounded{mask, mask.components()},
-      entries = meant ? FieldMask{meant->doubled, meant->components(), meant->root} : rounded;
-  return {hermite_centre(rounded).x, kept_degree(entries, hermite_centre(entries))};
+  const FieldMask rounded{mask, mask.components()};
+  const FieldNumber centre = hermite_centre(rounded);
+  if (!meant) return {centre.x, kept_degree(rounded, centre)};
+  const FieldMask entries{meant->doubled, meant->components(), meant->root};
+  return {centre.x, kept_degree(entries, hermite_centre(entries))};
 }
 
 AxisRule axis_rule(const LatticeMask& mask, VectorForm form, const std::optional<QuadraticMask>& meant) {

@@ -24,8 +24,8 @@ HermiteReproduction hermite_reproduction(const LatticeMask& mask,
 /// of the spacing of its data; its centre and degree are those with which polynomials and their derivatives are kept,
 /// D^(n+1) p((i - tau)/a) = sum over j of P_{i-aj} D^n p(j). Otherwise the centre is 0 and the degree -1: nothing is
 /// known of what the numbers are. Domain: one variable, r >= 2 components; of `hermite` one that keeps constants.
-/// Errors: throws a domain error. Cost: the entries times the degree. `meant`: as
-/// above; weights are those of the rounded mask.
+/// Weights are those of the mask, also where it is a rounded one; `meant`: as above. Errors: throws a domain error.
+/// Cost: the entries times the degree.
 AxisRule axis_rule(const LatticeMask& mask, VectorForm form, const std::optional<QuadraticMask>& meant = std::nullopt);
 
 /// Applies the rule of the mask `levels` times to points of r blocks of numbers, as many in each: block k has the k-th

@@ -109,10 +109,10 @@ std::optional<Ball> zero_near(const std::vector<Ball>& p, const Ball& start) {
 
 std::optional<Ball> leading_zero(const std::vector<Ball>& p) {
   const auto zeros = complex_roots(p);
-  if (!zeros) return std::nullopt;
-  const ComplexBall* best = nullptr;
+  if (!zeros || zeros->empty()) return std::nullopt;
+  const ComplexBall* best = &zeros->front();
   for (const ComplexBall& zero : *zeros)
-    if (!best || abs(*best).is_less(abs(zero))) best = &zero;
+    if (abs(*best).is_less(abs(zero))) best = &zero;
   const Ball result(Rational(best->real().middle()), best->bits());
   return Ball(0, best->bits()).is_less(result) ? std::optional(result) : std::nullopt;
 }

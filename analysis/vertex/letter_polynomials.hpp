@@ -42,9 +42,9 @@ class LetterPolynomial {
   const std::vector<MultivariatePolynomial>& coefficients() const { return coefficients_; }
   std::size_t degree() const { return coefficients_.size() - 1; }
   /// Its coefficients for all letters in balls.
-  std::vector<Ball> at(const Letters& letters) const;
+  std::vector<Ball> at(const Letters& at) const;
   /// Those of its derivative by a letter.
-  std::vector<Ball> derivative_at(const Letters& letters, Letter by) const;
+  std::vector<Ball> derivative_at(const Letters& at, Letter by) const;
   /// With c in the place of w.
   bool equals_with_w_as_c(const LetterPolynomial& other) const;
   /// In the limit n -> infinity of a polynomial without w: c = 1, 1/n = 0.
@@ -55,7 +55,7 @@ class LetterPolynomial {
  private:
   using Terms = std::vector<std::vector<Monomial>>;
   static Terms terms_of(const std::vector<MultivariatePolynomial>& coefficients);
-  static std::vector<Ball> values(const Terms& terms, const Letters& letters);
+  static std::vector<Ball> values(const Terms& terms, const Letters& at);
 
   std::vector<MultivariatePolynomial> coefficients_;
   Terms terms_;

@@ -37,6 +37,8 @@ inline constexpr double closed_proof = 0.6;     ///< the proof of a closed polyt
 inline constexpr double larger_polytope = 0.3;  ///< then, where nothing closed or was proved: one with fewer vertices
 inline constexpr double alone = 0.05;           ///< polytopes, before forms are sought beside them,
 inline constexpr double alone_seconds = 10;     ///< in so many at most
+inline constexpr double alone_least = 0.25;     ///< and so many at least: who else is at work may double their time,
+inline constexpr double alone_share = 0.4;      ///< if that is no more of the time
 inline constexpr double grace = 0.5;            ///< seconds that a proof may take in any case
 inline constexpr double grace_of_short = 0.1;   ///< the same for products of few letters
 }  // namespace block

@@ -170,7 +170,10 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
   const auto seek_forms = [&] {
     const StopScope scope(&forms_end);
     const Budget its{budget.deadline.after(1), memory};
-    const Deadline alone = its.deadline.after(schedule::block::alone).at_most(schedule::block::alone_seconds);
+    const double seconds = its.deadline.remaining(),
+                 least = std::min(schedule::block::alone_least, schedule::block::alone_share * seconds);
+    const Deadline alone = its.deadline.at_most(
+        std::clamp(schedule::block::alone * seconds, least, schedule::block::alone_seconds));
     while (!alone.expired() && !forms_begin.try_acquire_for(look)) continue;
     if (its.deadline.expired()) return;
     FormAttempt forms;
@@ -178,8 +181,9 @@ Attempts attempt_both(const MatrixFamily& family, const Budget& budget, const st
     forms.product = prove_product(family, word, ProductDeadline(its.deadline)(word));
     radius_of_forms = forms.product.radius.lower->convert_to<double>();
     forms.proof = prove_by_forms(family, *forms.product.radius.lower, its, forms.product);
+    // What is exact is kept: the polytopes that it ends may have set the flag since.
     if (forms.is_exact()) polytopes_end.set();
-    if (!forms_end.is_set()) result.forms = std::move(forms);
+    if (forms.is_exact() || !forms_end.is_set()) result.forms = std::move(forms);
   };
   parallel_for_each(2, all_cores(), [&](std::size_t which) { which == 0 ? seek_polytopes() : seek_forms(); });
   return result;

@@ -30,11 +30,13 @@ TEST_CASE("theorems: where the budget ends, what was proved until then") {
   const auto none = run_json("theorem smoothness --d 1 --budget 0.001", 2);
   CHECK(none.at("verdict") == "unknown");
   CHECK(none.at("reason").get<std::string>().starts_with("the budget ran out after "));
-  // Enough for the large n, not for single schemes.
+  CHECK(run("theorem convergence --d 1 --budget 1000").code == 0);
+}
+
+TEST_CASE("theorems: where the budget ends between the large n and single schemes", "[long]") {
   const Run part = run("theorem smoothness --family dual --d 3 --budget 15");
   CHECK(part.code == 2);
   CHECK(contains(part.out, "missing: time, before the step "));
   CHECK(contains(part.out, "verdict: unknown (the budget ran out after "));
   CHECK(contains(part.out, "(V.7) holds"));
-  CHECK(run("theorem convergence --d 1 --budget 1000").code == 0);
 }

@@ -63,14 +63,14 @@ TEST_CASE("for papers: every command that answers by a table") {
                                             R"({"matrices": [[["1","1"],["0","1"]], [["1","0"],["1","1"]]]})");
   for (const std::string& command :
        {std::string("analyze primal:n=2"), std::string("analyze loop"), std::string("analyze 'mask:[1,1]'"),
-        std::string("analyze four-point:w"), std::string("analyze l1:points=6,d=1"),
+        std::string("analyze four-point:w"), std::string("analyze l1:points=4,d=1"),
         std::string("analyze 'box:[1,0,0;0,1,0;0,0,1;1,1,1]'"), std::string("limit dd:n=2 --level 1"),
         std::string("limit loop --level 1"), std::string("limit chaikin --range"), std::string("variance dd:n=2"),
-        std::string("curve four-point:w --over w=-1..1 --pieces 12"),
+        std::string("curve four-point:w --over w=-1..1 --pieces 3"),
         std::string("map 'mask:[v,w,1-v,1-w]' --over v=0..1 --over w=0..1 --property convergent --resolution 4"),
         std::string("levels four-point:w --over w=1/20..1/10 --property C1"),
         std::string("levels four-point:w --over w=1/20..1/10 --property C1 --boxes 2"), "jsr " + matrices,
-        "jsr --p 2 " + matrices, "jsr --subradius " + matrices, std::string("l1 l1:points=6,d=1"),
+        "jsr --p 2 " + matrices, "jsr --subradius " + matrices, std::string("l1 l1:points=4,d=1"),
         std::string("compare chaikin dd4")}) {
     CAPTURE(command);
     const Run plain = run(command + " --quiet"), latex = run(command + " --latex --quiet"),

@@ -96,7 +96,7 @@ TEST_CASE("published joint spectral radii") {
   }
 }
 
-TEST_CASE("masks that change from level to level") {
+TEST_CASE("masks that change from level to level", "[long]") {
   const Report report = recorded_report("levels");
   const formats::ComparisonTable& table = only_table(report);
   CHECK(table.count(ValueVerdict::match) == static_cast<int>(table.comparisons.size()));

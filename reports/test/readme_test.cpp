@@ -121,7 +121,7 @@ TEST_CASE("README and docs quote the counts on record") {
   quote("docs/report.md", errata_sentence(counts(all, ResultKind::statement)));
 }
 
-TEST_CASE("docs quote what the experiments find on functions") {
+TEST_CASE("docs quote what the experiments find on functions", "[long]") {
   const auto shown = [](const std::string& id, const std::string& variant = "as taken",
                         const std::string& reading = "") { return finding(id, "", variant, reading).truth; };
   quote_experiments("S_7 is better than LLR from " +

@@ -140,7 +140,7 @@ TEST_CASE("all dual schemes of degree 1 are C^2, all primal ones C^1") {
 
 TEST_CASE("all variants of dual schemes of degree 1 are C^2", "[long]") { check_dual_schemes("dual-odd"); }
 
-TEST_CASE("a degree for which the bounds do not suffice: what fails is said") {
+TEST_CASE("a degree for which the bounds do not suffice: what fails is said", "[long]") {
   const Theorem open = proved("smoothness", 21);
   CHECK(open.decision.truth == Truth::unknown);
   CHECK_FALSE(open.missing.empty());

@@ -282,7 +282,7 @@ TEST_CASE("bands from values and slopes cover as often as they say") {
 }
 
 TEST_CASE("windows for values with slopes are near the best, for values and for slopes") {
-  for (const std::size_t count : {100, 300})
+  for (const std::size_t count : {100, 200})
     for (const Selection selection : {Selection::risk, Selection::cross_validation})
       for (const int derivative : {0, 1}) {
         CAPTURE(count, selection == Selection::risk, derivative);

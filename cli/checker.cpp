@@ -84,9 +84,10 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
 }
 
 Certificate scheme_certificate(const Scheme& scheme, const Budget& budget) {
-  require(scheme.form && !scheme.quadratic, "certificate: need a scheme of rational matrices, got {}",
-          scheme.specification);
-  return vector_scheme_certificate(scheme.mask, scheme.form == VectorForm::hermite, budget);
+  require(scheme.form.has_value(), "certificate: need a scheme of matrices, got {}", scheme.specification);
+  const bool hermite = scheme.form == VectorForm::hermite;
+  return scheme.quadratic ? vector_scheme_certificate(*scheme.quadratic, hermite, budget)
+                          : vector_scheme_certificate(scheme.mask, hermite, budget);
 }
 
 WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget) {

@@ -25,7 +25,7 @@ LatticeMask pattern_of(const ParametricMask& mask) {
 
 /// The conditions sum over k of u_k . e_l(-k) = 0, a row for each l, on sequences at these points with components.
 RationalMatrix conditions(const PolynomialData& polynomials, const std::vector<LatticePoint>& points) {
-  RationalMatrix result(polynomials.data.size(), points.size());
+  RationalMatrix result(polynomials.at(0).size(), points.size());
   for (std::size_t c = 0; c < points.size(); ++c) {
     const std::vector<Values> data = polynomials.at(-points[c].front());
     for (std::size_t l = 0; l < data.size(); ++l) result(l, c) = data[l][static_cast<std::size_t>(points[c].back())];
@@ -34,16 +34,19 @@ RationalMatrix conditions(const PolynomialData& polynomials, const std::vector<L
 }
 
 /// All components at so many points that shifts of what annihilates the data there are a basis of all that does: one
-/// more than those at which no polynomial has the data 0.
+/// more than those at which no polynomial has the data 0. Over a field also those of the sequences from which a
+/// certificate starts, readings and differences of the order m + 1.
 std::vector<LatticePoint> generating_points(const PolynomialData& polynomials) {
   const auto components = static_cast<long>(polynomials.data.front().size());
+  const std::size_t count = polynomials.at(0).size();
+  const auto order = static_cast<long>(polynomials.data.size());
   std::vector<LatticePoint> points;
   const auto add_point = [&](long k) {
     for (long c = 0; c < components; ++c) points.push_back({k, c});
   };
   long k = 0;
   do add_point(k++);
-  while (pivot_columns(conditions(polynomials, points)).size() < polynomials.data.size());
+  while (pivot_columns(conditions(polynomials, points)).size() < count || (polynomials.root > 0 && k < order));
   add_point(k);
   return points;
 }
@@ -73,8 +76,8 @@ std::vector<LatticePoint> window_points(const ParametricMask& mask, const Polyno
 }
 
 /// Of masks of matrices.
-ParametricFamily annihilating_matrices(const ParametricMask& mask) {
-  const PolynomialData polynomials = kept_polynomials(mask);
+ParametricFamily annihilating_matrices(const ParametricMask& mask, long root) {
+  const PolynomialData polynomials = kept_polynomials(mask, root);
   const std::vector<LatticePoint> points = window_points(mask, polynomials);
   const auto rows = static_cast<long>(mask.components());
   return {mask, [arity = static_cast<long>(mask.arity()), rows, points, basis = annihilators(polynomials, points),
@@ -121,13 +124,13 @@ ParametricFamily transition_matrices(const ParametricMask& mask) {
           }};
 }
 
-ParametricFamily difference_matrices(const ParametricMask& mask) {
+ParametricFamily difference_matrices(const ParametricMask& mask, long root) {
   return mask.components() == 1 ? transition_matrices(divided_difference_scheme(mask, sum_rules(mask)))
-                                : annihilating_matrices(mask);
+                                : annihilating_matrices(mask, root);
 }
 
-AnnihilatingSpace annihilating_space(const ParametricMask& mask) {
-  AnnihilatingSpace result{kept_polynomials(mask), {}, {}, {}};
+AnnihilatingSpace annihilating_space(const ParametricMask& mask, long root) {
+  AnnihilatingSpace result{kept_polynomials(mask, root), {}, {}, {}};
   const std::vector<LatticePoint> points = window_points(mask, result.polynomials);
   for (const Annihilator& one : annihilators(result.polynomials, points)) {
     LatticeSequence& sequence = result.basis.emplace_back();
@@ -135,11 +138,14 @@ AnnihilatingSpace annihilating_space(const ParametricMask& mask) {
     result.pivots.push_back(points[one.pivot]);
   }
   const Values& constant = result.polynomials.data.front();
-  const auto first = std::ranges::find_if(constant, [](const Rational& y) { return y != 0; }) - constant.begin();
-  for (long c = 0; c < static_cast<long>(constant.size()); ++c) {
+  const auto size = static_cast<long>(result.polynomials.components());
+  const auto first = (std::ranges::find_if(constant, [](const Rational& y) { return y != 0; }) - constant.begin()) %
+                     size;
+  for (long c = 0; c < size; ++c) {
     if (c == first) continue;
     std::vector<LatticePoint> places{{0, c}};
-    for (long k = 0; k < static_cast<long>(result.polynomials.data.size()); ++k) places.push_back({k, first});
+    for (long k = 0; k < static_cast<long>(result.polynomials.data.size()); ++k)
+      for (long part = first; part < static_cast<long>(constant.size()); part += size) places.push_back({k, part});
     const auto one = kernel(conditions(result.polynomials, places));
     LatticeSequence& reading = result.readings.emplace_back();
     for (std::size_t k = 0; k < places.size(); ++k)

@@ -33,8 +33,9 @@ ParametricFamily transition_matrices(const ParametricMask& mask);
 /// Those of the differences that the sum rules of all w allow, times arity^m for m of them: of numbers the transition
 /// matrices of the scheme for divided differences of order m. Of matrices T_t on the finite sequences u that annihilate
 /// the data of kept_polynomials, sum over k of u_k . e_l(-k) = 0, on a window into which long words lead all of them.
+/// With a root they are the rational ones of the doubled mask of a QuadraticMask, and the data are over the field.
 /// Domain: m >= 1. Errors: throws Error where the window needs more than 256 numbers. Proof: docs/vectors.md.
-ParametricFamily difference_matrices(const ParametricMask& mask);
+ParametricFamily difference_matrices(const ParametricMask& mask, long root = 0);
 
 /// What of a mask of matrices annihilates the data of its polynomials.
 struct AnnihilatingSpace {
@@ -47,7 +48,7 @@ struct AnnihilatingSpace {
 };
 
 /// Domain, errors and cost: as above, of matrices.
-AnnihilatingSpace annihilating_space(const ParametricMask& mask);
+AnnihilatingSpace annihilating_space(const ParametricMask& mask, long root = 0);
 
 /// The one matrix central_matrix(b(z) b(1/z)) for b = mask.at(w), which gives the Sobolev exponent. Domain: one letter.
 ParametricFamily central_matrices(const ParametricMask& mask);

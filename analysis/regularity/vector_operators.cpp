@@ -18,18 +18,23 @@ Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts)
 }
 
 Operators operators_of(const DifferenceSpace& space, const Parts& parts) {
-  if (parts.root == 0) return {space.family};
+  return operators_of(space.basis, space.pivots, space.family, parts);
+}
+
+Operators operators_of(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
+                       const MatrixFamily& family, const Parts& parts) {
+  if (parts.root == 0) return {family};
   const auto half = static_cast<long>(parts.components());
-  RationalMatrix root(space.basis.size(), space.basis.size());
-  for (std::size_t k = 0; k < space.pivots.size(); ++k) {
-    LatticePoint from = space.pivots[k];
+  RationalMatrix root(basis.size(), basis.size());
+  for (std::size_t k = 0; k < pivots.size(); ++k) {
+    LatticePoint from = pivots[k];
     const bool is_first = from.back() < half;
     from.back() += is_first ? half : -half;
-    for (std::size_t c = 0; c < space.basis.size(); ++c)
-      if (const auto found = space.basis[c].find(from); found != space.basis[c].end())
+    for (std::size_t c = 0; c < basis.size(); ++c)
+      if (const auto found = basis[c].find(from); found != basis[c].end())
         root(k, c) = is_first ? Rational(parts.root * found->second) : found->second;
   }
-  return {space.family, std::move(root)};
+  return {family, std::move(root)};
 }
 
 RealFamily on_functions(const Operators& operators, long number, long root_bits) {

@@ -38,6 +38,9 @@ struct Operators {
 /// The root last, where there is one.
 Operators operators_of(std::vector<RationalMatrix> matrices, const Parts& parts);
 Operators operators_of(const DifferenceSpace& space, const Parts& parts);
+/// Those of a family on a space of sequences with these basis and pivots.
+Operators operators_of(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
+                       const MatrixFamily& family, const Parts& parts);
 
 /// The columns, one after the other, that are no combinations over the field of the root of those before them, each
 /// with its image under the root behind it. Domain: the root times itself is a number that is no square.

@@ -134,13 +134,15 @@ TEST_CASE("properties of vectors of functions and Hermite schemes") {
   // what it has none for is said; those of the run before are gone
   folder.write("file.toml",
                "[[scheme]]\nmask = 'cl:2'\nconvergent = true\n[[scheme]]\nmask = 'dd:n=2'\nconvergent = "
-               "true\n[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1'\nHC = '>= 1'\n");
+               "true\n[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1'\nHC = '>= 1'\n"
+               "[[scheme]]\nmask = 'tensor:(ghm)x(ghm)'\nconvergent = true\n");
   const auto json = run_json("check " + file + " --certificate " + proofs, 1);
-  CHECK(json.at("certificates") == 1);
-  CHECK(run("verify " + proofs + "/00001-scheme.cert --claim 'HC of merrien:lambda=-1/8,mu=1 <= 1'").code == 0);
-  CHECK_FALSE(std::filesystem::exists(proofs + "/00002-scheme.cert"));
-  CHECK(contains(run("check " + file + " --certificate " + proofs).out,
-                 "no certificate of cl:2: need a scheme of rational matrices"));
+  CHECK(json.at("certificates") == 2);
+  CHECK(run("verify " + proofs + "/00001-scheme.cert --claim '0 <= scheme of cl:2'").code == 0);
+  CHECK(run("verify " + proofs + "/00002-scheme.cert --claim 'HC of merrien:lambda=-1/8,mu=1 <= 1'").code == 0);
+  CHECK_FALSE(std::filesystem::exists(proofs + "/00003-scheme.cert"));
+  CHECK(
+      contains(run("check " + file + " --certificate " + proofs).out, "no certificate of tensor:(ghm)x(ghm): need a "));
   folder.write(
       "file.toml",
       "[[scheme]]\nmask = 'hermite-dd:points=4,order=2'\nHC = '>= 3'\nsmoothness = '>= 3'\nholder = '> 3'\n"

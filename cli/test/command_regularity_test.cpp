@@ -228,8 +228,14 @@ TEST_CASE("regularity: whether a vector scheme converges has a certificate of it
                  "verified: that the scheme does not converge"));
   CHECK(asked("scheme of vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1 <= 0") == 0);
   CHECK(run("verify --print-claim " + file).out.starts_with("--vectors '"));
-  CHECK(contains(written("dd:n=2"), "not written: need a scheme of rational matrices, got dd:n=2"));
-  CHECK(contains(written("cl:2"), "not written: need a scheme of rational matrices, got cl:2"));
+  CHECK(contains(written("dd:n=2"), "not written: need a scheme of matrices, got dd:n=2"));
+  CHECK(contains(written("cl:2"), "verified: that the scheme converges"));
+  CHECK(asked("0 <= scheme of cl:2") == 0);
+  CHECK(asked("0 <= scheme of cl:3") == 1);
+  const std::string merrien =
+      "hermite:[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1";
+  CHECK(contains(written(merrien), "verified: that the scheme is HC^1"));
+  CHECK(asked("1 <= HC of " + merrien) == 0);
   CHECK(asked("1 <= HC of ghm") == 64);
   for (const char* command : {"regularity", "analyze"}) {
     const auto json = run_json(std::string(command) + " merrien:lambda=-1/8,mu=1/2 --scheme-certificate " + file);

@@ -51,11 +51,13 @@ Certificate frequency_certificate(const Mask& mask, const std::optional<Frequenc
 Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegularity& regularity);
 
 /// That f'_i = sum over j of A_{i-aj}^T f_j converges, or that it does not; with `hermite` that the scheme is HC^k for
-/// the largest k that is proved, or not HC^(r-1) for data of r components. Domain: rational matrices. Errors: throws
+/// the largest k that is proved, or not HC^(r-1) for data of r components. Errors: throws
 /// Error for other masks than those of one variable with an arity, where the scheme keeps no constants, or as a Hermite
 /// scheme not the data of polynomials up to the degree r - 1, and where nothing is decided. Cost: a joint spectral
 /// radius. Proof: SPEC.md, theorem 47.
 Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget);
+/// The same of matrices with a square root: SPEC.md, section 6.9.
+Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, const Budget& budget);
 
 /// The same of matrices with a square root. Domain: `regularity` is that of the mask. Errors: throws Error where
 /// nothing positive is proved from below, and for an integral with multiples of the root. Proof: SPEC.md, theorems 60,

@@ -3,6 +3,8 @@
 
 #include "certificate.hpp"
 
+#include <subcert/analysis/family/parametric_family.hpp>
+
 #include <string>
 #include <vector>
 
@@ -33,7 +35,17 @@ std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::v
 
 /// Of a mask of matrices of one variable, the lines up to the vectors of the space of what annihilates the polynomials
 /// that it keeps. Domain: with `hermite` these are values and derivatives.
-std::string space_of_vectors_text(const ParametricMask& mask, bool hermite);
+std::string space_of_vectors_text(const AnnihilatingSpace& space, int arity, bool hermite);
+
+/// Throws Error unless the mask may be one of a certificate of a scheme on vectors.
+void require_vector_scheme(const LatticeMask& mask, bool hermite);
+/// Throws Error unless so much is kept.
+void require_kept(const PolynomialData& kept, bool hermite);
+
+/// What is claimed of a scheme that keeps these data: the largest HC^k that the radius of arity^(m+1) T_t proves, or
+/// convergence; or, as an upper end, that it has not even HC^(r-1), or that it diverges. Errors: throws Error where
+/// neither is proved.
+ClaimedEnds ends_of_scheme(const PolynomialData& kept, bool hermite, int arity, const JointSpectralRadius& radius);
 
 /// The head, and the coefficients from that of z^0 on.
 std::string polynomial_text(const std::string& head, const LaurentPolynomial& p);

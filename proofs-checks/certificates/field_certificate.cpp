@@ -1,6 +1,7 @@
 #include "certificate_text.hpp"
 #include "exact_radius.hpp"
 
+#include <subcert/analysis/family/field_scheme.hpp>
 #include <subcert/analysis/radii/joint/leading_factor.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/schemes/specification.hpp>
@@ -59,20 +60,20 @@ struct FieldSpace {
   RationalMatrix coordinates;  ///< of the basis of the space in this one and its multiples by the root
 };
 
-FieldSpace space_over_field(const DifferenceSpace& space, std::size_t components) {
+FieldSpace space_over_field(const std::vector<LatticeSequence>& basis, std::size_t components) {
   std::map<LatticePoint, std::size_t> places;  // of both parts, with the component of the rational one
   const auto of_rational = [&](LatticePoint point) {
     point.back() %= static_cast<long>(components);
     return point;
   };
-  for (const LatticeSequence& vector : space.basis)
+  for (const LatticeSequence& vector : basis)
     for (const auto& [point, value] : vector) places.emplace(of_rational(point), 0);
   std::vector<LatticePoint> points;
   for (auto& [point, index] : places) index = points.size(), points.push_back(point);
-  const std::size_t size = space.basis.size();
+  const std::size_t size = basis.size();
   RationalMatrix values(size, 2 * points.size());  // a row for each vector of the basis
   for (std::size_t c = 0; c < size; ++c)
-    for (const auto& [point, value] : space.basis[c])
+    for (const auto& [point, value] : basis[c])
       values(c, 2 * places.at(of_rational(point)) + (point.back() < static_cast<long>(components) ? 0 : 1)) = value;
   const std::vector<std::size_t> pivots = pivot_columns(values);  // both parts of each place
   FieldSpace result{{}, {}, {size, size}};
@@ -109,6 +110,25 @@ using FieldBlock = std::vector<OverField>;
 
 bool is_rational(const FieldBlock& block) {
   return std::ranges::all_of(block, [](const OverField& matrix) { return !binary_exponent(matrix.y); });
+}
+
+std::vector<FieldBlock> blocks_of(const MatrixFamily& family, const BlockTriangular& triangular) {
+  std::vector<FieldBlock> blocks(triangular.sizes.size());
+  for (const RationalMatrix& matrix : family) {
+    const RationalMatrix moved = solve(triangular.basis, matrix * triangular.basis);
+    for (std::size_t i = 0, first = 0; i < blocks.size(); first += triangular.sizes[i++])
+      blocks[i].push_back(parts_of(moved, first, triangular.sizes[i]));
+  }
+  return blocks;
+}
+
+/// The lines from `blocks` to `inverse`.
+std::string blocks_over_field(const FieldSpace& space, const BlockTriangular& triangular) {
+  const std::size_t size = space.basis.size();
+  const RationalMatrix basis = space.coordinates * triangular.basis,
+                       inverse = solve(basis, RationalMatrix::identity(2 * size));
+  return fmt::format("blocks {}\n", fmt::join(triangular.sizes, " ")) +
+         rows_over_field("basis", parts_of(basis, 0, size)) + rows_over_field("inverse", parts_of(inverse, 0, size));
 }
 
 /// Names the number that a polytope over the field has for its radius, with what proves it; empty, or what is missing.
@@ -241,12 +261,7 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   const JointSpectralRadius& found = component ? component->radius : *regularity.radius;
   const Dilation& dilation = mask.doubled.dilation();
   const BlockTriangular& triangular = found.by_blocks()->triangular;
-  std::vector<FieldBlock> blocks(triangular.sizes.size());
-  for (const RationalMatrix& matrix : space.family) {
-    const RationalMatrix moved = solve(triangular.basis, matrix * triangular.basis);
-    for (std::size_t i = 0, first = 0; i < blocks.size(); first += triangular.sizes[i++])
-      blocks[i].push_back(parts_of(moved, first, triangular.sizes[i]));
-  }
+  const std::vector<FieldBlock> blocks = blocks_of(space.family, triangular);
   const std::size_t first_block = component ? unobservable_blocks(*component) : 0;
   const JointSpectralRadius radius = with_names(found, blocks, mask.root, first_block);
   const auto exponent = [&](const ExactRadius& exact) {
@@ -269,21 +284,44 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   if (tells_upper_end) certificate.claim.upper = outward(*ends.upper, Rounding::up);
   certificate.bounds = {outward(*ends.lower, Rounding::down), certificate.claim.upper};
   claim_exact(certificate, exact, "0-log");
-  const FieldSpace own = space_over_field(space, mask.components());
-  const std::size_t variables = dilation.variables(), size = own.basis.size();
+  const FieldSpace own = space_over_field(space.basis, mask.components());
+  const std::size_t variables = dilation.variables();
   std::string text = fmt::format("differences {}\ndigits", space.order);
   for (const LatticePoint& digit : space.dilation.digits()) text += fmt::format(" {}", fmt::join(digit, ","));
   text += "\nvalues" + terms_text(space.values, common_denominator({space.values}), variables) +
           (vector.integral ? functionals_text(mask.doubled) : "") + vectors_text(own.basis, own.pivots, variables);
   if (component) text += fmt::format("unobservable {}\n", component->unobservable);
-  const RationalMatrix basis = own.coordinates * triangular.basis,
-                       inverse = solve(basis, RationalMatrix::identity(2 * size));
-  text += fmt::format("blocks {}\n", fmt::join(triangular.sizes, " ")) +
-          rows_over_field("basis", parts_of(basis, 0, size)) + rows_over_field("inverse", parts_of(inverse, 0, size));
+  text += blocks_over_field(own, triangular);
   const std::size_t leading = radius.by_blocks()->leading;
   if (tells_upper_end) text += product_over_field(radius, blocks[leading], leading, mask.root);
   certificate.sections.push_back({std::move(text)});
   add_sections(certificate, radius.proof, space.family.count(), exact.blocks);
+  return certificate;
+}
+
+Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, const Budget& budget) {
+  require_vector_scheme(mask.doubled, hermite);
+  require_kept(kept_polynomials(without_letters(mask.doubled), mask.root), hermite);
+  FieldScheme scheme = field_scheme(mask, budget);
+  const JointSpectralRadius& radius = scheme.radius;
+  const ClaimedEnds ends = ends_of_scheme(scheme.space.polynomials, hermite, mask.doubled.arity(), radius);
+  const FieldSpace own = space_over_field(scheme.space.basis, mask.components());
+  scheme.space.basis = own.basis;
+  scheme.space.pivots = own.pivots;
+  const BlockProof& proof = *radius.by_blocks();
+  Certificate certificate{
+      {ends,
+       MaskSubject{
+           mask_text(mask), std::to_string(mask.doubled.arity()), {}, false, {}, hermite ? "hermite" : "vectors"}},
+      {},
+      ends};
+  std::string text = space_of_vectors_text(scheme.space, mask.doubled.arity(), hermite) +
+                     blocks_over_field(own, proof.triangular);
+  if (ends.upper)
+    text += product_over_field(radius, blocks_of(scheme.family, proof.triangular)[proof.leading], proof.leading,
+                               mask.root);
+  certificate.sections.push_back({std::move(text)});
+  if (!ends.upper) add_sections(certificate, radius.proof, scheme.family.count());
   return certificate;
 }
 

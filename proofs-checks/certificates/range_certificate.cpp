@@ -22,10 +22,10 @@ Certificate interval_certificate(const ParametricMask& mask, char letter, const 
                             of_matrices};
   Certificate certificate{{ends, subject}, {}, ends};
   const bool stable = proofs.empty() || (ends.upper && *ends.upper != "0");
-  certificate.sections.push_back({!of_matrices.empty()
-                                      ? space_of_vectors_text(mask, of_matrices == "hermite")
-                                      : fmt::format("sum-rules {}{}\n{}", sum_rules(mask), full_text(ends.says_rough()),
-                                                    stable ? "stability\n" : "")});
+  certificate.sections.push_back(
+      {!of_matrices.empty() ? space_of_vectors_text(annihilating_space(mask), mask.arity(), of_matrices == "hermite")
+                            : fmt::format("sum-rules {}{}\n{}", sum_rules(mask), full_text(ends.says_rough()),
+                                          stable ? "stability\n" : "")});
   const std::size_t matrices = static_cast<std::size_t>(mask.arity()) * mask.powers().size();
   for (const IntervalProof& proof : proofs) {
     std::string text = fmt::format("to {}\n", to_text(proof.high));

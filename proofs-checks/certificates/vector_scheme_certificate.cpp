@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace subcert {
 namespace {
 
@@ -19,57 +21,74 @@ std::optional<long> proved_derivatives(const Rational& radius, long arity, long 
   return result;
 }
 
+std::string scheme_name(bool hermite) { return hermite ? "Hermite scheme" : "vector scheme"; }
+
 }  // namespace
 
-std::string certificate_text::space_of_vectors_text(const ParametricMask& mask, bool hermite) {
-  const AnnihilatingSpace space = annihilating_space(mask);
-  std::string text = fmt::format("sum-rules {}\n", space.polynomials.data.size());
-  for (const Values& y : space.polynomials.data) {
+void certificate_text::require_vector_scheme(const LatticeMask& mask, bool hermite) {
+  require(mask.components() > 1 && mask.dimension() == 1 && mask.dilation().factor().value_or(0) > 1,
+          "certificate: need a {} of one variable with an arity, got the dilation {}", scheme_name(hermite),
+          mask.dilation().to_text());
+}
+
+std::string certificate_text::space_of_vectors_text(const AnnihilatingSpace& space, int arity, bool hermite) {
+  const PolynomialData& polynomials = space.polynomials;
+  std::string text = fmt::format("sum-rules {}\n", polynomials.data.size());
+  for (Values y : polynomials.data) {
     if (hermite) break;
+    if (polynomials.root > 0) std::rotate(y.begin(), y.begin() + static_cast<long>(y.size() / 2), y.end());
     text += "data";
     for (const Rational& number : y) text += " " + to_text(number);
     text += "\n";
   }
   text += "digits";
-  for (int d = 0; d < mask.arity(); ++d) text += fmt::format(" {}", d);
+  for (int d = 0; d < arity; ++d) text += fmt::format(" {}", d);
   text += "\n";
   for (const LatticeSequence& reading : space.readings)
     text += "reading" + terms_text(reading, common_denominator({reading}), 1);
   return text + vectors_text(space.basis, space.pivots, 1);
 }
 
-Certificate vector_scheme_certificate(const LatticeMask& given, bool hermite, const Budget& budget) {
-  const std::string scheme = hermite ? "Hermite scheme" : "vector scheme";
-  require(given.components() > 1 && given.dimension() == 1 && given.dilation().factor().value_or(0) > 1,
-          "certificate: need a {} of one variable with an arity, got the dilation {}", scheme,
-          given.dilation().to_text());
-  const ParametricMask mask = without_letters(given);
-  const PolynomialData kept = kept_polynomials(mask);
-  require(!kept.data.empty() && (!hermite || kept.hermite), "certificate: need a {} that keeps {}, got another", scheme,
+void certificate_text::require_kept(const PolynomialData& kept, bool hermite) {
+  require(!kept.data.empty() && (!hermite || kept.hermite), "certificate: need a {} that keeps {}, got another",
+          scheme_name(hermite),
           hermite
               ? "values and derivatives of polynomials up to the degree of the derivatives in its data (the spectral "
                 "condition)"
               : "one vector of constants up to a factor");
-  const MatrixFamily family = difference_matrices(mask).at({0});
+}
+
+ClaimedEnds certificate_text::ends_of_scheme(const PolynomialData& kept, bool hermite, int arity,
+                                             const JointSpectralRadius& radius) {
   const auto order = static_cast<long>(kept.data.size()),
-             least = hermite ? static_cast<long>(given.components()) - 1 : 0;
-  const NormProof norms = norm_of_products(family, {budget.deadline.after(schedule::vector::norms), budget.memory});
-  const JointSpectralRadius radius = joint_spectral_radius(family, budget, norms);
-  const auto derivatives = proved_derivatives(radius.proved_upper(), mask.arity(), order, least);
+             least = hermite ? static_cast<long>(kept.components()) - 1 : 0;
+  const auto derivatives = proved_derivatives(radius.proved_upper(), arity, order, least);
   const bool refuted = !derivatives && (!hermite || kept.interpolating) &&
-                       proved_lower(radius.product) >= power(Rational(mask.arity()), order - least);
+                       proved_lower(radius.product) >= power(Rational(arity), order - least);
   require(derivatives || refuted, "certificate: {} of the {} is not decided",
-          hermite ? fmt::format("HC^{}", least) : "convergence", scheme);
+          hermite ? fmt::format("HC^{}", least) : "convergence", scheme_name(hermite));
   ClaimedEnds ends;
   (refuted ? ends.upper : ends.lower) = std::to_string(hermite ? derivatives.value_or(least) : 0);
+  return ends;
+}
+
+Certificate vector_scheme_certificate(const LatticeMask& given, bool hermite, const Budget& budget) {
+  require_vector_scheme(given, hermite);
+  const ParametricMask mask = without_letters(given);
+  require_kept(kept_polynomials(mask), hermite);
+  const AnnihilatingSpace space = annihilating_space(mask);
+  const MatrixFamily family = difference_matrices(mask).at({0});
+  const NormProof norms = norm_of_products(family, {budget.deadline.after(schedule::vector::norms), budget.memory});
+  const JointSpectralRadius radius = joint_spectral_radius(family, budget, norms);
+  const ClaimedEnds ends = ends_of_scheme(space.polynomials, hermite, mask.arity(), radius);
   Certificate certificate{
       {ends,
        MaskSubject{mask.to_text('w'), std::to_string(mask.arity()), {}, false, {}, hermite ? "hermite" : "vectors"}},
       {},
       ends};
-  certificate.sections.push_back(
-      {space_of_vectors_text(mask, hermite) + blocks_text(radius) + (refuted ? product_text(family, radius) : "")});
-  if (!refuted) add_sections(certificate, radius.proof, family.count());
+  certificate.sections.push_back({space_of_vectors_text(space, mask.arity(), hermite) + blocks_text(radius) +
+                                  (ends.upper ? product_text(family, radius) : "")});
+  if (!ends.upper) add_sections(certificate, radius.proof, family.count());
   return certificate;
 }
 

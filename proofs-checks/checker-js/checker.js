@@ -2279,6 +2279,11 @@ var check_certificate = (() => {
     const two_r = range_of(2 * r), all = range_of(half / (r * r)).flatMap(m => two_r.flatMap(i => two_r.map(k => entry(m, i, k))));
     return {...surface, components: 2 * r, den, numbers: all, root: of_root};
   }
+  function read_field_curve(text, arity) {
+    const {sizes, den, numbers, components, first, root: of_root} = read_over_field(text);
+    demand(sizes.length === 1 && numbers.length <= 4000, 'a mask has 1 to 1000 coefficients, the first and the last not zero');
+    return {arity, degree: 0, q: [den], a: numbers.map(x => [x]), components, first: first[0], root: of_root};
+  }
   function mask_sequence({sizes, components, numbers, first}) {
     const result = new Map(), entries = components ** 2 || 1;
     numbers.forEach((value, i) => {
@@ -2731,25 +2736,26 @@ var check_certificate = (() => {
     return data.every((_, l) => !sign(range_of(l + 1).reduce((total, s) =>
       data[s].reduce((inner, y, c) => reduced(plus(inner, times(y, moments[l - s][c]))), total), fraction(0n))));
   }
-  function read_generators(reader, data) {  // shifts of these are all that annihilates the data
-    const first = data[0].findIndex(sign), delta = new Map();
-    demand(first >= 0, 'the constant data are 0');
+  // Shifts of these are all that annihilates the data; components are told by their number modulo that of the functions
+  function read_generators(reader, data, functions) {
+    const found = data[0].findIndex(sign), first = found % functions, delta = new Map();
+    demand(found >= 0, 'the constant data are 0');
     add(delta, [0, first], 1n);
-    const others = range_of(data[0].length).filter(c => c !== first).map(c => {
-      const x = read_sequence(reader.read('reading', 1, 2 ** 24), 1, data[0].length), places = [...x.values()].map(([p]) => p[1]);
+    const others = range_of(functions).filter(c => c !== first).map(c => {
+      const x = read_sequence(reader.read('reading', 1, 2 ** 24), 1, data[0].length), places = [...x.values()].map(([p]) => p[1] % functions);
       demand(places.every(at => at === c || at === first), "a line 'reading' has a component too many");
       demand(places.filter(at => at === c).length === 1, "a line 'reading' has not one number of its component");
       return x;
     });
     return [...differences(delta, data.length, 1), ...others];
   }
-  function check_interpolation({arity, degree, q, a, components: r, first}) {
+  function check_interpolation({arity, degree, q, a, components: r, first}, functions) {
     const wrong = 'the scheme does not interpolate';
     a.forEach((p, i) => {
       const inside = i % (r * r), k = first + BigInt((i - inside) / (r * r)), column = inside % r, row = (inside - column) / r;
       if (k % BigInt(arity)) return;
       range_of(degree + 1).forEach(j =>
-        demand(p[j] * BigInt(arity) ** BigInt(row) === (!k && row === column ? q[j] : 0n), wrong));
+        demand(p[j] * BigInt(arity) ** BigInt(row % functions) === (!k && row === column ? q[j] : 0n), wrong));
     });
   }
   function check_vectors(reader, claim) {
@@ -2759,10 +2765,15 @@ var check_certificate = (() => {
     check_ends(lower, upper, 0);
     const end = lower || upper;
     demand(less(end, order), 'the end is not below the number of sum rules');
-    demand(!hermite || !less(end, r - 1), 'a Hermite scheme is asked for fewer derivatives than its data are');
-    if (hermite && upper) check_interpolation(curve);
-    const unit = s => range_of(r).map(c => fraction(c === s ? 1n : 0n));
-    const data = range_of(order).map(s => hermite ? unit(s) : reader.read('data', r).map(rational));
+    const {root: of_root} = curve, functions = of_root ? r / 2 : r;
+    demand(!hermite || !less(end, functions - 1), 'a Hermite scheme is asked for fewer derivatives than its data are');
+    if (hermite && upper) check_interpolation(curve, functions);
+    const unit = s => range_of(r).map(c => fraction(c === s && s < functions ? 1n : 0n));
+    // 6.9: (q, p) for p + sqrt(R) q, and its multiple by the root
+    const turned = y => [...y.slice(functions), ...y.slice(0, functions)];
+    const data = range_of(order).map(s => turned(hermite ? unit(s) : reader.read('data', r).map(rational)));
+    const multiples = data.map(y => turned(y).map((x, c) => c < functions ? x : times(x, fraction(of_root || 0n))));
+    const is_zero = x => annihilates(x, data) && (!of_root || annihilates(x, multiples));
     const surface = {sizes: [a.length / (r * r)], components: r, first: [first]};
     const powers = range_of(degree + 1).map(k => mask_sequence({...surface, numbers: a.map(p => p[k])}));
     const digits = reader.read('digits', arity).map(token => read_point(token, 1));
@@ -2778,20 +2789,26 @@ var check_certificate = (() => {
              'the scheme does not keep the constant data');
     });
     const all = {digits, images: x => digits.flatMap(t => transitions.map(one => one.apply(t, x)))};
-    const start = read_generators(reader, data);
+    const start = read_generators(reader, data, functions);
     for (const x of start) {
-      demand(annihilates(x, data), "a line 'reading' does not annihilate the data");
-      demand(all.images(x).every(y => annihilates(y, data)), 'the scheme does not keep the data');
+      demand(is_zero(x), "a line 'reading' does not annihilate the data");
+      demand(all.images(x).every(is_zero), 'the scheme does not keep the data');
     }
-    const vectors = read_space(reader, 1, r), families = transitions.map(one => () => space_family(vectors, one, 1n));
-    demand(vectors.every(x => annihilates(x, data)), 'a vector does not annihilate the data');
-    const by_power = families.map(make => make());
-    long_words(start, vectors.map(row => ({key: first_key(row), row})), all);
+    const vectors = read_space(reader, 1, r, of_root), count = of_root ? vectors.length / 2 : vectors.length;
+    demand(vectors.every(is_zero), 'a vector does not annihilate the data');
+    const by_power = transitions.map(one => space_family(vectors, one, of_root ? q[0] : 1n, count));
+    const multiples_of_start = of_root ? start.map(x => times_root(x, of_root, r)) : [];
+    long_words([...start, ...multiples_of_start], vectors.map(row => ({key: first_key(row), row})), all);
     const scale = base ** BigInt(order);
-    const matrices = digits.map((_, t) => vectors.map((_row, i) => vectors.map((_column, k) =>
-      by_power.map(({matrices: m}) => scale * m[t][i][k]))));
     const goal = {below: lower && at_most(power_below(base, minus(order, lower)), true)};
     if (upper) goal.above = at_least(over(1n, power_below(base, minus(upper, order))));  // above 1
+    if (of_root) {
+      const halves = by_power[0].matrices.map(m => scaled(m, scale)).map(m => on_halves(m.slice(0, count), m.slice(count), of_root));
+      prove(reader, near_family({root: of_root, size: count, den: by_power[0].den, halves}), goal);
+      return;
+    }
+    const matrices = digits.map((_, t) => vectors.map((_row, i) => vectors.map((_column, k) =>
+      by_power.map(({matrices: m}) => scale * m[t][i][k]))));
     const symbol = {arity, degree, q, den: by_power[0].den, matrices};
     if (interval) check_intervals(reader, symbol, goal, {levels, interval});
     else prove(reader, control_family(symbol, null), goal);
@@ -3860,7 +3877,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.hermite = options.hermite !== undefined;
       const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range_of(options, claim);
       if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
-      claim.curve = read_curve(options[kind_of], small(options.arity, 2, 16), letter, 2);
+      const arity = small(options.arity, 2, 16);
+      claim.curve = letter || !options[kind_of].includes('sqrt(') ? read_curve(options[kind_of], arity, letter, 2) : read_field_curve(options[kind_of], arity);
       claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${claim.values}${claim.levels ? ' levels' : ''}${claim.following}`;
     } else if (options.masks !== undefined) {
       claim.list = read_list(options.masks, small(options.arity, 2, 16), options.order);

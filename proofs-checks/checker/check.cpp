@@ -241,23 +241,17 @@ class Checker {
 
   /// Section 6.7: of a vector scheme.
   Family read_vectors(const Mask& mask) {
-    const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = mask.components;
+    const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = claim_.functions();
     show_exponent(claim_.arity, power(claim_.arity, order), order);
     const mpq_class end = claim_.lower ? *claim_.lower : *claim_.upper;
     require(end < mpz_class(order), "the end is not below the number of sum rules");
     require(!claim_.hermite || end + 1 >= mpz_class(size),
             "a Hermite scheme is asked for fewer derivatives than its data are");
-    VectorScheme scheme{mask, std::vector<Rationals>(order, Rationals(size))};
-    if (claim_.hermite) {
-      for (std::size_t s = 0; s < size; ++s) scheme.data[s][s] = 1;
-      if (claim_.upper) check_interpolation(mask, claim_.arity);
-    } else {
-      for (Rationals& y : scheme.data) {
-        const Fields fields = reader_.take("data", size, size);
-        std::transform(fields.begin(), fields.end(), y.begin(), parse_rational);
-      }
-    }
-    return read_vector_scheme(scheme, claim_.arity, reader_, arithmetic_);
+    if (claim_.hermite && claim_.upper) check_interpolation(mask, size, claim_.arity);
+    SurfaceFamily found = read_vector_scheme(mask, claim_.root, claim_.arity, order, claim_.hermite, reader_,
+                                             arithmetic_);
+    over_field_ = std::move(found.over_field);
+    return std::move(found.family);
   }
 
   /// The transition matrices of the mask, and what is to be shown of them.

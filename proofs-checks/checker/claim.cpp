@@ -82,7 +82,7 @@ Options read_options(const std::vector<std::string>& arguments) {
 void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
                        bool of_matrices = false) {
   const char letter = claim.range ? claim.range->letter : '\0';
-  if (kind == "dilation" && of_matrices && has_root(mask)) {
+  if (of_matrices && !claim.range && has_root(mask)) {
     FieldMask over_field = parse_field_mask(mask);
     claim.mask = std::move(over_field.doubled);
     claim.root = over_field.root;
@@ -91,7 +91,7 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
   }
   const Vector& coefficients = claim.mask->coefficients;
   if (kind == "arity") {
-    require(claim.mask->sizes.size() == 1 && claim.mask->points() <= 1000 &&
+    require(claim.mask->sizes.size() == 1 && claim.mask->points() <= (claim.root == 0 ? 1000 : 4000) &&
                 (claim.range || of_matrices || (coefficients.front() != 0 && coefficients.back() != 0)),
             "a mask has 1 to 1000 coefficients, the first and the last not zero");
     claim.arity = static_cast<unsigned>(parse_size(scale, 2, 16));
@@ -239,18 +239,17 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.head += " vertex=" + *vertex;
     claim.subject += ", and C^1 limits of almost all data around " + *vertex;
   }
-  const std::size_t functions = claim.mask ? claim.mask->components / (claim.root == 0 ? 1 : 2) : 0;
   if (integral) {
     claim.integral.emplace();
     for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
-    require(claim.integral->size() == functions &&
+    require(claim.integral->size() == claim.functions() &&
                 std::ranges::any_of(*claim.integral, [](const mpq_class& x) { return x != 0; }),
             "an integral is a list of a number for each component, not all 0");
     claim.head += " integral=" + *integral;
     claim.subject += " and integral " + *integral;
   }
   if (component) {
-    claim.component = parse_size(*component, 0, functions - 1);
+    claim.component = parse_size(*component, 0, claim.functions() - 1);
     claim.head += " component=" + *component;
     claim.subject = "component " + *component + " of " + claim.subject;
   }

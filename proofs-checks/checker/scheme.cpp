@@ -186,7 +186,7 @@ Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules
   return {size, entries, mask.denominator};
 }
 
-void check_interpolation(const Mask& mask, unsigned arity) {
+void check_interpolation(const Mask& mask, std::size_t data, unsigned arity) {
   const std::size_t square = mask.components * mask.components;
   for (std::size_t i = 0; i < mask.points(); ++i) {
     const mpz_class k = mask.first[0] + mpz_class(i / square);
@@ -194,7 +194,7 @@ void check_interpolation(const Mask& mask, unsigned arity) {
     const std::size_t row = i % square / mask.components, column = i % square % mask.components;
     for (std::size_t p = 0; p < mask.powers; ++p) {
       const mpz_class whole = k == 0 && row == column ? mpz_class(mask.denominator * mask.divisor[p]) : mpz_class(0);
-      require(mask.coefficients[p * mask.points() + i] * power(arity, row).get_num() == whole,
+      require(mask.coefficients[p * mask.points() + i] * power(arity, row % data).get_num() == whole,
               "the scheme does not interpolate");
     }
   }

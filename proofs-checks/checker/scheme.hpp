@@ -58,8 +58,9 @@ Mask parse_matrix_mask(std::string_view text, char letter);
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules, std::size_t width = 1);
 
 /// Rejects unless a mask of matrices of one variable has A_0 = diag(1, 1/arity, 1/arity^2, ...), if it has A_0, and
-/// A_k = 0 for the other multiples k of the arity. One without A_0 keeps no constant data.
-void check_interpolation(const Mask& mask, unsigned arity);
+/// A_k = 0 for the other multiples k of the arity. One without A_0 keeps no constant data. `data`: the size of A_0, of
+/// which a doubled mask has two.
+void check_interpolation(const Mask& mask, std::size_t data, unsigned arity);
 
 /// Condition (i) of Theorem 4, for a mask without a parameter.
 void check_no_leading_factors(const Mask& mask, unsigned arity);

@@ -117,6 +117,74 @@ TEST_CASE("certificates of matrices with a square root: of one function of rando
   }
 }
 
+namespace {
+
+/// The functions (phi_1 + sqrt(root) phi_2, phi_2) of a rational mask of two.
+QuadraticMask mixed_with_root(const LatticeMask& mask, long root) {
+  std::vector<QuadraticTerm> terms;
+  for (const LatticeMask::Term& term : mask.terms()) {
+    const Rational& x = term.coefficient;
+    const auto add = [&](std::size_t row, std::size_t column, const Rational& rational, const Rational& multiple) {
+      terms.push_back({term.exponents, row, column, rational, multiple});
+    };
+    add(term.row, term.column, x, 0);
+    if (term.row == 1) add(0, term.column, 0, x);
+    if (term.column == 0) add(term.row, 1, 0, -x);
+    if (term.row == 1 && term.column == 0) add(0, 1, -root * x, 0);
+  }
+  return quadratic_mask(terms, 2, root, mask.dilation());
+}
+
+bool proves_scheme(const Certificate& certificate) {
+  const auto& subject = std::get<MaskSubject>(certificate.claim.subject);
+  return proves("--" + subject.of_matrices + " '" + subject.mask + "' --arity " + subject.arity,
+                certificate.claim.lower.value_or(""), certificate.claim.upper.value_or(""), certificate.text());
+}
+
+}  // namespace
+
+TEST_CASE("certificates of schemes with a square root in their matrices") {
+  const Budget budget{Deadline::in(60)};
+  for (const char* specification : {"cl:2", "cl:3", "bat:1", "bat:2", "sa4"}) {
+    CAPTURE(specification);
+    const Certificate certificate = vector_scheme_certificate(*make_refinable_scheme(specification).quadratic, false,
+                                                              budget);
+    CHECK(certificate.claim.lower == "0");
+    CHECK(proves_scheme(certificate));
+  }
+  // Merrien's scheme, mu = sqrt(2)/4, and mu = 2 sqrt(2) - 2 or its conjugate, of which the first is HC^1 alone
+  for (const auto& [text, lower, upper] : std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"[[[1/2,-1/8],[1/2-sqrt(2)/8,sqrt(2)/16]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)/8-1/2,sqrt(2)/16]]]@-1", "1",
+            ""},
+           {"[[[1/2,-1/8],[3/2-sqrt(2),sqrt(2)/2-1/2]],[[1,0],[0,1/2]],[[1/2,1/8],[sqrt(2)-3/2,sqrt(2)/2-1/2]]]@-1",
+            "1", ""},
+           {"[[[1/2,-1/8],[3/2+sqrt(2),-sqrt(2)/2-1/2]],[[1,0],[0,1/2]],[[1/2,1/8],[-sqrt(2)-3/2,-sqrt(2)/2-1/2]]]@-1",
+            "", "1"}}) {
+    CAPTURE(text);
+    const Certificate certificate = vector_scheme_certificate(*make_refinable_scheme("hermite:" + text).quadratic, true,
+                                                              budget);
+    CHECK(certificate.claim.lower.value_or("") == lower);
+    CHECK(certificate.claim.upper.value_or("") == upper);
+    CHECK(proves_scheme(certificate));
+  }
+}
+
+TEST_CASE("certificates of schemes that a square root mixes say what those of the rational ones do") {
+  const Budget budget{Deadline::in(60)};
+  for (const char* specification :
+       {"bspline:degree=3,multiplicity=2", "bspline:degree=2,multiplicity=2", "ghm", "merrien:lambda=-1/8,mu=1/2",
+        "vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1"})
+    for (const long root : {2L, 7L}) {
+      CAPTURE(specification, root);
+      const LatticeMask mask = make_refinable_scheme(specification).mask;
+      const Certificate rational = vector_scheme_certificate(mask, false, budget),
+                        mixed = vector_scheme_certificate(mixed_with_root(mask, root), false, budget);
+      CHECK(mixed.claim.lower == rational.claim.lower);
+      CHECK(mixed.claim.upper == rational.claim.upper);
+      CHECK(proves_scheme(mixed));
+    }
+}
+
 TEST_CASE("certificates of matrices with a square root: what there are none for") {
   const Scheme scheme = make_refinable_scheme("cl:2");
   const Budget budget{Deadline::in(20)};
@@ -132,6 +200,14 @@ TEST_CASE("certificates of matrices with a square root: what there are none for"
   const MultivariateRegularity of_root = vector_regularity(*mixed.quadratic, budget,
                                                            {.integral = std::vector<Rational>{0, 0, 1, 0}});
   CHECK_THROWS_WITH(field_certificate(*mixed.quadratic, of_root), Catch::Contains("an integral of rational numbers"));
+  const auto fails_as = [&](const std::string& text, bool hermite, const char* message) {
+    CHECK_THROWS_WITH(vector_scheme_certificate(*make_refinable_scheme(text).quadratic, hermite, budget),
+                      Catch::Contains(message));
+  };
+  fails_as("hermite:[[[1/2,-1/8],[sqrt(2)/2,0]],[[1,0],[0,1/2]],[[1/2,1/8],[-sqrt(2)/2,0]]]@-1", true,
+           "need a Hermite scheme that keeps values and derivatives");
+  fails_as("vector:[[[sqrt(2),0],[0,2]],[[1,0],[0,1]]]", false, "need a vector scheme that keeps one vector");
+  fails_as("vector:[[[[1,0],[0,sqrt(2)]],[[1,0],[0,1]]],[[[1,0],[0,1]],[[1,0],[0,1]]]]", false, "of one variable");
   // discontinuous functions, as the matrices of differences have a radius of 1 or more
   const Scheme rough = make_refinable_scheme(beside_hat({"sqrt(2)", "0", "0", "1/2", "1/2", "0", "0", "1/2"}));
   CHECK_THROWS_AS(certificate_of(rough), Error);

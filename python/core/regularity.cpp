@@ -174,10 +174,12 @@ void add_regularity(py::module_& module) {
       .def("certificate", &holder_certificate);
   module.def("holder", &holder);
   module.def("vector_scheme_certificate", [](const Scheme& scheme, double seconds, const py::object& progress) {
-    require(scheme.form && !scheme.quadratic, "certificate: need a scheme of rational matrices, got {}",
-            scheme.specification);
+    require(scheme.form.has_value(), "certificate: need a scheme of matrices, got {}", scheme.specification);
+    const bool hermite = scheme.form == VectorForm::hermite;
     const Certificate found = interruptible(progress, [&] {
-      return vector_scheme_certificate(scheme.mask, scheme.form == VectorForm::hermite, {Deadline::in(seconds)});
+      const Budget budget{Deadline::in(seconds)};
+      return scheme.quadratic ? vector_scheme_certificate(*scheme.quadratic, hermite, budget)
+                              : vector_scheme_certificate(scheme.mask, hermite, budget);
     });
     return to_list(found);
   });

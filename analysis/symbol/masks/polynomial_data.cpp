@@ -52,10 +52,16 @@ class Samples {
     return result;
   }
 
-  bool interpolate(const ParametricMask& mask) const {
+  /// `size`: of the matrices; of a doubled mask those are P, and Q below them.
+  bool interpolate(const ParametricMask& mask, std::size_t size) const {
     return std::ranges::all_of(samples_, [&](const auto& sample) {
-      return keeps_data(mask.terms_of(sample.first), mask.components(), Dilation::multiple(1, mask.arity()), true,
-                        sample.second);
+      std::vector<LatticeMask::Term> terms = mask.terms_of(sample.first);
+      std::erase_if(terms, [&](const LatticeMask::Term& term) { return term.column >= size; });
+      const bool is_rational = std::ranges::none_of(terms, [&](const LatticeMask::Term& term) {
+        return term.row >= size && modulo(term.exponents[0], arity_) == 0 && term.coefficient != 0;
+      });
+      std::erase_if(terms, [&](const LatticeMask::Term& term) { return term.row >= size; });
+      return is_rational && keeps_data(terms, size, Dilation::multiple(1, mask.arity()), true, sample.second);
     });
   }
 
@@ -88,29 +94,42 @@ Values value_of(const std::vector<Values>& data, std::size_t l, long j) {
   return result;
 }
 
+/// Of vectors (q, p) for p + sqrt(root) q those times the root.
+Values times_root(const Values& y, long root) {
+  const std::size_t half = y.size() / 2;
+  Values result(y.begin() + static_cast<std::ptrdiff_t>(half), y.end());
+  for (std::size_t c = 0; c < half; ++c) result.push_back(root * y[c]);
+  return result;
+}
+
 /// As many points as decide an equation of polynomials of this degree in each class.
 long points_for(std::size_t degree, int arity) { return arity * (static_cast<long>(degree) + 1); }
 
 /// The y_s of values and derivatives, as far as they are kept.
-std::vector<Values> hermite_data(const Samples& samples, int arity, std::size_t most) {
-  const std::size_t components = samples.components();
+std::vector<Values> hermite_data(const Samples& samples, int arity, std::size_t most, long root) {
+  const std::size_t components = samples.components(), first = root > 0 ? components / 2 : 0,
+                    multiples = root > 0 ? 2 : 1;
   std::vector<Values> data;
   while (data.size() < most) {
     const std::size_t l = data.size();
     data.emplace_back(components);
-    if (l < components) data.back()[l] = 1;
+    if (first + l < components) data.back()[first + l] = 1;
     const long points = points_for(l, arity);
     const auto e = [&](std::size_t degree) { return [&data, degree](long j) { return value_of(data, degree, j); }; };
     const Values defects = samples.defects(e(l), power(Rational(arity), -static_cast<long>(l)), points);
     const std::size_t rows = static_cast<std::size_t>(points) * components;
     bool is_kept = true;
     for (std::size_t sample = 0; sample < samples.count() && is_kept; ++sample) {
-      RationalMatrix columns(rows, l + 1);
+      RationalMatrix columns(rows, multiples * l + 1);
       for (std::size_t r = 0; r < rows; ++r) {
-        for (std::size_t d = 0; d < l; ++d) columns(r, d) = e(d)(static_cast<long>(r / components))[r % components];
-        columns(r, l) = defects[sample * rows + r];
+        for (std::size_t d = 0; d < l; ++d) {
+          const Values value = e(d)(static_cast<long>(r / components));
+          columns(r, d) = value[r % components];
+          if (root > 0) columns(r, l + d) = times_root(value, root)[r % components];
+        }
+        columns(r, multiples * l) = defects[sample * rows + r];
       }
-      is_kept = !kernel(columns).empty();  // the e_d are independent
+      is_kept = !kernel(columns).empty();  // the e_d, and their multiples, are independent
     }
     if (!is_kept) {
       data.pop_back();
@@ -121,7 +140,7 @@ std::vector<Values> hermite_data(const Samples& samples, int arity, std::size_t 
 }
 
 /// Whatever data satisfy S e_l = a^-l e_l for all values of the letters.
-std::vector<Values> other_data(const Samples& samples, int arity, std::size_t most) {
+std::vector<Values> other_data(const Samples& samples, int arity, std::size_t most, long root) {
   const std::size_t components = samples.components();
   std::vector<std::vector<Values>> solutions{{}};  // a basis of all y_0, ..., y_{l-1}
   std::vector<Values> result;
@@ -152,7 +171,7 @@ std::vector<Values> other_data(const Samples& samples, int arity, std::size_t mo
     const auto found = std::ranges::find_if(solutions, [](const std::vector<Values>& solution) {
       return std::ranges::any_of(solution.front(), [](const Rational& x) { return x != 0; });
     });
-    if (found == solutions.end() || (l == 0 && solutions.size() > 1)) break;
+    if (found == solutions.end() || (l == 0 && solutions.size() > (root > 0 ? 2 : 1))) break;
     result = *found;
   }
   return result;
@@ -163,21 +182,23 @@ std::vector<Values> other_data(const Samples& samples, int arity, std::size_t mo
 std::vector<Values> PolynomialData::at(long j) const {
   std::vector<Values> result;
   for (std::size_t l = 0; l < data.size(); ++l) result.push_back(value_of(data, l, j));
+  for (std::size_t l = 0; root > 0 && l < data.size(); ++l) result.push_back(times_root(result[l], root));
   return result;
 }
 
-PolynomialData kept_polynomials(const ParametricMask& mask) {
+PolynomialData kept_polynomials(const ParametricMask& mask, long root) {
   const Samples samples(mask);
   const IndexRange support = mask.support();
   // As many data as there are on the support of the functions.
-  const std::size_t most = mask.components() *
-                           static_cast<std::size_t>(1 + (support.last - support.first) / (mask.arity() - 1));
-  PolynomialData result{hermite_data(samples, mask.arity(), most)};
-  result.hermite = result.data.size() >= mask.components();
+  const std::size_t size = mask.components() / (root > 0 ? 2 : 1);
+  const std::size_t most = size * static_cast<std::size_t>(1 + (support.last - support.first) / (mask.arity() - 1));
+  PolynomialData result{hermite_data(samples, mask.arity(), most, root)};
+  result.root = root;
+  result.hermite = result.data.size() >= size;
   if (result.hermite)
-    result.interpolating = samples.interpolate(mask);
+    result.interpolating = samples.interpolate(mask, size);
   else
-    result.data = other_data(samples, mask.arity(), most);
+    result.data = other_data(samples, mask.arity(), most, root);
   return result;
 }
 

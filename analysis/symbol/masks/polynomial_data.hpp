@@ -14,14 +14,20 @@ struct PolynomialData {
   bool hermite = false;
   /// Then the scheme interpolates as well: A_0 is diag(1, 1/a, 1/a^2, ...), A_{ak} = 0 for all other k.
   bool interpolating = false;
+  /// Not 0 where the mask is [P, root Q; Q, P] of a QuadraticMask: the y_s are vectors p + sqrt(root) q, (q, p), and so
+  /// are their combinations.
+  long root = 0;
 
-  /// e_l(j), l = 0, 1, ...
+  /// e_l(j), l = 0, 1, ...; with a root then all of them times sqrt(root).
   std::vector<Values> at(long j) const;
+  /// Of the vectors: rows of the matrices of the scheme.
+  std::size_t components() const { return data.front().size() / (root > 0 ? 2 : 1); }
 };
 
 /// As many as there are; values and derivatives where these are all kept up to a degree of components - 1 at least.
-/// None where y_0 depends on the letters, or is not the only one up to a factor. Domain: more than one component. Cost:
-/// small linear systems. Proof of what follows from them: docs/vectors.md.
-PolynomialData kept_polynomials(const ParametricMask& mask);
+/// None where y_0 depends on the letters, or is not the only one up to a factor. Domain: more than one component; with
+/// a root the doubled mask of a QuadraticMask. Cost: small linear systems. Proof of what follows from them:
+/// docs/vectors.md.
+PolynomialData kept_polynomials(const ParametricMask& mask, long root = 0);
 
 }  // namespace subcert

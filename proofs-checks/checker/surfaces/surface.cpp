@@ -62,25 +62,25 @@ class Surface {
     check_unique(operators_,
                  integral ? read_functionals(operators_, values, *integral, reader_, &root) : std::vector<Vector>(), 2);
     read_space(&root);
-    const std::size_t size = space_.size() / 2, count = operators_.classes();
-    const Family moved = restricted(size);
+    const Family moved = restricted(space_.size() / 2);
     const std::size_t rounds = rounds_into_space(starts);
     if (spanned) check_spanned(starts, rounds);
-    FieldFamily result{{size, {}, moved.denominator}, {size, {}, moved.denominator}, root};
-    for (std::size_t k = 0; k < count * size; ++k) {
-      const auto column = moved.entries.begin() + static_cast<std::ptrdiff_t>(2 * k * size),
-                 half = column + static_cast<std::ptrdiff_t>(size), end = half + static_cast<std::ptrdiff_t>(size);
-      result.rational.entries.insert(result.rational.entries.end(), column, half);
-      result.multiples.entries.insert(result.multiples.entries.end(), half, end);
-    }
-    return result;
+    return over_field(moved, root);
   }
 
-  /// Section 6.7: the space of what annihilates the data, of masks of matrices with a parameter.
-  Family of_data(const VectorScheme& scheme) {
-    const Vector& divisor = scheme.mask.divisor;
-    const std::vector<Rationals>& data = scheme.data;
-    for (std::size_t p = 0; p < scheme.mask.powers; ++p) {
+  /// Section 6.7: the space of what annihilates the data of the scheme with this mask, perhaps with a parameter. With a
+  /// root, section 6.9, the mask is the doubled one, and the matrices are over the field. Each of `data` is y, or (q,
+  /// p) for p + sqrt(root) q: what the sequences of the doubled mask, number by number, tell of its multiple of the
+  /// root.
+  SurfaceFamily of_data(const Mask& mask, const std::vector<Rationals>& data, const mpz_class* root) {
+    const Vector& divisor = mask.divisor;
+    const std::size_t functions = operators_.components() / (root ? 2 : 1);
+    std::vector<std::vector<Rationals>> conditions{data};
+    if (root) conditions.push_back(multiples(data, *root));
+    const auto is_zero = [&](const Sequence& x) {
+      return std::ranges::all_of(conditions, [&](const auto& one) { return annihilates(x, one); });
+    };
+    for (std::size_t p = 0; p < mask.powers; ++p) {
       std::vector<Rationals> sums(operators_.classes(), Rationals(operators_.components()));
       for (const auto& [place, value] : power(p)) {
         const std::size_t row = place.component / operators_.components(),
@@ -93,17 +93,22 @@ class Surface {
           require(sum[c] == data[0][c] * operators_.denominator() * divisor[p],
                   "the scheme does not keep the constant data");
     }
-    const std::set<Sequence> starts = read_generators(data);
+    std::set<Sequence> starts = read_generators(data, functions);
     for (const Sequence& start : starts) {
-      require(annihilates(start, data), "a line 'reading' does not annihilate the data");
-      for (const Sequence& image : images(start))
-        require(annihilates(image, data), "the scheme does not keep the data");
+      require(is_zero(start), "a line 'reading' does not annihilate the data");
+      for (const Sequence& image : images(start)) require(is_zero(image), "the scheme does not keep the data");
     }
-    read_space();
-    for (const Row& row : space_) require(annihilates(row.values, data), "a vector does not annihilate the data");
-    Family result = restricted();
+    read_space(root);
+    for (const Row& row : space_) require(is_zero(row.values), "a vector does not annihilate the data");
+    Family result = restricted(root ? space_.size() / 2 : space_.size());
+    if (root)
+      for (const Sequence& start : std::set(starts)) starts.insert(times_root(start, *root));
     rounds_into_space(starts);
-    return result;
+    const mpz_class scale = subcert_check::power(operators_.classes(), data.size()).get_num();
+    for (mpz_class& entry : result.entries) entry *= scale;
+    if (!root) return {std::move(result), {}, {}};
+    FieldFamily family = over_field(result, *root);
+    return {{}, {}, {}, std::move(family)};
   }
 
   /// Section 5.9: what reads a component on the space, and the line that says what it does not show. With `degree` 2 it
@@ -213,19 +218,21 @@ class Surface {
   }
 
   /// The differences of the first component that constant data have, and for each other one what reads it beside that
-  /// one.
-  std::set<Sequence> read_generators(const std::vector<Rationals>& data) {
+  /// one. Components are told by their number modulo that of the functions.
+  std::set<Sequence> read_generators(const std::vector<Rationals>& data, std::size_t functions) {
     std::size_t first = 0;
     while (first < data[0].size() && data[0][first] == 0) ++first;
     require(first < data[0].size(), "the constant data are 0");
+    first %= functions;
     std::set<Sequence> starts = operators_.differences({{Place{{}, first}, 1}}, data.size());
-    for (std::size_t c = 0; c < data[0].size(); ++c) {
+    for (std::size_t c = 0; c < functions; ++c) {
       if (c == first) continue;
       Sequence reading;
       std::size_t own = 0;
       for (const auto& [place, value] : read_terms("reading")) {
-        require(place.component == c || place.component == first, "a line 'reading' has a component too many");
-        own += place.component == c ? 1 : 0;
+        const std::size_t component = place.component % functions;
+        require(component == c || component == first, "a line 'reading' has a component too many");
+        own += component == c ? 1 : 0;
         operators_.set(reading, place, value);
       }
       require(own == 1, "a line 'reading' has not one number of its component");
@@ -266,6 +273,29 @@ class Surface {
       const bool is_rational = place.component < half;
       operators_.set(result, {place.point, is_rational ? place.component + half : place.component - half},
                      is_rational ? value : mpz_class(value * root));
+    }
+    return result;
+  }
+
+  /// (q, p) for p + sqrt(root) q, times sqrt(root).
+  static std::vector<Rationals> multiples(std::vector<Rationals> data, const mpz_class& root) {
+    for (Rationals& y : data) {
+      const auto half = static_cast<std::ptrdiff_t>(y.size() / 2);
+      std::rotate(y.begin(), y.begin() + half, y.end());
+      std::for_each(y.begin() + half, y.end(), [&](mpq_class& q) { q *= root; });
+    }
+    return data;
+  }
+
+  /// The images of the first half of the vectors, in coordinates of which the second half counts times the root.
+  static FieldFamily over_field(const Family& moved, const mpz_class& root) {
+    const std::size_t size = moved.size / 2;
+    FieldFamily result{{size, {}, moved.denominator}, {size, {}, moved.denominator}, root};
+    for (auto column = moved.entries.begin(); column != moved.entries.end();) {
+      const auto half = column + static_cast<std::ptrdiff_t>(size), end = half + static_cast<std::ptrdiff_t>(size);
+      result.rational.entries.insert(result.rational.entries.end(), column, half);
+      result.multiples.entries.insert(result.multiples.entries.end(), half, end);
+      column = end;
     }
     return result;
   }
@@ -430,16 +460,24 @@ SurfaceFamily read_vector_over_field(const Mask& doubled, const mpz_class& root,
   return {family.on_halves(), {}, [surface](std::size_t c) { return surface->read_component(c, 2); }, family};
 }
 
-Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic) {
+SurfaceFamily read_vector_scheme(const Mask& mask, const mpz_class& root, unsigned arity, std::size_t order,
+                                 bool hermite, Reader& reader, Arithmetic& arithmetic) {
+  const std::size_t size = mask.components, half = root > 0 ? size / 2 : 0;
+  std::vector<Rationals> data(order, Rationals(size));
+  for (std::size_t s = 0; s < order; ++s) {
+    if (hermite && s < size - half) data[s][s] = 1;
+    if (!hermite) {
+      const Fields fields = reader.take("data", size, size);
+      std::transform(fields.begin(), fields.end(), data[s].begin(), parse_rational);
+    }
+    std::rotate(data[s].begin(), data[s].begin() + static_cast<std::ptrdiff_t>(half), data[s].end());
+  }
   Dilation dilation;
   dilation.variables = 1;
   dilation.rows[0][0] = arity;
-  Surface surface(scheme.mask, dilation, reader, arithmetic);
+  Surface surface(mask, dilation, reader, arithmetic);
   surface.read_digits();
-  Family result = surface.of_data(scheme);
-  const mpz_class scale = power(arity, scheme.data.size()).get_num();
-  for (mpz_class& entry : result.entries) entry *= scale;
-  return result;
+  return surface.of_data(mask, data, root > 0 ? &root : nullptr);
 }
 
 }  // namespace subcert_check

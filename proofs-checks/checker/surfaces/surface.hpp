@@ -21,15 +21,11 @@ struct SurfaceFamily {
   std::optional<FieldFamily> over_field = {};
 };
 
-/// f'_i = sum over j of A_(i-aj)^T f_j, and y_0, ..., y_m of the data that it keeps: section 6.7.
-struct VectorScheme {
-  const Mask& mask;
-  std::vector<Rationals> data;
-};
-
-/// arity^(m+1) times the transition matrices of all powers of the parameter, one after another for each digit, on the
-/// space of the certificate; reads its lines from `digits` on.
-Family read_vector_scheme(const VectorScheme& scheme, unsigned arity, Reader& reader, Arithmetic& arithmetic);
+/// Of f'_i = sum over j of A_(i-aj)^T f_j, section 6.7, arity^order times the transition matrices of all powers of the
+/// parameter, one after another for each digit, on the space of the certificate; reads its lines from `data` on, of a
+/// Hermite scheme from `digits` on. With a root, that is not 0, those over the field, of the doubled mask.
+SurfaceFamily read_vector_scheme(const Mask& mask, const mpz_class& root, unsigned arity, std::size_t order,
+                                 bool hermite, Reader& reader, Arithmetic& arithmetic);
 
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
 /// order; they are those of the scheme, or with `of_values` those of phi, as they always are for a mask of matrices.

@@ -109,7 +109,23 @@ HAT = f"differences 2; digits 0 1; values 0.0:1; {FUNCTIONALS}space 1; vector -1
 # b and b' times sqrt(2)
 OF_ROOT = ("blocks 1 1 1; basis 0 0 0 1 0 0; basis 0 0 0 0 1 0; basis 0 0 1 0 0 0; inverse 0 0 0 1/2 0 0; inverse 0 0 0 0 1/2 0; "
            "inverse 0 0 1 0 0 0; ")
+# corner cutting beside numbers that are halved: SPEC.md, 6.9
+CUT = "[[[s,0],[0,1/2]],[[1-s,0],[0,1/2]],[[1-s,0],[0,0]],[[s,0],[0,0]]]@0".replace("s", "1/4*sqrt(2)")
+FAR = CUT.replace("1/4*sqrt(2)", "sqrt(2)")  # no convergence: 2 T_0 has the eigenvalue 2 - 4 sqrt(2)
+CUTTING = "sum-rules 1; data 1 0 0 0; digits 0 1; reading 0.1:1; space 3; vector 0.1:1; vector 0.0:1 1.0:-1; vector 2.0:1 1.0:-1; "
+
+
+def scheme(name, kind, mask, bounds, lines):
+    lower, upper = bounds.split()
+    option = f"--lower {lower}" if upper == "-" else f"--upper {upper}"
+    return name, f"--{kind} {mask} --arity 2 {option}", f"{kind} {mask} 2; bounds {bounds}; {lines}"
+
+
 ACCEPTED = [
+    scheme("field-scheme", "vectors", CUT, "0 -", CUTTING + "block 0 norm 1; end"),
+    scheme("field-scheme-multiple", "vectors", CUT, "0 -", CUTTING.replace("data 1 0 0 0", "data 3 0 -1/2 0") + "block 0 norm 1; end"),
+    scheme("field-scheme-reading", "vectors", CUT, "0 -", CUTTING.replace("reading 0.1:1", "reading 0.3:-2") + "block 0 norm 1; end"),
+    scheme("field-scheme-diverges", "vectors", FAR, "- 0", CUTTING + "product 0 -3656/1000 0 0; end"),
     accepted("field-by-hand", BUBBLE, BOUNDS, SPACE + UNIT + PRODUCT + NORMS),
     accepted("field-turned", BUBBLE, BOUNDS, SPACE + TURNED + PRODUCT + NORMS),
     accepted("field-two", BUBBLE, "499/1000 5001/10000", SPACE + TWO + "product 0 7071/10000 0 1; block 0 norm 1; block 1 norm 1; end"),
@@ -241,6 +257,20 @@ EDITED = [
     ("field-integral-few", "field-integral", None, "the functionals do not tell all of an integral", [("functional 0 1 0 0; ", "")]),
     ("field-integral-functional", "field-integral", None, "wrong number of fields", [("functional 1 0 0 0", "functional 1 0")]),
     ("field-integral-line", "field-integral", None, "expected 'functional'", [(FUNCTIONALS, "")]),
+    # schemes
+    ("field-scheme-data", "field-scheme", None, "wrong number of fields", [("data 1 0 0 0", "data 1 0")]),
+    ("field-scheme-zero", "field-scheme", None, "the scheme does not keep the constant data", [("data 1 0 0 0", "data 0 1 0 0")]),
+    ("field-scheme-data-root", "field-scheme", None, "the scheme does not keep the constant data", [("data 1 0 0 0", "data 1 0 0 1")]),
+    ("field-scheme-no-data", "field-scheme", None, "the constant data are 0", [("data 1 0 0 0", "data 0 0 0 0")]),
+    ("field-scheme-two-readings", "field-scheme", None, "a line 'reading' has not one number of its component", [("reading 0.1:1", "reading 0.1:1 0.3:1")]),
+    ("field-scheme-reading-other", "field-scheme", None, "a line 'reading' does not annihilate the data", [("reading 0.1:1", "reading 0.1:1 0.2:1")]),
+    ("field-scheme-reading-part", "field-scheme", None, "a line 'reading' does not annihilate the data", [("reading 0.1:1", "reading 0.1:1 0.0:1")]),
+    ("field-scheme-vector", "field-scheme", None, "a vector does not annihilate the data", [("vector 0.1:1", "vector 0.1:1 5.2:1")]),
+    ("field-scheme-smaller", "field-scheme", None, "a transition operator leads out of the space", [("space 3", "space 2"), ("; vector 2.0:1 1.0:-1", "")]),
+    ("field-scheme-larger-order", "field-scheme", None, "the scheme does not keep the data", [("sum-rules 1; data 1 0 0 0", "sum-rules 2; data 1 0 0 0; data 0 0 0 0")]),
+    ("field-scheme-lower", "field-scheme", f"--vectors {CUT} --arity 2 --lower 2/3", "the bound does not prove the claim", []),
+    ("field-scheme-upper", "field-scheme-diverges", None, "prove", [("-3656/1000", "3656/1000")]),
+    ("field-scheme-below", "field-scheme-diverges", f"--vectors {CUT} --arity 2 --upper 0", "prove", [(FAR, CUT), ("-3656/1000", "707/1000")]),
     # the ends
     ("field-lower", "field-by-hand", claim(BUBBLE, "--lower 1/2"), "the bound does not prove the claim", []),
     ("field-upper", "field-by-hand", claim(BUBBLE, "--lower 49/100 --upper 1/2"), "does not prove the claim", []),

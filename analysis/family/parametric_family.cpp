@@ -4,6 +4,8 @@
 #include <subcert/analysis/symbol/numbers/index_arithmetic.hpp>
 #include <subcert/analysis/transition/transition.hpp>
 
+#include <algorithm>
+
 namespace subcert {
 namespace {
 

@@ -2772,8 +2772,9 @@ var check_certificate = (() => {
     // 6.9: (q, p) for p + sqrt(R) q, and its multiple by the root
     const turned = y => [...y.slice(functions), ...y.slice(0, functions)];
     const data = range_of(order).map(s => turned(hermite ? unit(s) : reader.read('data', r).map(rational)));
-    const multiples = data.map(y => turned(y).map((x, c) => c < functions ? x : times(x, fraction(of_root || 0n))));
-    const is_zero = x => annihilates(x, data) && (!of_root || annihilates(x, multiples));
+    const conditions = [data];
+    if (of_root) conditions.push(data.map(y => turned(y).map((x, c) => c < functions ? x : times(x, fraction(of_root)))));
+    const is_zero = x => conditions.every(one => annihilates(x, one));
     const surface = {sizes: [a.length / (r * r)], components: r, first: [first]};
     const powers = range_of(degree + 1).map(k => mask_sequence({...surface, numbers: a.map(p => p[k])}));
     const digits = reader.read('digits', arity).map(token => read_point(token, 1));

@@ -30,8 +30,8 @@ void add_mask(MaskListFile& file, const toml::node& node) {
   if (!text) throw FileError(place_of(node), "'masks' takes specifications of schemes in quotes");
   try {
     const Scheme scheme = make_scheme(text->get());
-    if (scheme.mask.dimension() > 1 || scheme.rounding)
-      fail(ErrorKind::data, "expected a scheme of one variable with exact coefficients, got {}", scheme.specification);
+    if (scheme.rounding)
+      fail(ErrorKind::data, "expected a scheme with exact coefficients, got {}", scheme.specification);
     const Mask mask = scheme.mask.curve();
     if (!file.list.masks.empty() && mask.arity() != file.list.masks.front().arity())
       fail(ErrorKind::data, "expected masks of one arity, got {} and {}", file.list.masks.front().arity(),

@@ -93,7 +93,7 @@ def main():
     corpus = variants.Corpus(arguments.corpus.resolve(), trace, arguments.jobs)
 
     def fails(number, main_js):
-        return corpus.fails([arguments.node, "--max-old-space-size=2000", main_js], number, "ulimit -t 10")
+        return corpus.fails([arguments.node, "--max-old-space-size=2000", main_js], number, "ulimit -t 40")  # a process for all cases of a folder
 
     def outcome(numbered):
         number, (_, file, begin, end, new) = numbered

@@ -113,6 +113,18 @@ OF_ROOT = ("blocks 1 1 1; basis 0 0 0 1 0 0; basis 0 0 0 0 1 0; basis 0 0 1 0 0 
 CUT = "[[[s,0],[0,1/2]],[[1-s,0],[0,1/2]],[[1-s,0],[0,0]],[[s,0],[0,0]]]@0".replace("s", "1/4*sqrt(2)")
 FAR = CUT.replace("1/4*sqrt(2)", "sqrt(2)")  # no convergence: 2 T_0 has the eigenvalue 2 - 4 sqrt(2)
 CUTTING = "sum-rules 1; data 1 0 0 0; digits 0 1; reading 0.1:1; space 3; vector 0.1:1; vector 0.0:1 1.0:-1; vector 2.0:1 1.0:-1; "
+# Merrien's, mu = 2 sqrt(2) - 2, with one sum rule more than functions; and parabolas phi_1 + sqrt(2) phi_2, phi_2
+MERRIEN = "[[[4,12-8*sqrt(2)],[-1,-4+4*sqrt(2)]],[[8,0],[0,4]],[[4,-12+8*sqrt(2)],[1,-4+4*sqrt(2)]]]/8@-1"
+OF_MERRIEN = ("sum-rules 3; digits 0 1; reading 0.0:-3 0.1:2 1.0:4 2.0:-1; space 3; vector -1.0:2 0.1:-4 1.0:-2; "
+              "vector -1.1:2 0.1:-4 1.1:2; vector 0.0:2 0.1:-1 1.0:-2 1.1:-1; blocks 1 1 1; basis -2 -6 3 0 -8 0; "
+              "basis 1 5 -2 0 6 0; basis 2 4 -4 0 8 0; inverse -2 -2 -1/2 0 0 0; inverse 0 3 -3/2 0 -2 1; inverse "
+              "-1 -6 2 0 4 -2; block 0 norm 1; block 1 norm 1; block 2 norm 1; end")
+PARABOLAS = "[[[2,2-sqrt(2)],[0,1]],[[2+2*sqrt(2),-4+2*sqrt(2)],[2,4-2*sqrt(2)]],[[2*sqrt(2),-4+sqrt(2)],[2,1-2*sqrt(2)]]]/4@0"
+OF_PARABOLAS = ("sum-rules 3; data 0 -4 2 2; data 0 -2 1 2; data 0 0 0 1; digits 0 1; reading 0.0:-4 0.1:2 0.2:2 "
+                "1.0:3 2.0:-1; space 3; vector 0.0:1 1.1:-2 2.0:-9 2.1:2 2.2:4 2.3:-4; vector 0.1:1 1.1:-4 1.3:2 "
+                "2.0:-28 2.1:15 2.2:20 2.3:-10; vector 1.0:1 2.0:1 2.1:-2 2.2:-2; blocks 1 1 1; basis -1/2 0 4 0 0 "
+                "-2; basis 0 0 -2 0 0 0; basis -1/2 -1 -3 1 0 0; inverse -2 -4 0 0 2 0; inverse 1 15/2 -1 -2 -5 0; "
+                "inverse 0 -1/2 0 0 0 0; block 0 norm 1; block 1 norm 1; block 2 norm 1; end")
 
 
 def scheme(name, kind, mask, bounds, lines):
@@ -125,6 +137,8 @@ ACCEPTED = [
     scheme("field-scheme", "vectors", CUT, "0 -", CUTTING + "block 0 norm 1; end"),
     scheme("field-scheme-multiple", "vectors", CUT, "0 -", CUTTING.replace("data 1 0 0 0", "data 3 0 -1/2 0") + "block 0 norm 1; end"),
     scheme("field-scheme-reading", "vectors", CUT, "0 -", CUTTING.replace("reading 0.1:1", "reading 0.3:-2") + "block 0 norm 1; end"),
+    scheme("field-scheme-hermite", "hermite", MERRIEN, "1 -", OF_MERRIEN),
+    scheme("field-scheme-mixed", "vectors", PARABOLAS, "0 -", OF_PARABOLAS),
     scheme("field-scheme-diverges", "vectors", FAR, "- 0", CUTTING + "product 0 -3656/1000 0 0; end"),
     accepted("field-by-hand", BUBBLE, BOUNDS, SPACE + UNIT + PRODUCT + NORMS),
     accepted("field-turned", BUBBLE, BOUNDS, SPACE + TURNED + PRODUCT + NORMS),

@@ -1,5 +1,7 @@
 #include "first_answer.hpp"
 
+#include <subcert/proofs-checks/properties/mask_list_file.hpp>
+
 #include <subcert/cmake/catch.hpp>
 
 using namespace subcert;
@@ -102,10 +104,34 @@ TEST_CASE("properties of levels: what is refused") {
            {slider + "period = [0]\nconvergent = true", "'period' needs 'masks'"},
            {masks_of_two + slider + "convergent = true", "'masks' stands without"},
            {masks_of_two + "period = [2]\nconvergent = true", "expected the number of a mask, 0 to 1"},
+           {masks_of_two + "period = [-1]\nconvergent = true", "expected the number of a mask, 0 to 1"},
+           {masks_of_two + "period = ['0']\nconvergent = true", "expected the number of a mask, 0 to 1"},
+           {masks_of_two + "period = 0\nconvergent = true", "'period' takes a list of 1 to 6 numbers of masks"},
+           {masks_of_two + "period = []\nconvergent = true", "'period' takes a list of 1 to 6 numbers of masks"},
+           {masks_of_two + "period = [0,0,0,0,0,0,0]\nconvergent = true", "'period' takes a list of 1 to 6"},
+           {masks_of_two + "follows = [0]\nconvergent = true", "numbers in each pair [BEFORE, AFTER]"},
+           {masks_of_two + "follows = [[0]]\nconvergent = true", "numbers in each pair [BEFORE, AFTER]"},
+           {masks_of_two + "follows = [[0, 1]]\nconvergent = true", "no sequence of masks goes on for ever"},
+           {masks_of_two + "follows = [[0, 0]]\nperiod = [0]\nconvergent = true", "'follows' beside 'period'"},
+           {"masks = 'dd:n=2'\nconvergent = true", "'masks' takes a list of 1 to 64 specifications of schemes"},
+           {"masks = []\nconvergent = true", "'masks' takes a list of 1 to 64 specifications of schemes"},
+           {"masks = [2]\nconvergent = true", "'masks' takes specifications of schemes in quotes"},
+           {"masks = ['loop']\nconvergent = true", "expected a linear scheme of one variable"},
+           {"masks = ['daubechies:n=5']\nconvergent = true", "expected a scheme with exact coefficients"},
+           {"masks = ['dd:n=2', 'ary:a=3,points=4,d=1']\nconvergent = true", "expected masks of one arity"},
            {masks_of_two, "the scheme has no expected property"},
            {masks_of_two + "interpolatory = true", "is no property of masks that change"},
            {"mask = 'merrien:lambda=-1/8,mu'\nlevels = '0 <= mu <= 1'\nconvergent = true", "masks of numbers"}}) {
     CAPTURE(text);
     CHECK(error_of(text).find(message) != std::string::npos);
   }
+}
+
+TEST_CASE("lists of masks: keys of a file of its own") {
+  const MaskListFile file = read_mask_list(masks_of_two + "period = [1, 0]\n");
+  CHECK(file.specifications == std::vector<std::string>{"dd:n=2", "bspline:degree=3"});
+  CHECK(file.list.period == std::vector<std::size_t>{1, 0});
+  CHECK(read_mask_list(masks_of_two + "follows = [[1, 1], [0, 1]]\n").list.follows.size() == 2);
+  CHECK_THROWS_WITH(read_mask_list(masks_of_two + "order = 1\n"), Catch::Contains("unknown key 'order'"));
+  CHECK_THROWS_WITH(read_mask_list("period = [0]\n"), Catch::Contains("no masks"));
 }

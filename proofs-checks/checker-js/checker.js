@@ -2768,7 +2768,8 @@ var check_certificate = (() => {
     const {root: of_root} = curve, functions = of_root ? r / 2 : r;
     demand(!hermite || !less(end, functions - 1), 'a Hermite scheme is asked for fewer derivatives than its data are');
     if (hermite && upper) check_interpolation(curve, functions);
-    const unit = s => range_of(r).map(c => fraction(c === s && s < functions ? 1n : 0n));
+    const zeros = range_of(r - functions).map(() => fraction(0n));
+    const unit = s => [...range_of(functions).map(c => fraction(c === s ? 1n : 0n)), ...zeros];
     // 6.9: (q, p) for p + sqrt(R) q, and its multiple by the root
     const turned = y => [...y.slice(functions), ...y.slice(0, functions)];
     const data = range_of(order).map(s => turned(hermite ? unit(s) : reader.read('data', r).map(rational)));

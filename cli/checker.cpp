@@ -83,13 +83,6 @@ WrittenCertificate write_certificate(const std::string& file, const std::functio
   }
 }
 
-Certificate scheme_certificate(const Scheme& scheme, const Budget& budget) {
-  require(scheme.form.has_value(), "certificate: need a scheme of matrices, got {}", scheme.specification);
-  const bool hermite = scheme.form == VectorForm::hermite;
-  return scheme.quadratic ? vector_scheme_certificate(*scheme.quadratic, hermite, budget)
-                          : vector_scheme_certificate(scheme.mask, hermite, budget);
-}
-
 WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget) {
   return write_certificate(file, [&] { return scheme_certificate(scheme, budget); });
 }

@@ -44,9 +44,6 @@ struct WrittenCertificate {
 WrittenCertificate write_certificate(const std::string& file, const std::function<Certificate()>& make,
                                      const std::string& matrices = {});
 
-/// vector_scheme_certificate() of the scheme. Errors: throws Error for schemes of other masks than rational matrices.
-Certificate scheme_certificate(const Scheme& scheme, const Budget& budget);
-
 /// The same for scheme_certificate().
 WrittenCertificate write_scheme_certificate(const std::string& file, const Scheme& scheme, const Budget& budget);
 

@@ -17,6 +17,8 @@
 
 namespace subcert {
 
+struct Scheme;
+
 /// Lines that belong together.
 struct CertificateSection {
   std::string lines;
@@ -58,6 +60,8 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
 Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget);
 /// The same of matrices with a square root: SPEC.md, section 6.9.
 Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, const Budget& budget);
+/// The one of these that is about the scheme. Errors: also throws Error for schemes of numbers.
+Certificate scheme_certificate(const Scheme& scheme, const Budget& budget);
 
 /// The same of matrices with a square root. Domain: `regularity` is that of the mask. Errors: throws Error where
 /// nothing positive is proved from below, and for an integral with multiples of the root. Proof: SPEC.md, theorems 60,

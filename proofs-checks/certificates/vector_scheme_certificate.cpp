@@ -3,6 +3,7 @@
 #include <subcert/analysis/family/parametric_family.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
 
@@ -72,24 +73,31 @@ ClaimedEnds certificate_text::ends_of_scheme(const PolynomialData& kept, bool he
   return ends;
 }
 
-Certificate vector_scheme_certificate(const LatticeMask& given, bool hermite, const Budget& budget) {
-  require_vector_scheme(given, hermite);
-  const ParametricMask mask = without_letters(given);
-  require_kept(kept_polynomials(mask), hermite);
-  const AnnihilatingSpace space = annihilating_space(mask);
-  const MatrixFamily family = difference_matrices(mask).at({0});
+Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget) {
+  require_vector_scheme(mask, hermite);
+  const ParametricMask one = without_letters(mask);
+  require_kept(kept_polynomials(one), hermite);
+  const AnnihilatingSpace space = annihilating_space(one);
+  const MatrixFamily family = difference_matrices(one).at({0});
   const NormProof norms = norm_of_products(family, {budget.deadline.after(schedule::vector::norms), budget.memory});
   const JointSpectralRadius radius = joint_spectral_radius(family, budget, norms);
-  const ClaimedEnds ends = ends_of_scheme(space.polynomials, hermite, mask.arity(), radius);
+  const ClaimedEnds ends = ends_of_scheme(space.polynomials, hermite, one.arity(), radius);
   Certificate certificate{
       {ends,
-       MaskSubject{mask.to_text('w'), std::to_string(mask.arity()), {}, false, {}, hermite ? "hermite" : "vectors"}},
+       MaskSubject{one.to_text('w'), std::to_string(one.arity()), {}, false, {}, hermite ? "hermite" : "vectors"}},
       {},
       ends};
-  certificate.sections.push_back({space_of_vectors_text(space, mask.arity(), hermite) + blocks_text(radius) +
+  certificate.sections.push_back({space_of_vectors_text(space, one.arity(), hermite) + blocks_text(radius) +
                                   (ends.upper ? product_text(family, radius) : "")});
   if (!ends.upper) add_sections(certificate, radius.proof, family.count());
   return certificate;
+}
+
+Certificate scheme_certificate(const Scheme& scheme, const Budget& budget) {
+  require(scheme.form.has_value(), "certificate: need a scheme of matrices, got {}", scheme.specification);
+  const bool hermite = scheme.form == VectorForm::hermite;
+  return scheme.quadratic ? vector_scheme_certificate(*scheme.quadratic, hermite, budget)
+                          : vector_scheme_certificate(scheme.mask, hermite, budget);
 }
 
 }  // namespace subcert

@@ -174,14 +174,7 @@ void add_regularity(py::module_& module) {
       .def("certificate", &holder_certificate);
   module.def("holder", &holder);
   module.def("vector_scheme_certificate", [](const Scheme& scheme, double seconds, const py::object& progress) {
-    require(scheme.form.has_value(), "certificate: need a scheme of matrices, got {}", scheme.specification);
-    const bool hermite = scheme.form == VectorForm::hermite;
-    const Certificate found = interruptible(progress, [&] {
-      const Budget budget{Deadline::in(seconds)};
-      return scheme.quadratic ? vector_scheme_certificate(*scheme.quadratic, hermite, budget)
-                              : vector_scheme_certificate(scheme.mask, hermite, budget);
-    });
-    return to_list(found);
+    return to_list(interruptible(progress, [&] { return scheme_certificate(scheme, {Deadline::in(seconds)}); }));
   });
   module.def("frequency_bound", [](const Scheme& scheme, const py::object& progress) -> std::optional<Rational> {
     require(!scheme.rounding && is_affine(scheme.mask.curve()), "{}: need a mask of exact numbers with coset sums 1",

@@ -10,6 +10,7 @@ any, or if a line of `same.txt` fits none."""
 import argparse
 import itertools
 import json
+import math
 import os
 import re
 import shutil
@@ -92,8 +93,14 @@ def main():
 
     corpus = variants.Corpus(arguments.corpus.resolve(), trace, arguments.jobs)
 
-    def fails(number, main_js):
-        return corpus.fails([arguments.node, "--max-old-space-size=2000", main_js], number, "ulimit -t 40")  # a process for all cases of a folder
+    def fails(number, main_js, seconds):
+        return corpus.fails([arguments.node, "--max-old-space-size=2000", main_js], number, f"ulimit -t {seconds}")
+
+    # One process has all cases of a folder: as long as the checker itself takes, and half as much again.
+    before = sum(os.times()[2:4])
+    if fails(0, sources / "main.js", 600):
+        sys.exit("the checker itself fails")
+    most = math.ceil(1.5 * (sum(os.times()[2:4]) - before)) + 10
 
     def outcome(numbered):
         number, (_, file, begin, end, new) = numbered
@@ -101,13 +108,11 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             variant = Path(folder) / file.name
             variant.write_text(text[:begin] + new + text[end:])
-            if not fails(number, shutil.copy(sources / "main.js", folder)):
+            if not fails(number, shutil.copy(sources / "main.js", folder), most):
                 return "survive"
             done = subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False)
             return "do not compile" if done.returncode else "fail"
 
-    if fails(0, sources / "main.js"):
-        sys.exit("the checker itself fails")
     return variants.report(chosen, outcome, corpus, arguments.jobs, every, test / "same.txt")
 
 

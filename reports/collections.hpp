@@ -28,6 +28,10 @@ Report report_levels(const ReportOptions& options);
 /// Hermite schemes and multiwavelets. Errors: as regularity_of.
 Report report_vectors(const ReportOptions& options);
 
+/// Surfaces at extraordinary vertices. With a certificate for each scheme that is C^1 at all of them, where there is
+/// one. Errors: as vertex_smoothness and every_valence.
+Report report_vertices(const ReportOptions& options);
+
 /// With the matrices and a certificate of each family. Errors: as joint_spectral_radius.
 Report report_joint_spectral_radii(const ReportOptions& options);
 

@@ -30,6 +30,7 @@ const SpecialReport* special_report(const std::string& paper) {
       {"jsr", {{"published", "families"}, report_joint_spectral_radii}},
       {"levels", {{"published", "intervals", "recurrences", "lists", "points"}, report_levels}},
       {"vectors", {{"published", "functions"}, report_vectors}},
+      {"vertices", {{"published", "schemes", "valences", "fits"}, report_vertices}},
   };
   const auto found = all.find(paper);
   return found == all.end() ? nullptr : &found->second;

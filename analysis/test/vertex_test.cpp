@@ -101,6 +101,24 @@ TEST_CASE("the butterfly scheme is C1 at vertices of valence 4 to 7 alone") {
   CHECK(is_about(smoothness(scheme, 8).subdominant, 0.469042, 1e-6));
 }
 
+TEST_CASE("Doo and Sabin's scheme with a free eigenvalue is C1 up to the bound of Peters and Reif") {
+  WrittenRules written = *VertexScheme::named("doo-sabin").written;
+  written.rules = {{{0, 0}, {{{0, 0}, 0, {"1/4"}}, {{0, 0}, std::nullopt, {"(3/4 + 2*(b - 1/4)*C)/n"}}}}};
+  const auto c1_at = [&](const Rational& eigenvalue, long valence) {
+    written.letter = {'b', eigenvalue};
+    return vertex_smoothness(rules_at(written, valence), part_of("doo-sabin")).c1;
+  };
+  // The zero of 128 x^2 (1 - x) - 7x - 2 + 9x cos(2 pi/n) below 1.
+  for (const auto& [valence, bound] :
+       {std::pair{3L, 0.87729}, {4, 0.92234}, {5, 0.94783}, {6, 0.96286}, {8, 0.97861}, {12, 0.99033}}) {
+    CAPTURE(valence);
+    CHECK(c1_at(Rational(bound) - Rational(1) / 500, valence).is_yes());
+    const Decision above = c1_at(Rational(bound) + Rational(1) / 500, valence);
+    CHECK(above.is_no());
+    CHECK(above.reason.find("both signs") != std::string::npos);
+  }
+}
+
 TEST_CASE("a Jordan block in front is not taken for a simple eigenvalue") {
   CHECK(smoothness("midedge", 3).c1.truth == Truth::unknown);
   CHECK(smoothness("butterfly:w=1/16", 3).c1.truth == Truth::unknown);

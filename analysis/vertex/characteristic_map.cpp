@@ -328,7 +328,7 @@ MapProof CharacteristicMap::prove(int most_levels) const {
     negative = negative || sign == Truth::no;
     return sign == Truth::yes || (sign == Truth::no && !positive);
   });
-  if (positive && negative)
+  if ((positive && negative) || (!regular && has_both_signs(most_levels)))
     proof.regular = {Truth::no, "the Jacobian of the characteristic map has both signs"};
   else if (regular)
     proof.regular = {Truth::yes, "the Jacobian of the characteristic map is not 0"};
@@ -340,6 +340,23 @@ MapProof CharacteristicMap::prove(int most_levels) const {
   else
     proof.half_plane.reason = "a sector is not proved to be mapped into a half plane";
   return proof;
+}
+
+bool CharacteristicMap::has_both_signs(int most_levels) const {
+  const std::vector<Cell> first = ring();
+  std::deque<Cell> open(first.begin(), first.end());
+  bool positive = false, negative = false;
+  for (int left = 8 << most_levels; left > 0 && !open.empty(); --left) {
+    const Cell cell = open.front();
+    open.pop_front();
+    const Truth sign = sign_of_jacobian(cell);
+    positive = positive || sign == Truth::yes;
+    negative = negative || sign == Truth::no;
+    if (positive && negative) return true;
+    if (sign != Truth::unknown || cell.level == most_levels) continue;
+    for (const Cell& child : children(cell)) open.push_back(child);
+  }
+  return false;
 }
 
 bool CharacteristicMap::winds(int most_levels) const {

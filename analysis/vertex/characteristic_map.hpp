@@ -98,6 +98,9 @@ class CharacteristicMap {
   std::vector<Cell> children(const Cell& cell) const;
   bool has_no_zero(std::deque<Cell> open, int most_levels) const;
   Truth sign_of_jacobian(const Cell& cell) const;
+  /// Whether two squares show it: large ones first, as a proof goes to the last level of the first that it does not
+  /// decide.
+  bool has_both_signs(int most_levels) const;
   Truth jacobian_by_hulls(const Cell& cell) const;
   /// The data of a form, or the differences along an axis that its derivative is a function of.
   std::vector<Turning<Ball>> data_on(const Cell& cell, const CellForm& form, const LatticePoint& step) const;

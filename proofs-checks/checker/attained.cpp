@@ -134,9 +134,8 @@ class Attained {
 
   NearCycle read_near_cycle() {
     const Fields fields = reader_.take("cycle", 4, 3 + most_letters);
-    Cycle cycle{parse_size(fields[0], 0, vertices_.size() - 1), {}, std::string(fields[1]), {}};
-    if (cycle.word == "-") cycle.word.clear();
-    require(cycle.word.empty() || (cycle.word == "f" && body_.symmetric), "the word of a cycle is '-' or 'f'");
+    require(fields[1] == "-" || (fields[1] == "f" && body_.symmetric), "the word of a cycle is '-' or 'f'");
+    Cycle cycle{parse_size(fields[0], 0, vertices_.size() - 1), {}, fields[1] == "-" ? "" : "f", {}};
     require(!vertices_[cycle.root].cycle, "a vertex is the first one of two cycles");
     NearCycle near{{}, parse_rational(fields[2]), 0};
     const std::size_t count = body_.family.count(), n = body_.size;

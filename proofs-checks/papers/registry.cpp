@@ -42,6 +42,7 @@ const std::vector<Registered>& registered() {
       {"jsr", nullptr},
       {"levels", nullptr},
       {"vectors", nullptr},
+      {"vertices", nullptr},
   };
   return all;
 }

@@ -75,6 +75,26 @@ TEST_CASE("published smoothness of vectors of functions") {
   }
 }
 
+TEST_CASE("published smoothness at vertices", "[long]") {
+  const Report report = recorded_report("vertices");
+  const formats::ComparisonTable& table = only_table(report);
+  CHECK(table.count(ValueVerdict::match) == table.values());
+  CHECK(std::ranges::all_of(table.comparisons, [](const auto& one) { return one.verdict == ValueVerdict::match; }));
+  const auto& tables = report.sections.front().tables;
+  REQUIRE(tables.size() == 3);
+  for (const formats::PlainTable& one : tables)
+    for (const auto& row : one.rows) CHECK(row.size() == one.head.size());
+  for (std::size_t i = 0; i < tables[0].rows.size(); ++i) {
+    const auto& row = tables[0].rows[i];
+    CAPTURE(row[0]);
+    const bool is_butterfly = row[0] == "butterfly";
+    CHECK(row[2] == (is_butterfly ? "no" : row[0] == "midedge" ? "unknown" : "yes"));
+    if (is_butterfly) CHECK(row[3] == "4, 5, 6, 7");
+  }
+  CHECK(tables[1].rows.size() == 70);
+  CHECK(tables[2].rows.size() == 30);
+}
+
 TEST_CASE("published joint spectral radii") {
   const Report report = recorded_report("jsr");
   CHECK(only_table(report).comparisons.size() >= 18);

@@ -14,6 +14,8 @@ let usage =
   \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
   \       subcert-check-verified --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n\
   \       subcert-check-verified --mask ... --upper CK [...] FILE    (no C^K limits)\n\
+  \       subcert-check-verified --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (a mask for each level:\n\
+  \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
@@ -414,19 +416,69 @@ let show_exponent scheme lower upper exact =
     scheme.coefficients;
   Option.iter show_exact exact
 
+(* MASK;MASK;..., over one denominator *)
+let read_masks text arity =
+  let texts = String.split_on_char ';' text in
+  require (List.length texts <= 64) "more masks than this checker allows";
+  let schemes = List.map (fun mask -> read_mask mask arity) texts in
+  let common = List.fold_left (fun d s -> Z.lcm d s.common) Z.one schemes in
+  require (Z.numbits common <= 10_000) "common denominator too large";
+  let over_common s = (s.first, List.map (Z.mul (Z.divexact common s.common)) s.coefficients) in
+  { masks_arity = size arity 2 16; masks_common = common; each = List.map over_common schemes }
+
+(* any, or follows=B-C,B-C,... *)
+let read_order text masks =
+  let expected = "an order is any, period=0,1,... or follows=0-1,1-0,..." in
+  let number text = size text 0 (List.length masks.each - 1) and follows = "follows=" in
+  if text = "any" then Any
+  else begin
+    require (String.starts_with ~prefix:follows text) expected;
+    let start = String.length follows in
+    let pairs = String.split_on_char ',' (String.sub text start (String.length text - start)) in
+    require (List.length pairs <= 4096) expected;
+    let pair text = match String.split_on_char '-' text with [ b; c ] -> (number b, number c) | _ -> reject expected in
+    Follows (List.map pair pairs)
+  end
+
+let show_levels masks order lower =
+  Printf.printf "the Hoelder exponent of the limits of arity %d, a mask for each level, at least %s\n" masks.masks_arity
+    (Q.to_string lower);
+  List.iteri
+    (fun i (first, coefficients) ->
+      let coefficient k c =
+        Printf.printf "coefficient %s of mask %d is %s\n" (Z.to_string (Z.add first (Z.of_int k))) i
+          (Q.to_string (Q.make c masks.masks_common))
+      in
+      List.iteri coefficient coefficients)
+    masks.each;
+  match order with
+  | Any -> print_endline "all sequences of these masks"
+  | Follows pairs -> List.iter (fun (b, c) -> Printf.printf "mask %d may be followed by mask %d\n" b c) pairs
+
 let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
 
 (* Whether the proved checker accepts what was read, what it says if not, and what --theorem prints *)
 type proof = { holds : scheme -> bool; otherwise : string; statement : Theorem.statement }
 
+(* Bounds of the radius have so many binary digits. *)
+let digits = 128
+
+(* arity^(order - lower), rounded down: the largest radius that proves a lower end *)
+let most_radius arity order l =
+  let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
+  let power = power_below (Z.of_int arity) order top l.qden in
+  Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits)
+
+(* That an end is one that sum rules of this order may prove *)
+let check_lower_end lower order =
+  require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+  require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim"
+
 (* Of bounds of the exponent. `full`: the upper end follows from the number of the sum rules. *)
 let read_bounds_proof scheme order shifts full family lower upper r =
-  let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
-  (* arity^(order - lower), rounded down *)
-  let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
-  let power = power_below base order top l.qden in
-  let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
+  let l = bound_of lower and base = Z.of_int scheme.arity in
+  let bound = most_radius scheme.arity order l in
   (* arity^(order - upper), rounded up *)
   let least u =
     require (Q.sign u >= 0 && Q.leq u (Q.of_int 10_000)) "an exponent is negative or too large";
@@ -523,11 +575,7 @@ let read_mask_proof scheme lower upper rough number logarithm r =
   require
     (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
     "the coefficients of the mask do not sum to the arity";
-  (match lower with
-  | Some l ->
-      require (Q.sign l > 0) "the lower end of an exponent must be positive";
-      require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
-  | None -> ());
+  Option.iter (fun l -> check_lower_end l order) lower;
   if upper <> None || rough <> None || number <> None || at r "stability" then line r "stability";
   let family = differences scheme order and shifts = lazy (stable_shifts scheme) in
   let symbol = difference_symbol scheme order in
@@ -565,7 +613,7 @@ let read_factor scheme r =
 (* The lines from the second `sum-rules` on: why the scheme of the mask converges. What is to be shown is that the radius
    is below the power of the arity; the bound is that, less a little. *)
 let read_convergence scheme r =
-  let own_order = size (List.hd (take r "sum-rules" 1 1)) 1 500 and digits = 128 in
+  let own_order = size (List.hd (take r "sum-rules" 1 1)) 1 500 in
   let family = differences scheme own_order in
   let power = Z.pow (Z.of_int scheme.arity) own_order in
   let bound = Q.make (Z.pred (Z.shift_left power digits)) (Z.shift_left Z.one digits) in
@@ -614,6 +662,47 @@ let exponent mask arity lower upper rough exact logarithm file =
       Option.iter (Printf.printf "limits, if there are any, are not C^%d\n") rough;
       Option.iter (Printf.printf "the modulus of continuity of the last derivative has the power %d of the logarithm\n") logarithm )
 
+(* The difference matrices of a list of masks *)
+let levels_differences m sequences order =
+  let has_rules mask = divides (scheme_of m mask) order in
+  let scheme_sum (_, coefficients) = List.fold_left Z.add Z.zero coefficients in
+  let sums mask = Z.equal (scheme_sum mask) (Z.mul (Z.of_int m.masks_arity) m.masks_common) in
+  require (List.for_all sums m.each) "the coefficients of a mask do not sum to the arity";
+  require (List.for_all has_rules m.each) "a mask of the list has no sum rules of this order";
+  let longest = List.fold_left (fun most (_, c) -> max most (List.length c)) 0 m.each in
+  require (longest - 1 - (order * (m.masks_arity - 1)) <= 256 * (m.masks_arity - 1)) "transition matrices larger than 256";
+  let width = level_size m order in
+  let count, width =
+    match sequences with
+    | Any -> (List.length m.each, width)
+    | Follows pairs -> (List.length pairs, width * states pairs)
+  in
+  require (width <= 256) "transition matrices larger than 256";
+  require (count * m.masks_arity * width * width <= 1 lsl 22) "more entries than 2^22";
+  levels_family m sequences order
+
+(* A claim about a mask for each level, of all sequences or along pairs *)
+let levels masks arity order lower file =
+  let m = read_masks masks arity in
+  let sequences = read_order order m in
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r (Printf.sprintf "lists %s %s %s" masks arity order) None in
+        require (number = None) "an exact number is that of one mask or family";
+        let order = size (List.hd (take r "sum-rules" 1 1)) 1 500 in
+        check_lower_end lower order;
+        let family = levels_differences m sequences order and l = bound_of lower in
+        let bound = most_radius m.masks_arity order l in
+        let low = { order; bound = bound_of bound; of_radius = read_proof ~single:false family None (Some bound) r } in
+        read_end r;
+        require (check_levels m sequences l low) unproved;
+        fun name -> Theorem.print_levels name m sequences l low)
+  in
+  ( Printf.sprintf "%s <= Hoelder exponent of %s with arity %s for all sequences of levels%s" (Q.to_string lower) masks arity
+      (if order = "any" then "" else " with " ^ order),
+    theorem,
+    fun () -> show_levels m sequences lower )
+
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
   let given = options [] arguments in
@@ -639,6 +728,14 @@ let check arguments =
       require (only [ option; "--upper"; "--exact" ] && (has "--lower" || has "--upper" || has "--exact")) usage;
       let exact = Option.map (read_exact false) (find "--exact") in
       prove (get option) (bound "--lower") (bound "--upper") exact (get "FILE")
+    end
+    else if has "--masks" || has "--order" then begin
+      require (has "--masks" && has "--order" && has "--arity") usage;
+      let order = get "--order" in
+      if String.starts_with ~prefix:"period" order then
+        raise (Sections.Undecided "claims about a list of masks in turn are decided by subcert-check");
+      require (only [ "--masks"; "--arity"; "--order" ] && has "--lower") usage;
+      levels (get "--masks") (get "--arity") order (Option.get (bound "--lower")) (get "FILE")
     end
     else if
       only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]

@@ -254,6 +254,18 @@ let exponent l c =
   { modules = " Subdivision Exponent"; shifts = None; certificate = lower_end c; said; checker = "exponent_lower"; rest; converges;
     rough = None }
 
+(* A mask for each level *)
+let masks m =
+  Printf.sprintf "Masks %s %s\n%s" (natural m.masks_arity) (integer m.masks_common) (list (pair integer vector) m.each)
+
+let sequences = function Any -> "Any" | Follows pairs -> "(Follows " ^ list (pair natural natural) pairs ^ ")"
+
+let print_levels name m s l c =
+  print name " Subdivision Exponent Levels" ("masks : masks := " ^ masks m) (lower_end c)
+    (Printf.sprintf
+       "levels_hold : levels_hold %s_masks %s %s.\nProof. apply (check_levels_sound _ _ _ %s_certificate). %s"
+       name (sequences s) (fraction l) name by_computation)
+
 let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
 
 let enclosure l u c =

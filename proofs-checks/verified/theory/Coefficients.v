@@ -6,15 +6,11 @@ From Subcert Require Import Radius Subdivision.
 Import ListNotations.
 Open Scope R_scope.
 
-(* ---- a mask for each level ------------------------------------------------------------------------------------------- *)
+(* ---- words of digits --------------------------------------------------------------------------------------------------- *)
 
-Section Levels.
-(* The symbols have the coefficients 0, ..., N; the matrices have the size W. *)
-Variables (A N W L : nat).
+Section Words.
+Variable A : nat.
 Hypothesis Arity : (2 <= A)%nat.
-Hypothesis Fits : (N <= L)%nat.
-
-Definition scheme_matrix (b : Z -> R) : nat -> mat := fun t j k => b (Z.of_nat A * Z.of_nat j + Z.of_nat t - Z.of_nat k)%Z.
 
 (* The number whose digits are a word. *)
 Fixpoint offset (w : list nat) : Z :=
@@ -40,6 +36,21 @@ Proof.
     + simpl. auto.
     + simpl offset. rewrite Hl, Ho. fold p. rewrite Z2Nat.id by (apply Z.div_pos; lia). lia.
 Qed.
+
+End Words.
+
+Lemma size_integers A N W : (2 <= A)%nat -> (N <= W * (A - 1))%nat -> (Z.of_nat N <= Z.of_nat W * (Z.of_nat A - 1))%Z.
+Proof. intros HA H. replace (Z.of_nat A - 1)%Z with (Z.of_nat (A - 1)) by lia. rewrite <- Nat2Z.inj_mul. lia. Qed.
+
+(* ---- a mask for each level ------------------------------------------------------------------------------------------- *)
+
+Section Levels.
+(* The symbols have the coefficients 0, ..., N; the matrices have the size W. *)
+Variables (A N W L : nat).
+Hypothesis Arity : (2 <= A)%nat.
+Hypothesis Fits : (N <= L)%nat.
+
+Definition scheme_matrix (b : Z -> R) : nat -> mat := fun t j k => b (Z.of_nat A * Z.of_nat j + Z.of_nat t - Z.of_nat k)%Z.
 
 (* Masks for the levels 0, 1, ...; those from level 1 on; the product with the first digit and the first mask on the left *)
 Definition short (b : nat -> Z -> R) : Prop := forall k i, (i < 0 \/ Z.of_nat N < i)%Z -> b k i = 0.
@@ -94,21 +105,18 @@ Qed.
 Hypothesis Size : (N <= W * (A - 1))%nat.
 Hypothesis Size1 : (1 <= W)%nat.
 
-Lemma size_integers : (Z.of_nat N <= Z.of_nat W * (Z.of_nat A - 1))%Z.
-Proof. replace (Z.of_nat A - 1)%Z with (Z.of_nat (A - 1)) by lia. rewrite <- Nat2Z.inj_mul. lia. Qed.
-
 (* Lemma 1 *)
 Theorem level_product_coefficient w : letters A w -> forall b, short b -> forall j k, (j < W)%nat -> (k < W)%nat ->
-  level_product b w j k = data b (length w) (Z.of_nat A ^ Z.of_nat (length w) * Z.of_nat j + offset w - Z.of_nat k)%Z.
+  level_product b w j k = data b (length w) (Z.of_nat A ^ Z.of_nat (length w) * Z.of_nat j + offset A w - Z.of_nat k)%Z.
 Proof.
   induction w as [|t w IH]; intros Hw b Sb j k Hj Hk.
   - cbn [level_product length offset levels]. change (Z.of_nat A ^ Z.of_nat 0)%Z with 1%Z. unfold identity, delta.
     destruct (Nat.eqb_spec j k), (Z.eqb_spec (1 * Z.of_nat j + 0 - Z.of_nat k) 0); auto; lia.
-  - inversion Hw; subst. assert (R0 := offset_range w H2). assert (Sl := short_later b Sb).
+  - inversion Hw; subst. assert (R0 := offset_range A Arity w H2). assert (Sl := short_later b Sb).
     set (n := length w) in *. set (p := (Z.of_nat A ^ Z.of_nat n)%Z) in *.
     assert (P : (0 < p)%Z) by (apply Z.pow_pos_nonneg; lia).
     set (c := (Z.of_nat A * Z.of_nat j + Z.of_nat t)%Z).
-    set (g := fun l => b O (c - l)%Z * data (later b) n (p * l + offset w - Z.of_nat k)%Z).
+    set (g := fun l => b O (c - l)%Z * data (later b) n (p * l + offset A w - Z.of_nat k)%Z).
     transitivity (sum W (fun l => g (0 + Z.of_nat l)%Z)).
     + cbn [level_product]. unfold times. apply sum_ext; intros l Hl. unfold g, scheme_matrix.
       rewrite IH by auto. f_equal.
@@ -118,9 +126,9 @@ Proof.
         -- f_equal. replace (Z.of_nat (S n)) with (Z.of_nat n + 1)%Z by lia. rewrite Z.pow_add_r, Z.pow_1_r by lia. fold p.
            replace (Z.of_nat (N + 1 - 1 - l)) with (Z.of_nat N - Z.of_nat l)%Z by lia. unfold c. ring.
       * intros l Hl. unfold g. rewrite (levels_support n); [lra|auto|]. fold p. destruct Hl as [Hl|Hl]; [left; nia|right].
-        assert (SZ := size_integers). assert (Z.of_nat N * (p - 1) <= Z.of_nat W * (Z.of_nat A - 1) * (p - 1))%Z by (apply Z.mul_le_mono_nonneg_r; lia).
+        assert (SZ := size_integers A N W Arity Size). assert (Z.of_nat N * (p - 1) <= Z.of_nat W * (Z.of_nat A - 1) * (p - 1))%Z by (apply Z.mul_le_mono_nonneg_r; lia).
         assert (p * Z.of_nat W <= p * l)%Z by (apply Z.mul_le_mono_nonneg_l; lia).
-        assert ((Z.of_nat A - 1) * (Z.of_nat W * (p - 1) + 1) <= (Z.of_nat A - 1) * (p * l + offset w - Z.of_nat k))%Z by (apply Z.mul_le_mono_nonneg_l; lia).
+        assert ((Z.of_nat A - 1) * (Z.of_nat W * (p - 1) + 1) <= (Z.of_nat A - 1) * (p * l + offset A w - Z.of_nat k))%Z by (apply Z.mul_le_mono_nonneg_l; lia).
         lia.
       * intros l Hl. unfold g. rewrite Sb. lra. lia.
 Qed.
@@ -138,10 +146,10 @@ Proof.
   assert (D := Z.div_mod i p ltac:(lia)). assert (B := Z.mod_pos_bound i p P').
   assert (J0 : (0 <= i / p)%Z) by (apply Z.div_pos; lia).
   assert (J : (i / p < Z.of_nat W)%Z).
-  { apply Z.div_lt_upper_bound; auto. assert (SZ := size_integers).
+  { apply Z.div_lt_upper_bound; auto. assert (SZ := size_integers A N W Arity Size).
     assert (Z.of_nat N * (p - 1) <= Z.of_nat W * (Z.of_nat A - 1) * (p - 1))%Z by (apply Z.mul_le_mono_nonneg_r; lia).
     assert (i <= Z.of_nat W * (p - 1))%Z by (apply (Zmult_le_reg_r _ _ (Z.of_nat A - 1)); lia). lia. }
-  destruct (offset_onto n (i mod p)%Z B) as [w [Hw [Hl Ho]]].
+  destruct (offset_onto A Arity n (i mod p)%Z B) as [w [Hw [Hl Ho]]].
   specialize (H w Hw (Z.to_nat (i / p)) 0%nat ltac:(lia) ltac:(lia)).
   rewrite level_product_coefficient, Hl, Ho in H by (auto; lia). fold p in H.
   replace (p * Z.of_nat (Z.to_nat (i / p)) + i mod p - Z.of_nat 0)%Z with i in H by lia. exact H.

@@ -403,7 +403,9 @@ let read_mask text arity =
     (count <= 1000 && not (zero 0) && not (zero (count - 1)))
     "a mask has 1 to 1000 coefficients, the first and the last not zero";
   let cleared = clear_denominators count [ values ] in
-  { arity = size arity 2 16; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
+  { arity; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
+
+let read_arity text = size text 2 16
 
 let show_exponent scheme lower upper exact =
   Printf.printf "the Hoelder exponent of the scheme of arity %d%s%s\n" scheme.arity
@@ -420,29 +422,39 @@ let show_exponent scheme lower upper exact =
 let read_masks text arity =
   let texts = String.split_on_char ';' text in
   require (List.length texts <= 64) "more masks than this checker allows";
-  let schemes = List.map (fun mask -> read_mask mask arity) texts in
+  let masks_arity = read_arity arity in
+  let schemes = List.map (fun mask -> read_mask mask masks_arity) texts in
   let common = List.fold_left (fun d s -> Z.lcm d s.common) Z.one schemes in
   require (Z.numbits common <= 10_000) "common denominator too large";
   let over_common s = (s.first, List.map (Z.mul (Z.divexact common s.common)) s.coefficients) in
-  { masks_arity = size arity 2 16; masks_common = common; each = List.map over_common schemes }
+  { masks_arity; masks_common = common; each = List.map over_common schemes }
 
-(* any, or follows=B-C,B-C,... *)
+type order = Sequences of sequences | Period of int * int list
+
+(* any, follows=B-C,B-C,... or period=J,J,... *)
 let read_order text masks =
   let expected = "an order is any, period=0,1,... or follows=0-1,1-0,..." in
-  let number text = size text 0 (List.length masks.each - 1) and follows = "follows=" in
-  if text = "any" then Any
-  else begin
-    require (String.starts_with ~prefix:follows text) expected;
-    let start = String.length follows in
-    let pairs = String.split_on_char ',' (String.sub text start (String.length text - start)) in
-    require (List.length pairs <= 4096) expected;
-    let pair text = match String.split_on_char '-' text with [ b; c ] -> (number b, number c) | _ -> reject expected in
-    Follows (List.map pair pairs)
-  end
+  let number text = size text 0 (List.length masks.each - 1) in
+  let pair text = match String.split_on_char '-' text with [ b; c ] -> (number b, number c) | _ -> reject expected in
+  match String.split_on_char '=' text with
+  | [ "any" ] -> Sequences Any
+  | [ "follows"; pairs ] ->
+      let pairs = String.split_on_char ',' pairs in
+      require (List.length pairs <= 4096) expected;
+      Sequences (Follows (List.map pair pairs))
+  | [ "period"; numbers ] ->
+      let numbers = String.split_on_char ',' numbers in
+      require (List.length numbers <= 6) "a longer period than this checker allows";
+      let numbers = List.map number numbers in
+      let classes = List.fold_left (fun product _ -> product * masks.masks_arity) 1 numbers in
+      require (classes <= 64) "a longer period than this checker allows";
+      let longer points k = (masks.masks_arity * (points - 1)) + List.length (snd (List.nth masks.each k)) in
+      require (List.fold_left longer 1 numbers <= 1000) "the masks of a period have more than 1000 coefficients together";
+      Period (List.hd numbers, List.tl numbers)
+  | _ -> reject expected
 
-let show_levels masks order lower =
-  Printf.printf "the Hoelder exponent of the limits of arity %d, a mask for each level, at least %s\n" masks.masks_arity
-    (Q.to_string lower);
+let show_masks masks order =
+  Printf.printf "the limits of arity %d, a mask for each level\n" masks.masks_arity;
   List.iteri
     (fun i (first, coefficients) ->
       let coefficient k c =
@@ -452,8 +464,9 @@ let show_levels masks order lower =
       List.iteri coefficient coefficients)
     masks.each;
   match order with
-  | Any -> print_endline "all sequences of these masks"
-  | Follows pairs -> List.iter (fun (b, c) -> Printf.printf "mask %d may be followed by mask %d\n" b c) pairs
+  | Sequences Any -> print_endline "all sequences of these masks"
+  | Sequences (Follows pairs) -> List.iter (fun (b, c) -> Printf.printf "mask %d may be followed by mask %d\n" b c) pairs
+  | Period (i, others) -> print_endline ("in turn the masks " ^ String.concat ", " (List.map string_of_int (i :: others)))
 
 let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
@@ -599,7 +612,7 @@ let read_mask_proof scheme lower upper rough number logarithm r =
 
 (* The line `reduced`: the coefficients of the factor, and the other mask, to begin where that of the claim does *)
 let read_factor scheme r =
-  match List.map (fun text -> read_mask text (string_of_int scheme.arity)) (take r "reduced" 2 2) with
+  match List.map (fun text -> read_mask text scheme.arity) (take r "reduced" 2 2) with
   | [ { coefficients = factor; _ }; other ] ->
       let longest = List.length scheme.coefficients + List.length other.coefficients in
       let bits = Sections.widest (Array.of_list (scheme.common :: other.common :: (factor @ other.coefficients))) in
@@ -619,12 +632,27 @@ let read_convergence scheme r =
   let bound = Q.make (Z.pred (Z.shift_left power digits)) (Z.shift_left Z.one digits) in
   (own_order, bound_of bound, read_proof ~single:true family None (Some bound) r)
 
+(* What a claim about a mask is about: its scheme, the line that says so, what is to hold of it, the words for it, and how it
+   is written for Coq *)
+type subject = { scheme : scheme; head : string; domain : unit -> unit; words : string; in_coq : string -> Theorem.subject }
+
+let one_mask mask arity =
+  let scheme = read_mask mask (read_arity arity) in
+  { scheme; head = Printf.sprintf "exponent %s %s" mask arity; domain = ignore;
+    words = Printf.sprintf "%s with arity %s" mask arity; in_coq = Theorem.scheme_of_mask scheme }
+
+(* The product of masks in turn *)
+let mask_of_period masks arity order m i others =
+  { scheme = period_scheme m i others; head = Printf.sprintf "lists %s %s %s" masks arity order;
+    domain = (fun () -> require (in_period m i others) "a mask of the list does not keep constant data");
+    words = Printf.sprintf "%s with arity %s for levels with %s" masks arity order;
+    in_coq = Theorem.scheme_of_period m i others }
+
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
-let exponent mask arity lower upper rough exact logarithm file =
-  let scheme = read_mask mask arity and head = "exponent " ^ mask ^ " " ^ arity in
+let exponent { scheme; head; domain; words; in_coq } lower upper rough exact logarithm file =
   let theorem =
     read file 1 (fun r ->
-        let number = read_head ~exponent:true r head exact in
+        let number = read_head ~domain ~exponent:true r head exact in
         let reduced = if at r "reduced" then Some (read_factor scheme r) else None in
         (* it must be shown that the other scheme has a limit *)
         require
@@ -642,7 +670,7 @@ let exponent mask arity lower upper rough exact logarithm file =
         read_end r;
         let accepted = match reduction with None -> proof.holds scheme | Some c -> check_reduced scheme c proof.holds in
         require accepted proof.otherwise;
-        fun name -> Theorem.print_mask name reduction scheme proof.statement)
+        fun name -> Theorem.print_mask name reduction (in_coq name) proof.statement)
   in
   let subject = "Hoelder exponent" ^ number_text exact in
   let subject =
@@ -650,12 +678,12 @@ let exponent mask arity lower upper rough exact logarithm file =
     | Some k -> Printf.sprintf "%sno C^%d limits" (if lower <> None || exact <> None then subject ^ " and " else "") k
     | None -> subject
   in
-  ( Printf.sprintf "%s%s%s%s of %s with arity %s"
+  ( Printf.sprintf "%s%s%s%s of %s"
       (side lower (fun l -> l ^ " <= "))
       subject
       (side upper (fun u -> " <= " ^ u))
       (match logarithm with Some p -> Printf.sprintf " with |log h|^%d" p | None -> "")
-      mask arity,
+      words,
     theorem,
     fun () ->
       show_exponent scheme lower upper exact;
@@ -682,9 +710,7 @@ let levels_differences m sequences order =
   levels_family m sequences order
 
 (* A claim about a mask for each level, of all sequences or along pairs *)
-let levels masks arity order lower file =
-  let m = read_masks masks arity in
-  let sequences = read_order order m in
+let levels masks arity order m sequences lower file =
   let theorem =
     read file 1 (fun r ->
         let number = read_head ~exponent:true r (Printf.sprintf "lists %s %s %s" masks arity order) None in
@@ -701,7 +727,13 @@ let levels masks arity order lower file =
   ( Printf.sprintf "%s <= Hoelder exponent of %s with arity %s for all sequences of levels%s" (Q.to_string lower) masks arity
       (if order = "any" then "" else " with " ^ order),
     theorem,
-    fun () -> show_levels m sequences lower )
+    fun () ->
+      Printf.printf "the Hoelder exponents are at least %s\n" (Q.to_string lower);
+      show_masks m (Sequences sequences) )
+
+let undecided =
+  "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, and \
+   those of lists of masks, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -718,6 +750,16 @@ let check arguments =
     if String.starts_with ~prefix:"C" text then Some (String.sub text 1 (String.length text - 1)) else None
   in
   let rough = Option.bind (find "--upper") after_c in
+  (* A claim about one mask, which is read only now *)
+  let of_mask subject =
+    if not (has "--lower" || has "--exact" || rough <> None) then raise (Sections.Undecided undecided);
+    require (has "--exact" || not (has "--logarithm")) usage;
+    let logarithm = Option.map (fun p -> size p 0 256) (find "--logarithm") in
+    let exact = Option.map (read_exact true) (find "--exact") in
+    let upper = if rough = None then bound "--upper" else None in
+    let rough = Option.map (fun k -> size k 1 500) rough in
+    exponent subject (bound "--lower") upper rough exact logarithm (get "FILE")
+  in
   let text, theorem, shown =
     if has "--l1" then begin
       require (only [ "--l1"; "--contraction"; "--upper" ] && (has "--lower" || (has "--contraction" && not (has "--upper")))) usage;
@@ -731,29 +773,26 @@ let check arguments =
     end
     else if has "--masks" || has "--order" then begin
       require (has "--masks" && has "--order" && has "--arity") usage;
-      let order = get "--order" in
-      if String.starts_with ~prefix:"period" order then
-        raise (Sections.Undecided "claims about a list of masks in turn are decided by subcert-check");
-      require (only [ "--masks"; "--arity"; "--order" ] && has "--lower") usage;
-      levels (get "--masks") (get "--arity") order (Option.get (bound "--lower")) (get "FILE")
+      require (only [ "--masks"; "--arity"; "--order"; "--upper"; "--exact"; "--logarithm" ]) usage;
+      let masks = get "--masks" and arity = get "--arity" and order = get "--order" in
+      let m = read_masks masks arity in
+      match read_order order m with
+      | Sequences sequences ->
+          require (has "--lower" && only [ "--masks"; "--arity"; "--order" ]) usage;
+          levels masks arity order m sequences (Option.get (bound "--lower")) (get "FILE")
+      | Period (i, others) ->
+          require (has "--lower" || has "--exact" || not (has "--upper") || rough <> None) usage;
+          let text, theorem, shown = of_mask (mask_of_period masks arity order m i others) in
+          (text, theorem, fun () -> show_masks m (Period (i, others)); shown ())
     end
     else if
       only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]
       && (has "--lower" || has "--exact" || rough <> None || not (has "--arity"))
     then begin
-      require (has "--mask" && has "--arity" && (has "--lower" || has "--exact" || rough <> None)) usage;
-      require (has "--exact" || not (has "--logarithm")) usage;
-      let logarithm = Option.map (fun p -> size p 0 256) (find "--logarithm") in
-      let exact = Option.map (read_exact true) (find "--exact") in
-      let upper = if rough = None then bound "--upper" else None in
-      let rough = Option.map (fun k -> size k 1 500) rough in
-      exponent (get "--mask") (get "--arity") (bound "--lower") upper rough exact logarithm (get "FILE")
+      require (has "--mask" && has "--arity") usage;
+      of_mask (one_mask (get "--mask") (get "--arity"))
     end
-    else
-      raise
-        (Sections.Undecided
-           "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided \
-            here, the others by subcert-check")
+    else raise (Sections.Undecided undecided)
   in
   match find "--theorem" with
   | Some name -> theorem name

@@ -708,6 +708,13 @@ let rec flat_map f = function
 | [] -> []
 | x::t0 -> app (f x) (flat_map f t0)
 
+(** val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1 **)
+
+let rec fold_left f l a0 =
+  match l with
+  | [] -> a0
+  | b::t0 -> fold_left f t0 (f a0 b)
+
 (** val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1 **)
 
 let rec fold_right f a0 = function
@@ -4019,3 +4026,47 @@ let check_levels m s l cert =
   (&&) (levels_reduce m s l cert.order cert.bound)
     (check_radius { matrices_of = (levels_family m s cert.order); lower =
       None; upper = (Some cert.bound) } cert.of_radius)
+
+(** val spread_times :
+    int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec spread_times step0 symbol0 = function
+| [] -> []
+| c::rest ->
+  (match rest with
+   | [] -> map (Number.mul c) symbol0
+   | _::_ ->
+     addmul c symbol0
+       (app (repeat Number.zero step0) (spread_times step0 symbol0 rest)))
+
+(** val then_mask : masks -> scheme -> (Number.t*Number.t list) -> scheme **)
+
+let then_mask m a p =
+  { arity = (mul m.masks_arity a.arity); first =
+    (Number.add (fst p)
+      (Number.mul (Number.of_natural m.masks_arity) a.first)); coefficients =
+    (spread_times m.masks_arity (snd p) a.coefficients); common =
+    (Number.mul m.masks_common a.common) }
+
+(** val period_scheme : masks -> int -> int list -> scheme **)
+
+let period_scheme m i others0 =
+  fold_left (fun a j -> then_mask m a (nth j m.each no_mask)) others0
+    (scheme_of m (nth i m.each no_mask))
+
+(** val keeps_constants : masks -> bool **)
+
+let keeps_constants m =
+  (&&)
+    ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) m.masks_arity)
+      (Number.less Number.zero m.masks_common))
+    (forallb (fun p ->
+      forallb (fun r ->
+        Number.equal (class_sum m.masks_arity (snd p) r) m.masks_common)
+        (seq 0 m.masks_arity)) m.each)
+
+(** val in_period : masks -> int -> int list -> bool **)
+
+let in_period m i others0 =
+  (&&) (keeps_constants m)
+    (forallb (fun j -> Nat.ltb j (length m.each)) (i::others0))

@@ -152,6 +152,8 @@ val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
 val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list
 
+val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1
+
 val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1
 
 val existsb : ('a1 -> bool) -> 'a1 list -> bool
@@ -910,3 +912,13 @@ val levels_family : masks -> sequences -> int -> family
 val levels_reduce : masks -> sequences -> q -> int -> q -> bool
 
 val check_levels : masks -> sequences -> q -> exponent_certificate -> bool
+
+val spread_times : int -> Number.t list -> Number.t list -> Number.t list
+
+val then_mask : masks -> scheme -> (Number.t*Number.t list) -> scheme
+
+val period_scheme : masks -> int -> int list -> scheme
+
+val keeps_constants : masks -> bool
+
+val in_period : masks -> int -> int list -> bool

@@ -1,7 +1,7 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
-  SubradiusExact Rough Reduced Levels.
+  SubradiusExact Rough Reduced Levels Period.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -38,4 +38,5 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   check_number block_below block_reaches check_exact_radius check_exact_exponent check_logarithm symbol_above evaluate
   check_reduced check_factor check_rough check_full class_sum
   check_subradius check_product factor_below image_above check_exact_subradius equal_at
-  check_levels levels_family level_size states scheme_of.
+  check_levels levels_family level_size states scheme_of
+  in_period period_scheme.

@@ -141,6 +141,19 @@ Qed.
 
 (* ---- what all masks have in common --------------------------------------------------------------------------------------- *)
 
+Definition first_number (m : masks) (i : nat) : Z := fst (nth i (each m) no_mask).
+
+Lemma first_above_lowest m i : (i < length (each m))%nat -> lowest m <= first_number m i.
+Proof. intros H. apply (minimum_below fst). apply nth_In. auto. Qed.
+
+Lemma within_reach m i : (i < length (each m))%nat ->
+  first_number m i + Z.of_nat (length (snd (nth i (each m) no_mask))) <= lowest m + Z.of_nat (reach m).
+Proof.
+  intros H. assert (L := first_above_lowest m i H).
+  assert (R := maximum_above (fun p => (Z.to_nat (fst p - lowest m) + length (snd p))%nat) 0 (each m) _ (nth_In _ no_mask H)).
+  unfold reach. unfold first_number in *. lia.
+Qed.
+
 Section Reduced.
 Variables (m : masks) (M : nat).
 Let A := masks_arity m.
@@ -149,10 +162,8 @@ Hypothesis Arity : (2 <= A)%nat.
 Let W := level_size m M.
 Let N := (W * (A - 1))%nat.
 
-(* The symbol of mask number i, and its first index *)
+(* The symbol of mask number i *)
 Definition symbol_number (i : nat) : Z -> R := coefficient (nth i (level_symbols m M) []) (masks_common m) 0.
-Definition first_number (i : nat) : Z := fst (nth i (each m) no_mask).
-
 Lemma symbol_of i : (i < length (each m))%nat -> nth i (level_symbols m M) [] = difference_symbol (scheme_of m (nth i (each m) no_mask)) M.
 Proof.
   intros H. unfold level_symbols. rewrite nth_indep with (d' := difference_symbol (scheme_of m no_mask) M) by (rewrite map_length; auto).
@@ -174,17 +185,6 @@ Proof.
   intros H k j Hj. apply coefficient_support. generalize (level_size_fits (i k) (H k)). lia.
 Qed.
 
-Lemma first_above_lowest i : (i < length (each m))%nat -> lowest m <= first_number i.
-Proof. intros H. apply (minimum_below fst). apply nth_In. auto. Qed.
-
-Lemma within_reach i : (i < length (each m))%nat ->
-  first_number i + Z.of_nat (length (snd (nth i (each m) no_mask))) <= lowest m + Z.of_nat (reach m).
-Proof.
-  intros H. assert (L := first_above_lowest i H).
-  assert (R := maximum_above (fun p => (Z.to_nat (fst p - lowest m) + length (snd p))%nat) 0 (each m) _ (nth_In _ no_mask H)).
-  unfold reach. unfold first_number in *. lia.
-Qed.
-
 (* A bound of the coefficients of all masks *)
 Lemma symbols_bounded : exists P, (0 <= P)%R /\ forall i j, (i < length (each m))%nat -> (Rabs (symbol_number i j) <= P)%R.
 Proof.
@@ -199,28 +199,28 @@ Proof.
 Qed.
 
 Lemma symbols_alike i : (forall k, (i k < length (each m))%nat) -> exists K P,
-  masks_alike A (lowest m) (reach m) K P (fun k j => symbol_number (i k) (j - first_number (i k))) /\ (K + M * (A - 1) <= reach m)%nat.
+  masks_alike A (lowest m) (reach m) K P (fun k j => symbol_number (i k) (j - first_number m (i k))) /\ (K + M * (A - 1) <= reach m)%nat.
 Proof.
   intros H. destruct symbols_bounded as [P [P0 HP]].
-  assert (Fit : forall k, first_number (i k) + Z.of_nat (length (nth (i k) (level_symbols m M) []) - 1 + M * (A - 1)) <=
+  assert (Fit : forall k, first_number m (i k) + Z.of_nat (length (nth (i k) (level_symbols m M) []) - 1 + M * (A - 1)) <=
     lowest m + Z.of_nat (reach m)).
-  { intros k. assert (R := within_reach (i k) (H k)). set (p := nth (i k) (each m) no_mask) in *.
+  { intros k. assert (R := within_reach m (i k) (H k)). set (p := nth (i k) (each m) no_mask) in *.
     assert (F := symbol_fits (scheme_of m p) M (Reducible p (nth_In _ _ (H k)))). cbn [arity coefficients scheme_of] in F. fold A in F.
     rewrite symbol_of by auto. fold p. unfold first_number in *. fold p in R. fold p. lia. }
-  exists (reach m - M * (A - 1))%nat, P. assert (F0 := Fit O). assert (L0 := first_above_lowest _ (H O)).
-  split; [|lia]. split; auto. intros k. assert (Fk := Fit k). assert (Lk := first_above_lowest _ (H k)).
+  exists (reach m - M * (A - 1))%nat, P. assert (F0 := Fit O). assert (L0 := first_above_lowest m _ (H O)).
+  split; [|lia]. split; auto. intros k. assert (Fk := Fit k). assert (Lk := first_above_lowest m _ (H k)).
   set (p := nth (i k) (each m) no_mask) in *. assert (Red := Reducible p (nth_In _ _ (H k))).
   set (b := nth (i k) (level_symbols m M) []) in *.
-  assert (Out : forall j, (j < first_number (i k) \/ first_number (i k) + Z.of_nat (length b - 1) < j)%Z ->
-    symbol_number (i k) (j - first_number (i k)) = 0%R).
+  assert (Out : forall j, (j < first_number m (i k) \/ first_number m (i k) + Z.of_nat (length b - 1) < j)%Z ->
+    symbol_number (i k) (j - first_number m (i k)) = 0%R).
   { intros j Hj. apply coefficient_support. fold b. lia. }
   split; [|split].
   - intros j Hj. apply Out. lia.
   - assert (T := symbol_total (scheme_of m p) M (length b - 1) Red ltac:(unfold b; rewrite symbol_of by auto; fold p; lia)).
-    unfold total in *. cbn [first arity scheme_of] in T. change (fst p) with (first_number (i k)) in T. fold A in T. rewrite <- T.
-    set (c := fun j => symbol_number (i k) (j - first_number (i k))).
+    unfold total in *. cbn [first arity scheme_of] in T. change (fst p) with (first_number m (i k)) in T. fold A in T. rewrite <- T.
+    set (c := fun j => symbol_number (i k) (j - first_number m (i k))).
     transitivity (sum (S (reach m)) (fun j => c (lowest m + Z.of_nat j)%Z)); [reflexivity|].
-    rewrite (sum_two_windows c (lowest m) (S (reach m)) (first_number (i k)) (S (length b - 1))).
+    rewrite (sum_two_windows c (lowest m) (S (reach m)) (first_number m (i k)) (S (length b - 1))).
     + apply sum_ext; intros j Hj. unfold c, symbol_number, shifted_symbol. rewrite symbol_of by auto. reflexivity.
     + intros j Hj. apply Out. lia.
     + intros j Hj. apply Out. lia.
@@ -235,9 +235,9 @@ Theorem sequence_exponent lambda i G l : exp lambda = INR A -> (forall k, (i k <
 Proof.
   intros Hlog H Hl HG HGl. destruct (symbols_alike i H) as [K [P [Al HK]]].
   destruct (levels_radius_exponent A N W N Arity (le_n N) (le_n N) level_size_positive lambda (lowest m) (reach m)
-    (fun k => first_number (i k)) (fun k => symbol_number (i k)) K P G M l Hlog (short_symbols i H)) as [phi [Lim [_ Ex]]]; auto.
+    (fun k => first_number m (i k)) (fun k => symbol_number (i k)) K P G M l Hlog (short_symbols i H)) as [phi [Lim [_ Ex]]]; auto.
   exists phi. split; auto. unfold limit_of_sequence. fold A.
-  replace (fun k => mask_at m (i k)) with (fun k => smoothed A M (fun j => symbol_number (i k) (j - first_number (i k)))); auto.
+  replace (fun k => mask_at m (i k)) with (fun k => smoothed A M (fun j => symbol_number (i k) (j - first_number m (i k)))); auto.
   extensionality k. assert (E := mask_smoothed _ _ (Reducible _ (nth_In _ no_mask (H k)))).
   unfold mask_at. cbn [arity first coefficients common scheme_of] in E. rewrite E. fold A. f_equal.
   extensionality j. unfold shifted_symbol, symbol_number. rewrite symbol_of by auto. reflexivity.

@@ -34,8 +34,7 @@ Definition keeps_constants (m : masks) : bool :=
   forallb (fun p => forallb (fun r => class_sum (masks_arity m) (snd p) r =? masks_common m) (seq 0 (masks_arity m))) (each m).
 
 Definition in_period (m : masks) (i : nat) (others : list nat) : bool :=
-  keeps_constants m && forallb (fun j => j <? length (each m))%nat (i :: others) &&
-  forallb (fun p => negb (length (snd p) =? 0))%nat (each m).
+  keeps_constants m && forallb (fun j => j <? length (each m))%nat (i :: others).
 
 (* ---- coefficients of products -------------------------------------------------------------------------------------------- *)
 
@@ -86,9 +85,9 @@ Proof.
     replace (i - Z.of_nat A * F' - F) with (i - (F + Z.of_nat A * F')) by ring. unfold Rdiv. ring. }
   assert (Zero : forall F' i, subdivide A F L (coefficient symbol e F) (coefficient [] d F') i = 0%R).
   { intros F' i. unfold subdivide. apply sum_zero. intros. cbv zeta. unfold coefficient at 2. destruct (_ <? F'). lra.
-    rewrite nth_nil. unfold Rdiv. lra. }
+    destruct (Z.to_nat _); simpl; unfold Rdiv; lra. }
   induction factor as [|c rest IH]; intros F' i.
-  - rewrite Zero. unfold coefficient. destruct (i <? _); auto. simpl. rewrite nth_nil. unfold Rdiv. lra.
+  - rewrite Zero. unfold coefficient. destruct (i <? _); auto. cbn [spread_times]. destruct (Z.to_nat _); simpl; unfold Rdiv; lra.
   - rewrite (subdivide_ext A F L _ _ _ i (coefficient_cons c rest d F')).
     assert (Split : forall g h, subdivide A F L (coefficient symbol e F) (fun j => g j + h j)%R i =
       (subdivide A F L (coefficient symbol e F) g i + subdivide A F L (coefficient symbol e F) h i)%R).
@@ -106,23 +105,23 @@ Theorem two_steps A B F L F' L' FC LC a a' f n : (2 <= A)%nat -> (2 <= B)%nat ->
   let c := subdivide A F L a a' in supported FC LC c ->
   subdivide (A * B) FC LC c f n = subdivide A F L a (fun i => subdivide B F' L' a' f i) n.
 Proof.
-  intros HA HB S S' c SC. set (q := (n - F) / Z.of_nat A). set (R := (Z.to_nat (Z.abs q + Z.abs F') + L + L' + 2)%nat).
-  set (lo := - Z.of_nat R). set (w := (2 * R + 1)%nat).
+  intros HA HB S S' c SC. set (q := (n - F) / Z.of_nat A). set (r := (Z.to_nat (Z.abs q + Z.abs F') + L + L' + 2)%nat).
+  set (lo := - Z.of_nat r). set (w := (2 * r + 1)%nat).
   set (I := fun k : nat => q - Z.of_nat L + Z.of_nat k).
   assert (Out : forall k j, (k < Datatypes.S L)%nat -> j < lo \/ lo + Z.of_nat w <= j -> a' (I k - Z.of_nat B * j) = 0%R).
-  { intros k j Hk Hj. apply S'. unfold I, lo, w, R in *. nia. }
+  { intros k j Hk Hj. apply S'. unfold I, lo, w, r in *. nia. }
   assert (E : forall k, (k < Datatypes.S L)%nat -> subdivide B F' L' a' f (I k) =
-    sum w (fun m => a' (I k - Z.of_nat B * (lo + Z.of_nat m)) * f (lo + Z.of_nat m))%R).
+    sum w (fun m => a' (I k - Z.of_nat B * (lo + Z.of_nat m))%Z * f (lo + Z.of_nat m)%Z)%R).
   { intros k Hk. symmetry. apply (subdivide_window B F' L' HB L' a' f (I k) lo w S' (le_n L')). intros j Hj. apply Out; auto. }
-  assert (C : forall j, c (n - Z.of_nat (A * B) * j) = sum (Datatypes.S L) (fun k => a (n - Z.of_nat A * I k) * a' (I k - Z.of_nat B * j))%R).
+  assert (C : forall j, c (n - Z.of_nat (A * B) * j) = sum (Datatypes.S L) (fun k => a (n - Z.of_nat A * I k)%Z * a' (I k - Z.of_nat B * j)%Z)%R).
   { intros j. unfold c. replace (n - Z.of_nat (A * B) * j) with (n - Z.of_nat A * (Z.of_nat B * j)) by (rewrite Nat2Z.inj_mul; ring).
     rewrite <- (subdivide_shift A F L HA). reflexivity. }
   assert (HAB : (2 <= A * B)%nat) by nia.
   rewrite <- (subdivide_window (A * B) FC LC HAB LC c f n lo w SC (le_n LC)).
-  - rewrite (sum_ext w _ (fun m => sum (Datatypes.S L) (fun k => a (n - Z.of_nat A * I k) *
-      (a' (I k - Z.of_nat B * (lo + Z.of_nat m)) * f (lo + Z.of_nat m)%Z)))%R).
+  - rewrite (sum_ext w _ (fun m => sum (Datatypes.S L) (fun k => a (n - Z.of_nat A * I k)%Z *
+      (a' (I k - Z.of_nat B * (lo + Z.of_nat m))%Z * f (lo + Z.of_nat m)%Z)))%R).
     + rewrite sum_swap. change (subdivide A F L a (fun i => subdivide B F' L' a' f i) n) with
-        (sum (Datatypes.S L) (fun k => a (n - Z.of_nat A * I k) * subdivide B F' L' a' f (I k)))%R.
+        (sum (Datatypes.S L) (fun k => a (n - Z.of_nat A * I k)%Z * subdivide B F' L' a' f (I k)))%R.
       apply sum_ext; intros k Hk. rewrite sum_scal, E by auto. reflexivity.
     + intros m Hm. rewrite C, Rmult_comm, <- sum_scal. apply sum_ext; intros k Hk. ring.
   - intros j Hj. rewrite C. apply sum_zero. intros k Hk. rewrite Out by auto. lra.
@@ -143,13 +142,13 @@ Definition level_step (j : nat) (f : Z -> R) : Z -> R := subdivide A (lowest m) 
 
 Lemma good_arity : (2 <= A)%nat /\ d <> 0.
 Proof.
-  unfold in_period, keeps_constants in Good. rewrite !andb_true_iff in Good. destruct Good as [[[[HA Hd] _] _] _].
+  unfold in_period, keeps_constants in Good. rewrite !andb_true_iff in Good. destruct Good as [[[HA Hd] _] _].
   apply Nat.leb_le in HA. apply Z.ltb_lt in Hd. unfold d. split; auto. lia.
 Qed.
 
 Lemma good_number j : In j turn -> (j < length (each m))%nat.
 Proof.
-  intros H. unfold in_period in Good. rewrite !andb_true_iff in Good. destruct Good as [[_ HN] _].
+  intros H. unfold in_period in Good. rewrite !andb_true_iff in Good. destruct Good as [_ HN].
   rewrite forallb_forall in HN. apply Nat.ltb_lt. apply HN. exact H.
 Qed.
 
@@ -189,7 +188,7 @@ Lemma period_step : forall l a, (2 <= arity a)%nat -> common a <> 0 -> (forall j
   forall f k, step_of (fold_left (fun a j => then_mask m a (nth j (each m) no_mask)) l a) f k = walk l (step_of a f) k.
 Proof.
   destruct good_arity as [HA Hd]. induction l as [|j l IH]; intros a Ha Hc Hl.
-  - simpl. split; auto. split; auto. lia.
+  - split; [auto|]. split; [simpl; lia|auto].
   - assert (B2 : (2 <= arity (then_mask m a (nth j (each m) no_mask)))%nat) by (cbn [then_mask arity]; fold A; nia).
     assert (C2 : common (then_mask m a (nth j (each m) no_mask)) <> 0) by (cbn [then_mask common]; fold d; nia).
     destruct (IH _ B2 C2 (fun x H => Hl x (or_intror H))) as [I1 [I2 I3]]. cbn [fold_left]. split; auto. split.
@@ -234,4 +233,151 @@ Proof.
     change (Datatypes.S (length others)) with len. rewrite Nat.add_comm, Nat.mod_add by (unfold len; lia). apply Nat.mod_small.
     unfold len. unfold turn in Ht. simpl in Ht. auto.
 Qed.
+
+(* ---- the levels between --------------------------------------------------------------------------------------------------- *)
+
+Lemma good_classes j : (j < length (each m))%nat -> forall k, level_step j (fun _ => 1%R) k = 1%R.
+Proof.
+  intros Hj k. destruct good_arity as [HA Hd]. rewrite level_step_scheme by auto. set (p := nth j (each m) no_mask).
+  assert (Hp : In p (each m)) by (apply nth_In; auto).
+  unfold in_period, keeps_constants in Good. rewrite !andb_true_iff in Good. destruct Good as [[[_ H0] HC] _].
+  rewrite forallb_forall in HC. specialize (HC p Hp). rewrite forallb_forall in HC. fold A d in HC. apply Z.ltb_lt in H0. fold d in H0.
+  unfold step_of. cbn [scheme_of arity first coefficients common]. fold A d.
+  set (r := Z.to_nat ((k - fst p) mod Z.of_nat A)). set (s := (k - fst p) / Z.of_nat A).
+  assert (Dv := Z.div_mod (k - fst p) (Z.of_nat A) ltac:(lia)). assert (Md := Z.mod_pos_bound (k - fst p) (Z.of_nat A) ltac:(lia)).
+  assert (Ek : k - Z.of_nat A * s = fst p + Z.of_nat r) by (unfold s, r; lia).
+  assert (Hr : (r < A)%nat) by (unfold r; lia).
+  change (fun _ : Z => 1%R) with (fun j : Z => (fun _ : Z => 1%R) (j - s)).
+  rewrite (subdivide_shift A (fst p) (length (snd p) - 1) HA), Ek.
+  replace (coefficient (snd p) d (fst p)) with (fun l => coefficient (snd p) d 0 (l - fst p)) by
+    (extensionality l; symmetry; apply coefficient_shift).
+  rewrite class_sum_sound by (auto; lia). specialize (HC r ltac:(apply in_seq; lia)). apply Z.eqb_eq in HC. rewrite HC.
+  field. apply IZR_neq. auto.
+Qed.
+
+Lemma turn_near : exists C, (0 <= C)%R /\ forall j, In j turn -> forall (f : Z -> R) e, (forall k, (Rabs (f k - f (k - 1)%Z) <= e)%R) ->
+  forall k, (Rabs (level_step j f k - f (k / Z.of_nat A)%Z) <= C * e)%R.
+Proof.
+  destruct good_arity as [HA _]. assert (G : forall j, In j turn -> (j < length (each m))%nat) by apply good_number.
+  induction turn as [|j l IH].
+  - exists 0%R. split. lra. intros j [].
+  - destruct IH as [C [C0 HC]]. { intros x Hx. apply G. right; auto. }
+    destruct (step_near A (lowest m) (reach m) HA (reach m) (mask_at m j)) as [C' [C0' HC']].
+    { apply mask_supported. apply G. left; auto. }
+    { intros k. apply good_classes. apply G. left; auto. }
+    exists (C + C')%R. split. lra. intros x Hx f e He k.
+    assert (E0 : (0 <= e)%R) by (eapply Rle_trans; [apply Rabs_pos|apply (He 0)]).
+    destruct Hx as [<-|Hx].
+    + eapply Rle_trans. apply (HC' f e He k). apply Rmult_le_compat_r; lra.
+    + eapply Rle_trans. apply (HC x Hx f e He k). apply Rmult_le_compat_r; lra.
+Qed.
+
+Lemma in_turn_in k : In (in_turn i others k) turn.
+Proof. apply nth_In. apply Nat.mod_upper_bound. discriminate. Qed.
+
+Lemma between r : exists D, (0 <= D)%R /\ forall n e, (forall k, (Rabs (data n k - data n (k - 1)%Z) <= e)%R) ->
+  (forall k, (Rabs (data (n + r)%nat k - data (n + r)%nat (k - 1)%Z) <= D * e)%R) /\
+  forall k, (Rabs (data (n + r)%nat k - data n (k / Z.of_nat A ^ Z.of_nat r)%Z) <= D * e)%R.
+Proof.
+  destruct good_arity as [HA _]. destruct turn_near as [C [C0 Near]]. induction r as [|r [D [D0 IH]]].
+  - exists 1%R. split. lra. intros n e He. rewrite Nat.add_0_r, Rmult_1_l. split; auto. intros k.
+    change (Z.of_nat A ^ Z.of_nat 0) with 1. rewrite Z.div_1_r, Rminus_diag_eq, Rabs_R0 by auto.
+    eapply Rle_trans; [apply Rabs_pos|apply (He 0)].
+  - exists ((2 * C + 2) * D)%R. split. apply Rmult_le_pos; lra. intros n e He. destruct (IH n e He) as [I1 I2].
+    assert (E0 : (0 <= e)%R) by (eapply Rle_trans; [apply Rabs_pos|apply (He 0)]).
+    assert (DE : (0 <= D * e)%R) by (apply Rmult_le_pos; auto). assert (CDE : (0 <= C * (D * e))%R) by (apply Rmult_le_pos; auto).
+    rewrite Nat.add_succ_r. set (g := data (n + r)) in *.
+    assert (S : forall k, (Rabs (data (Datatypes.S (n + r))%nat k - g (k / Z.of_nat A)%Z) <= C * (D * e))%R).
+    { intros k. apply (Near (in_turn i others (n + r)) (in_turn_in _) g (D * e)%R I1 k). }
+    replace ((2 * C + 2) * D * e)%R with (2 * (C * (D * e)) + 2 * (D * e))%R by ring. set (x := (C * (D * e))%R) in *. split; intros k.
+    + assert (S1 := S k). assert (S2 := S (k - 1)). set (y := data _ k) in *. set (z := data _ (k - 1)) in *.
+      assert (M : (Rabs (g (k / Z.of_nat A)%Z - g ((k - 1) / Z.of_nat A)%Z) <= D * e)%R).
+      { assert (E : (k - 1) / Z.of_nat A = k / Z.of_nat A \/ (k - 1) / Z.of_nat A = k / Z.of_nat A - 1).
+        { assert (D1 := Z.div_mod k (Z.of_nat A) ltac:(lia)). assert (M1 := Z.mod_pos_bound k (Z.of_nat A) ltac:(lia)).
+          assert (D2 := Z.div_mod (k - 1) (Z.of_nat A) ltac:(lia)). assert (M2 := Z.mod_pos_bound (k - 1) (Z.of_nat A) ltac:(lia)). nia. }
+        destruct E as [->| ->]. rewrite Rminus_diag_eq, Rabs_R0; auto. apply I1. }
+      replace (y - z)%R with ((y - g (k / Z.of_nat A)%Z) + (g (k / Z.of_nat A)%Z - g ((k - 1) / Z.of_nat A)%Z) +
+        - (z - g ((k - 1) / Z.of_nat A)%Z))%R by ring.
+      eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. eapply Rle_trans. apply Rplus_le_compat_r, Rabs_triang. lra.
+    + assert (S1 := S k). assert (I := I2 (k / Z.of_nat A)). rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia.
+      rewrite Z.div_div in I by (try lia; apply Z.pow_pos_nonneg; lia).
+      set (y := data (Datatypes.S (n + r)) k) in *. set (v := data n _) in *.
+      replace (y - v)%R with ((y - g (k / Z.of_nat A)%Z) + (g (k / Z.of_nat A)%Z - v))%R by ring.
+      eapply Rle_trans. apply Rabs_triang. lra.
+Qed.
+
+Lemma between_all top : exists D, (0 <= D)%R /\ forall r, (r < top)%nat -> forall n e,
+  (forall k, (Rabs (data n k - data n (k - 1)%Z) <= e)%R) ->
+  forall k, (Rabs (data (n + r)%nat k - data n (k / Z.of_nat A ^ Z.of_nat r)%Z) <= D * e)%R.
+Proof.
+  induction top as [|top [D [D0 H]]]. { exists 0%R. split. lra. intros r Hr. lia. }
+  destruct (between top) as [D' [D0' H']]. exists (D + D')%R. split. lra. intros r Hr n e He k.
+  assert (E0 : (0 <= e)%R) by (eapply Rle_trans; [apply Rabs_pos|apply (He 0)]).
+  destruct (Nat.eq_dec r top) as [->|N].
+  - eapply Rle_trans. apply (proj2 (H' n e He) k). apply Rmult_le_compat_r; lra.
+  - eapply Rle_trans. apply (H r ltac:(lia) n e He k). apply Rmult_le_compat_r; lra.
+Qed.
+
+(* If the scheme of the product converges, so do all levels, to the same limit. *)
+Theorem period_limit phi : limit_of P phi -> limit_of_sequence m (in_turn i others) phi.
+Proof.
+  intros Lim. destruct good_arity as [HA _]. destruct period_facts as [HB [EB _]].
+  assert (Lim' := Lim). destruct Lim' as [Co H]. split; auto. intros eps He.
+  destruct (between_all len) as [D [D0 HD]]. set (e := (eps / (3 * D + 2))%R).
+  assert (E0 : (0 < e)%R) by (apply Rdiv_lt_0_compat; lra).
+  assert (Ee : ((3 * D + 2) * e = eps)%R) by (unfold e; field; lra).
+  destruct (H e E0) as [n1 H1].
+  destruct (uniform phi _ _ Co (limit_zero (arity P) (first P) HB _ _ phi (coefficient_supported (coefficients P) (common P) (first P)) Lim) e E0) as [g [G0 HG]].
+  destruct (small_cell (arity P) HB (g / 2) ltac:(lra)) as [n2 H2].
+  exists ((n1 + n2) * len)%nat. intros n Hn k.
+  assert (L0 : (len <> 0)%nat) by discriminate.
+  assert (Dn := Nat.div_mod n len L0). assert (Mn := Nat.mod_upper_bound n len L0). set (q := (n / len)%nat) in *. set (r := (n mod len)%nat) in *.
+  assert (Hq : (n1 + n2 <= q)%nat) by nia.
+  specialize (H1 q ltac:(lia)). specialize (H2 q ltac:(lia)).
+  assert (PB := power_positive (arity P) HB q). set (h := (INR (arity P) ^ q)%R) in *.
+  assert (Close : forall x y, (Rabs (x - y) <= / h)%R -> (Rabs (phi x - phi y) <= e)%R) by (intros x y Hxy; apply HG; lra).
+  assert (V : forall l, (Rabs (data (q * len)%nat l - phi (IZR l / h)) <= e)%R).
+  { intros l. rewrite period_levels. apply H1. }
+  assert (Dif : forall l, (Rabs (data (q * len)%nat l - data (q * len)%nat (l - 1)%Z) <= 3 * e)%R).
+  { intros l. assert (V1 := V l). assert (V2 := V (l - 1)).
+    assert (X : (Rabs (phi (IZR l / h) - phi (IZR (l - 1)%Z / h)) <= e)%R).
+    { apply Close. rewrite minus_IZR. replace (IZR l / h - (IZR l - 1) / h)%R with (/ h)%R by (field; lra).
+      rewrite Rabs_pos_eq. lra. left. apply Rinv_0_lt_compat; auto. }
+    set (a := data (q * len)%nat l) in *. set (b := data (q * len)%nat (l - 1)%Z) in *.
+    replace (a - b)%R with ((a - phi (IZR l / h)) + (phi (IZR l / h) - phi (IZR (l - 1)%Z / h)) + - (b - phi (IZR (l - 1)%Z / h)))%R by ring.
+    eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. eapply Rle_trans. apply Rplus_le_compat_r, Rabs_triang. lra. }
+  assert (X := HD r Mn (q * len)%nat (3 * e)%R Dif k). fold A. change (levels A (lowest m) (reach m) _) with data.
+  replace (q * len + r)%nat with n in X by lia.
+  set (z := Z.of_nat A ^ Z.of_nat r) in *. assert (Z0 : 0 < z) by (apply Z.pow_pos_nonneg; lia).
+  assert (Y := V (k / z)). set (v := data (q * len)%nat (k / z)) in *.
+  assert (Pn : (INR A ^ n = h * IZR z)%R).
+  { unfold h, z. rewrite EB, (arity_power A HA), pow_INR, <- pow_mult, <- pow_add. f_equal. lia. }
+  assert (Zr : (0 < IZR z)%R) by (apply IZR_lt; auto).
+  assert (W : (Rabs (phi (IZR (k / z)%Z / h) - phi (IZR k / INR A ^ n)) <= e)%R).
+  { apply Close. rewrite Pn. assert (Dk := Z.div_mod k z ltac:(lia)). assert (Mk := Z.mod_pos_bound k z Z0).
+    replace (IZR (k / z)%Z / h - IZR k / (h * IZR z))%R with (- (/ h * (IZR (k mod z)%Z / IZR z)))%R.
+    - rewrite Rabs_Ropp, Rabs_pos_eq.
+      + rewrite <- (Rmult_1_r (/ h)) at 2. apply Rmult_le_compat_l. left; apply Rinv_0_lt_compat; auto.
+        apply (Rmult_le_reg_r (IZR z)); auto. replace (IZR (k mod z)%Z / IZR z * IZR z)%R with (IZR (k mod z)%Z) by (field; lra).
+        rewrite Rmult_1_l. apply IZR_le. lia.
+      + apply Rmult_le_pos. left; apply Rinv_0_lt_compat; auto. apply Rmult_le_pos. apply IZR_le; lia. left; apply Rinv_0_lt_compat; auto.
+    - rewrite Dk at 3. rewrite plus_IZR, mult_IZR. field. lra. }
+  set (y := data n k) in *.
+  replace (y - phi (IZR k / INR A ^ n))%R with ((y - v) + (v - phi (IZR (k / z)%Z / h)) + (phi (IZR (k / z)%Z / h) - phi (IZR k / INR A ^ n)))%R by ring.
+  eapply Rle_trans. apply Rabs_triang. eapply Rle_trans. apply Rplus_le_compat_r, Rabs_triang.
+  apply Rle_trans with (D * (3 * e) + e + e)%R. lra. rewrite <- Ee. right. ring.
+Qed.
+(* A limit of all levels is one of these, too. *)
+Theorem limit_of_period phi : limit_of_sequence m (in_turn i others) phi -> limit_of P phi.
+Proof.
+  intros [Co H]. destruct period_facts as [_ [EB _]]. split; auto. intros eps He. destruct (H eps He) as [n0 Hn].
+  exists n0. intros n Hle k. change (refined _ _ _ _ n k) with (refined_data P n k). rewrite <- period_levels.
+  assert (Hl : (n0 <= n * len)%nat) by (unfold len; nia). specialize (Hn (n * len)%nat Hl k). rewrite EB.
+  replace (INR (A ^ len) ^ n)%R with (INR A ^ (n * len))%R; auto. rewrite pow_INR, <- pow_mult. f_equal. lia.
+Qed.
 End Period.
+
+(* What holds of the scheme of the product is about the limit of all levels. *)
+Theorem period_sound m i others : in_period m i others = true ->
+  forall phi, limit_of_sequence m (in_turn i others) phi <-> limit_of (period_scheme m i others) phi.
+Proof. intros H phi. split. apply limit_of_period; auto. apply period_limit; auto. Qed.

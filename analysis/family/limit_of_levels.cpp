@@ -84,13 +84,13 @@ ExponentialSumRules exponential_sum_rules(const ParametricMask& mask) {
 
 std::optional<LimitOfLevels> limit_of_levels(const ParametricMask& mask, const Recurrence& recurrence,
                                              const Interval& kept, const Budget& budget) {
-  const auto value = recurrence.limit_in(kept);
-  if (!value || !has_no_zero(mask.denominator(), kept)) return std::nullopt;
+  auto limit = recurrence.limit_in(kept);
+  if (!limit || !has_no_zero(mask.denominator(), kept)) return std::nullopt;
   ExponentialSumRules rules{sum_rules(mask)};
   if (mask.arity() == 2 && recurrence.halves_angles()) rules = exponential_sum_rules(mask);
-  MaskList one{{mask.at(*value)}};
+  MaskList one{{mask.at(limit->value)}};
   one.most_rules = rules.order();
-  return LimitOfLevels{*value, std::move(rules), exponent_of(one, budget)};
+  return LimitOfLevels{std::move(limit->value), std::move(limit->way), std::move(rules), exponent_of(one, budget)};
 }
 
 Truth FollowedLevels::have(const RangeProperty& property, Truth all_sequences) const {

@@ -30,6 +30,7 @@ ExponentialSumRules exponential_sum_rules(const ParametricMask& mask);
 /// Of f_{k+1} = S_{w_k} f_k with w_{k+1} = r(w_k).
 struct LimitOfLevels {
   Rational value;             ///< to which w_k tends
+  std::vector<Interval> way;  ///< as LimitOfValues has it
   ExponentialSumRules rules;  ///< without exponentials, unless r(w) = sqrt((1+w)/2)
   /// All limits have at least the lower end, if there is one; limits of some data at late levels at most the upper one.
   ExponentOfList exponent;

@@ -219,14 +219,19 @@ std::optional<Rational> Recurrence::fixed_point_in(const Interval& w) const {
   return std::nullopt;
 }
 
-std::optional<Rational> Recurrence::limit_in(const Interval& kept) const {
-  constexpr int most_steps = 64;
+std::optional<LimitOfValues> Recurrence::limit_in(const Interval& kept) const {
+  constexpr std::size_t most_steps = 64;
   Interval values = kept;
-  for (int step = 0; step < most_steps; ++step) {
+  std::vector<Interval> way;
+  while (way.size() < most_steps) {
     const auto next = image(values);
     if (!next || !contains(values, *next)) return std::nullopt;
-    if (contracts(values)) return fixed_point_in(values);
+    if (contracts(values)) {
+      const auto value = fixed_point_in(values);
+      return value ? std::optional(LimitOfValues{*value, std::move(way)}) : std::nullopt;
+    }
     values = *next;
+    way.push_back(values);
   }
   return std::nullopt;
 }

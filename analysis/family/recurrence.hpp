@@ -17,6 +17,12 @@ struct FirstValues {
   bool unbounded = false;  ///< then the upper end is the lower one
 };
 
+/// To which number values tend.
+struct LimitOfValues {
+  Rational value;
+  std::vector<Interval> way;  ///< that they are in one after the other, until |r'| < 1 in one that they do not leave
+};
+
 /// w_{k+1} = r(w_k), or the square root of that.
 class Recurrence {
  public:
@@ -52,7 +58,7 @@ class Recurrence {
 
   /// The rational number to which w_k tends for all w_0 in `kept`; nothing where that is not proved: where `kept` is
   /// not mapped into itself, or no part of it into which all values come has |r'| < 1 throughout.
-  std::optional<Rational> limit_in(const Interval& kept) const;
+  std::optional<LimitOfValues> limit_in(const Interval& kept) const;
 
   /// Whether w_{k+1} = sqrt((1 + w_k)/2), which cos(t/2) is of cos(t).
   bool halves_angles() const;

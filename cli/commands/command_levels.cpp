@@ -267,13 +267,26 @@ void refuse_with(const char* what, const std::vector<std::pair<const char*, bool
     if (is_given) fail(ErrorKind::usage, "{}: cannot be asked for with {}", name, what);
 }
 
-/// The certificate, if one is asked for.
-WrittenCertificates write_one(const LevelsCommandOptions& options,
-                              const std::function<std::optional<Certificate>()>& make, Json& json) {
+/// The certificates that there are, if they are asked for.
+WrittenCertificates write(const LevelsCommandOptions& options,
+                          const std::function<std::vector<NamedCertificate>()>& make, Json& json) {
   if (options.certificate.empty()) return {};
-  std::vector<NamedCertificate> certificates;
-  if (auto certificate = make()) certificates.push_back({"01-proved", std::move(*certificate)});
-  return write_certificates(options.certificate, certificates, {"-proved"}, "what is not proved", json);
+  return write_certificates(options.certificate, make(), {"-proved", "-limit"}, "what is not proved", json);
+}
+
+void add(std::vector<NamedCertificate>& certificates, const char* name, std::optional<Certificate> certificate) {
+  if (certificate) certificates.push_back({name, std::move(*certificate)});
+}
+
+/// Of all levels, and of the exponent in the limit of a recurrence.
+std::vector<NamedCertificate> certificates_of(const LevelsAnswer& found, const Budget& budget) {
+  const LetteredScheme& scheme = found.scheme;
+  const FollowedLevels* followed = found.followed ? &*found.followed : nullptr;
+  std::vector<NamedCertificate> result;
+  add(result, "01-proved",
+      levels_certificate(scheme.mask, *scheme.letter, found.asked, found.box, found.levels, followed));
+  if (followed) add(result, "02-limit", limit_certificate(scheme.mask, *scheme.letter, found.box, *followed, budget));
+  return result;
 }
 
 /// One value for each new point of each level.
@@ -306,8 +319,12 @@ ExitCode run_each_point(const LevelsCommandOptions& options, const LetteredSchem
             {"matrices", found.family.count()},
             {"verdict", verdict_text(answer)},
             {"holder", enclosure_json(positive_part(found.exponent))}};
-  const WrittenCertificates written = write_one(
-      options, [&] { return each_point_certificate(scheme.mask, *scheme.letter, box, found); }, json);
+  const auto certificates = [&] {
+    std::vector<NamedCertificate> result;
+    add(result, "01-proved", each_point_certificate(scheme.mask, *scheme.letter, box, found));
+    return result;
+  };
+  const WrittenCertificates written = write(options, certificates, json);
   options.answer(json,
                  facts::wrapped(fmt::format("scheme       {}\nanswer       {}\nproperty     {}\nrules        each "
                                             "keeps polynomials of degree {}\nexponent     {}\n",
@@ -356,13 +373,8 @@ ExitCode run(const LevelsCommandOptions& options) {
                                         {options.boxes > 0 ? options.boxes : 24, options.threads(), budget});
   options.end_progress();
   Json json = json_of(found);
-  const WrittenCertificates written = write_one(
-      options,
-      [&] {
-        return levels_certificate(scheme.mask, *scheme.letter, property, found.box, found.levels,
-                                  found.followed ? &*found.followed : nullptr);
-      },
-      json);
+  const WrittenCertificates written = write(
+      options, [&] { return certificates_of(found, budget); }, json);
   if (!options.plot.empty()) draw(found.growing, scheme, options.plot);
   if (options.form.asked_for())
     answer(options, options.form, TableAnswer{"% " + scheme.specification + "\n", rows_of(found), {0}});

@@ -103,6 +103,72 @@ TEST_CASE("levels: certificates of a recurrence") {
   check_fails(run(family + "x..inf"), 64, "--start: expected v0=VALUE, v0=LOW..HIGH or v0=LOW..inf, got 'v0=x..inf'");
 }
 
+TEST_CASE("levels: certificates of the exponent in the limit of a recurrence") {
+  const Folder folder;
+  const std::string scheme = "conic-four-point:v", certificates = folder / "proofs",
+                    proof = "verify " + certificates + "/02-limit.cert",
+                    halved = " --recurrence 'v=sqrt((1+v)/2)' --certificate " + certificates + " --start v0=",
+                    family = "levels " + conic + " --over v=9/20..1000 --property C1" + halved,
+                    levels = scheme + " for all levels v=9/20..1000", step = ", v=sqrt((1+v)/2), v0=";
+  const auto claim = [&](const std::string& words) { return run(proof + " --claim '" + words + "'").code; };
+  CHECK(says(run(family + "-1..inf"), "certificates 2 in"));
+  CHECK(says(run(proof), "VERIFIED 2 <= Hoelder exponent = 4-log|[-4,1]@4,0,1/1000|^1/1 <= 2 of "));
+  CHECK(says(run(proof), "at level 0, all in v=9/20..1000, tending to 1"));
+  CHECK(claim("2 <= " + levels + step + "0.5..3, limit 1") == 0);
+  CHECK(claim("2 <= " + scheme + " <= 2 for all levels v=9/20..1000" + step + "0.5..inf, limit 1") == 0);
+  CHECK(claim(scheme + " = 4-log|[-4,1]@4,0,1/1000|^1/1 for all levels v=9/20..1000" + step + "1/2, limit 1") == 0);
+  CHECK(claim("2 <= " + levels + step + "-2..3, limit 1") == 1);
+  CHECK(claim("2 <= " + levels + step + "0.5..3, limit 2") == 1);
+  CHECK(claim("2 < " + levels + step + "0.5..3, limit 1") == 1);
+  CHECK(says(run(proof + " --claim '21/10 <= " + levels + step + "0.5..3, limit 1'"), "FALSE"));
+  // Without a limit more is said than that: exponents above 2.
+  CHECK(claim("2 <= " + levels + step + "0.5..3") == 1);
+  CHECK(claim("19/10 <= " + levels + step + "0.5..3") == 0);
+  CHECK(claim("19/10 <= " + levels) == 1);
+  for (const char* words : {", limit 1", ", limit x", ", v=sqrt((1+v)/2), limit 1", ", v0=1, limit 1"})
+    CHECK(claim("2 <= " + levels + words) == 64);
+  CHECK(claim("2 <= " + levels + " <= 2" + step + "1/2") == 64);
+  // The lower end alone, where the mask in the limit has more sum rules than all of them.
+  CHECK(run("levels four-point:v --over v=1/32..1/8 --property C1 --recurrence 'v=v/2+1/32' --start v0=1/16..1/8 "
+            "--certificate " +
+            certificates)
+            .code == 0);
+  CHECK(says(run(proof), "VERIFIED 2 <= Hoelder exponent of [-v,0,1/2+v,1,1/2+v,0,-v]@-3"));
+  // Values that come near to their limit in steps, and an end that no word reaches.
+  CHECK(run("levels 'mask:[v/4,1-v/4,1-v/4,v/4]' --over v=1/16..4 --property convergent --recurrence 'v=sqrt(v)' "
+            "--start v0=1/16..4 --certificate " +
+            certificates)
+            .code == 0);
+  CHECK(says(run(proof), "VERIFIED 1 <= Hoelder exponent"));
+  // None where values tend to no rational number, and none of a run before stays.
+  CHECK(run("levels four-point:v --over v=1/32..1/8 --property C1 --recurrence 'v=sqrt(v/30+1/200)' --start "
+            "v0=1/16..1/8 --certificate " +
+            certificates)
+            .code == 0);
+  CHECK_FALSE(std::filesystem::exists(certificates + "/02-limit.cert"));
+}
+
+TEST_CASE("levels: where values tend to any number the exponent is that of its mask, if no more sum rules are there") {
+  const Folder folder;
+  const std::string certificates = folder / "proofs", scheme = "mask:[w,1-w,1-w,w]";
+  for (const auto& [value, slope] :
+       {std::pair("1/8", "1/2"), {"3/16", "-1/3"}, {"5/16", "0"}, {"3/8", "2/5"}, {"2/7", "3/4"}}) {
+    const std::string to = value, by = slope;
+    const auto limit = run_json("levels '" + scheme +
+                                "' --over w=1/16..7/16 --property convergent --recurrence 'w=" + to + "+(" + by +
+                                ")*(w-" + to + ")' --start w0=" + to + "..7/16 --certificate " + certificates)
+                           .at("recurrence")
+                           .at("limit");
+    CHECK(limit.at("value") == to);
+    const auto one = run_json("regularity 'mask:[" + to + ",1-" + to + ",1-" + to + "," + to + "]'");
+    CHECK(limit.at("exact") == true);
+    CHECK(limit.at("holder").at("lower") == one.at("holder").at("lower"));
+    const Run verified = run("verify " + certificates + "/02-limit.cert");
+    CHECK(verified.code == 0);
+    CHECK(says(verified, "tending to " + to));
+  }
+}
+
 TEST_CASE("levels: exponents over ranges that grow, as text and picture") {
   const Folder folder;
   const std::string picture = folder / "levels.svg";

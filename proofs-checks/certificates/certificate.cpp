@@ -62,8 +62,18 @@ std::optional<std::pair<int, std::string>> logarithm_lines(const Mask& mask, con
   return std::pair(0, fmt::format("{} norm {}\n", line, small - norms.begin() + 1));
 }
 
-/// With norms of words so short that checkers go through all of them: a mask tells the norms of longer ones at once.
-HolderRegularity checkable(const Mask& mask, HolderRegularity regularity) {
+/// What the certificate proves; the exponent may be known more sharply.
+Rational lower_end(const Mask& mask, const HolderRegularity& regularity, const ExactRadius& exact = {}) {
+  return regularity.bounds.sum_rules - *log_ratio(upper_end(regularity.radius, exact), mask.arity()).upper;
+}
+
+FamilySubject subject_of(const MatrixFamily& family, bool is_subradius) {
+  return {is_subradius, std::to_string(family.count()), std::to_string(family.size())};
+}
+
+}  // namespace
+
+HolderRegularity certificate_text::checkable(const Mask& mask, HolderRegularity regularity) {
   auto* norms = std::get_if<NormProof>(&regularity.radius.proof);
   if (!norms) return regularity;
   const MatrixFamily family = family_of(mask, regularity);
@@ -83,14 +93,9 @@ HolderRegularity checkable(const Mask& mask, HolderRegularity regularity) {
   return regularity;
 }
 
-/// What the certificate proves; the exponent may be known more sharply.
-Rational lower_end(const Mask& mask, const HolderRegularity& regularity, const ExactRadius& exact = {}) {
-  return regularity.bounds.sum_rules - *log_ratio(upper_end(regularity.radius, exact), mask.arity()).upper;
-}
-
-/// What is claimed and proved of a mask: of that of the subject, or of its reduced one, as `reduced` says.
-void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegularity& regularity,
-                  const std::optional<MaskRounding>& rounding, const std::string& reduced = "") {
+void certificate_text::add_exponent(Certificate& certificate, const Mask& mask, const HolderRegularity& regularity,
+                                    const std::optional<MaskRounding>& rounding, const std::string& reduced,
+                                    bool in_limit) {
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.radius;
   CertificateClaim& claim = certificate.claim;
@@ -101,7 +106,8 @@ void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegula
   // A product that proves no more than the number of sum rules is not needed.
   const bool by_product = decimal != whole;
   // The checker shows stability only where the sub-symbols have no common zero at all.
-  if (regularity.stable.is_yes() && (by_product || !rounding) && common_factor_of_cosets(mask).length() == 1)
+  if (regularity.stable.is_yes() && (by_product || !(rounding || in_limit)) &&
+      common_factor_of_cosets(mask).length() == 1)
     claim.upper = decimal;
   ExactRadius exact;
   if (claim.upper && by_product) exact = exact_radius(radius);
@@ -113,16 +119,10 @@ void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegula
                    claim.upper ? "stability\n" : "")});
   add_radius(certificate, mask, regularity, claim.upper && by_product, exact.blocks);
   const auto logarithm = claim.exact || claim.attains ? logarithm_lines(mask, regularity, exact) : std::nullopt;
-  if (!logarithm) return;
+  if (!logarithm || in_limit) return;
   claim.logarithm = logarithm->first;
   certificate.sections.push_back({logarithm->second, ""});
 }
-
-FamilySubject subject_of(const MatrixFamily& family, bool is_subradius) {
-  return {is_subradius, std::to_string(family.count()), std::to_string(family.size())};
-}
-
-}  // namespace
 
 std::string Certificate::text() const {
   std::string text = head_text(claim);

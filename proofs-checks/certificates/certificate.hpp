@@ -99,6 +99,12 @@ std::optional<Certificate> levels_certificate(const ParametricMask& mask, char l
                                               const Box& box, const PropertyOfLevels& levels,
                                               const FollowedLevels* followed = nullptr);
 
+/// What is known of the exponent where the values of a recurrence tend to a number, of all levels from the first one on
+/// and of late ones; nothing where nothing positive is proved. Domain: one letter; `followed` is that of the mask and
+/// the box. Cost: the exponent of a mask. Proof: SPEC.md, theorems 70 and 71.
+std::optional<Certificate> limit_certificate(const ParametricMask& mask, char letter, const Box& box,
+                                             const FollowedLevels& followed, const Budget& budget);
+
 /// That all choices of values of the box have at least the lower end of the exponent; nothing where nothing positive is
 /// proved. Domain: one letter; `found` is that of the mask and the box.
 std::optional<Certificate> each_point_certificate(const ParametricMask& mask, char letter, const Box& box,

@@ -83,6 +83,21 @@ std::string blocks_text(const JointSpectralRadius& radius);
 /// On the line of the sum rules: there are no more of them.
 inline const char* full_text(bool full) { return full ? " full" : ""; }
 
+/// That the levels of the claim are those which follow from each other, and how their values come into its range.
+/// `more`: lines that stand after those. Domain: the levels come there.
+void add_recurrence(Certificate& certificate, char letter, const FollowedLevels& followed,
+                    const std::string& more = "");
+
+/// What is claimed and proved of the exponent of a mask: of that of the subject, of its reduced one, as `reduced` says,
+/// or of that in the limit of the levels of the subject, where an upper end needs a product and there is no logarithm.
+/// Domain: `regularity` is that of the mask, with norms of short words alone.
+void add_exponent(Certificate& certificate, const Mask& mask, const HolderRegularity& regularity,
+                  const std::optional<MaskRounding>& rounding = {}, const std::string& reduced = "",
+                  bool in_limit = false);
+
+/// With norms of words so short that checkers go through all of them: a mask tells the norms of longer ones at once.
+HolderRegularity checkable(const Mask& mask, HolderRegularity regularity);
+
 /// What says that the product attains the radius.
 struct ExactRadius {
   std::string number = {}, root = {};  // empty where nothing says so; the letters of the product, of rounded families,

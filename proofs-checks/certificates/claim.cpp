@@ -17,7 +17,8 @@ constexpr std::size_t longest_head = 2'000'000;  // characters in which the firs
 constexpr std::string_view within = "within=";
 constexpr std::string_view is_exactly = "exact ", attains = "attains ";  // the line after the bounds
 constexpr std::string_view contracts = "contraction ";
-constexpr std::string_view recurrence = "recurrence=", start = "start=", from = "from=", period = "period=";
+constexpr std::string_view recurrence = "recurrence=", start = "start=", from = "from=", limit = "limit=",
+                           period = "period=";
 constexpr std::string_view levels = "levels", each_point = "each-point", lists = "lists", component = "component",
                            integral = "integral";
 constexpr std::string_view vertex = "vertex";
@@ -32,7 +33,8 @@ struct SubjectLine {
                                          of.is_levels && !of.of_matrices.empty() ? " levels" : "");
     return of.recurrence.empty()
                ? line
-               : fmt::format("{} {}{} {}{} {}{}", line, recurrence, of.recurrence, start, of.start, from, of.from);
+               : fmt::format("{} {}{} {}{} {}{}{}", line, recurrence, of.recurrence, start, of.start, from, of.from,
+                             of.limit.empty() ? "" : fmt::format(" {}{}", limit, of.limit));
   }
   std::string operator()(const SurfaceSubject& of) const {
     return fmt::format("{} {} {}{}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
@@ -63,8 +65,10 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
     MaskSubject subject{first, second, more, kind == levels, {}, of_matrices ? kind : ""};
     subject.is_each_point = kind == each_point;
     for (std::string word; words >> word; subject.is_levels = subject.is_levels || word == levels)
-      for (const auto& [name, field] :
-           {std::pair(recurrence, &subject.recurrence), {start, &subject.start}, {from, &subject.from}})
+      for (const auto& [name, field] : {std::pair(recurrence, &subject.recurrence),
+                                        {start, &subject.start},
+                                        {from, &subject.from},
+                                        {limit, &subject.limit}})
         if (word.starts_with(name)) *field = word.substr(name.size());
     return subject;
   }
@@ -110,6 +114,7 @@ struct SubjectArguments {
                                          of.range});
     if (!of.recurrence.empty())
       arguments.insert(arguments.end(), {"--recurrence", of.recurrence, "--start", of.start, "--from", of.from});
+    if (!of.limit.empty()) arguments.insert(arguments.end(), {"--limit", of.limit});
     return arguments;
   }
   std::vector<std::string> operator()(const SurfaceSubject& of) const {

@@ -22,6 +22,7 @@ struct MaskSubject {
   std::string of_matrices = {};
   std::string recurrence = {};        ///< of levels that follow from each other, STEP; or empty
   std::string start = {}, from = {};  ///< the values at level 0, and the level from which on the claim is
+  std::string limit = {};             ///< of these, the value to which they tend; then ends are `<=`; or empty
   bool is_each_point = false;  ///< with a range: of all choices of its values, one for each new point of each level
 };
 /// A mask for each level.

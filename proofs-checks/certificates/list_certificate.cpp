@@ -45,7 +45,55 @@ Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& se
   return certificate;
 }
 
+/// Of levels that follow from each other, to which value they tend, and how.
+void add_limit(Certificate& certificate, char letter, const FollowedLevels& followed) {
+  const LimitOfLevels& limit = *followed.limit;
+  std::get<MaskSubject>(certificate.claim.subject).limit = to_text(limit.value);
+  std::string lines;
+  for (const Interval& values : limit.way)
+    lines += fmt::format("towards {} {}\n", to_text(values.lower), to_text(values.upper));
+  if (const auto& powers = limit.rules.exponentials; !powers.empty())
+    lines += fmt::format("exponentials {}\n", fmt::join(powers, " "));
+  add_recurrence(certificate, letter, followed, lines);
+}
+
 }  // namespace
+
+void certificate_text::add_recurrence(Certificate& certificate, char letter, const FollowedLevels& followed,
+                                      const std::string& more) {
+  auto& subject = std::get<MaskSubject>(certificate.claim.subject);
+  const auto& [start, unbounded] = followed.start;
+  subject.recurrence = followed.recurrence.to_text(letter);
+  subject.start = fmt::format("{}..{}", to_text(start.lower), unbounded ? "inf" : to_text(start.upper));
+  subject.from = unbounded ? "some" : std::to_string(*followed.first_level());
+  std::string way;
+  for (const Interval& values : *followed.way)
+    way += fmt::format("level {} {}\n", to_text(values.lower), to_text(values.upper));
+  // What an exact number is comes first.
+  certificate.sections.insert(certificate.sections.begin() + (certificate.claim.exact ? 1 : 0), {way + more});
+}
+
+std::optional<Certificate> limit_certificate(const ParametricMask& mask, char letter, const Box& box,
+                                             const FollowedLevels& followed, const Budget& budget) {
+  if (!followed.way || !followed.limit) return std::nullopt;
+  const LimitOfLevels& limit = *followed.limit;
+  const int order = limit.rules.order();
+  const ExponentOfList& found = limit.exponent;
+  MaskSubject subject{mask.to_text(letter), std::to_string(mask.arity()),
+                      fmt::format("{}={}..{}", letter, to_text(box.low[0]), to_text(box.high[0]))};
+  subject.is_levels = true;
+  const Mask there = mask.at(limit.value);
+  std::optional<Certificate> certificate;
+  if (sum_rules(there) == order && found.exponent.lower && *found.exponent.lower > 0) {
+    const HolderRegularity regularity = holder_regularity(there, levels_of_bounds, budget, HolderProof::certificate);
+    certificate.emplace(Certificate{{{}, subject}, {}});
+    add_exponent(*certificate, there, checkable(there, regularity), {}, "", true);
+  } else {
+    certificate = of_all(subject, order, static_cast<int>(mask.arity()), found.family, found.radius);
+  }
+  if (certificate) add_limit(*certificate, letter, followed);
+  return certificate;
+}
 
 ListSubject list_subject(const MaskList& list) {
   std::vector<std::string> masks;

@@ -42,19 +42,6 @@ std::string kind_of_matrices(const ParametricMask& mask, const RangeProperty& pr
   return property.kind == RangeProperty::Kind::hermite ? "hermite" : mask.components() > 1 ? "vectors" : "";
 }
 
-/// That the levels of the claim are those which follow from each other, and how their values come into its range.
-void add_recurrence(Certificate& certificate, char letter, const FollowedLevels& followed) {
-  auto& subject = std::get<MaskSubject>(certificate.claim.subject);
-  const auto& [start, unbounded] = followed.start;
-  subject.recurrence = followed.recurrence.to_text(letter);
-  subject.start = fmt::format("{}..{}", to_text(start.lower), unbounded ? "inf" : to_text(start.upper));
-  subject.from = unbounded ? "some" : std::to_string(*followed.first_level());
-  std::string way;
-  for (const Interval& values : *followed.way)
-    way += fmt::format("level {} {}\n", to_text(values.lower), to_text(values.upper));
-  certificate.sections.insert(certificate.sections.begin(), {way});
-}
-
 /// What needs no proofs of intervals, for all values from `low` to `high` but those within `margin` of `away`, in
 /// order.
 void add_away(std::vector<RangeCertificate>& certificates, const ParametricMask& mask, char letter,

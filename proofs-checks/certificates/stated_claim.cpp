@@ -18,15 +18,16 @@ namespace {
 
 constexpr std::string_view of_contraction = "contraction ", belongs_to = " of ", of_component = "component",
                            hc = "HC of ", of_scheme = "scheme of ";
-constexpr std::string_view range_begins = " for ", all = "all ", of_levels = "levels ", of_points = "points ";
+constexpr std::string_view range_begins = " for ", all = "all ", of_levels = "levels ", of_points = "points ",
+                           with_limit = "limit ";
 
 [[noreturn]] void refuse(const std::string& claim) {
   fail(ErrorKind::usage,
        "--claim '{}': expected [NUMBER <=] SUBJECT [= EXACT [with |log h|^P]] [<= NUMBER or C2], where SUBJECT is a "
        "scheme, 'component K of SCHEME', 'scheme of SCHEME', 'HC of SCHEME', '[HC of] FAMILY for LOW <= w <= HIGH', "
-       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST]', 'FAMILY for all points w=LOW..HIGH', "
-       "'lists:FILE', 'radius FILE' or 'subradius "
-       "FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], or contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
+       "'FAMILY for all levels w=LOW..HIGH[, w=STEP, w0=FIRST..LAST[, limit VALUE]]', 'FAMILY for all points "
+       "w=LOW..HIGH', 'lists:FILE', 'radius FILE' or 'subradius FILE'; or NUMBER <= l1:points=N,d=D [<= NUMBER], or "
+       "contraction STEPS,ORDER of l1:points=N,d=D <= NUMBER",
        claim);
 }
 
@@ -79,6 +80,7 @@ struct ForClause {
   Chain behind;  ///< the values, then the upper end
   std::optional<Recurrence> recurrence = {};
   std::optional<FirstValues> start = {};  ///< with it
+  std::optional<Rational> limit = {};     ///< with it, the value to which they tend
 };
 
 /// `w0=FIRST..LAST`, `w0=FIRST..inf` or `w0=VALUE`.
@@ -91,10 +93,16 @@ std::optional<FirstValues> first_values_of(std::string text, const std::string& 
   return FirstValues{{values->low, values->high}, unbounded};
 }
 
-/// Behind the range of levels, `w=STEP, w0=FIRST..LAST`; false for another text.
-bool read_following(const std::string& text, const ParametricScheme& family, ForClause& clause) {
-  const std::size_t comma = text.rfind(',');
+/// Behind the range of levels, `w=STEP, w0=FIRST..LAST`, and perhaps `, limit VALUE`; false for another text.
+bool read_following(std::string text, const ParametricScheme& family, ForClause& clause) {
+  std::size_t comma = text.rfind(',');
   if (comma == std::string::npos) return false;
+  if (const std::string last = trimmed(text.substr(comma + 1)); last.starts_with(with_limit)) {
+    clause.limit = parse_number(trimmed(last.substr(with_limit.size())));
+    text.resize(comma);
+    comma = text.rfind(',');
+    if (!clause.limit || comma == std::string::npos) return false;
+  }
   clause.start = first_values_of(trimmed(text.substr(comma + 1)), family.name);
   try {
     clause.recurrence = Recurrence::parse(trimmed(text.substr(0, comma)), family.name, family.letter);
@@ -147,6 +155,7 @@ MaskSubject family_subject(const ParametricScheme& family, const ForClause& clau
           clause.recurrence ? clause.recurrence->to_text(family.letter) : "",
           {},
           {},
+          clause.limit ? to_text(*clause.limit) : "",
           clause.is_each_point};
 }
 
@@ -332,13 +341,13 @@ StatedClaim read_claim(const std::string& words, const ReadList& read_list) {
     const auto clause = read_for(trimmed(words.substr(at + range_begins.size())), family);
     if (!clause || (upper && clause->behind.parts.size() > 1)) refuse(words);
     if (clause->behind.parts.size() > 1) upper = clause->behind.parts[1];
-    if ((clause->is_levels || clause->is_each_point) && (!lower || upper || claim.exact))
+    if (((clause->is_levels && !clause->limit) || clause->is_each_point) && (!lower || upper || claim.exact))
       fail(ErrorKind::usage, "--claim '{}': of all levels and of all points a lower end is claimed, and nothing else",
            words);
     claim.subject = family_subject(family, *clause, hermite, words);
     stated.values = clause->values;
     stated.start = clause->start;
-    stated.lower_strict = stated.upper_strict = false;  // as certificates have it
+    if (!clause->limit) stated.lower_strict = stated.upper_strict = false;  // as certificates have it
   }
   if (!mask_of(claim).of_matrices.empty()) stated.lower_strict = stated.upper_strict = false;
   if (upper) claim.upper = end_of(*upper, true);
@@ -381,6 +390,7 @@ CertificateClaim about_subject_of(const StatedClaim& stated, const CertificateCl
       theirs->is_each_point = ours->is_each_point;
       theirs->start = ours->start;
       theirs->from = ours->from;
+      theirs->limit = ours->limit;
     }
   if (const auto* ours = std::get_if<L1Subject>(&proved.subject))
     if (auto* theirs = std::get_if<L1Subject>(&claim.subject)) theirs->contraction = ours->contraction;
@@ -394,8 +404,12 @@ Truth follows(const StatedClaim& stated, const CertificateClaim& proved) {
   if (theirs.has_value() != ours.has_value() || their_mask.of_matrices != our_mask.of_matrices) return Truth::unknown;
   const auto least = number_of(claim.lower), most = number_of(claim.upper), proved_least = number_of(proved.lower),
              proved_most = number_of(proved.upper);
-  const bool orders = our_mask.of_matrices == "hermite",
-             strict = (ours || !our_mask.of_matrices.empty()) && !orders;  // of both claims
+  const bool in_limit = !our_mask.limit.empty(), orders = our_mask.of_matrices == "hermite",
+             strict = ((ours && !in_limit) || !our_mask.of_matrices.empty()) && !orders;  // of both claims
+  // Without a limit more is said of what is proved with one: that exponents are above the lower end, not at least.
+  if (in_limit && !(starts_within(stated, proved) && stated.start)) return Truth::unknown;
+  if (!their_mask.limit.empty() && parse_number(their_mask.limit) != parse_number(our_mask.limit))
+    return Truth::unknown;
   if (is_within(theirs, ours) && starts_within(stated, proved) &&
       (!their_mask.is_levels || our_mask.is_levels || our_mask.is_each_point) &&
       (!their_mask.is_each_point || our_mask.is_each_point) &&
@@ -404,7 +418,9 @@ Truth follows(const StatedClaim& stated, const CertificateClaim& proved) {
       contracts_as(claim.subject, proved.subject) && (!claim.exact || claim.exact == proved.exact) &&
       (!claim.logarithm || claim.logarithm == proved.logarithm) &&
       implies(proved_least, least,
-              our_mask.is_each_point ? their_mask.is_each_point : strict || !stated.lower_strict) &&
+              our_mask.is_each_point ? their_mask.is_each_point
+              : in_limit             ? !their_mask.limit.empty() && !stated.lower_strict
+                                     : strict || !stated.lower_strict) &&
       (claim.says_rough() == proved.says_rough() || claim.says_rough() || !most) &&
       implies(negated(proved_most), negated(most),
               claim.says_rough() == proved.says_rough() ? strict || !stated.upper_strict : strict))

@@ -37,7 +37,8 @@ using ReadList = std::function<ListSubject(const std::string& file)>;
 /// - a family with a parameter, as `four-point:w for w=1/100..19/100`, or `for 1/100 <= w <= 19/100`, `for all w=...`,
 ///   `for w=1/16`, before or behind the upper end; `HC of` before it says that an end is the k of HC^k, `for all levels
 ///   w=LOW..HIGH` that each level has a value of its own, `, w=STEP, w0=FIRST..LAST` behind it that these follow from
-///   each other by a recurrence for all these first values (LAST may be inf), and come into the range;
+///   each other by a recurrence for all these first values (LAST may be inf), and come into the range, `, limit VALUE`
+///   behind that again that they tend to it (then an upper end is that of late levels, and <= is meant);
 /// - `lists:FILE`, all sequences of the masks in that file;
 /// - `radius FILE` or `subradius FILE`, of the matrices in that file;
 /// - `l1:points=6,d=1`, of whose limits LOWER and UPPER are ends, or `contraction STEPS,ORDER of` it, with UPPER alone.

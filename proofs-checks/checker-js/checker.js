@@ -1937,10 +1937,11 @@ var check_certificate = (() => {
            'the exact radius proves no exponent between 0 and the number of sum rules');
   }
   function check_curve(reader, claim) {
-    const {lower, upper, rough, interval, within, exact, recurrence, list} = claim;
+    const {lower, upper, rough, interval, within, exact, recurrence, list, tending} = claim;
     if (recurrence) check_following(reader, recurrence, interval);
+    const exponentials = tending && read_limit(reader, tending);
     if (list) check_constants(list);
-    const again = !interval && !within && reader.peek() === 'reduced';
+    const again = !interval && !within && !tending && reader.peek() === 'reduced';
     demand(!again || lower || (exact && (rough || claim.options.exact !== undefined)),
            'a reduced mask tells the exponent of one mask, with a lower end');
     const curve = again ? read_reduced(reader, claim.curve) : claim.curve, base = BigInt(curve.arity);
@@ -1950,8 +1951,9 @@ var check_certificate = (() => {
     const goal = {below: lower && at_most(power_below(base, minus(order, lower)), Boolean(interval))};
     const reached = upper && at_least(over(1n, power_below(base, minus(upper, order))));
     check_sum(curve);
+    if (tending) check_factors(tending.curve, order, exponentials);
     const stability = reader.peek() === 'stability', full = full_token === 'full';
-    demand(full_token === undefined || (full && !within), "expected 'sum-rules M', or 'sum-rules M full' of one mask");
+    demand(full_token === undefined || (full && !within && !tending), "expected 'sum-rules M', or 'sum-rules M full' of one mask");
     demand(!within || within.order === order, 'the claim is about masks with another number of sum rules');
     demand(!rough || (full && order <= rough),
            'less smoothness than that needs the full number of sum rules, and no more of them');
@@ -1970,7 +1972,7 @@ var check_certificate = (() => {
     if (interval) return goal.below || goal.above ? check_intervals(reader, symbol, goal, claim) : undefined;
     const family = control_family(symbol, null), rounding = within && rounding_of(curve, within, family);
     const sections = prove(reader, family, goal, {first_column: true, rounding, exact});
-    const with_log = exact && reader.peek() === 'logarithm';
+    const with_log = exact && !tending && reader.peek() === 'logarithm';
     const P = with_log ? read_logarithm(reader, exact, curve, order, sections) : undefined;
     demand(claim.logarithm === undefined || P === claim.logarithm, 'the logarithm of the claim is not proved');
     if (again) check_convergence(reader, claim.curve);
@@ -2131,7 +2133,8 @@ var check_certificate = (() => {
     demand(unbounded === (from === 'some'), "a start has a level if it is bounded, else 'some'");
     return {root, numerator: a[0], denominator: q, low, high, from: unbounded ? null : small(from, 0, 1000)};
   }
-  function check_following(reader, {root, numerator, denominator, low, high, from}, range) {
+  // What is shown of a recurrence on intervals
+  function steps_of({root, numerator, denominator}) {
     const end = p => p.findLastIndex(x => x), squared = x => root ? times(x, x) : x;
     const show = (form, what) => {  // where it may be 0 at the ends
       const last = end(form);
@@ -2164,26 +2167,91 @@ var check_certificate = (() => {
       demand(!root || sign(to.high) >= 0, 'a root may be above the values of the next level');
       compare(interval, turn, [squared(to.high)], 1n, 'above');
     };
+    const descends = range => {  // what is above comes down
+      demand(sign(range.high) > 0, 'an unbounded start needs a range with a positive upper end');
+      const beyond = {low: range.high}, turn = sign_of(beyond), zero = fraction(0n);
+      at_least_low(beyond, turn, range.low);
+      compare(beyond, turn, root ? [zero, zero, fraction(81n, 100n)] : [zero, fraction(9n, 10n)], 1n, 'above nine tenths of');
+    };
+    const tends = (interval, limit) => {
+      leads(interval, interval);
+      demand(!less(limit, interval.low) && !less(interval.high, limit), 'the limit is not among the values that come near to it');
+      const p = numerator, q = denominator, image = times(horner(q, limit), squared(limit)), at = horner(p, limit);
+      demand(!(root && sign(limit) < 0) && at.n * image.d === image.n * at.d, 'the recurrence moves the limit');
+      const slope = [product_of(derivative_of(p), q), product_of(p, derivative_of(q))].reduce(difference_of), square = product_of(q, q);
+      const most = root ? product_of(product_of(p, q).map(x => 4n * x), square) : square;  // the steepness is below 1
+      for (const other of root ? [product_of(slope, slope)] : [slope, slope.map(x => -x)])
+        show_positive(polynomial_on(difference_of(most, other), interval), '1 less the steepness of the recurrence');
+    };
+    const halves = root && difference_of(numerator.map(x => 2n * x), product_of(denominator, [1n, 1n])).every(x => !x);
+    return {leads, descends, tends, halves};
+  }
+  const difference_of = (p, q) => range_of(Math.max(p.length, q.length)).map(k => (p[k] || 0n) - (q[k] || 0n));
+  const derivative_of = p => p.length > 1 ? p.slice(1).map((x, k) => x * BigInt(k + 1)) : [0n];
+  function check_following(reader, {low, high, from, ...recurrence}, range) {
+    const {leads, descends} = steps_of(recurrence);
     leads(range, range);
     let values = {low, high};
     if (!high) {
       demand(!less(range.high, low), 'an unbounded start begins above the range');
       values = {low, high: range.high};
-      demand(sign(range.high) > 0, 'an unbounded start needs a range with a positive upper end');
-      const beyond = {low: range.high}, turn = sign_of(beyond), zero = fraction(0n);
-      at_least_low(beyond, turn, range.low);
-      compare(beyond, turn, root ? [zero, zero, fraction(81n, 100n)] : [zero, fraction(9n, 10n)], 1n, 'above nine tenths of');
+      descends(range);
     }
     let level = 0;
-    for (; reader.peek() === 'level'; ++level) {
-      demand(level < 1000, 'more levels than the checker allows');
-      const [a, b] = reader.read('level', 2).map(rational);
-      demand(!less(b, a), 'the values of a level are an interval');
-      leads(values, {low: a, high: b});
-      values = {low: a, high: b};
-    }
+    for (; reader.peek() === 'level'; ++level) values = read_step(reader, 'level', level, values, leads);
     demand(from === null || level <= from, 'the values come into the range at a later level');
     demand(!less(values.low, range.low) && !less(range.high, values.high), 'the values do not come into the range');
+  }
+  function read_step(reader, word, level, values, leads) {
+    demand(level < 1000, 'more levels than the checker allows');
+    const [low, high] = reader.read(word, 2).map(rational);
+    demand(!less(high, low), 'the values of a level are an interval');
+    leads(values, {low, high});
+    return {low, high};
+  }
+  // 6.10: masks that tend to the one of the claim; the numbers of the line `exponentials`
+  function read_limit(reader, {curve, range, recurrence, limit}) {
+    check_following(reader, recurrence, range);
+    const {leads, tends, halves} = steps_of(recurrence);
+    show_one_sign(form_of(curve.q, range, curve.degree), 'the denominator of the masks');
+    let values = range;
+    for (let level = 0; reader.peek() === 'towards'; ++level) values = read_step(reader, 'towards', level, values, leads);
+    tends(values, limit);
+    if (reader.peek() !== 'exponentials') return [];
+    demand(curve.arity === 2 && halves, 'exponentials need arity 2 and w -> sqrt((1+w)/2)');
+    return reader.read('exponentials', 1, 8).map(token => small(token, 0, 500));
+  }
+  const no_factor = 'the masks have no such exponential factor';
+  function divided_by_exponential({a, degree, ...curve}, chebyshev) {  // by 1 + 2 T z + z^2, T of the degree j
+    const j = chebyshev.length - 1, quotient = [];
+    a.forEach((p, i) => {
+      const [one, two] = [quotient[i - 1] || [0n], quotient[i - 2] || [0n]];
+      spend(degree * j + 1, 1000);
+      const next = [product_of(one, chebyshev.map(x => 2n * x)), two].reduce(difference_of, p);
+      demand(next.slice(Math.max(0, degree + 1 - j)).every(x => !x), no_factor);
+      quotient.push(range_of(degree + 1).map(k => next[k] || 0n));
+    });
+    demand(quotient.length > 2 && quotient.slice(-2).flat().every(x => !x), no_factor);
+    return {...curve, degree, a: quotient.slice(0, -2)};
+  }
+  function check_factors(curve, order, exponentials) {
+    check_sum(curve);
+    const p = order - 2 * exponentials.reduce((total, x) => total + x, 0);
+    demand(p > 0, 'a sum rule is needed beside the exponentials');
+    let rest = curve, [before, chebyshev] = [[1n], [0n, 1n]];
+    for (const power of exponentials) {
+      rest = range_of(power).reduce(one => divided_by_exponential(one, chebyshev), rest);
+      [before, chebyshev] = [chebyshev, difference_of(product_of([0n, 2n], chebyshev), before)];
+    }
+    divided_symbol(rest, p);
+  }
+  function curve_at({arity, q, a}, w) {  // without zeros at its ends
+    const below = horner(q, w), zero = fraction(0n);
+    demand(sign(below), 'there is no mask in the limit');
+    const {den, numbers} = common([zero, ...a.map(p => reduced(over(horner(p, w), below)))]), all = numbers.slice(1);
+    const first = all.findIndex(x => x);
+    demand(first >= 0, 'the mask in the limit is 0');
+    return {arity, degree: 0, q: [den], a: all.slice(first, all.findLastIndex(x => x) + 1).map(x => [x])};
   }
   function check_convergence(reader, curve) {  // 4.9: JSR < A^M for the mask of the claim; a(1) = b(1) = A
     const order = small(reader.read('sum-rules', 1)[0], 1, 500), limit = fraction(BigInt(curve.arity) ** BigInt(order));
@@ -3771,6 +3839,8 @@ var check_certificate = (() => {
                      (for all choices of these w, one for each new point of each level)
        subcert-check ... --levels RANGE --recurrence '[P]/(Q)' --start LOW..HIGH --from K --lower P/Q FILE
                      (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)
+       subcert-check --mask ... --levels RANGE --recurrence ... --limit V [--lower P/Q [--upper P/Q]] FILE
+                     (for those that tend to V; <=; --exact as below)
        subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of these
                      masks; follows=0-1,1-0,...: for those where each pair is one of these)
        subcert-check --masks ... --arity A --order period=0,1,...    (in turn; the rest as with --mask)
@@ -3805,7 +3875,7 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'each-point', 'recurrence', 'start', 'from', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'vectors',
+    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'each-point', 'recurrence', 'start', 'from', 'limit', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'vectors',
                    'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
@@ -3819,19 +3889,20 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
-    const of_levels = ['for', 'levels', 'each-point', 'within'].filter(name => has(name)).length <= 1 && (none('levels', 'each-point') || (has('lower') && none('upper'))) &&
-      ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from'));
+    const of_levels = ['for', 'levels', 'each-point', 'within'].filter(name => has(name)).length <= 1 && (none('levels', 'each-point') || has('limit') || (has('lower') && none('upper'))) &&
+      ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
+      (none('limit') || (has('mask', 'from') && some('lower', 'exact') && !rough && none('logarithm')));
     const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'matrices', 'subradius') &&
       (!follow || (has('lower') && none('upper'))) && has('masks') === has('order') &&
       (none('masks') || none('for', 'levels', 'each-point', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
-      !(has('exact') && some('for', 'levels', 'each-point', 'within')) && !(has('logarithm') && none('exact', 'attains')) &&
+      !(has('exact') && (some('for', 'each-point', 'within') || (has('levels') && none('limit')))) && !(has('logarithm') && none('exact', 'attains')) &&
       !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
       (has('refinable') || none('integral', 'component')) && (none('vertex') || has('surface', 'lower')) &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'each-point', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
@@ -3896,8 +3967,15 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.curve = read_curve(options.mask, arity, letter);
       claim.head = `${claim.levels ? 'levels' : kind === check_choices ? 'each-point' : 'exponent'} ${options.mask} ${options.arity}${claim.values}` +
         (claim.within ? ` within=${options.within}` : '') + claim.following;
+      if (options.limit !== undefined) read_limit_of(options, claim);
     }
     return claim;
+  }
+  function read_limit_of({limit}, claim) {  // what is left is about the mask in the limit
+    claim.tending = {curve: claim.curve, range: claim.interval, recurrence: claim.recurrence, limit: rational(limit)};
+    claim.curve = curve_at(claim.curve, claim.tending.limit);
+    [claim.interval, claim.recurrence] = [undefined, undefined];
+    claim.head += ` limit=${limit}`;
   }
   function read_l1_claim(options) {
     const l1 = read_l1(options.l1), lower = options.lower === undefined ? null : rational(options.lower);
@@ -3944,10 +4022,10 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
       options.arity + text_of_values(options, levels, interval);
   }
-  function text_of_levels({recurrence, start, from, levels: range}) {
+  function text_of_levels({recurrence, start, from, limit, levels: range}) {
     const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
     return recurrence === undefined ? ` for all sequences of levels with ${range}`
-      : ` from ${level} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}`;
+      : ` from ${level} on of ${letter} -> ${recurrence} with ${letter}=${start} at level 0, all in ${range}` + (limit === undefined ? '' : `, tending to ${limit}`);
   }
   const text_of_values = (options, levels, interval) => levels ? text_of_levels(options) : !interval ? ''
     : options.for === undefined ? ` for all choices for each new point of ${options['each-point']}` : ` for all ${options.for}`;

@@ -58,10 +58,11 @@ class Checker {
   /// What follows these lines, but of a subradius.
   void read_proof() {
     if (claim_.recurrence) read_recurrence(*claim_.recurrence, *claim_.range, reader_, arithmetic_);
+    if (claim_.limit) exponentials_ = claim_.limit->read(claim_.arity, reader_, arithmetic_);
     if (claim_.list) check_constants(*claim_.list);
     if (claim_.each_point || (claim_.list && claim_.list->period.empty()))
       read_bounds(read_choices(), false);
-    else if (claim_.arity != 0 && !claim_.is_strict() && reader_.at("reduced"))
+    else if (claim_.arity != 0 && !claim_.is_strict() && !claim_.limit && reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
@@ -281,12 +282,8 @@ class Checker {
       over_field_ = std::move(surface.over_field);
       return std::move(surface.family);
     }
-    for (std::size_t k = 0; k < mask.powers; ++k) {
-      const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(k * mask.points()),
-                 end = begin + static_cast<std::ptrdiff_t>(mask.points());
-      require(std::accumulate(begin, end, mpz_class(0)) == mask.denominator * claim_.arity * mask.divisor[k],
-              "the coefficients of the mask do not sum to the arity");
-    }
+    check_sum(mask, claim_.arity);
+    if (claim_.limit) claim_.limit->check_factors(claim_.arity, sum_rules, exponentials_, arithmetic_);
     show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
     show_exact_exponent(power(claim_.arity, sum_rules), sum_rules);
     const bool diverges = claim_.range && claim_.upper && *claim_.upper == 0;
@@ -302,7 +299,8 @@ class Checker {
     }
     const Family family = transition_family(mask, claim_.arity, sum_rules);
     if (full) {
-      require(is_word_full && !claim_.rounding, "expected 'sum-rules M', or 'sum-rules M full' of one mask");
+      require(is_word_full && !claim_.rounding && !claim_.limit,
+              "expected 'sum-rules M', or 'sum-rules M full' of one mask");
       check_full_sum_rules(family, mask.powers - 1, claim_.range.value_or(Range{}), arithmetic_);
       const mpz_class end = sum_rules;
       if (claim_.upper && (claim_.range ? *claim_.upper > end : *claim_.upper >= end)) lower_.reset();
@@ -414,7 +412,7 @@ class Checker {
   void show_attained(const std::optional<Mask>& mask) {
     if (!exact_) return;
     require(attained_, not_attained);
-    if (claim_.arity != 0 && reader_.at("logarithm")) read_logarithm(*mask);
+    if (claim_.arity != 0 && !claim_.limit && reader_.at("logarithm")) read_logarithm(*mask);
     require(!claim_.logarithm || logarithm_ == claim_.logarithm, "the logarithm of the claim is not proved");
   }
 
@@ -465,10 +463,11 @@ class Checker {
   std::optional<ExactRadius> exact_;
   std::size_t exact_order_ = 0;
   std::size_t sum_rules_ = 0;
-  bool attained_ = false;     // a block has the exact radius
-  std::size_t reaching_ = 0;  // blocks that have it, or may have it
-  bool by_single_ = false;    // or one spectral radius tells it,
-  std::size_t power_ = 0;     // and how products grow
+  std::vector<std::size_t> exponentials_;  // section 6.10: the factors of the masks beside these
+  bool attained_ = false;                  // a block has the exact radius
+  std::size_t reaching_ = 0;               // blocks that have it, or may have it
+  bool by_single_ = false;                 // or one spectral radius tells it,
+  std::size_t power_ = 0;                  // and how products grow
   std::optional<std::size_t> logarithm_;
 };
 

@@ -17,6 +17,8 @@ const char* const usage =
     "                     (for all choices of these w, one for each new point of each level)\n"
     "       subcert-check ... --levels RANGE --recurrence '[P]/(Q)' --start LOW..HIGH --from K --lower P/Q FILE\n"
     "                     (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)\n"
+    "       subcert-check --mask ... --levels RANGE --recurrence ... --limit V [--lower P/Q [--upper P/Q]] FILE\n"
+    "                     (for those that tend to V; <=; --exact as below)\n"
     "       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of "
     "these\n"
     "                     masks; follows=0-1,1-0,...: for those where each pair is one of these)\n"
@@ -63,11 +65,11 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask",      "--arity",    "--for",       "--levels",    "--each-point",  "--recurrence",
-                           "--start",     "--from",     "--masks",     "--order",     "--within",      "--surface",
-                           "--refinable", "--integral", "--component", "--vertex",    "--dilation",    "--vectors",
-                           "--hermite",   "--matrices", "--subradius", "--l1",        "--contraction", "--lower",
-                           "--upper",     "--exact",    "--attains",   "--logarithm", "FILE"})
+  for (const char* name : {"--mask",    "--arity",     "--for",      "--levels",    "--each-point", "--recurrence",
+                           "--start",   "--from",      "--limit",    "--masks",     "--order",      "--within",
+                           "--surface", "--refinable", "--integral", "--component", "--vertex",     "--dilation",
+                           "--vectors", "--hermite",   "--matrices", "--subradius", "--l1",         "--contraction",
+                           "--lower",   "--upper",     "--exact",    "--attains",   "--logarithm",  "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -134,6 +136,17 @@ void read_masks_claim(const std::string& masks, const std::string& arity, const 
                   (order == "any" ? "" : " with " + order);
 }
 
+/// Of the levels of a recurrence: their masks tend to one, and the rest is about that.
+void read_limit(const std::string& limit, Claim& claim) {
+  const mpq_class value = parse_rational(limit);
+  claim.limit = MasksToLimit{std::move(*claim.mask), *claim.range, *claim.recurrence, value};
+  claim.mask = mask_at(claim.limit->family, value);
+  claim.range.reset();
+  claim.recurrence.reset();
+  claim.head += " limit=" + limit;
+  claim.text += ", tending to " + limit;
+}
+
 /// Fits of least absolute deviations: a contraction of differences, or ends of the exponent, or both.
 Claim read_l1_claim(Options& given) {
   const auto &l1 = given["--l1"], &contraction = given["--contraction"], &lower = given["--lower"],
@@ -188,12 +201,14 @@ Claim read_claim(const std::vector<std::string>& arguments) {
              &radius = given["--matrices"], &subradius = given["--subradius"], &vectors = given["--vectors"],
              &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"],
              &order = given["--order"], &recurrence = given["--recurrence"], &start = given["--start"],
-             &from = given["--from"], &one = mask ? mask : masks, &curve = one ? one : of_matrices,
-             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
-             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
-             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
+             &from = given["--from"], &limit = given["--limit"], &one = mask ? mask : masks,
+             &curve = one ? one : of_matrices, &matrices = subradius ? subradius : radius, &lower = given["--lower"],
+             &upper = given["--upper"], &exact = given["--exact"], &attains = given["--attains"],
+             &logarithm = given["--logarithm"], &l1 = given["--l1"], &contraction = given["--contraction"],
+             &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
+  const bool of_values = range && !limit;  // of each value, or of all choices of them
   const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;
   const int subjects = one.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
                        subradius.has_value() + vectors.has_value() + hermite.has_value();
@@ -201,12 +216,12 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               surface.has_value() == dilation.has_value() && (mask || of_matrices || !range) && (mask || !rounding) &&
               !(mask && masks) && masks.has_value() == order.has_value() &&
               recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
-              (levels || !from) && (mask || !each) && !(range && rounding) &&
-              (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
+              (levels || !from) && (!limit || (mask && from && !rough && !logarithm)) && (mask || !each) &&
+              !(range && rounding) && (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
               values.has_value() + levels.has_value() + each.has_value() <= 1 &&
-              !((levels || each || follow_each_other) && (upper || !lower)) &&
-              !(exact && (range || rounding || follow_each_other)) && (!attains || rounding) &&
-              (exact || attains || lower || (upper ? matrices || range || rough || of_matrices : one.has_value())) &&
+              !(((levels && !limit) || each || follow_each_other) && (upper || !lower)) &&
+              !(exact && (of_values || rounding || follow_each_other)) && (!attains || rounding) &&
+              (exact || attains || lower || (upper ? matrices || of_values || rough || of_matrices : one && !limit)) &&
               (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
               ((!component && !integral) || refinable) && (!vertex || (scheme && lower)),
           usage);
@@ -274,11 +289,12 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const bool is_number = exact || attains;
   const std::string number = lower || is_number ? claim.text + " and " : "";
   if (!lower && !upper && !is_number) claim.text = "stable integer shifts of the refinable distribution";
-  const std::string relation = claim.is_strict() ? " < " : " <= ";
-  const bool diverges = claim.is_strict() && !lower && claim.upper && *claim.upper == 0;
+  const bool strict = claim.is_strict() && !limit;
+  const std::string relation = strict ? " < " : " <= ";
+  const bool diverges = strict && !lower && claim.upper && *claim.upper == 0;
   if (diverges)
     claim.text = "no convergence";
-  else if (range && upper && !lower && !rough)
+  else if (of_values && upper && !lower && !rough)
     claim.text = "no convergence, or " + claim.text;
   if (rough) claim.text = number + "no C^" + upper->substr(1) + " limits";
   if (hermite) claim.text = (lower ? "HC^" : "no HC^") + std::to_string(parse_size(lower ? *lower : *upper, 0, 500));
@@ -293,6 +309,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
       claim.text += (claim.recurrence->from ? " from level " + *from : " from some level") + " on of " +
                     range->substr(0, 1) + " -> " + *recurrence + " with " + range->substr(0, 1) + "=" + *start +
                     " at level 0, all in " + *range;
+      if (limit) read_limit(*limit, claim);
     } else {
       claim.text += (levels ? " for all sequences of levels with "
                      : each ? " for all choices for each new point of "

@@ -5,6 +5,7 @@
 #include "least_absolute.hpp"
 #include "levels.hpp"
 #include "parameter.hpp"
+#include "recurrence.hpp"
 #include "surfaces/sector.hpp"
 #include "surfaces/surface.hpp"
 
@@ -31,6 +32,7 @@ struct Claim {
   bool levels = false;
   bool each_point = false;               // of all choices of values, one for each new point of each level; not strict
   std::optional<Recurrence> recurrence;  // of these levels
+  std::optional<MasksToLimit> limit;     // masks that tend to `mask`: of all of them, or of late ones
   std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;

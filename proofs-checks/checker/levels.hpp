@@ -41,19 +41,4 @@ Family each_point_family(const Mask& mask, unsigned arity, const Range& range, s
 /// The coefficients of symbol(z) factor(z^step).
 Vector product_of_symbols(const Vector& symbol, const Vector& factor, std::size_t step, Arithmetic& arithmetic);
 
-/// w -> STEP or the root of it, from all values of a range, which may be unbounded; from the level `from` on, or from
-/// one that is not said.
-struct Recurrence {
-  Mask step;  // one coefficient
-  bool is_root;
-  Range start;
-  std::optional<std::size_t> from;
-};
-
-/// `[P]/D`, `[P]/(Q)` or `sqrt` before them; LOW..HIGH or LOW..inf; a number or `some`.
-Recurrence parse_recurrence(std::string_view step, std::string_view start, std::string_view from, char letter);
-
-/// Rejects unless the lines `level` show that all values come into the range and stay there.
-void read_recurrence(const Recurrence& recurrence, const Range& range, Reader& reader, Arithmetic& arithmetic);
-
 }  // namespace subcert_check

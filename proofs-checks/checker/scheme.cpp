@@ -2,6 +2,7 @@
 #include "scheme.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace subcert_check {
@@ -159,6 +160,15 @@ Mask parse_matrix_mask(std::string_view text, char letter) {
   require(mask.sizes[1] == mask.components, "a coefficient of a mask is no square matrix");
   mask.sizes.erase(mask.sizes.begin(), mask.sizes.begin() + 2);
   return mask;
+}
+
+void check_sum(const Mask& mask, unsigned arity) {
+  for (std::size_t k = 0; k < mask.powers; ++k) {
+    const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(k * mask.points()),
+               end = begin + static_cast<std::ptrdiff_t>(mask.points());
+    require(std::accumulate(begin, end, mpz_class(0)) == mask.denominator * arity * mask.divisor[k],
+            "the coefficients of the mask do not sum to the arity");
+  }
 }
 
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules, std::size_t width) {

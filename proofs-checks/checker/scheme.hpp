@@ -53,6 +53,9 @@ Mask parse_mask(std::string_view text, char letter);
 /// [[[1,0],[0,1]],...]/D@first: nested lists as above, with a matrix, row by row, in place of each number.
 Mask parse_matrix_mask(std::string_view text, char letter);
 
+/// Rejects unless a mask of numbers sums to the arity, for all values of a parameter.
+void check_sum(const Mask& mask, unsigned arity);
+
 /// The family of section 4.1: divides the symbol by sigma, `sum_rules` times. Of a mask with a parameter: for each
 /// matrix those of all powers, one after another. On a window of at least that width.
 Family transition_family(const Mask& mask, unsigned arity, std::size_t sum_rules, std::size_t width = 1);

@@ -14,12 +14,14 @@ let usage =
   \       subcert-check-verified --mask ... --arity A --exact 'M-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...] FILE\n\
   \       subcert-check-verified --mask ... --exact ... --logarithm P FILE    (the modulus of continuity takes |log h|^P)\n\
   \       subcert-check-verified --mask ... --upper CK [...] FILE    (no C^K limits)\n\
+  \       subcert-check-verified --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (a mask for each level:\n\
+  \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--each-point"; "--recurrence"; "--start"; "--from"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vertex"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--each-point"; "--recurrence"; "--start"; "--from"; "--limit"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vertex"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
 
 let rec options given = function
   | [] -> given
@@ -401,7 +403,9 @@ let read_mask text arity =
     (count <= 1000 && not (zero 0) && not (zero (count - 1)))
     "a mask has 1 to 1000 coefficients, the first and the last not zero";
   let cleared = clear_denominators count [ values ] in
-  { arity = size arity 2 16; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
+  { arity; first; coefficients = List.hd (List.hd cleared.matrices); common = cleared.denominator }
+
+let read_arity text = size text 2 16
 
 let show_exponent scheme lower upper exact =
   Printf.printf "the Hoelder exponent of the scheme of arity %d%s%s\n" scheme.arity
@@ -414,19 +418,80 @@ let show_exponent scheme lower upper exact =
     scheme.coefficients;
   Option.iter show_exact exact
 
+(* MASK;MASK;..., over one denominator *)
+let read_masks text arity =
+  let texts = String.split_on_char ';' text in
+  require (List.length texts <= 64) "more masks than this checker allows";
+  let masks_arity = read_arity arity in
+  let schemes = List.map (fun mask -> read_mask mask masks_arity) texts in
+  let common = List.fold_left (fun d s -> Z.lcm d s.common) Z.one schemes in
+  require (Z.numbits common <= 10_000) "common denominator too large";
+  let over_common s = (s.first, List.map (Z.mul (Z.divexact common s.common)) s.coefficients) in
+  { masks_arity; masks_common = common; each = List.map over_common schemes }
+
+type order = Sequences of sequences | Period of int * int list
+
+(* any, follows=B-C,B-C,... or period=J,J,... *)
+let read_order text masks =
+  let expected = "an order is any, period=0,1,... or follows=0-1,1-0,..." in
+  let number text = size text 0 (List.length masks.each - 1) in
+  let pair text = match String.split_on_char '-' text with [ b; c ] -> (number b, number c) | _ -> reject expected in
+  match String.split_on_char '=' text with
+  | [ "any" ] -> Sequences Any
+  | [ "follows"; pairs ] ->
+      let pairs = String.split_on_char ',' pairs in
+      require (List.length pairs <= 4096) expected;
+      Sequences (Follows (List.map pair pairs))
+  | [ "period"; numbers ] ->
+      let numbers = String.split_on_char ',' numbers in
+      require (List.length numbers <= 6) "a longer period than this checker allows";
+      let numbers = List.map number numbers in
+      let classes = List.fold_left (fun product _ -> product * masks.masks_arity) 1 numbers in
+      require (classes <= 64) "a longer period than this checker allows";
+      let longer points k = (masks.masks_arity * (points - 1)) + List.length (snd (List.nth masks.each k)) in
+      require (List.fold_left longer 1 numbers <= 1000) "the masks of a period have more than 1000 coefficients together";
+      Period (List.hd numbers, List.tl numbers)
+  | _ -> reject expected
+
+let show_masks masks order =
+  Printf.printf "the limits of arity %d, a mask for each level\n" masks.masks_arity;
+  List.iteri
+    (fun i (first, coefficients) ->
+      let coefficient k c =
+        Printf.printf "coefficient %s of mask %d is %s\n" (Z.to_string (Z.add first (Z.of_int k))) i
+          (Q.to_string (Q.make c masks.masks_common))
+      in
+      List.iteri coefficient coefficients)
+    masks.each;
+  match order with
+  | Sequences Any -> print_endline "all sequences of these masks"
+  | Sequences (Follows pairs) -> List.iter (fun (b, c) -> Printf.printf "mask %d may be followed by mask %d\n" b c) pairs
+  | Period (i, others) -> print_endline ("in turn the masks " ^ String.concat ", " (List.map string_of_int (i :: others)))
+
 let stable_shifts scheme =
   match Stability_hint.make scheme with Some shifts -> shifts | None -> reject "stability: not shown for the integer shifts"
 
 (* Whether the proved checker accepts what was read, what it says if not, and what --theorem prints *)
 type proof = { holds : scheme -> bool; otherwise : string; statement : Theorem.statement }
 
+(* Bounds of the radius have so many binary digits. *)
+let digits = 128
+
+(* arity^(order - lower), rounded down: the largest radius that proves a lower end *)
+let most_radius arity order l =
+  let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
+  let power = power_below (Z.of_int arity) order top l.qden in
+  Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits)
+
+(* That an end is one that sum rules of this order may prove *)
+let check_lower_end lower order =
+  require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+  require (Q.leq lower (Q.of_int order)) "the order of the sum rules does not prove the claim"
+
 (* Of bounds of the exponent. `full`: the upper end follows from the number of the sum rules. *)
 let read_bounds_proof scheme order shifts full family lower upper r =
-  let l = bound_of lower and base = Z.of_int scheme.arity and digits = 128 in
-  (* arity^(order - lower), rounded down *)
-  let top = Z.sub (Z.mul (Z.of_int order) l.qden) l.qnum in
-  let power = power_below base order top l.qden in
-  let bound = Q.make (Z.fdiv (Z.shift_left power digits) unity) (Z.shift_left Z.one digits) in
+  let l = bound_of lower and base = Z.of_int scheme.arity in
+  let bound = most_radius scheme.arity order l in
   (* arity^(order - upper), rounded up *)
   let least u =
     require (Q.sign u >= 0 && Q.leq u (Q.of_int 10_000)) "an exponent is negative or too large";
@@ -523,11 +588,7 @@ let read_mask_proof scheme lower upper rough number logarithm r =
   require
     (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
     "the coefficients of the mask do not sum to the arity";
-  (match lower with
-  | Some l ->
-      require (Q.sign l > 0) "the lower end of an exponent must be positive";
-      require (Q.leq l (Q.of_int order)) "the order of the sum rules does not prove the claim"
-  | None -> ());
+  Option.iter (fun l -> check_lower_end l order) lower;
   if upper <> None || rough <> None || number <> None || at r "stability" then line r "stability";
   let family = differences scheme order and shifts = lazy (stable_shifts scheme) in
   let symbol = difference_symbol scheme order in
@@ -551,7 +612,7 @@ let read_mask_proof scheme lower upper rough number logarithm r =
 
 (* The line `reduced`: the coefficients of the factor, and the other mask, to begin where that of the claim does *)
 let read_factor scheme r =
-  match List.map (fun text -> read_mask text (string_of_int scheme.arity)) (take r "reduced" 2 2) with
+  match List.map (fun text -> read_mask text scheme.arity) (take r "reduced" 2 2) with
   | [ { coefficients = factor; _ }; other ] ->
       let longest = List.length scheme.coefficients + List.length other.coefficients in
       let bits = Sections.widest (Array.of_list (scheme.common :: other.common :: (factor @ other.coefficients))) in
@@ -565,18 +626,33 @@ let read_factor scheme r =
 (* The lines from the second `sum-rules` on: why the scheme of the mask converges. What is to be shown is that the radius
    is below the power of the arity; the bound is that, less a little. *)
 let read_convergence scheme r =
-  let own_order = size (List.hd (take r "sum-rules" 1 1)) 1 500 and digits = 128 in
+  let own_order = size (List.hd (take r "sum-rules" 1 1)) 1 500 in
   let family = differences scheme own_order in
   let power = Z.pow (Z.of_int scheme.arity) own_order in
   let bound = Q.make (Z.pred (Z.shift_left power digits)) (Z.shift_left Z.one digits) in
   (own_order, bound_of bound, read_proof ~single:true family None (Some bound) r)
 
+(* What a claim about a mask is about: its scheme, the line that says so, what is to hold of it, the words for it, and how it
+   is written for Coq *)
+type subject = { scheme : scheme; head : string; domain : unit -> unit; words : string; in_coq : string -> Theorem.subject }
+
+let one_mask mask arity =
+  let scheme = read_mask mask (read_arity arity) in
+  { scheme; head = Printf.sprintf "exponent %s %s" mask arity; domain = ignore;
+    words = Printf.sprintf "%s with arity %s" mask arity; in_coq = Theorem.scheme_of_mask scheme }
+
+(* The product of masks in turn *)
+let mask_of_period masks arity order m i others =
+  { scheme = period_scheme m i others; head = Printf.sprintf "lists %s %s %s" masks arity order;
+    domain = (fun () -> require (in_period m i others) "a mask of the list does not keep constant data");
+    words = Printf.sprintf "%s with arity %s for levels with %s" masks arity order;
+    in_coq = Theorem.scheme_of_period m i others }
+
 (* A claim about the exponent of a mask, likewise. The lines `stability` and `full` say nothing that is not found here. *)
-let exponent mask arity lower upper rough exact logarithm file =
-  let scheme = read_mask mask arity and head = "exponent " ^ mask ^ " " ^ arity in
+let exponent { scheme; head; domain; words; in_coq } lower upper rough exact logarithm file =
   let theorem =
     read file 1 (fun r ->
-        let number = read_head ~exponent:true r head exact in
+        let number = read_head ~domain ~exponent:true r head exact in
         let reduced = if at r "reduced" then Some (read_factor scheme r) else None in
         (* it must be shown that the other scheme has a limit *)
         require
@@ -594,7 +670,7 @@ let exponent mask arity lower upper rough exact logarithm file =
         read_end r;
         let accepted = match reduction with None -> proof.holds scheme | Some c -> check_reduced scheme c proof.holds in
         require accepted proof.otherwise;
-        fun name -> Theorem.print_mask name reduction scheme proof.statement)
+        fun name -> Theorem.print_mask name reduction (in_coq name) proof.statement)
   in
   let subject = "Hoelder exponent" ^ number_text exact in
   let subject =
@@ -602,17 +678,62 @@ let exponent mask arity lower upper rough exact logarithm file =
     | Some k -> Printf.sprintf "%sno C^%d limits" (if lower <> None || exact <> None then subject ^ " and " else "") k
     | None -> subject
   in
-  ( Printf.sprintf "%s%s%s%s of %s with arity %s"
+  ( Printf.sprintf "%s%s%s%s of %s"
       (side lower (fun l -> l ^ " <= "))
       subject
       (side upper (fun u -> " <= " ^ u))
       (match logarithm with Some p -> Printf.sprintf " with |log h|^%d" p | None -> "")
-      mask arity,
+      words,
     theorem,
     fun () ->
       show_exponent scheme lower upper exact;
       Option.iter (Printf.printf "limits, if there are any, are not C^%d\n") rough;
       Option.iter (Printf.printf "the modulus of continuity of the last derivative has the power %d of the logarithm\n") logarithm )
+
+(* The difference matrices of a list of masks *)
+let levels_differences m sequences order =
+  let has_rules mask = divides (scheme_of m mask) order in
+  let scheme_sum (_, coefficients) = List.fold_left Z.add Z.zero coefficients in
+  let sums mask = Z.equal (scheme_sum mask) (Z.mul (Z.of_int m.masks_arity) m.masks_common) in
+  require (List.for_all sums m.each) "the coefficients of a mask do not sum to the arity";
+  require (List.for_all has_rules m.each) "a mask of the list has no sum rules of this order";
+  let longest = List.fold_left (fun most (_, c) -> max most (List.length c)) 0 m.each in
+  require (longest - 1 - (order * (m.masks_arity - 1)) <= 256 * (m.masks_arity - 1)) "transition matrices larger than 256";
+  let width = level_size m order in
+  let count, width =
+    match sequences with
+    | Any -> (List.length m.each, width)
+    | Follows pairs -> (List.length pairs, width * states pairs)
+  in
+  require (width <= 256) "transition matrices larger than 256";
+  require (count * m.masks_arity * width * width <= 1 lsl 22) "more entries than 2^22";
+  levels_family m sequences order
+
+(* A claim about a mask for each level, of all sequences or along pairs *)
+let levels masks arity order m sequences lower file =
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r (Printf.sprintf "lists %s %s %s" masks arity order) None in
+        require (number = None) "an exact number is that of one mask or family";
+        let order = size (List.hd (take r "sum-rules" 1 1)) 1 500 in
+        check_lower_end lower order;
+        let family = levels_differences m sequences order and l = bound_of lower in
+        let bound = most_radius m.masks_arity order l in
+        let low = { order; bound = bound_of bound; of_radius = read_proof ~single:false family None (Some bound) r } in
+        read_end r;
+        require (check_levels m sequences l low) unproved;
+        fun name -> Theorem.print_levels name m sequences l low)
+  in
+  ( Printf.sprintf "%s <= Hoelder exponent of %s with arity %s for all sequences of levels%s" (Q.to_string lower) masks arity
+      (if order = "any" then "" else " with " ^ order),
+    theorem,
+    fun () ->
+      Printf.printf "the Hoelder exponents are at least %s\n" (Q.to_string lower);
+      show_masks m (Sequences sequences) )
+
+let undecided =
+  "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, and \
+   those of lists of masks, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -629,6 +750,16 @@ let check arguments =
     if String.starts_with ~prefix:"C" text then Some (String.sub text 1 (String.length text - 1)) else None
   in
   let rough = Option.bind (find "--upper") after_c in
+  (* A claim about one mask, which is read only now *)
+  let of_mask subject =
+    if not (has "--lower" || has "--exact" || rough <> None) then raise (Sections.Undecided undecided);
+    require (has "--exact" || not (has "--logarithm")) usage;
+    let logarithm = Option.map (fun p -> size p 0 256) (find "--logarithm") in
+    let exact = Option.map (read_exact true) (find "--exact") in
+    let upper = if rough = None then bound "--upper" else None in
+    let rough = Option.map (fun k -> size k 1 500) rough in
+    exponent subject (bound "--lower") upper rough exact logarithm (get "FILE")
+  in
   let text, theorem, shown =
     if has "--l1" then begin
       require (only [ "--l1"; "--contraction"; "--upper" ] && (has "--lower" || (has "--contraction" && not (has "--upper")))) usage;
@@ -640,23 +771,28 @@ let check arguments =
       let exact = Option.map (read_exact false) (find "--exact") in
       prove (get option) (bound "--lower") (bound "--upper") exact (get "FILE")
     end
+    else if has "--masks" || has "--order" then begin
+      require (has "--masks" && has "--order" && has "--arity") usage;
+      require (only [ "--masks"; "--arity"; "--order"; "--upper"; "--exact"; "--logarithm" ]) usage;
+      let masks = get "--masks" and arity = get "--arity" and order = get "--order" in
+      let m = read_masks masks arity in
+      match read_order order m with
+      | Sequences sequences ->
+          require (has "--lower" && only [ "--masks"; "--arity"; "--order" ]) usage;
+          levels masks arity order m sequences (Option.get (bound "--lower")) (get "FILE")
+      | Period (i, others) ->
+          require (has "--lower" || has "--exact" || not (has "--upper") || rough <> None) usage;
+          let text, theorem, shown = of_mask (mask_of_period masks arity order m i others) in
+          (text, theorem, fun () -> show_masks m (Period (i, others)); shown ())
+    end
     else if
       only [ "--mask"; "--arity"; "--upper"; "--exact"; "--logarithm" ]
       && (has "--lower" || has "--exact" || rough <> None || not (has "--arity"))
     then begin
-      require (has "--mask" && has "--arity" && (has "--lower" || has "--exact" || rough <> None)) usage;
-      require (has "--exact" || not (has "--logarithm")) usage;
-      let logarithm = Option.map (fun p -> size p 0 256) (find "--logarithm") in
-      let exact = Option.map (read_exact true) (find "--exact") in
-      let upper = if rough = None then bound "--upper" else None in
-      let rough = Option.map (fun k -> size k 1 500) rough in
-      exponent (get "--mask") (get "--arity") (bound "--lower") upper rough exact logarithm (get "FILE")
+      require (has "--mask" && has "--arity") usage;
+      of_mask (one_mask (get "--mask") (get "--arity"))
     end
-    else
-      raise
-        (Sections.Undecided
-           "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided \
-            here, the others by subcert-check")
+    else raise (Sections.Undecided undecided)
   in
   match find "--theorem" with
   | Some name -> theorem name

@@ -219,7 +219,29 @@ type statement = {
 let rough_modules = exact_modules ^ " Smooth Modulus Logarithm Rough"
 let rough_said k name = Printf.sprintf "rough_holds : rough_holds %s_scheme %s" name (natural k)
 
-let print_mask name reduced s statement =
+let masks m =
+  Printf.sprintf "Masks %s %s\n%s" (natural m.masks_arity) (integer m.masks_common) (list (pair integer vector) m.each)
+
+let sequences = function Any -> "Any" | Follows pairs -> "(Follows " ^ list (pair natural natural) pairs ^ ")"
+
+(* How the scheme NAME_scheme is defined, beginning after `Definition NAME_`; the modules for that; and what is said beside *)
+type subject = { more_modules : string; definition : string; beside : string }
+
+let scheme_of_mask s _ = { more_modules = ""; definition = "scheme : scheme := " ^ scheme s; beside = "" }
+
+(* The product of masks in turn, which has the same limits *)
+let scheme_of_period m i others name =
+  let turn = Printf.sprintf "%s %s" (natural i) (list natural others) in
+  { more_modules = rough_modules ^ " Levels Period";
+    definition =
+      Printf.sprintf "masks : masks := %s.\n\nDefinition %s_scheme : scheme := period_scheme %s_masks %s" (masks m) name name turn;
+    beside =
+      Printf.sprintf
+        "\nTheorem %s_limits : forall phi, limit_of_sequence %s_masks (in_turn %s) phi <-> limit_of %s_scheme phi.\n\
+         Proof. apply period_sound. %s.\n"
+        name name turn name by_computation }
+
+let print_mask name reduced subject statement =
   let definition part value = Printf.sprintf ".\n\nDefinition %s_%s := %s" name part value in
   let shifts = match statement.rough with Some (_, _, shifts) -> Some shifts | None -> statement.shifts in
   let defined part render = Option.fold ~none:"" ~some:(fun c -> definition part (render c)) in
@@ -234,8 +256,8 @@ let print_mask name reduced s statement =
     | None, Some _ -> rough_modules
     | Some _, _ -> rough_modules ^ " Reduced"
   in
-  print name modules
-    ("scheme : scheme := " ^ scheme s ^ defined "reduction" reduction reduced ^ defined "shifts" stability shifts)
+  print name (modules ^ subject.more_modules)
+    (subject.definition ^ defined "reduction" reduction reduced ^ defined "shifts" stability shifts)
     statement.certificate
     (Printf.sprintf "%s.\nProof. apply (%s %s). %s" (statement.said name) (sound statement.checker) (statement.rest name) by_computation);
   let rough (order, k, _) =
@@ -243,7 +265,8 @@ let print_mask name reduced s statement =
     let rest = if reduced = None then rest else Printf.sprintf "_ %s (%s)" rest (statement.converges name) in
     Printf.printf "\nTheorem %s_%s.\nProof. apply (%s %s). %s.\n" name (rough_said k name) (sound "rough") rest by_computation
   in
-  Option.iter rough statement.rough
+  Option.iter rough statement.rough;
+  print_string subject.beside
 
 let lower_end c = Printf.sprintf "Exponent %s %s %s" (natural c.order) (fraction c.bound) (certificate c.of_radius)
 
@@ -253,6 +276,13 @@ let exponent l c =
   let converges name = Printf.sprintf "lower_converges %s %s_certificate" (fraction l) name in
   { modules = " Subdivision Exponent"; shifts = None; certificate = lower_end c; said; checker = "exponent_lower"; rest; converges;
     rough = None }
+
+(* A mask for each level *)
+let print_levels name m s l c =
+  print name " Subdivision Exponent Levels" ("masks : masks := " ^ masks m) (lower_end c)
+    (Printf.sprintf
+       "levels_hold : levels_hold %s_masks %s %s.\nProof. apply (check_levels_sound _ _ _ %s_certificate). %s"
+       name (sequences s) (fraction l) name by_computation)
 
 let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
 

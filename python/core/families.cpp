@@ -82,7 +82,8 @@ struct LevelsEvidence {
   RangeProperty property;
   Box box;
   PropertyOfLevels levels;
-  std::optional<FollowedLevels> followed = {};
+  std::optional<FollowedLevels> followed;
+  double seconds;
 };
 
 py::dict levels_dict(const LevelsEvidence& evidence) {
@@ -104,7 +105,7 @@ std::shared_ptr<LevelsEvidence> levels(const ParametricScheme& scheme, const std
   return interruptible(progress, [&] {
     const Box box{{low}, {high}};
     auto evidence = std::make_shared<LevelsEvidence>(LevelsEvidence{
-        scheme, *property, box, property_of_levels(scheme.mask, *property, box, {Deadline::in(seconds)})});
+        scheme, *property, box, property_of_levels(scheme.mask, *property, box, {Deadline::in(seconds)}), {}, seconds});
     if (recurrence)
       evidence->followed = follow(scheme.mask, Recurrence::parse(plain_text(*recurrence), scheme.name, scheme.letter),
                                   {{start.first, start.second.value_or(start.first)}, !start.second}, {low, high},
@@ -261,10 +262,13 @@ void add_families(py::module_& module) {
   py::class_<LevelsEvidence, std::shared_ptr<LevelsEvidence>>(module, "LevelsEvidence")
       .def_property_readonly("facts", &levels_dict)
       .def("certificates", [](const LevelsEvidence& evidence) {
+        const auto& [scheme, property, box, levels, followed, seconds] = evidence;
         std::vector<RangeCertificate> certificates;
-        if (auto one = levels_certificate(evidence.scheme.mask, evidence.scheme.letter, evidence.property, evidence.box,
-                                          evidence.levels, evidence.followed ? &*evidence.followed : nullptr))
-          certificates.push_back({evidence.box.low[0], evidence.box.high[0], Truth::yes, std::move(*one)});
+        const auto add = [&](std::optional<Certificate> one) {
+          if (one) certificates.push_back({box.low[0], box.high[0], Truth::yes, std::move(*one)});
+        };
+        add(levels_certificate(scheme.mask, scheme.letter, property, box, levels, followed ? &*followed : nullptr));
+        if (followed) add(limit_certificate(scheme.mask, scheme.letter, box, *followed, {Deadline::in(seconds)}));
         return certificates_list(certificates);
       });
   module.def("property_of_levels", &levels);

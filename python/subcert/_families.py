@@ -131,7 +131,8 @@ class Levels:
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def certificates(self) -> list[IntervalCertificate]:
-        """One where it is proved for all sequences, else none; with a recurrence it says so of its values."""
+        """One where it is proved for all sequences, with a recurrence of its values; another one of the exponent where
+        these tend to a number; none where neither is proved."""
         return _certificates(self._evidence)
 
 
@@ -304,6 +305,9 @@ class Family(Named):
         >>> conic = subcert.family("conic-four-point:v")
         >>> conic.levels("C1", "9/20", 1000, recurrence="v=sqrt((1+v)/2)", start=(-1, 1000000)).first_level
         2
+        >>> found = conic.levels("C1", "9/20", 1000, recurrence="v=sqrt((1+v)/2)", start=(-1, None))
+        >>> [c.certificate.verify().accepted for c in found.certificates()]
+        [True, True]
         >>> hermite = subcert.family("merrien:lambda=-1/8,mu").levels("HC1", -1, 0)
         >>> hermite.holds.value, hermite.certificates()[0].certificate.verify().accepted
         ('yes', True)

@@ -1,4 +1,4 @@
-"""Masks that change from level to level (6.5): values that follow from each other, and lists of masks."""
+"""Masks that change from level to level (6.5, 6.10): values that follow from each other, or tend to a number, and lists of masks."""
 from fractions import Fraction as Q
 
 CORNER, RANGE = "[w,1-w,1-w,w]", "w=1/100..49/100"
@@ -37,6 +37,23 @@ def chosen(name, mask, values, end, lines, arity=2):
     return name, each_point(mask, values, end, arity), f"each-point {mask} {arity} {values}; bounds - -; {lines}; end"
 
 
+def tending(mask, values, step, start, level, limit, end, arity=2):
+    return f"--mask {mask} --arity {arity} --levels {values} --recurrence {step} --start {start} --from {level} --limit {limit} {end}"
+
+
+def limit(name, mask, values, step, start, level, to, end, lines, arity=2):
+    return name, tending(mask, values, step, start, level, to, end, arity), (
+        f"levels {mask} {arity} {values} recurrence={step} start={start} from={level} limit={to}; bounds - -; {lines}; end")
+
+
+CONIC, CONICS, ANGLE = "[-1,0,1+4*v+4*v^2,8*v+8*v^2,1+4*v+4*v^2,0,-1]/(8*v+8*v^2)@-3", "v=9/20..1000", "sqrt[1/2+1/2*v]"
+HALVED, HALVING = "[1/4*w,1-1/4*w,1-1/4*w,1/4*w]", "w=1/16..4"
+TWICE, TWICES, ANGLES = "[1,-1+4*w^2,-1+4*w^2,1]/(4*w^2)", "w=1/2..2", "sqrt[1/2+1/2*w]"
+FALL = "[1]/(3+4*w)"
+POLE = "[-1/10*w+w^2,-1/10+11/10*w-w^2,-1/10+11/10*w-w^2,-1/10*w+w^2]/(-1/10+w)"
+FOUR_POLYTOPE = "product 0 4 0 0; block 0 polytope 1 0 0 symmetric; vertex 0 1; unit 0 0f:1; image 0 0 0:4; image 0 1 0:-1 0f:-1"
+WAY_IN, CONIC_IN = "level 1/10 3/5; level 3/20 2/5", "level 0 1000; level 7/10 24"
+BETWEEN = "--lower 7/10 --upper 3/4"
 MATRICES, CHANGED = [], []
 MOVING = "[1-w,2-w,1+w,w]/2"  # linear data are moved by w
 WIDE = {points: f"[w,w{',0' * (points - 3)},1-w,1-w]" for points in (9, 10, 11, 72)}  # as many points depend on w for each t
@@ -71,6 +88,27 @@ ACCEPTED = [
     followed("follow-constant", "[1/4]", "-7..7", 1, "level 1/4 1/4; "),
     followed("follow-slowly", "[w]", "1/4..1/4", 1000, 1000 * "level 1/4 1/4; "),
     followed("follow-square", "[1/5-1/5*w^2]", "-1/2..1/2", 1, "level 3/20 1/4; "),
+    limit("limit-conic", CONIC, CONICS, ANGLE, "-1..inf", "some", "1", "--lower 2 --upper 2",
+          f"{CONIC_IN}; exponentials 1; sum-rules 4; stability; {FOUR_POLYTOPE}"),
+    limit("limit-conic-exact", CONIC, CONICS, ANGLE, "0..3", 2, "1", "--exact 4-log|[-4,1]@4,0,1/1000|^1/1",
+          "exact 4-log|[-4,1]@4,0,1/1000|^1/1; root 4 0 0 4 4; level 7/10 3/2; exponentials 1; sum-rules 4; stability; block 0 single 4 0; "
+          "square 1; factor 0; recurrence -4 1"),
+    limit("limit-conic-two", CONIC, CONICS, ANGLE, "0..3", 1, "1", "--lower 1", "level 7/10 3/2; sum-rules 2; block 0 norm 4"),
+    limit("limit-affine", CORNER, RANGE, HALF, "0..1", 2, "1/5", BETWEEN,
+          f"{WAY_IN}; sum-rules 1; stability; product 0 6/5 0 0; block 0 norm 1"),
+    limit("limit-negative-slope", CORNER, RANGE, "[3/10-1/2*w]", "1/5..1/5", 0, "1/5", "--lower 7/10", "sum-rules 1; block 0 norm 1"),
+    limit("limit-root", CORNER, RANGE, OPEN_ROOT, "-1..1", 2, "1/4", "--lower 1", "level 0 2/5; level 1/5 3/10; sum-rules 1; block 0 norm 1"),
+    limit("limit-towards", HALVED, HALVING, "sqrt[w]", "1/16..4", 0, "1", "--lower 1",
+          "towards 1/4 2; towards 1/2 3/2; sum-rules 1; block 0 norm 1"),
+    limit("limit-quotient", CORNER, RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
+    limit("limit-quotient-negative", CORNER, RANGE, "[-1]/(-3-4*w)", "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
+    limit("limit-constant", CORNER, RANGE, "[1/4]", "-7..7", 1, "1/4", "--lower 1", "level 1/4 1/4; sum-rules 1; block 0 norm 1"),
+    limit("limit-at-end", CORNER, RANGE, "[49/200+1/2*w]", "1/5..49/100", 0, "49/100", "--lower 1/50", "sum-rules 1; block 0 norm 1"),
+    limit("limit-shorter", "[w-1/4,w,5/4-w,1-w]", RANGE, "[1/8+1/2*w]", "1/5..1/5", 0, "1/4", "--lower 2/5", "sum-rules 1; block 0 norm 1"),
+    limit("limit-twice", TWICE, TWICES, ANGLES, "0..3", 1, "1", "--lower 2 --upper 2",
+          "level 7/10 3/2; exponentials 0 1; sum-rules 3; stability; product 0 2 0 0; block 0 norm 1"),
+    limit("limit-arity-3", "[w,1-w,1,1-w,w]", "w=1/5..1/2", "[1/6+1/2*w]", "1/5..1/2", 0, "1/3", "--lower 1", "sum-rules 1; block 0 norm 1", 3),
+    limit("limit-slowly", HALVED, HALVING, "sqrt[w]", "1/2..2", 0, "1", "--lower 1", f"{998 * 'towards 1/16 4; '}towards 1/4 2; towards 1/2 3/2; sum-rules 1; block 0 norm 1"),
     listed("list-any", HAT_CHAIKIN, "any", "--lower 1", "sum-rules 2; block 0 norm 1"),
     listed("list-one", "[1,3,3,1]/4", "any", "--lower 2", "sum-rules 2; block 0 norm 1"),
     listed("list-wide", FOUR_SPLINE, "any", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
@@ -143,6 +181,58 @@ EDITED = [
     ("levels-as-follow", "corner-levels", follow(HALF, "0..1", 2), "expected 'levels ", []),
     ("follow-other-start", "follow-affine", follow(HALF, "0..2", 2), "expected 'levels ", []),
     ("follow-not-there", "follow-affine", None, "expected 'sum-rules'", [("sum-rules 1", "levels 1/4 1/3; sum-rules 1")]),
+    ("limit-high", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/5", "--lower 3/4 --upper 3/4"), "does not prove the claim", []),
+    ("limit-low", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/5", "--lower 7/10 --upper 7/10"), "does not prove the claim", []),
+    ("limit-zero", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/5", "--lower 0"), "must be positive", []),
+    ("limit-rules-alone", "limit-root", tending(CORNER, RANGE, OPEN_ROOT, "-1..1", 2, "1/4", "--lower 1 --upper 1"), "no exponent below the number of sum rules",
+     [("sum-rules 1", "sum-rules 1; stability; product 0 1 0 1")]),
+    ("limit-unstable", "limit-affine", None, "expected 'stability'", [("stability; ", "")]),
+    ("limit-full", "limit-affine", None, "expected 'sum-rules M'", [("sum-rules 1", "sum-rules 1 full")]),
+    ("limit-reduced", "limit-root", None, "expected 'sum-rules'", [("sum-rules 1", "reduced [1] [1,3,3,1]/4; sum-rules 1")]),
+    ("limit-logarithm", "limit-conic-exact", None, "expected 'end'", [("recurrence -4 1", "recurrence -4 1; logarithm 0")]),
+    ("limit-other", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/4", BETWEEN), "expected 'levels ", []),
+    ("limit-moved", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/4", BETWEEN), "moves the limit", [("limit=1/5", "limit=1/4")]),
+    ("limit-moved-root", "limit-root", tending(CORNER, RANGE, OPEN_ROOT, "-1..1", 2, "1/5", "--lower 1"), "moves the limit", [("limit=1/4", "limit=1/5")]),
+    ("limit-other-root", "limit-constant", tending(CORNER, "w=-1..1", "sqrt[1/4]", "-7..7", 1, "-1/2", "--lower 1"), "moves the limit",
+     [(RANGE, "w=-1..1"), ("[1/4]", "sqrt[1/4]"), ("limit=1/4", "limit=-1/2"), ("level 1/4 1/4", "level 1/2 1/2")]),
+    ("limit-beyond", "limit-constant", tending(CORNER, "w=0..1/4", "[w^2]", "0..1/4", 0, "1", "--lower 1"), "is not among the values",
+     [(RANGE, "w=0..1/4"), ("[1/4]", "[w^2]"), ("-7..7 from=1", "0..1/4 from=0"), ("limit=1/4", "limit=1"), ("level 1/4 1/4; ", "")]),
+    ("limit-before", "limit-constant", tending(CORNER, "w=1/2..3/2", "[w]", "1/2..3/2", 0, "0", "--lower 1"), "is not among the values",
+     [(RANGE, "w=1/2..3/2"), ("[1/4]", "[w]"), ("-7..7 from=1", "1/2..3/2 from=0"), ("limit=1/4", "limit=0"), ("level 1/4 1/4; ", "")]),
+    ("limit-steep", "limit-quotient", tending(CORNER, RANGE, "[w]", "1/5..1/5", 0, "1/4", "--lower 1"), "the steepness", [(FALL, "[w]")]),
+    ("limit-steep-down", "limit-quotient", tending(CORNER, RANGE, "[1/2-w]", "1/5..1/5", 0, "1/4", "--lower 1"), "the steepness", [(FALL, "[1/2-w]")]),
+    ("limit-steep-root", "limit-quotient", tending(CORNER, RANGE, "sqrt[w^2]", "1/5..1/5", 0, "1/4", "--lower 1"), "the steepness", [(FALL, "sqrt[w^2]")]),
+    ("limit-too-soon", "limit-towards", None, "the steepness", [("towards 1/2 3/2; ", "")]),
+    ("limit-no-way", "limit-towards", None, "the steepness", [("towards 1/4 2; towards 1/2 3/2; ", "")]),
+    ("limit-towards-low", "limit-towards", None, f"{OTHER} below", [("towards 1/4 2", "towards 1/3 2")]),
+    ("limit-towards-high", "limit-towards", None, f"{OTHER} above", [("towards 1/4 2", "towards 1/4 15/8")]),
+    ("limit-towards-reversed", "limit-towards", None, "the values of a level are an interval", [("towards 1/2 3/2", "towards 3/2 1/2")]),
+    ("limit-towards-left", "limit-towards", None, f"{OTHER} below", [("towards 1/2 3/2; ", "towards 1/2 3/2; towards 2/3 5/4; towards 5/6 9/8; ")]),
+    ("limit-not-into-itself", "limit-constant", tending(CORNER, "w=-1..2", "[1/4+1/2*w^2]", "0..0", 0, "1/4", "--lower 1"), f"{OTHER} above",
+     [(RANGE, "w=-1..2"), ("[1/4]", "[1/4+1/2*w^2]"), ("-7..7 from=1", "0..0 from=0"), ("level 1/4 1/4; ", "")]),
+    ("limit-more", "limit-slowly", None, "more levels than the checker allows", [("towards 1/4 2", "towards 1/16 4; towards 1/4 2")]),
+    ("limit-pole", "limit-quotient", tending(POLE, RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1"), "the denominator of the masks", [(CORNER, POLE)]),
+    ("limit-sum", "limit-quotient", tending("[w,1-w,1-w,1/4]", RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1"), "do not sum to the arity",
+     [(CORNER, "[w,1-w,1-w,1/4]")]),
+    ("limit-rules", "limit-quotient", tending(ONE_SIDED, RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1"), "no sum rules of this order",
+     [(CORNER, ONE_SIDED), ("sum-rules 1", "sum-rules 2")]),
+    ("limit-no-factor", "limit-conic", None, "no such exponential factor", [("exponentials 1", "exponentials 2"), ("sum-rules 4", "sum-rules 6")]),
+    ("limit-no-factor-twice", "limit-twice", None, "no such exponential factor", [("exponentials 0 1", "exponentials 1 0")]),
+    ("limit-no-factor-four", "limit-conic", None, "no such exponential factor", [("exponentials 1", "exponentials 0 0 0 1")]),
+    ("limit-no-place", "limit-twice", None, "no such exponential factor", [("exponentials 0 1", "exponentials 0 2"), ("sum-rules 3", "sum-rules 5")]),
+    ("limit-no-rule", "limit-conic", None, "a sum rule is needed", [("exponentials 1", "exponentials 2")]),
+    ("limit-too-few-rules", "limit-conic", None, "no sum rules of this order", [("sum-rules 4", "sum-rules 5")]),
+    ("limit-nine", "limit-twice", None, "fields", [("exponentials 0 1", "exponentials 0 1 0 0 0 0 0 0 0")]),
+    ("limit-other-angle", "limit-twice", tending(TWICE, TWICES, "[1/2+1/2*w]", "0..3", 1, "1", "--lower 2 --upper 2"), "exponentials need",
+     [(ANGLES, "[1/2+1/2*w]"), ("level 7/10 3/2", "level 1/2 2")]),
+    ("limit-other-cosine", "limit-twice", tending(TWICE, TWICES, "sqrt[2/3+1/3*w]", "0..3", 1, "1", "--lower 2 --upper 2"), "exponentials need",
+     [(ANGLES, "sqrt[2/3+1/3*w]"), ("level 7/10 3/2", "level 4/5 3/2")]),
+    ("limit-exponentials-of-3", "limit-arity-3", None, "exponentials need", [("sum-rules 1", "exponentials 0; sum-rules 1")]),
+    ("limit-early", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 1, "1/5", BETWEEN), "come into the range at a later level", [("from=2", "from=1")]),
+    ("limit-to", "limit-quotient", None, "expected 'block 0'", [("block 0", "to 49/100; block 0")]),
+    ("limit-as-follow", "limit-affine", follow(HALF, "0..1", 2), "fields", []),
+    ("follow-as-limit", "follow-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/5", "--lower 7/10"), "expected 'levels ", []),
+    ("limit-of-bounds", "limit-conic-exact", tending(CONIC, CONICS, ANGLE, "0..3", 2, "1", "--lower 2 --upper 19/10"), "expected 'product'", []),
     ("list-high", "list-any", lists(HAT_CHAIKIN, "any", "--lower 11/10"), "does not prove the claim", []),
     ("list-zero", "list-any", lists(HAT_CHAIKIN, "any", "--lower 0"), "must be positive", []),
     ("list-rules", "list-any", None, "has no sum rules of this order", [("sum-rules 2", "sum-rules 3")]),

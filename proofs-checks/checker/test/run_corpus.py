@@ -48,6 +48,18 @@ USAGE = [
         "--recurrence [w] --start 0..1 --from some", "--recurrence [w] --start 0..1 --from 1001", "--recurrence [v] --start 0..1 --from 0",
         "--recurrence [w,1] --start 0..1 --from 0", "--recurrence root[w] --start 0..1 --from 0", "--recurrence [[w]] --start 0..1 --from 0")),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --for w=0..1 --lower 0 --recurrence [w] --start 0..1 --from 0 golden.cert"),
+    *((64, f"--mask [w,1-w,1-w,w] --arity 2 {more} golden.cert") for more in (
+        "--levels w=0..1 --lower 1 --limit 1/4", "--for w=0..1 --lower 1 --limit 1/4", "--lower 1 --limit 1/4",
+        *(f"--levels w=0..1 --recurrence [1/4] --start 0..1 --from 1 {other}" for other in (
+            "--limit 1/4", "--limit 1/4 --upper 1", "--limit x --lower 1", "--limit 1/4 --lower 1 --upper C1", "--limit 1/4 --upper C1",
+            "--limit 1/4 --lower 1 --logarithm 0", "--limit 1/4 --exact 1-log|[-1,1]@1,0,1|^1/1 --logarithm 0", "--limit 1/4 --lower 1 --within 1/9,1",
+            "--exact 1-log|[-1,1]@1,0,1|^1/1", "--limit 1/4 --exact |[-1,1]@1,0,1|^1/1")))),
+    *((64, f"--mask {mask} --arity 2 --levels w=0..1 --recurrence [1/4] --start 0..1 --from 1 --limit 1/4 --lower 1 golden.cert") for mask in (
+        "[w,1,w]/(1/4-w)", "[1/4-w,1/2-2*w]", "[0*w]")),
+    (64, "--vectors [[[w]],[[1]]] --arity 2 --levels w=0..1 --recurrence [1/4] --start 0..1 --from 1 --limit 1/4 --lower 0 golden.cert"),
+    (64, "--matrices golden.mat --limit 1/4 --upper 2 golden.cert"),
+    (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --limit 1/4 --lower 1 golden.cert"),
+    (64, "--masks [1,2,1]/2 --arity 2 --order any --limit 1/4 --lower 1 golden.cert"),
     *((64, f"--masks {more} golden.cert") for more in (
         "[1,2,1]/2 --arity 2 --lower 1", "[1,2,1]/2 --order any --lower 1", "[1,2,1]/2 --arity 2 --order any",
         "[1,2,1]/2 --arity 2 --order any --lower 1 --upper 1", "[1,2,1]/2 --arity 2 --order any --upper C1",
@@ -224,7 +236,7 @@ def printed(arguments):
     values = dict(zip(arguments[::2], arguments[1::2]))
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
     levels, each_point, vertex = (values.pop(name, None) for name in ("--levels", "--each-point", "--vertex"))
-    order, step, start, level = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from"))
+    order, step, start, level, limit = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from", "--limit"))
     range_ = levels or values.get("--for")
     exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
     if attains := values.pop("--attains", None):
@@ -238,7 +250,7 @@ def printed(arguments):
     subject = f"{subject} and integral {integral}" if integral else subject
     subject = f"{subject}, and C^1 limits of almost all data around {vertex}" if vertex else subject
     subject = f"component {component} of {subject}" if component else subject
-    relation = "<" if range_ else "<="
+    relation = "<" if range_ and not limit else "<="
     rough = upper and upper.startswith("C")
     if rough:
         what = (f"{what} and no C^" if lower or exact else "no C^") + upper[1:] + " limits"
@@ -250,7 +262,7 @@ def printed(arguments):
     over = f" for all {'sequences of levels with ' if levels else ''}{range_}" if range_ else ""
     if step:
         level = "some level" if level == "some" else f"level {level}"
-        over = f" from {level} on of {levels[0]} -> {step} with {levels[0]}={start} at level 0, all in {levels}"
+        over = f" from {level} on of {levels[0]} -> {step} with {levels[0]}={start} at level 0, all in {levels}" + (f", tending to {limit}" if limit else "")
     over = f" for all choices for each new point of {each_point}" if each_point else over
     text = text.replace("no convergence, or Hoelder exponent < 0", "no convergence") + over
     if order:

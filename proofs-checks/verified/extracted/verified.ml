@@ -702,6 +702,19 @@ let rec map f = function
 | [] -> []
 | a::t0 -> (f a)::(map f t0)
 
+(** val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list **)
+
+let rec flat_map f = function
+| [] -> []
+| x::t0 -> app (f x) (flat_map f t0)
+
+(** val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1 **)
+
+let rec fold_left f l a0 =
+  match l with
+  | [] -> a0
+  | b::t0 -> fold_left f t0 (f a0 b)
+
 (** val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1 **)
 
 let rec fold_right f a0 = function
@@ -1321,12 +1334,12 @@ let rec check_tree f u p w rows = function
 | Word h -> below_bound f u p w rows h
 | Words children ->
   (&&) (Nat.eqb (length children) (count f))
-    (let rec each k = function
+    (let rec each0 k = function
      | [] -> true
      | c::l' ->
        (&&) (check_tree f u p (app w (k::[])) (extended f rows k) c)
-         (each (Stdlib.succ k) l')
-     in each 0 children)
+         (each0 (Stdlib.succ k) l')
+     in each0 0 children)
 
 (** val quadratic :
     family -> q -> zmat -> square_root -> word_tree -> bool **)
@@ -1459,8 +1472,8 @@ let action_of group u =
 
 (** val coordinates_of : state list -> int -> zmat **)
 
-let coordinates_of states j =
-  (nth j states no_state).coordinates
+let coordinates_of states0 j =
+  (nth j states0 no_state).coordinates
 
 (** val unit_matrix : family -> zmat **)
 
@@ -1512,12 +1525,12 @@ let turn_right f group =
     family -> q -> Number.t -> turn list -> state list -> zmat -> int -> step
     -> bool **)
 
-let step_right f g unity0 turns states =
+let step_right f g unity0 turns states0 =
   let n = f.size in
   let d = Number.of_natural n in
   (fun l t0 s ->
   let h = nth s.turned_by turns no_turn in
-  let k = map (mv (coordinates_of states s.target)) (columns n h.turning) in
+  let k = map (mv (coordinates_of states0 s.target)) (columns n h.turning) in
   let a = map (mv l) (columns n (letter f t0)) in
   let b = map (mv s.step_matrix) k in
   let a0 = Number.mul unity0 g.qden in
@@ -1531,7 +1544,7 @@ let step_right f g unity0 turns states =
     ((&&)
       ((&&)
         ((&&)
-          ((&&) (Nat.ltb s.target (length states))
+          ((&&) (Nat.ltb s.target (length states0))
             (Nat.ltb s.turned_by (length turns)))
           (Number.less_equal Number.zero s.step_norm))
         (square n s.step_matrix))
@@ -1547,7 +1560,7 @@ let step_right f g unity0 turns states =
     family -> q -> Number.t -> int list -> turn list -> state list -> state
     -> bool **)
 
-let state_right f g unity0 firsts turns states =
+let state_right f g unity0 firsts turns states0 =
   let n = f.size in
   (fun s ->
   let l = s.coordinates in
@@ -1563,7 +1576,7 @@ let state_right f g unity0 firsts turns states =
         (Nat.eqb (length s.steps) (length firsts)))
       (Nat.eqb (length s.trees) (length firsts)))
     (forallb (fun c ->
-      forallb (step_right f g unity0 turns states l (nth c firsts 0))
+      forallb (step_right f g unity0 turns states0 l (nth c firsts 0))
         (nth c s.steps [])) (seq 0 (length firsts))))
 
 (** val rounded_product : Number.t -> zmat -> zmat -> zmat **)
@@ -1618,7 +1631,7 @@ let branch_right f unity0 =
          (&&)
            (Number.less_equal (Number.add p' e')
              (Number.mul (Number.twice (Number.twice Number.one)) unity0))
-           (let rec each classes l =
+           (let rec each0 classes l =
               match classes with
               | [] -> (match l with
                        | [] -> true
@@ -1627,8 +1640,8 @@ let branch_right f unity0 =
                 (match l with
                  | [] -> false
                  | b'::l' ->
-                   (&&) (branch_right0 m' p' e' class0 b') (each classes' l'))
-            in each (nth s.target by_state []) branches))
+                   (&&) (branch_right0 m' p' e' class0 b') (each0 classes' l'))
+            in each0 (nth s.target by_state []) branches))
     | None -> false
   in branch_right0)
 
@@ -1636,13 +1649,13 @@ let branch_right f unity0 =
     family -> Number.t -> int list -> state list -> step list list list ->
     (int -> int -> bool) -> int -> bool **)
 
-let words_right f unity0 firsts states =
+let words_right f unity0 firsts states0 =
   let n = f.size in
   (fun by_state kept j ->
   forallb (fun c ->
     if kept j c
     then true
-    else (match nth_error (nth j states no_state).trees c with
+    else (match nth_error (nth j states0 no_state).trees c with
           | Some b ->
             branch_right f unity0 by_state
               (table n (fun i j0 -> if_equal i j0 unity0)) unity0 Number.zero
@@ -1653,8 +1666,8 @@ let words_right f unity0 firsts states =
     (int -> int -> bool) -> family -> q -> Number.t -> int list -> element
     list -> turn list -> state list -> bool **)
 
-let graph_but kept f g unity0 firsts group turns states =
-  let by_state = map (fun s -> map (map (with_columns f)) s.steps) states in
+let graph_but kept f g unity0 firsts group turns states0 =
+  let by_state = map (fun s -> map (map (with_columns f)) s.steps) states0 in
   (&&)
     ((&&)
       ((&&)
@@ -1664,21 +1677,21 @@ let graph_but kept f g unity0 firsts group turns states =
               ((&&)
                 ((&&) (Number.less Number.zero g.qnum)
                   (Number.less Number.zero unity0))
-                (Nat.ltb 0 (length states))) (Nat.ltb 0 (length group)))
+                (Nat.ltb 0 (length states0))) (Nat.ltb 0 (length group)))
             (multiple f Number.one (action_of group 0) (unit_matrix f)))
           (forallb (element_right f firsts) group))
         (forallb (turn_right f group) turns))
-      (forallb (state_right f g unity0 firsts turns states) states))
-    (forallb (words_right f unity0 firsts states by_state kept)
-      (seq 0 (length states)))
+      (forallb (state_right f g unity0 firsts turns states0) states0))
+    (forallb (words_right f unity0 firsts states0 by_state kept)
+      (seq 0 (length states0)))
 
 (** val graph :
     family -> q -> q -> Number.t -> int list -> element list -> turn list ->
     state list -> bool **)
 
-let graph f u g unity0 firsts group turns states =
+let graph f u g unity0 firsts group turns states0 =
   (&&) (qle_bool g u)
-    (graph_but (fun _ _ -> false) f g unity0 firsts group turns states)
+    (graph_but (fun _ _ -> false) f g unity0 firsts group turns states0)
 
 type squares = { symbol : zvec; content : Number.t; divisor : zvec;
                  cosine : zvec; factor : zvec; bits : int }
@@ -1861,8 +1874,8 @@ let check_section f u = function
   polytope (if transposed then transpose f else f) u nonnegative scale0 one
     all ul il
 | Quadratic (form, definite, words) -> quadratic f u form definite words
-| Graph (bound0, unity0, firsts, group, turns, states) ->
-  graph f u bound0 unity0 firsts group turns states
+| Graph (bound0, unity0, firsts, group, turns, states0) ->
+  graph f u bound0 unity0 firsts group turns states0
 | Single (sum, recurrence0) -> single_section f u sum recurrence0
 
 (** val first_block : int -> family -> family **)
@@ -3184,14 +3197,14 @@ let row_square f =
 
 (** val length_square : family -> state list -> int -> zmat **)
 
-let length_square f states =
-  let n = f.size in (fun j -> gram (columns n (coordinates_of states j)))
+let length_square f states0 =
+  let n = f.size in (fun j -> gram (columns n (coordinates_of states0 j)))
 
 (** val station_right :
     family -> place -> q -> int list -> state list -> cycle -> station ->
     station -> bool **)
 
-let station_right f h g firsts states =
+let station_right f h g firsts states0 =
   let n = f.size in
   let letter_at = fun s -> nth s.class_at firsts 0 in
   (fun c s s' ->
@@ -3218,8 +3231,8 @@ let station_right f h g firsts states =
               ((&&)
                 ((&&)
                   ((&&)
-                    ((&&) (Nat.ltb s.state_at (length states))
-                      (Nat.ltb s'.state_at (length states)))
+                    ((&&) (Nat.ltb s.state_at (length states0))
+                      (Nat.ltb s'.state_at (length states0)))
                     (Nat.ltb t0 (count f)))
                   (Number.less_equal Number.zero k1))
                 (Number.less_equal k1 k2)) (Number.less_equal Number.zero c1))
@@ -3228,10 +3241,10 @@ let station_right f h g firsts states =
       (semidefinite n
         (add_rows (Number.opposite (Number.mul (Number.mul bo k2) c2))
           (gram
-            (map (mv (coordinates_of states s.state_at))
+            (map (mv (coordinates_of states0 s.state_at))
               (columns n (letter f t0))))
           (add_rows (Number.mul (Number.mul a k1) c2)
-            (length_square f states s'.state_at)
+            (length_square f states0 s'.state_at)
             (add_rows b (row_square f y)
               (diagonal n
                 (Number.opposite
@@ -3241,7 +3254,7 @@ let station_right f h g firsts states =
                       off_y)))))))))
     (semidefinite n
       (add_rows (Number.mul (Number.mul lo (Number.mul g.qden g.qden)) c2)
-        (length_square f states s.state_at)
+        (length_square f states0 s.state_at)
         (add_rows (Number.opposite d) (row_square f x)
           (diagonal n
             (Number.opposite
@@ -3262,7 +3275,7 @@ let keeps l j c =
     family -> Number.t list -> int -> place -> q -> Number.t -> int list ->
     element list -> turn list -> state list -> base list -> cycle list -> bool **)
 
-let graph_below f p l h g unity0 firsts group turns states bs cycles =
+let graph_below f p l h g unity0 firsts group turns states0 bs cycles =
   let g0 = transpose f in
   (&&)
     ((&&) (forallb (base_right g0 p l bs) bs)
@@ -3273,9 +3286,9 @@ let graph_below f p l h g unity0 firsts group turns states bs cycles =
        (&&)
          ((&&) (distinct (map (fun q0 -> (fst (snd q0)).state_at) l0))
            (forallb (fun q0 ->
-             station_right f h g firsts states (fst q0) (fst (snd q0))
+             station_right f h g firsts states0 (fst q0) (fst (snd q0))
                (snd (snd q0))) l0))
-         (graph_but (keeps l0) f g unity0 firsts group turns states)
+         (graph_but (keeps l0) f g unity0 firsts group turns states0)
      | None -> false)
 
 (** val changes : Number.t -> Number.t list -> int **)
@@ -3418,8 +3431,8 @@ let block_below e h f = function
 | Attains (transposed, b) ->
   (&&) (if b.cone then positive_zero e h else true)
     (below (if transposed then transpose f else f) e.polynomial e.root h b)
-| Cyclic (g, unity0, firsts, group, turns, states, bs, cycles) ->
-  graph_below f e.polynomial e.root h g unity0 firsts group turns states bs
+| Cyclic (g, unity0, firsts, group, turns, states0, bs, cycles) ->
+  graph_below f e.polynomial e.root h g unity0 firsts group turns states0 bs
     cycles
 | Leading c -> (&&) (simple_number e h) (no_larger f e.polynomial h c)
 
@@ -3914,3 +3927,146 @@ let check_factor a b p =
 let check_reduced a c check =
   (&&) ((&&) (check_factor a c.other_scheme c.shift_factor) (converges a c))
     (check c.other_scheme)
+
+type masks = { masks_arity : int; masks_common : Number.t;
+               each : (Number.t*Number.t list) list }
+
+(** val no_mask : Number.t*Number.t list **)
+
+let no_mask =
+  Number.zero,[]
+
+type sequences =
+| Any
+| Follows of (int*int) list
+
+(** val scheme_of : masks -> (Number.t*Number.t list) -> scheme **)
+
+let scheme_of m p =
+  { arity = m.masks_arity; first = (fst p); coefficients = (snd p); common =
+    m.masks_common }
+
+(** val level_symbols : masks -> int -> Number.t list list **)
+
+let level_symbols m order0 =
+  map (fun p -> difference_symbol (scheme_of m p) order0) m.each
+
+(** val level_size : masks -> int -> int **)
+
+let level_size m order0 =
+  fold_right (fun b most -> Nat.max (matrix_size m.masks_arity b) most)
+    (Stdlib.succ 0) (level_symbols m order0)
+
+(** val any_family : masks -> int -> family **)
+
+let any_family m order0 =
+  let size0 = level_size m order0 in
+  { size = size0; denominator = m.masks_common; matrices =
+  (flat_map (transition m.masks_arity size0) (level_symbols m order0)) }
+
+(** val row_in_place : int -> int -> int -> Number.t list -> Number.t list **)
+
+let row_in_place k size0 j row0 =
+  app (repeat Number.zero (mul j size0))
+    (app row0
+      (repeat Number.zero (mul (sub (sub k (Stdlib.succ 0)) j) size0)))
+
+(** val in_place : int -> int -> int -> int -> zmat -> zmat **)
+
+let in_place k size0 i j m =
+  app (repeat (repeat Number.zero (mul k size0)) (mul i size0))
+    (app (map (row_in_place k size0 j) m)
+      (repeat (repeat Number.zero (mul k size0))
+        (mul (sub (sub k (Stdlib.succ 0)) i) size0)))
+
+(** val states : (int*int) list -> int **)
+
+let states pairs0 =
+  Stdlib.succ
+    (fold_right (fun e most -> Nat.max (fst e) (Nat.max (snd e) most)) 0
+      pairs0)
+
+(** val follows_family : masks -> int -> (int*int) list -> family **)
+
+let follows_family m order0 pairs0 =
+  let size0 = level_size m order0 in
+  let k = states pairs0 in
+  let symbols = level_symbols m order0 in
+  { size = (mul k size0); denominator = m.masks_common; matrices =
+  (flat_map (fun e ->
+    map (in_place k size0 (fst e) (snd e))
+      (transition m.masks_arity size0 (nth (snd e) symbols []))) pairs0) }
+
+(** val levels_family : masks -> sequences -> int -> family **)
+
+let levels_family m s order0 =
+  match s with
+  | Any -> any_family m order0
+  | Follows pairs0 -> follows_family m order0 pairs0
+
+(** val levels_reduce : masks -> sequences -> q -> int -> q -> bool **)
+
+let levels_reduce m s l order0 u =
+  (&&)
+    ((&&)
+      ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) m.masks_arity)
+        (forallb (fun p -> reducible (scheme_of m p) order0) m.each))
+      (below_power (scheme_of m no_mask) l order0 u))
+    (match s with
+     | Any -> true
+     | Follows pairs0 ->
+       forallb (fun e ->
+         (&&) (Nat.ltb (fst e) (length m.each))
+           (Nat.ltb (snd e) (length m.each))) pairs0)
+
+(** val check_levels :
+    masks -> sequences -> q -> exponent_certificate -> bool **)
+
+let check_levels m s l cert =
+  (&&) (levels_reduce m s l cert.order cert.bound)
+    (check_radius { matrices_of = (levels_family m s cert.order); lower =
+      None; upper = (Some cert.bound) } cert.of_radius)
+
+(** val spread_times :
+    int -> Number.t list -> Number.t list -> Number.t list **)
+
+let rec spread_times step0 symbol0 = function
+| [] -> []
+| c::rest ->
+  (match rest with
+   | [] -> map (Number.mul c) symbol0
+   | _::_ ->
+     addmul c symbol0
+       (app (repeat Number.zero step0) (spread_times step0 symbol0 rest)))
+
+(** val then_mask : masks -> scheme -> (Number.t*Number.t list) -> scheme **)
+
+let then_mask m a p =
+  { arity = (mul m.masks_arity a.arity); first =
+    (Number.add (fst p)
+      (Number.mul (Number.of_natural m.masks_arity) a.first)); coefficients =
+    (spread_times m.masks_arity (snd p) a.coefficients); common =
+    (Number.mul m.masks_common a.common) }
+
+(** val period_scheme : masks -> int -> int list -> scheme **)
+
+let period_scheme m i others0 =
+  fold_left (fun a j -> then_mask m a (nth j m.each no_mask)) others0
+    (scheme_of m (nth i m.each no_mask))
+
+(** val keeps_constants : masks -> bool **)
+
+let keeps_constants m =
+  (&&)
+    ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) m.masks_arity)
+      (Number.less Number.zero m.masks_common))
+    (forallb (fun p ->
+      forallb (fun r ->
+        Number.equal (class_sum m.masks_arity (snd p) r) m.masks_common)
+        (seq 0 m.masks_arity)) m.each)
+
+(** val in_period : masks -> int -> int list -> bool **)
+
+let in_period m i others0 =
+  (&&) (keeps_constants m)
+    (forallb (fun j -> Nat.ltb j (length m.each)) (i::others0))

@@ -150,6 +150,10 @@ val rev : 'a1 list -> 'a1 list
 
 val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
 
+val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list
+
+val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1
+
 val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1
 
 val existsb : ('a1 -> bool) -> 'a1 list -> bool
@@ -877,3 +881,44 @@ val converges : scheme -> reduction -> bool
 val check_factor : scheme -> scheme -> Number.t list -> bool
 
 val check_reduced : scheme -> reduction -> (scheme -> bool) -> bool
+
+type masks = { masks_arity : int; masks_common : Number.t;
+               each : (Number.t*Number.t list) list }
+
+val no_mask : Number.t*Number.t list
+
+type sequences =
+| Any
+| Follows of (int*int) list
+
+val scheme_of : masks -> (Number.t*Number.t list) -> scheme
+
+val level_symbols : masks -> int -> Number.t list list
+
+val level_size : masks -> int -> int
+
+val any_family : masks -> int -> family
+
+val row_in_place : int -> int -> int -> Number.t list -> Number.t list
+
+val in_place : int -> int -> int -> int -> zmat -> zmat
+
+val states : (int*int) list -> int
+
+val follows_family : masks -> int -> (int*int) list -> family
+
+val levels_family : masks -> sequences -> int -> family
+
+val levels_reduce : masks -> sequences -> q -> int -> q -> bool
+
+val check_levels : masks -> sequences -> q -> exponent_certificate -> bool
+
+val spread_times : int -> Number.t list -> Number.t list -> Number.t list
+
+val then_mask : masks -> scheme -> (Number.t*Number.t list) -> scheme
+
+val period_scheme : masks -> int -> int list -> scheme
+
+val keeps_constants : masks -> bool
+
+val in_period : masks -> int -> int list -> bool

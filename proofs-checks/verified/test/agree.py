@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs the verified checker and the one in C++ on a corpus of claims. Usage: agree.py VERIFIED CHECKER DIRECTORY
 
-Claims about radii and subradii, and about exponents of one mask: both print the same verdict, and `VERIFIED` in the same
-words. Of a corpus of right claims also with other bounds, with other exact numbers, and without what is claimed beside.
+Claims about radii and subradii, and about exponents of one mask or of a list: both print the same verdict, and `VERIFIED` in
+the same words. Of a corpus of right claims also with other bounds, with other exact numbers, and without what is claimed beside.
 Other claims are never decided here."""
 import re
 import subprocess
@@ -26,7 +26,8 @@ proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sig
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.
 sharper = {"unit-short", "unit-long"}
 # Claims that are far from the truth: the same with a little more are true as well.
-loose = {"turns-graph-close", "single-hat-square", "single-transfer", "upper-10000", "inverse-296-bits", "denominators"}
+loose = {"turns-graph-close", "single-hat-square", "single-transfer", "upper-10000", "inverse-296-bits", "denominators",
+         "list-wide", "list-in-turn", "list-spline-last", "list-first-alone", "list-arity-3-follows", "period"}
 
 
 def run(program, arguments):
@@ -44,14 +45,17 @@ def decided(name, arguments):
     # Whether a word keeps a form.
     if "--exact" in options and " quadratic " in text and not re.search("\ncycle | single ", text):
         return False
-    if "--mask" in options and re.search(r"\nblock \d+ frequency ", text):
+    if options & {"--mask", "--masks"} and re.search(r"\nblock \d+ frequency ", text):
         return False
     if options & {"--matrices", "--subradius"}:
         return True
-    ends = options - {"--mask", "--arity"}
+    if "--masks" in options and not arguments[arguments.index("--order") + 1].startswith("period"):
+        return True
+    subject = {"--masks", "--order", "--arity"} if "--masks" in options else {"--mask", "--arity"}
+    ends = options - subject
     known = {"--lower", "--upper", "--exact", "--logarithm"}
     rough = "--upper" in options and arguments[arguments.index("--upper") + 1].startswith("C")
-    if not {"--mask", "--arity"} <= options or not ends <= known or not (ends & {"--lower", "--exact"} or rough):
+    if not subject <= options or not ends <= known or not (ends & {"--lower", "--exact"} or rough):
         return False
     # Of moduli of continuity those without a logarithm, if they follow from a norm, or from the only block; and those with
     # its first power that follow from a recurrence.
@@ -110,7 +114,7 @@ for line in (directory / "claims.txt").read_text().splitlines():
         arguments = without("--logarithm", without("--exact", arguments))
         if "--lower" in arguments or {"--subradius", "--upper"} <= set(arguments):
             compare(name, [*arguments, f"{name}.cert"])
-    if "--mask" in arguments and decided(name, arguments) and directory.name == "accept":
+    if {"--mask", "--masks"} & set(arguments) and decided(name, arguments) and directory.name == "accept":
         alone = without("--upper", arguments)
         for bounded in [alone] * decided(name, alone) + [arguments]:
             compare(f"{name} as {bounded}", [*bounded, f"{name}.cert"], True)

@@ -111,6 +111,35 @@ for mask in '' '1,2,1' '[1,2,1' '[]' '[1,,1]' '[0,2]' '[1,1]/0' '[1,1]/-1' '[1,1
   expect 64 --mask "$mask" --arity 2 --lower 1 bspline-1.cert
 done
 expect 66 --mask "$hat" --arity 2 --lower 1 none.cert
+# a mask for each level
+pair='[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,1]/8'
+expect 0 --masks "$pair" --arity 2 --order follows=0-1,1-0 --lower 2 --show list-in-turn.cert
+echo "$output" | grep -qx 'coefficient -1 of mask 0 is 9/16'
+echo "$output" | grep -qx 'mask 1 may be followed by mask 0'
+expect 1 --masks "$pair" --arity 2 --order follows=0-1,1-0 --lower 51/20 list-in-turn.cert
+expect 1 --masks "$pair" --arity 2 --order follows=0-1,1-1 --lower 2 list-in-turn.cert
+expect 1 --masks "$pair" --arity 2 --order any --lower 2 list-in-turn.cert
+expect 1 --masks "$pair" --arity 3 --order follows=0-1,1-0 --lower 2 list-in-turn.cert
+expect 1 --masks '[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,2]/8' --arity 2 --order follows=0-1,1-0 --lower 2 list-in-turn.cert
+expect 0 --masks "$pair" --arity 2 --order any --lower 19/10 --show list-wide.cert
+echo "$output" | grep -qx 'all sequences of these masks'
+expect 0 --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 5/2 --show period.cert
+echo "$output" | grep -qx 'in turn the masks 0, 1'
+expect 1 --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 12/5 period.cert
+expect 1 --masks "$pair" --arity 2 --order period=1,0 --lower 2 --upper 5/2 period.cert
+expect 2 --masks "$pair" --arity 2 --order period=0,1 period-stable.cert
+for order in none any= follows follows= follows=0 follows=0-2 follows=0-1-0 period= period=2 period=0,0,0,0,0,0,0; do
+  expect 64 --masks "$pair" --arity 2 --order "$order" --lower 1 list-wide.cert
+done
+expect 64 --masks "$pair" --arity 2 --order any list-wide.cert
+expect 64 --masks "$pair" --arity 2 --order any --lower 1 --upper 2 list-wide.cert
+expect 64 --masks "$pair" --arity 2 --order any --exact '4-log|[-8,1]@8,0,1/1000|^1/1' list-wide.cert
+expect 64 --masks "$pair" --arity 2 --lower 1 list-wide.cert
+expect 64 --masks "$pair;" --arity 2 --order any --lower 1 list-wide.cert
+expect 64 --masks "$pair" --arity 9 --order period=0,1 --lower 1 period.cert
+expect 64 --masks "$pair" --mask "$hat" --arity 2 --order any --lower 1 list-wide.cert
+expect 64 --mask "$hat" --arity 2 --order any --lower 1 bspline-1.cert
+expect 66 --masks "$pair" --arity 2 --order any --lower 1 none.cert
 expect 0 --matrices golden.mat --upper 2 --show golden.cert
 echo "$output" | grep -qx 'row 1 1'
 

@@ -63,6 +63,12 @@ theorem ReducedFull --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper 2 trapezoid
 theorem ReducedRough --mask '[1,1,1,1]/2' --arity 2 --lower 1 --upper C2 trapezoid-rough.cert
 theorem ReducedExactRough --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,1|^1/1' --upper C4 \
   reduced-exact-rough.cert
+pair='[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,1]/8'
+theorem ListAny --masks "$pair" --arity 2 --order any --lower 19/10 list-wide.cert
+theorem ListFollows --masks "$pair" --arity 2 --order follows=0-1,1-0 --lower 2 list-in-turn.cert
+theorem Period --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 5/2 period.cert
+theorem PeriodExact --masks "$pair" --arity 2 --order period=0,1 --exact '4-log|[-8,1]@8,0,1/1000|^1/1' --logarithm 0 \
+  period-exact.cert
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert

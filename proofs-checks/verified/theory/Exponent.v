@@ -252,6 +252,42 @@ Definition reducible (a : scheme) (order : nat) : bool :=
   (fold_right Z.add 0 (difference_symbol a order) =? Z.of_nat (arity a) * common a).
 Definition reduces (a : scheme) (l : Q) (order : nat) (u : Q) : bool := reducible a order && below_power a l order u.
 
+(* The symbol of the differences in its place *)
+Definition shifted_symbol (a : scheme) (order : nat) : Z -> R :=
+  fun i => coefficient (difference_symbol a order) (common a) 0 (i - first a).
+
+Lemma reducible_arity a m : reducible a m = true -> (2 <= arity a)%nat /\ (0 < IZR (common a))%R.
+Proof.
+  unfold reducible. rewrite !andb_true_iff. intros [[[HA HO] _] _]. split. apply Nat.leb_le; auto. apply IZR_lt, Z.ltb_lt; auto.
+Qed.
+
+Lemma symbol_fits a m : reducible a m = true ->
+  (length (difference_symbol a m) - 1 + m * (arity a - 1) <= length (coefficients a) - 1)%nat.
+Proof.
+  unfold reducible, divides. rewrite !andb_true_iff. intros [[_ [_ HL]] _].
+  unfold difference_symbol. rewrite map_length. apply Nat.leb_le. auto.
+Qed.
+
+Lemma mask_smoothed a m : reducible a m = true ->
+  coefficient (coefficients a) (common a) (first a) = smoothed (arity a) m (shifted_symbol a m).
+Proof.
+  intros H. destruct (reducible_arity a m H) as [HA _]. unfold reducible, divides in H. rewrite !andb_true_iff in H.
+  destruct H as [[_ [HD _]] _]. apply same_spec in HD. extensionality i.
+  rewrite <- HD, coefficient_iterate, <- smoothed_scal by auto. f_equal. extensionality k.
+  unfold shifted_symbol. rewrite <- coefficient_shift. unfold difference_symbol.
+  rewrite coefficient_map, <- (arity_power (arity a) HA). reflexivity.
+Qed.
+
+Lemma symbol_total a m L : reducible a m = true -> (length (difference_symbol a m) - 1 <= L)%nat ->
+  total (first a) L (shifted_symbol a m) = INR (arity a).
+Proof.
+  intros H HL. destruct (reducible_arity a m H) as [_ HO]. unfold reducible in H. rewrite !andb_true_iff in H.
+  destruct H as [_ HT]. apply Z.eqb_eq in HT.
+  replace (shifted_symbol a m) with (coefficient (difference_symbol a m) (common a) (first a))
+    by (extensionality i; apply coefficient_shift).
+  rewrite coefficient_total, HT, mult_IZR, <- INR_IZR_INZ by auto. field. lra.
+Qed.
+
 Definition refined_data (a : scheme) : nat -> Z -> R :=
   refined (arity a) (first a) (length (coefficients a) - 1) (coefficient (coefficients a) (common a) (first a)).
 
@@ -264,30 +300,18 @@ Theorem limit_of_growth a lambda l m most : reducible a m = true -> exp lambda =
   forall lambda g upper, exp lambda = INR (arity a) -> stable phi -> radius_at_least (size T) (count T) (real T) g -> (1 < g)%R ->
     (exp ((INR m - upper) * lambda) <= g)%R -> exponent_at_most phi upper.
 Proof.
-  intros H Hlog Hl HU T HR. unfold reducible in H. repeat rewrite andb_true_iff in H.
-  destruct H as [[[HA HO] HD] HT]. set (A := arity a) in *.
-  apply Nat.leb_le in HA. apply Z.ltb_lt, IZR_lt in HO. apply Z.eqb_eq in HT.
-  unfold divides in HD. apply andb_prop in HD. destruct HD as [HD HL]. apply same_spec in HD. apply Nat.leb_le in HL. fold A in HD, HL.
-  set (b := difference_symbol a m) in *. set (q := quotient a m) in *. set (F := first a).
-  set (L := (length (coefficients a) - 1)%nat) in *.
-  assert (Hlen : length b = length q) by apply map_length. rewrite <- Hlen in HL.
+  intros H Hlog Hl HU T HR. destruct (reducible_arity a m H) as [HA _]. assert (HL := symbol_fits a m H).
+  assert (EM := mask_smoothed a m H). set (A := arity a) in *.
+  set (b := difference_symbol a m) in *. set (F := first a) in *. set (L := (length (coefficients a) - 1)%nat) in *.
   destruct (matrix_size_fits A b HA) as [W1 W2]. set (W := matrix_size A b) in *.
   assert (PA := arity_positive A HA).
-  (* the mask is the smoothed symbol *)
-  assert (S : forall i, coefficient (coefficients a) (common a) F i = smoothed A m (fun i => coefficient b (common a) 0 (i - F)) i).
-  { intros i. rewrite <- HD, coefficient_iterate by auto. fold A.
-    rewrite <- smoothed_scal. f_equal. extensionality k. rewrite <- coefficient_shift. unfold b, difference_symbol. fold A q.
-    rewrite coefficient_map, <- (arity_power A HA). reflexivity. }
-  set (f := fun i => coefficient b (common a) 0 (i - F)) in *.
-  assert (EM : coefficient (coefficients a) (common a) F = smoothed A m f) by (extensionality i; apply S).
+  set (f := shifted_symbol a m) in *.
   assert (EC : count T = A) by (unfold T, difference_family; cbv zeta; unfold count, transition; cbn [matrices]; rewrite map_length, seq_length; auto).
   assert (ET : forall r, growth (size T) (count T) (real T) r <-> growth W A (scheme_matrix A (coefficient b (common a) 0)) r).
   { intros r. rewrite EC. split; intros G; eapply growth_ext; try apply G; intros t i j Ht Hi Hj; [|symmetry]; apply transition_entry; auto. }
   assert (Sb : forall i, i < 0 \/ Z.of_nat (length b - 1) < i -> coefficient b (common a) 0 i = 0%R) by (intros; apply coefficient_support; auto).
   assert (Sf : supported F (length b - 1) f) by (intros i Hi; apply Sb; lia).
-  assert (Tf : total F L f = INR A).
-  { replace f with (coefficient b (common a) F) by (extensionality i; apply coefficient_shift).
-    rewrite coefficient_total by (clear -HL; lia). rewrite HT, mult_IZR, <- INR_IZR_INZ. field. lra. }
+  assert (Tf : total F L f = INR A) by (apply symbol_total; auto; fold b; clear -HL; lia).
   destruct (radius_exponent A (length b - 1) W (coefficient b (common a) 0) HA Sb W1 W2 L
     ltac:(clear -HL; lia) lambda F most m l Hlog) as [phi [Lim [Td Ex]]]; auto.
   { intros r Hr H0. apply ET. apply HR; auto. }

@@ -1,7 +1,7 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
-  SubradiusExact Rough Reduced.
+  SubradiusExact Rough Reduced Levels Period.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -37,4 +37,6 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   power_below unity difference_family divides check_exponent check_stable value_matrix fine fine_start
   check_number block_below block_reaches check_exact_radius check_exact_exponent check_logarithm symbol_above evaluate
   check_reduced check_factor check_rough check_full class_sum
-  check_subradius check_product factor_below image_above check_exact_subradius equal_at.
+  check_subradius check_product factor_below image_above check_exact_subradius equal_at
+  check_levels levels_family level_size states scheme_of
+  in_period period_scheme.

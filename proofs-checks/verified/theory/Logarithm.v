@@ -74,10 +74,10 @@ Hypothesis Size1 : (1 <= W)%nat.
 
 Lemma power_window n i : (i < 0 \/ Z.of_nat (W * A ^ n) <= i)%Z -> power A N b n i = 0.
 Proof.
-  intros H. apply (power_support A N W b Arity Size Size1). destruct H as [H|H]; [left; auto|right].
+  intros H. apply (power_support A N b Arity Support). destruct H as [H|H]; [left; auto|right].
   assert (E : Z.of_nat (A ^ n) = (Z.of_nat A ^ Z.of_nat n)%Z) by apply Nat2Z.inj_pow. rewrite Nat2Z.inj_mul, E in H.
   assert (P : (0 < Z.of_nat A ^ Z.of_nat n)%Z) by (apply Z.pow_pos_nonneg; lia). set (p := (Z.of_nat A ^ Z.of_nat n)%Z) in *.
-  assert (S := size_integers A N W Arity Size Size1). nia.
+  assert (S := size_integers A N W Arity Size). nia.
 Qed.
 
 (* Some coefficient is large if all words of the length together are. *)
@@ -125,7 +125,7 @@ Proof.
       * assert (E : forall j, Z.of_nat (A ^ j) = (Z.of_nat A ^ Z.of_nat j)%Z) by (intros; apply Nat2Z.inj_pow).
         rewrite Nat2Z.inj_mul, E in *. rewrite Nat2Z.inj_succ, Z.pow_succ_r in Hhi by lia.
         assert (P : (0 < Z.of_nat A ^ Z.of_nat n)%Z) by (apply Z.pow_pos_nonneg; lia). set (p := (Z.of_nat A ^ Z.of_nat n)%Z) in *.
-        assert (S := size_integers A N W Arity Size Size1). assert (Z.of_nat l <= Z.of_nat N)%Z by lia.
+        assert (S := size_integers A N W Arity Size). assert (Z.of_nat l <= Z.of_nat N)%Z by lia.
         assert (p * Z.of_nat l <= p * (Z.of_nat W * (Z.of_nat A - 1)))%Z by (apply Z.mul_le_mono_nonneg_l; lia). lia.
 Qed.
 
@@ -192,7 +192,7 @@ Qed.
 
 Lemma least_of_total : grows_least 1.
 Proof.
-  destruct mask_facts as [HA [_ [_ [Sb [W1 [W2 [_ [HT ET]]]]]]]]. apply (total_least A N W bz HA W1 W2).
+  destruct mask_facts as [HA [_ [_ [Sb [W1 [W2 [_ [HT ET]]]]]]]]. apply (total_least A N W bz HA Sb W1 W2).
   rewrite <- (HT N (le_n N)). unfold total. replace (N + 1)%nat with (S N) by lia. apply sum_ext. intros k _. f_equal. lia.
 Qed.
 
@@ -297,7 +297,7 @@ Proof.
       + lia.
       + unfold Ns, L. lia.
     - intros l _. rewrite Es'. f_equal. lia. }
-  destruct (total_least A Ns (size T) bsz HA F5 F2 Ts) as [c0 [C0 Least]].
+  destruct (total_least A Ns (size T) bsz HA Bsup F5 F2 Ts) as [c0 [C0 Least]].
   assert (Lm : forall n, (1 <= n)%nat -> c0 <= moments T sq n).
   { intros n Hn. destruct (Least n Hn) as [i Hi]. rewrite pow1, Rmult_1_r in Hi. eapply Rle_trans. apply Hi.
     assert (P := power_shifted T sq Sq n i). rewrite Cnt in P. fold Ns bsz in P. rewrite P. apply (powers_central T sq WF Sq). }

@@ -16,14 +16,31 @@ Definition subdivide (A : nat) (first : Z) (length : nat) (a f : Z -> R) : Z -> 
 
 (* n steps from the data 1 at 0 *)
 Definition delta (i : Z) : R := if Z.eqb i 0 then 1 else 0.
-Fixpoint refined (A : nat) (first : Z) (length : nat) (a : Z -> R) (n : nat) : Z -> R :=
-  match n with O => delta | S m => subdivide A first length a (refined A first length a m) end.
+Section Steps.
+Variables (A : nat) (first : Z) (length : nat) (a : Z -> R).
+Fixpoint refined (n : nat) : Z -> R :=
+  match n with O => delta | S m => subdivide A first length a (refined m) end.
 
 (* The scheme converges to phi: it is continuous, and the refined data tend to its values at the points i / A^n,
    uniformly. There is at most one such phi (limit_unique below). *)
-Definition is_limit (A : nat) (first : Z) (length : nat) (a : Z -> R) (phi : R -> R) : Prop :=
+Definition is_limit (phi : R -> R) : Prop :=
   continuity phi /\ forall eps, 0 < eps -> exists n0, forall n, (n0 <= n)%nat -> forall i,
-  Rabs (refined A first length a n i - phi (IZR i / INR A ^ n)) <= eps.
+  Rabs (refined n i - phi (IZR i / INR A ^ n)) <= eps.
+End Steps.
+
+(* The same with a mask for each level: a 0 makes the data of level 1 from those of level 0, and so on. *)
+Section Levels.
+Variables (A : nat) (first : Z) (length : nat) (a : nat -> Z -> R).
+Fixpoint levels (n : nat) : Z -> R :=
+  match n with O => delta | S m => subdivide A first length (a m) (levels m) end.
+Definition is_levels_limit (phi : R -> R) : Prop :=
+  continuity phi /\ forall eps, 0 < eps -> exists n0, forall n, (n0 <= n)%nat -> forall i,
+  Rabs (levels n i - phi (IZR i / INR A ^ n)) <= eps.
+End Levels.
+
+(* One mask for all levels *)
+Lemma levels_constant A first length a : levels A first length (fun _ => a) = refined A first length a.
+Proof. reflexivity. Qed.
 
 (* f has k derivatives, and the last one is Hoelder continuous with the exponent alpha > 0, hence continuous: over a
    distance d it changes by at most C d^alpha. Each d > 0 is exp t for some t (exp_onto below), and d^alpha is exp (alpha t).
@@ -261,19 +278,25 @@ Proof.
 Qed.
 
 Notation steps a := (refined A F L a).
+Notation data a := (levels A F L a).
 
-Lemma refined_difference K c n : supported K c -> (K + A - 1 <= L)%nat -> forall i,
-  steps (smooth c) n i - steps (smooth c) n (i - 1)%Z = / INR A ^ n * (steps c n i - steps c n (i - ZA ^ Z.of_nat n)%Z).
+Lemma levels_difference K (c : nat -> Z -> R) n : (forall k, supported K (c k)) -> (K + A - 1 <= L)%nat -> forall i,
+  data (fun k => smooth (c k)) n i - data (fun k => smooth (c k)) n (i - 1)%Z =
+  / INR A ^ n * (data c n i - data c n (i - ZA ^ Z.of_nat n)%Z).
 Proof.
   intros H HK. induction n; intros i.
   - simpl. rewrite Rinv_1. lra.
-  - cbn [refined]. rewrite (subdivide_difference K) by auto.
-    rewrite (subdivide_ext c _ (fun j => / INR A ^ n * (steps c n j - steps c n (j - ZA ^ Z.of_nat n)%Z))) by auto.
+  - cbn [levels]. rewrite (subdivide_difference K) by auto.
+    rewrite (subdivide_ext (c n) _ (fun j => / INR A ^ n * (data c n j - data c n (j - ZA ^ Z.of_nat n)%Z))) by auto.
     rewrite subdivide_scal, subdivide_minus, subdivide_shift.
     replace (ZA * ZA ^ Z.of_nat n)%Z with (ZA ^ Z.of_nat (S n))%Z.
     + rewrite <- tech_pow_Rmult. assert (P := arity_positive). assert (0 < INR A ^ n) by (apply pow_lt; auto). field. lra.
     + rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia. auto.
 Qed.
+
+Corollary refined_difference K c n : supported K c -> (K + A - 1 <= L)%nat -> forall i,
+  steps (smooth c) n i - steps (smooth c) n (i - 1)%Z = / INR A ^ n * (steps c n i - steps c n (i - ZA ^ Z.of_nat n)%Z).
+Proof. intros H. exact (levels_difference K (fun _ => c) n (fun _ => H)). Qed.
 
 (* The coefficients of a smoothed mask sum to 1 over each residue class. *)
 Lemma smooth_classes K c i : supported K c -> (K + A - 1 <= L)%nat -> total c = INR A ->
@@ -325,16 +348,23 @@ Proof.
   apply (sum_term (S K) (fun m => Rabs (a (F + Z.of_nat m)%Z))). intros; apply Rabs_pos. lia.
 Qed.
 
-(* One step moves the data by no more than a multiple of their differences. *)
-Lemma step_near K a : supported K a -> (forall i, subdivide A F L a (fun _ => 1) i = 1) ->
-  exists C, 0 <= C /\ forall f d, (forall i, Rabs (f i - f (i - 1)%Z) <= d) ->
+Lemma smooth_bounded c P : (forall i, Rabs (c i) <= P) -> forall i, Rabs (smooth c i) <= P.
+Proof.
+  intros H i. assert (PA := arity_positive). unfold smooth. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq (INR A)) by lra.
+  apply Rle_trans with (/ INR A * (INR A * P)). 2: right; field; lra.
+  apply Rmult_le_compat_l. left; apply Rinv_0_lt_compat; auto. eapply Rle_trans. apply sum_abs. apply sum_bound. auto.
+Qed.
+
+(* One step moves the data by no more than a multiple of their differences; it is the same for all masks with coefficients
+   up to P. *)
+Lemma steps_near_all P : 0 <= P -> exists C, 0 <= C /\ forall a, (forall i, Rabs (a i) <= P) ->
+  (forall i, subdivide A F L a (fun _ => 1) i = 1) -> forall f d, (forall i, Rabs (f i - f (i - 1)%Z) <= d) ->
   forall i, Rabs (subdivide A F L a f i - f (i / ZA)%Z) <= C * d.
 Proof.
-  intros H H1. destruct (supported_bounded K a H) as [P [HP HB]].
-  set (B := (L + Z.to_nat (Z.abs F) + 1)%nat).
+  intros HP. set (B := (L + Z.to_nat (Z.abs F) + 1)%nat).
   exists (INR (S L) * (P * INR B)). split.
   { apply Rmult_le_pos. apply pos_INR. apply Rmult_le_pos; auto. apply pos_INR. }
-  intros f d Hf i. rewrite <- (Rmult_1_r (f (i / ZA)%Z)), <- (H1 i), <- subdivide_scal, <- subdivide_minus.
+  intros a HB H1 f d Hf i. rewrite <- (Rmult_1_r (f (i / ZA)%Z)), <- (H1 i), <- subdivide_scal, <- subdivide_minus.
   unfold subdivide. eapply Rle_trans. apply sum_abs. rewrite Rmult_assoc. apply sum_bound. intros m Hm. cbv zeta.
   rewrite Rabs_mult, Rmult_1_r. rewrite Rmult_assoc. apply Rmult_le_compat; auto; try apply Rabs_pos.
   apply neighbours_within; auto. fold ZA. unfold B.
@@ -343,14 +373,37 @@ Proof.
   assert (q' - q <= Z.abs F + 1)%Z by nia. assert (q - q' <= Z.abs F + 1)%Z by nia. lia.
 Qed.
 
-(* A smoothed mask has smaller coefficients, by a factor A, as long as they grow. *)
-Lemma smooth_growth K c D r r' : supported K c -> (K + A - 1 <= L)%nat -> total c = INR A -> 0 < r -> 1 < r' -> r <= INR A * r' ->
-  (forall n i, Rabs (steps c n i) <= D * r ^ n) -> exists D', forall n i, Rabs (steps (smooth c) n i) <= D' * r' ^ n.
+Corollary step_near K a : supported K a -> (forall i, subdivide A F L a (fun _ => 1) i = 1) ->
+  exists C, 0 <= C /\ forall f d, (forall i, Rabs (f i - f (i - 1)%Z) <= d) ->
+  forall i, Rabs (subdivide A F L a f i - f (i / ZA)%Z) <= C * d.
 Proof.
-  intros H HK Ht Hr Hr' Hrr HD. assert (PA := arity_positive).
+  intros H H1. destruct (supported_bounded K a H) as [P [HP HB]]. destruct (steps_near_all P HP) as [C [HC Near]]. eauto.
+Qed.
+
+(* What the masks of the levels have in common: coefficients outside of which they are 0, their sum and their size *)
+Definition masks_alike (K : nat) (P : R) (c : nat -> Z -> R) : Prop :=
+  0 <= P /\ forall k, supported K (c k) /\ total (c k) = INR A /\ forall i, Rabs (c k i) <= P.
+
+Lemma constant_alike K c : supported K c -> total c = INR A -> exists P, masks_alike K P (fun _ => c).
+Proof. intros H Ht. destruct (supported_bounded K c H) as [P [HP HB]]. exists P. split; auto. Qed.
+
+Lemma smooth_near K P c : masks_alike K P c -> (K + A - 1 <= L)%nat -> exists C, 0 <= C /\
+  forall n f d, (forall i, Rabs (f i - f (i - 1)%Z) <= d) ->
+  forall i, Rabs (subdivide A F L (smooth (c n)) f i - f (i / ZA)%Z) <= C * d.
+Proof.
+  intros [HP Al] HK. destruct (steps_near_all P HP) as [C [HC Near]]. exists C. split; auto. intros n.
+  destruct (Al n) as [H [Ht HB]]. apply Near. apply smooth_bounded; auto. intros i. apply (smooth_classes K); auto.
+Qed.
+
+(* A smoothed mask has smaller coefficients, by a factor A, as long as they grow. *)
+Lemma levels_growth K B c D r r' : masks_alike K B c -> (K + A - 1 <= L)%nat -> 0 < r -> 1 < r' -> r <= INR A * r' ->
+  (forall n i, Rabs (data c n i) <= D * r ^ n) ->
+  exists D', forall n i, Rabs (data (fun k => smooth (c k)) n i) <= D' * r' ^ n.
+Proof.
+  intros Al HK Hr Hr' Hrr HD. assert (PA := arity_positive).
   assert (HD0 : 0 <= D). { specialize (HD O 0%Z). simpl in HD. assert (P := Rabs_pos (delta 0)). lra. }
-  assert (Dif : forall n i, Rabs (steps (smooth c) n i - steps (smooth c) n (i - 1)%Z) <= 2 * D * r' ^ n).
-  { intros n i. rewrite (refined_difference K) by auto. rewrite Rabs_mult.
+  assert (Dif : forall n i, Rabs (data (fun k => smooth (c k)) n i - data (fun k => smooth (c k)) n (i - 1)%Z) <= 2 * D * r' ^ n).
+  { intros n i. rewrite (levels_difference K) by (auto; intros k; apply Al). rewrite Rabs_mult.
     assert (PN : 0 < INR A ^ n) by (apply pow_lt; auto).
     rewrite Rabs_pos_eq by (left; apply Rinv_0_lt_compat; auto).
     apply Rle_trans with (/ INR A ^ n * (2 * D * (INR A ^ n * r' ^ n))).
@@ -360,21 +413,25 @@ Proof.
         generalize (HD n i) (HD n (i - ZA ^ Z.of_nat n)%Z). lra.
       + apply Rmult_le_compat_l. lra. apply pow_incr. lra.
     - right. field. lra. }
-  destruct (step_near _ (smooth c) (supported_smooth K c H) (fun i => smooth_classes K c i H HK Ht)) as [C [HC Near]].
+  destruct (smooth_near K B c Al HK) as [C [HC Near]].
   exists (1 + C * (2 * D) / (r' - 1)). intros n. induction n; intros i.
   - simpl. unfold delta. assert (0 <= C * (2 * D) / (r' - 1)).
     { apply Rmult_le_pos. apply Rmult_le_pos; lra. left; apply Rinv_0_lt_compat; lra. }
     destruct (Z.eqb i 0); [rewrite Rabs_R1 | rewrite Rabs_R0]; lra.
-  - cbn [refined]. specialize (Near _ _ (Dif n) i). specialize (IHn (i / ZA)%Z).
-    set (y := subdivide A F L (smooth c) (steps (smooth c) n) i) in *. set (x := steps (smooth c) n (i / ZA)%Z) in *.
+  - cbn [levels]. specialize (Near n _ _ (Dif n) i). specialize (IHn (i / ZA)%Z).
+    set (y := subdivide A F L (smooth (c n)) (data (fun k => smooth (c k)) n) i) in *. set (x := data (fun k => smooth (c k)) n (i / ZA)%Z) in *.
     replace y with ((y - x) + x) by lra. eapply Rle_trans. apply Rabs_triang.
-    assert (P : 0 < r' ^ n) by (apply pow_lt; lra).
+    assert (P0 : 0 < r' ^ n) by (apply pow_lt; lra).
     apply Rle_trans with (C * (2 * D * r' ^ n) + (1 + C * (2 * D) / (r' - 1)) * r' ^ n). lra.
     rewrite <- tech_pow_Rmult.
     replace ((1 + C * (2 * D) / (r' - 1)) * (r' * r' ^ n)) with
       (((1 + C * (2 * D) / (r' - 1)) * r' ^ n) + ((r' - 1) + C * (2 * D)) * r' ^ n) by (field; lra).
     assert (0 <= (r' - 1) * r' ^ n) by (apply Rmult_le_pos; lra). lra.
 Qed.
+
+Corollary smooth_growth K c D r r' : supported K c -> (K + A - 1 <= L)%nat -> total c = INR A -> 0 < r -> 1 < r' -> r <= INR A * r' ->
+  (forall n i, Rabs (steps c n i) <= D * r ^ n) -> exists D', forall n i, Rabs (steps (smooth c) n i) <= D' * r' ^ n.
+Proof. intros H HK Ht. destruct (constant_alike K c H Ht) as [P Al]. exact (levels_growth K P (fun _ => c) D r r' Al HK). Qed.
 
 (* ---- limits ---------------------------------------------------------------------------------------------------- *)
 
@@ -599,15 +656,15 @@ Proof. field. assert (P := power_positive n). lra. Qed.
 
 (* The limit of a smoothed scheme has the differences of the limit of the scheme as its derivative. *)
 Section Derivative.
-Variables (K : nat) (c : Z -> R) (phi psi : R -> R).
-Hypothesis Support : supported K c.
+Variables (K : nat) (c : nat -> Z -> R) (phi psi : R -> R).
+Hypothesis Support : forall k, supported K (c k).
 Hypothesis Fits : (K + A - 1 <= L)%nat.
-Hypothesis Phi : tends (steps (smooth c)) phi.
-Hypothesis Psi : tends (steps c) psi.
+Hypothesis Phi : tends (data (fun k => smooth (c k))) phi.
+Hypothesis Psi : tends (data c) psi.
 Let slope (x : R) := psi x - psi (x - 1).
 
 Lemma slope_near eta : 0 < eta -> exists n0, forall n, (n0 <= n)%nat -> forall m,
-  Rabs (steps c n m - steps c n (m - ZA ^ Z.of_nat n)%Z - slope (IZR m / INR A ^ n)) <= eta.
+  Rabs (data c n m - data c n (m - ZA ^ Z.of_nat n)%Z - slope (IZR m / INR A ^ n)) <= eta.
 Proof.
   intros He. destruct (Psi (eta / 2) ltac:(lra)) as [n0 H]. exists n0. intros n Hn m. unfold slope.
   assert (P := power_positive n). assert (H1 := H n Hn (IZR m / INR A ^ n)). assert (H2 := H n Hn (IZR m / INR A ^ n - 1)).
@@ -615,7 +672,7 @@ Proof.
   replace (INR A ^ n * (IZR m / INR A ^ n - 1)) with (IZR (m - ZA ^ Z.of_nat n)) in H2
     by (rewrite minus_IZR, arity_power; field; lra).
   rewrite floor_integer in H2.
-  set (a := steps c n m) in *. set (b := steps c n (m - ZA ^ Z.of_nat n)%Z) in *.
+  set (a := data c n m) in *. set (b := data c n (m - ZA ^ Z.of_nat n)%Z) in *.
   replace (a - b - (psi (IZR m / INR A ^ n) - psi (IZR m / INR A ^ n - 1))) with
     ((a - psi (IZR m / INR A ^ n)) + - (b - psi (IZR m / INR A ^ n - 1))) by lra.
   eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. lra.
@@ -642,7 +699,7 @@ Proof.
   destruct (Phi eta E0) as [n1 H1]. destruct (slope_near eta E0) as [n2 H2]. destruct (small_cell eta E0) as [n3 H3].
   set (n := (n1 + n2 + n3)%nat). specialize (H1 n ltac:(unfold n; lia)). specialize (H2 n ltac:(unfold n; lia)). specialize (H3 n ltac:(unfold n; lia)).
   assert (P := power_positive n). set (h := / INR A ^ n) in *. assert (Ph : 0 < h) by (apply Rinv_0_lt_compat; auto).
-  assert (Hx := H1 x). assert (Hy := H1 y). set (p := steps (smooth c) n) in *.
+  assert (Hx := H1 x). assert (Hy := H1 y). set (p := data (fun k => smooth (c k)) n) in *.
   set (i := floor (INR A ^ n * x)) in *. set (k := floor (INR A ^ n * y)) in *.
   assert (ik : (i <= k)%Z) by (apply floor_monotone, Rmult_le_compat_l; lra).
   destruct (floor_bounds (INR A ^ n * x)) as [X1 X2]. destruct (floor_bounds (INR A ^ n * y)) as [Y1 Y2]. fold i in X1, X2. fold k in Y1, Y2.
@@ -653,13 +710,13 @@ Proof.
   { rewrite Hm, <- sum_differences. replace (h * (INR m * d)) with (sum m (fun _ => h * d)) by (rewrite sum_const; ring).
     replace (h * (INR m * (e + eta))) with (INR m * (h * (e + eta))) by ring. rewrite <- sum_minus.
     eapply Rle_trans. apply sum_abs. apply sum_bound. intros j Hj. cbv beta.
-    set (q := (i + Z.of_nat (S j))%Z). unfold p. rewrite (refined_difference K) by auto. fold h. specialize (H2 q).
+    set (q := (i + Z.of_nat (S j))%Z). unfold p. rewrite (levels_difference K) by auto. fold h. specialize (H2 q).
     rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq h) by lra. apply Rmult_le_compat_l. lra.
     assert (Hq : x <= IZR q / INR A ^ n <= y).
     { assert (IZR i + 1 <= IZR q) by (rewrite <- plus_IZR; apply IZR_le; unfold q; lia).
       assert (IZR q <= IZR k) by (apply IZR_le; unfold q; lia).
       split; apply (Rmult_le_reg_l (INR A ^ n)); auto; rewrite grid_value; lra. }
-    specialize (Hs _ Hq). set (v := steps c n q - steps c n (q - ZA ^ Z.of_nat n)%Z) in *. set (t := IZR q / INR A ^ n) in *.
+    specialize (Hs _ Hq). set (v := data c n q - data c n (q - ZA ^ Z.of_nat n)%Z) in *. set (t := IZR q / INR A ^ n) in *.
     replace (v - d) with ((v - slope t) + (slope t - d)) by lra. eapply Rle_trans. apply Rabs_triang. lra. }
   (* the number of cells *)
   assert (HM : Rabs (h * INR m - (y - x)) <= h).
@@ -682,7 +739,7 @@ Proof.
   replace (eta * (4 + (y - x) + e + Rabs d)) with (eta + eta + eta * (y - x + e + 1) + eta * Rabs d + eta) by ring. lra.
 Qed.
 
-Theorem smooth_derivative : continuity psi -> forall x, derivable_pt_lim phi x (slope x).
+Theorem levels_derivative : continuity psi -> forall x, derivable_pt_lim phi x (slope x).
 Proof.
   intros HC x eps He.
   assert (HS : continuity slope).
@@ -706,6 +763,10 @@ Proof.
 Qed.
 End Derivative.
 
+Corollary smooth_derivative K c phi psi : supported K c -> (K + A - 1 <= L)%nat -> tends (steps (smooth c)) phi ->
+  tends (steps c) psi -> continuity psi -> forall x, derivable_pt_lim phi x (psi x - psi (x - 1)).
+Proof. intros H. exact (levels_derivative K (fun _ => c) phi psi (fun _ => H)). Qed.
+
 Lemma holder_difference k : forall alpha f, holder k alpha f -> holder k alpha (fun x => f x - f (x - 1)).
 Proof.
   induction k; intros alpha f H.
@@ -720,15 +781,18 @@ Proof.
     replace (x + h - 1) with (x - 1 + h) by lra. auto.
 Qed.
 
-Lemma tends_limit a phi : continuity phi -> tends (steps a) phi -> is_limit A F L a phi.
+Lemma levels_tends_limit a phi : continuity phi -> tends (data a) phi -> is_levels_limit A F L a phi.
 Proof.
   intros HC HT. split; auto. intros eps He. destruct (HT eps He) as [n0 H]. exists n0. intros n Hn i.
   specialize (H n Hn (IZR i / INR A ^ n)). rewrite grid_value, floor_integer in H. auto.
 Qed.
 
+Corollary tends_limit a phi : continuity phi -> tends (steps a) phi -> is_limit A F L a phi.
+Proof. exact (levels_tends_limit (fun _ => a) phi). Qed.
+
 (* ---- the chain from the differences up to the scheme ------------------------------------------------------------- *)
 
-Theorem limit_unique a phi psi : is_limit A F L a phi -> is_limit A F L a psi -> forall x, phi x = psi x.
+Theorem levels_unique a phi psi : is_levels_limit A F L a phi -> is_levels_limit A F L a psi -> forall x, phi x = psi x.
 Proof.
   intros [HC H] [HC' H'] x. apply cond_eq. intros eps He.
   destruct (HC x (eps / 5) ltac:(lra)) as [d1 [D1 C1]]. destruct (HC' x (eps / 5) ltac:(lra)) as [d2 [D2 C2]].
@@ -750,37 +814,40 @@ Proof.
   assert (N2 : Rabs (psi y - psi x) <= eps / 5).
   { destruct (Req_dec y x) as [->|N]. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra.
     left. apply C2. split. split. exact I. auto. simpl. unfold R_dist. apply Rlt_le_trans with d; auto. apply Rmin_r. }
-  set (v := steps a n i) in *.
+  set (v := data a n i) in *.
   replace (phi x - psi x) with (- (phi y - phi x) + - (v - phi y) + (v - psi y) + (psi y - psi x)) by lra.
   eapply Rle_lt_trans. apply Rabs_triang. eapply Rle_lt_trans. apply Rplus_le_compat_r, Rabs_triang.
   eapply Rle_lt_trans. apply Rplus_le_compat_r, Rplus_le_compat_r, Rabs_triang. rewrite !Rabs_Ropp. lra.
 Qed.
 
+Corollary limit_unique a phi psi : is_limit A F L a phi -> is_limit A F L a psi -> forall x, phi x = psi x.
+Proof. exact (levels_unique (fun _ => a) phi psi). Qed.
+
 (* A smoothed scheme converges if the coefficients of the scheme grow by less than A in each step. *)
-Lemma smooth_limit K c D r : supported K c -> (K + A - 1 <= L)%nat -> total c = INR A -> 0 < r < INR A ->
-  (forall n i, Rabs (steps c n i) <= D * r ^ n) ->
-  exists phi, tends (steps (smooth c)) phi /\ continuity phi /\ (exists P, forall n i, Rabs (steps (smooth c) n i) <= P) /\
+Lemma levels_limit K B c D r : masks_alike K B c -> (K + A - 1 <= L)%nat -> 0 < r < INR A ->
+  (forall n i, Rabs (data c n i) <= D * r ^ n) ->
+  exists phi, tends (data (fun k => smooth (c k))) phi /\ continuity phi /\ (exists P, forall n i, Rabs (data (fun k => smooth (c k)) n i) <= P) /\
   forall lambda alpha, exp lambda = INR A -> 0 < alpha -> r / INR A = exp (- alpha * lambda) -> holder 0 alpha phi.
 Proof.
-  intros H HK Ht Hr HD. assert (PA := arity_positive). set (theta := r / INR A).
+  intros Al HK Hr HD. assert (PA := arity_positive). set (theta := r / INR A).
   assert (Theta : 0 < theta < 1).
   { unfold theta. split. apply Rdiv_lt_0_compat; lra. apply (Rmult_lt_reg_r (INR A)); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. }
   assert (HD0 : 0 <= D). { specialize (HD O 0%Z). simpl in HD. assert (P := Rabs_pos (delta 0)). lra. }
-  assert (Dif : forall n i, Rabs (steps (smooth c) n i - steps (smooth c) n (i - 1)%Z) <= 2 * D * theta ^ n).
-  { intros n i. rewrite (refined_difference K) by auto. assert (PN := power_positive n).
+  assert (Dif : forall n i, Rabs (data (fun k => smooth (c k)) n i - data (fun k => smooth (c k)) n (i - 1)%Z) <= 2 * D * theta ^ n).
+  { intros n i. rewrite (levels_difference K) by (auto; intros k; apply Al). assert (PN := power_positive n).
     rewrite Rabs_mult, Rabs_pos_eq by (left; apply Rinv_0_lt_compat; auto).
     unfold theta, Rdiv. rewrite Rpow_mult_distr, pow_inv. replace (2 * D * (r ^ n * / INR A ^ n)) with (/ INR A ^ n * (2 * D * r ^ n)) by ring.
     apply Rmult_le_compat_l. left; apply Rinv_0_lt_compat; auto.
     unfold Rminus. eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. generalize (HD n i) (HD n (i - ZA ^ Z.of_nat n)%Z). lra. }
-  destruct (step_near _ (smooth c) (supported_smooth K c H) (fun i => smooth_classes K c i H HK Ht)) as [C [HC Near]].
+  destruct (smooth_near K B c Al HK) as [C [HC Near]].
   set (E := 2 * D * (1 + C)).
-  assert (S0 : forall i, Rabs (steps (smooth c) 0 i) <= 1).
+  assert (S0 : forall i, Rabs (data (fun k => smooth (c k)) 0 i) <= 1).
   { intros i. simpl. unfold delta. destruct (Z.eqb i 0); [rewrite Rabs_R1 | rewrite Rabs_R0]; lra. }
-  assert (S1 : forall n i, Rabs (steps (smooth c) n i - steps (smooth c) n (i - 1)%Z) <= E * theta ^ n).
+  assert (S1 : forall n i, Rabs (data (fun k => smooth (c k)) n i - data (fun k => smooth (c k)) n (i - 1)%Z) <= E * theta ^ n).
   { intros n i. eapply Rle_trans. apply Dif. apply Rmult_le_compat_r. apply pow_le; lra. unfold E.
     assert (0 <= D * C) by (apply Rmult_le_pos; auto). lra. }
-  assert (S2 : forall n i, Rabs (steps (smooth c) (S n) i - steps (smooth c) n (i / ZA)%Z) <= E * theta ^ n).
-  { intros n i. cbn [refined]. eapply Rle_trans. apply (Near _ _ (Dif n)). rewrite <- Rmult_assoc. apply Rmult_le_compat_r. apply pow_le; lra.
+  assert (S2 : forall n i, Rabs (data (fun k => smooth (c k)) (S n) i - data (fun k => smooth (c k)) n (i / ZA)%Z) <= E * theta ^ n).
+  { intros n i. cbn [levels]. eapply Rle_trans. apply (Near n _ _ (Dif n)). rewrite <- Rmult_assoc. apply Rmult_le_compat_r. apply pow_le; lra.
     unfold E. assert (0 <= D * C) by (apply Rmult_le_pos; auto). lra. }
   exists (limit _ E theta Theta S1 S2). split; [|split; [|split]].
   - apply limit_tends.
@@ -788,6 +855,12 @@ Proof.
   - exists (1 + E / (1 - theta)). intros. eapply data_bounded; eauto.
   - intros lambda alpha Hlog Ha Hth. eapply limit_holder; eauto.
 Qed.
+
+Corollary smooth_limit K c D r : supported K c -> (K + A - 1 <= L)%nat -> total c = INR A -> 0 < r < INR A ->
+  (forall n i, Rabs (steps c n i) <= D * r ^ n) ->
+  exists phi, tends (steps (smooth c)) phi /\ continuity phi /\ (exists P, forall n i, Rabs (steps (smooth c) n i) <= P) /\
+  forall lambda alpha, exp lambda = INR A -> 0 < alpha -> r / INR A = exp (- alpha * lambda) -> holder 0 alpha phi.
+Proof. intros H HK Ht. destruct (constant_alike K c H Ht) as [P Al]. exact (levels_limit K P (fun _ => c) D r Al HK). Qed.
 
 Fixpoint smoothed (m : nat) (b : Z -> R) : Z -> R := match m with O => b | S k => smooth (smoothed k b) end.
 
@@ -802,6 +875,15 @@ Proof.
   intros H. induction m; cbn [smoothed]; intros HL; auto. rewrite Nat.mul_succ_l in HL.
   rewrite (total_smooth (N + m * (A - 1))). apply IHm; lia. apply smoothed_supported; auto.
   revert HL. generalize (m * (A - 1))%nat; lia.
+Qed.
+
+Lemma smoothed_alike N P b m : masks_alike N P b -> (N + m * (A - 1) <= L)%nat ->
+  masks_alike (N + m * (A - 1)) P (fun k => smoothed m (b k)).
+Proof.
+  intros [HP Al] HL. split; auto. intros k. destruct (Al k) as [H [Ht HB]]. split; [|split].
+  - apply smoothed_supported. auto.
+  - rewrite (smoothed_total N); auto.
+  - clear - HB ZA Arity. induction m; cbn [smoothed]; auto. apply smooth_bounded. auto.
 Qed.
 
 (* A^x is exp (x lambda). *)
@@ -821,32 +903,31 @@ Lemma power_succ x : exp ((1 + x) * lambda) = INR A * exp (x * lambda).
 Proof. rewrite <- Log, <- exp_plus. f_equal. ring. Qed.
 
 (* Theorem 2 for one number below the exponent *)
-Theorem smoothed_holder N b M k x D : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A ->
-  (k < M)%nat -> INR k < x < INR k + 1 -> (forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
-  exists phi, is_limit A F L (smoothed M b) phi /\ tends (steps (smoothed M b)) phi /\ holder k (x - INR k) phi.
+Theorem levels_holder N B b M k x D : masks_alike N B b -> (N + M * (A - 1) <= L)%nat ->
+  (k < M)%nat -> INR k < x < INR k + 1 -> (forall n i, Rabs (data b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
+  exists phi, is_levels_limit A F L (fun l => smoothed M (b l)) phi /\ tends (data (fun l => smoothed M (b l))) phi /\ holder k (x - INR k) phi.
 Proof.
-  intros H HL Ht HkM Hx HD. assert (PA := arity_positive).
+  intros Al HL HkM Hx HD. assert (PA := arity_positive).
   assert (Fit : forall m, (m < M)%nat -> (N + m * (A - 1) + A - 1 <= L)%nat)
     by (intros m Hm; generalize (Nat.mul_le_mono_r (S m) M (A - 1) Hm); rewrite Nat.mul_succ_l;
       revert HL; generalize (m * (A - 1))%nat (M * (A - 1))%nat; lia).
-  assert (Tot : forall m, (m < M)%nat -> total (smoothed m b) = INR A).
-  { intros m Hm. rewrite (smoothed_total N); auto. specialize (Fit m Hm). lia. }
+  assert (Sm : forall m, (m < M)%nat -> masks_alike (N + m * (A - 1)) B (fun l => smoothed m (b l))).
+  { intros m Hm. apply smoothed_alike; auto. specialize (Fit m Hm). lia. }
   (* coefficients grow less and less *)
   assert (G : forall m, (m + k + 1 <= M)%nat -> exists D', forall n i,
-    Rabs (steps (smoothed m b) n i) <= D' * exp ((INR M - INR m - x) * lambda) ^ n).
+    Rabs (data (fun l => smoothed m (b l)) n i) <= D' * exp ((INR M - INR m - x) * lambda) ^ n).
   { induction m; intros Hm.
     - exists D. simpl INR. rewrite Rminus_0_r. exact HD.
     - destruct (IHm ltac:(lia)) as [D' H']. cbn [smoothed].
-      apply (smooth_growth (N + m * (A - 1)) (smoothed m b) D' (exp ((INR M - INR m - x) * lambda))); auto.
-      + apply smoothed_supported; auto.
+      apply (levels_growth (N + m * (A - 1)) B (fun l => smoothed m (b l)) D' (exp ((INR M - INR m - x) * lambda))); auto.
+      + apply Sm. lia.
       + apply Fit. lia.
-      + apply Tot. lia.
       + apply exp_pos.
       + rewrite <- exp_0, <- (Rmult_0_l lambda). apply power_less. apply le_INR in Hm. rewrite !plus_INR in Hm. simpl (INR 1) in Hm. lra.
       + right. rewrite <- power_succ. f_equal. f_equal. rewrite S_INR. ring. }
   (* the derivative of order k *)
-  assert (Base : forall e, (e <= k)%nat -> exists phi, tends (steps (smoothed (M - k + e) b)) phi /\ continuity phi /\
-    (exists P, forall n i, Rabs (steps (smoothed (M - k + e) b) n i) <= P) /\ holder e (x - INR k) phi).
+  assert (Base : forall e, (e <= k)%nat -> exists phi, tends (data (fun l => smoothed (M - k + e) (b l))) phi /\ continuity phi /\
+    (exists P, forall n i, Rabs (data (fun l => smoothed (M - k + e) (b l)) n i) <= P) /\ holder e (x - INR k) phi).
   { induction e; intros He.
     - destruct (G (M - k - 1)%nat ltac:(lia)) as [D' H'].
       replace (M - k + 0)%nat with (S (M - k - 1)) by lia. cbn [smoothed].
@@ -855,36 +936,35 @@ Proof.
       rewrite Ex, power_succ in H'. assert (Lt : exp (- (x - INR k) * lambda) < 1).
       { rewrite <- exp_0, <- (Rmult_0_l lambda). apply power_less. lra. }
       assert (Gt : 0 < exp (- (x - INR k) * lambda)) by apply exp_pos.
-      destruct (smooth_limit (N + (M - k - 1) * (A - 1)) (smoothed (M - k - 1) b) D' (INR A * exp (- (x - INR k) * lambda))) as [phi [T [C [P Ho]]]]; auto.
-      + apply smoothed_supported; auto.
+      destruct (levels_limit (N + (M - k - 1) * (A - 1)) B (fun l => smoothed (M - k - 1) (b l)) D' (INR A * exp (- (x - INR k) * lambda))) as [phi [T [C [P Ho]]]]; auto.
+      + apply Sm. lia.
       + apply Fit. lia.
-      + apply Tot. lia.
       + split. apply Rmult_lt_0_compat; auto. generalize (Rmult_lt_compat_l _ _ _ PA Lt). lra.
       + exists phi. split; auto. split; auto. split; auto. apply (Ho lambda); auto. lra. field. lra.
     - destruct (IHe ltac:(lia)) as [psi [T [C [[P HP] Ho]]]]. replace (M - k + S e)%nat with (S (M - k + e)) by lia. cbn [smoothed].
-      destruct (smooth_limit (N + (M - k + e) * (A - 1)) (smoothed (M - k + e) b) P 1) as [phi [T' [C' [P' _]]]]; auto.
-      + apply smoothed_supported; auto.
+      destruct (levels_limit (N + (M - k + e) * (A - 1)) B (fun l => smoothed (M - k + e) (b l)) P 1) as [phi [T' [C' [P' _]]]]; auto.
+      + apply Sm. lia.
       + apply Fit. lia.
-      + apply Tot. lia.
       + split. lra. apply (lt_INR 1). lia.
       + intros n i. rewrite pow1, Rmult_1_r. auto.
       + exists phi. split; auto. split; auto. split; auto.
         exists (fun t => psi t - psi (t - 1)). split; [|apply holder_difference; auto].
-        apply (smooth_derivative (N + (M - k + e) * (A - 1)) (smoothed (M - k + e) b)); auto.
-        * apply smoothed_supported; auto.
+        apply (levels_derivative (N + (M - k + e) * (A - 1)) (fun l => smoothed (M - k + e) (b l))); auto.
+        * intros l. apply (Sm (M - k + e)%nat). lia.
         * apply Fit. lia. }
   destruct (Base k ltac:(lia)) as [phi [T [C [_ Ho]]]]. replace (M - k + k)%nat with M in T by lia.
-  exists phi. split; auto. apply tends_limit; auto.
+  exists phi. split; auto. apply levels_tends_limit; auto.
 Qed.
 
-(* Theorem 2: coefficients that grow more slowly than (A^(M - x))^n for each x < l make a limit of the exponent l. *)
-Theorem smoothed_exponent N b M l : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A -> 0 < l <= INR M ->
-  (forall x, 0 < x < l -> exists D, forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
-  exists phi, is_limit A F L (smoothed M b) phi /\ tends (steps (smoothed M b)) phi /\ exponent_at_least phi l.
+(* Theorem 2, with a mask for each level: coefficients that grow more slowly than (A^(M - x))^n for each x < l make a limit
+   of the exponent l. *)
+Theorem levels_exponent N B b M l : masks_alike N B b -> (N + M * (A - 1) <= L)%nat -> 0 < l <= INR M ->
+  (forall x, 0 < x < l -> exists D, forall n i, Rabs (data b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
+  exists phi, is_levels_limit A F L (fun l => smoothed M (b l)) phi /\ tends (data (fun l => smoothed M (b l))) phi /\ exponent_at_least phi l.
 Proof.
-  intros H HL Ht Hl HD.
-  assert (One : forall x, x < l -> exists phi, is_limit A F L (smoothed M b) phi /\
-    tends (steps (smoothed M b)) phi /\ exists s, exponents phi s /\ x < s).
+  intros Al HL Hl HD.
+  assert (One : forall x, x < l -> exists phi, is_levels_limit A F L (fun l => smoothed M (b l)) phi /\
+    tends (data (fun l => smoothed M (b l))) phi /\ exists s, exponents phi s /\ x < s).
   { intros x Hx. set (y := Rmax x 0). assert (Y1 : x <= y) by apply Rmax_l. assert (Y0 : 0 <= y) by apply Rmax_r.
     assert (Yl : y < l) by (unfold y; apply Rmax_lub_lt; lra). destruct (floor_bounds y) as [F1 F2].
     assert (F0 : (0 <= floor y)%Z) by (apply Z.lt_succ_r, lt_IZR; rewrite <- Z.add_1_r, plus_IZR; lra).
@@ -894,10 +974,15 @@ Proof.
     assert (Z0 : y < z) by (apply Rmin_glb_lt; auto). set (w := (y + z) / 2).
     assert (HkM : (k < M)%nat) by (apply INR_lt; lra).
     destruct (HD w ltac:(unfold w; lra)) as [D HD'].
-    destruct (smoothed_holder N b M k w D H HL Ht HkM ltac:(unfold w; lra) HD') as [phi [Lim [T Ho]]].
+    destruct (levels_holder N B b M k w D Al HL HkM ltac:(unfold w; lra) HD') as [phi [Lim [T Ho]]].
     exists phi. split; auto. split; auto. exists w. split; [|unfold w; lra]. exists k, (w - INR k). split; [unfold w; lra|]. split; auto. lra. }
   destruct (One 0 ltac:(lra)) as [phi [Lim [T _]]]. exists phi. split; auto. split; auto. intros x Hx.
-  destruct (One x Hx) as [psi [Lim' [_ Hs]]]. replace phi with psi; auto. extensionality t. apply (limit_unique (smoothed M b)); auto.
+  destruct (One x Hx) as [psi [Lim' [_ Hs]]]. replace phi with psi; auto. extensionality t. apply (levels_unique (fun l => smoothed M (b l))); auto.
 Qed.
+
+Corollary smoothed_exponent N b M l : supported N b -> (N + M * (A - 1) <= L)%nat -> total b = INR A -> 0 < l <= INR M ->
+  (forall x, 0 < x < l -> exists D, forall n i, Rabs (steps b n i) <= D * exp ((INR M - x) * lambda) ^ n) ->
+  exists phi, is_limit A F L (smoothed M b) phi /\ tends (steps (smoothed M b)) phi /\ exponent_at_least phi l.
+Proof. intros H HL Ht. destruct (constant_alike N b H Ht) as [P Al]. exact (levels_exponent N P (fun _ => b) M l Al HL). Qed.
 End Powers.
 End Scheme.

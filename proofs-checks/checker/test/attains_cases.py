@@ -161,7 +161,7 @@ REJECTED = [
     ("attains-symmetric-claim", "attains-four-point", f"{FOUR} --attains 0", "prove nothing", [("4,symmetric", "4")]),
     ("attains-cone", "attains-by-hand", None, "a matrix is not non-negative", [("polytope 1 0 0", "polytope 1 0 0 nonnegative")]),
     ("attains-turn", "attains-by-hand", None, "the word of a cycle is '-' or 'f'", [("cycle 0 -", "cycle 0 g")]),
-    ("attains-turn-none", "attains-by-hand", None, "the word of a cycle is '-' or 'f'", [("cycle 0 -", "cycle 0 ")]),
+    ("attains-turn-empty", "attains-by-hand", None, "the word of a cycle is '-' or 'f'", [("cycle 0 -", "cycle 0 ")]),
     ("attains-turn-plain", "attains-by-hand", None, "the word of a cycle is '-' or 'f'", [("cycle 0 -", "cycle 0 f")]),
     ("attains-turn-none", "attains-flip", f"{FLIP} 1", FAR, [("attains 0,1", "attains 1"), ("cycle 0 f", "cycle 0 -")]),
     ("attains-turn-unknown", "attains-flip", None, "the word of a cycle is '-' or 'f'", [("cycle 0 f", "cycle 0 g")]),

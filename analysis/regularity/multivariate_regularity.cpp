@@ -6,6 +6,7 @@
 #include "value_space.hpp"
 
 #include <subcert/analysis/difference/convergence.hpp>
+#include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/schedule.hpp>
 #include <subcert/analysis/reproduction/reproduction.hpp>
 #include <subcert/analysis/symbol/masks/lattice_symmetry.hpp>
@@ -103,6 +104,21 @@ std::optional<ShrinkingDifferences> shrinking_differences(const LatticeMask& mas
     if (radius.proved_upper() < 1) return ShrinkingDifferences{std::move(space), std::move(radius)};
   }
   return std::nullopt;
+}
+
+/// With an upper end up to the target, if possible: what is found soon, as proofs that take long are long.
+JointSpectralRadius radius_up_to(const MatrixFamily& family, const Rational& target, const Budget& budget) {
+  constexpr double soon = 1.5, form_seconds = 6;
+  JointSpectralRadius radius = joint_spectral_radius(family, {budget.deadline.at_most(soon), budget.memory},
+                                                     std::nullopt, target);
+  if (radius.proved_upper() <= target) return radius;
+  if (auto form = radius::quadratic_bound(family, target, {budget.deadline.at_most(form_seconds), budget.memory});
+      form && form->bound <= target) {
+    radius.radius.upper = form->bound;
+    radius.proof = *std::move(form);
+    return radius;
+  }
+  return joint_spectral_radius(family, budget, std::nullopt, target);
 }
 
 /// Whether the differences of the scheme shrink. With `shrinking` that is looked for in any case, for a certificate.
@@ -381,6 +397,31 @@ Regularity regularity_of(const LatticeMask& mask, const Budget& budget, const Re
   } else
     result.surface = multivariate_regularity(mask, budget, options.bits);
   return result;
+}
+
+std::optional<MultivariateRegularity> regularity_of_at_least(const LatticeMask& mask, const Rational& exponent,
+                                                             const Budget& budget) {
+  const Dilation& dilation = mask.dilation();
+  require(dilation.is_isotropic() && exponent > 0,
+          "regularity: need an isotropic dilation and an exponent > 0, got {} and {}", dilation.to_text(),
+          to_text(exponent));
+  const auto end = [&](const Rational& radius) {
+    return exponent_of_radius({std::nullopt, radius}, dilation.classes(), dilation.variables()).lower.value_or(0);
+  };
+  Rational target = 0;  // the largest radius with it, nearly
+  for (Rational step = Rational(1) / 2; step > power(Rational(2), -12); step /= 2)
+    if (end(target + step) >= exponent) target += step;
+  if (target == 0) return std::nullopt;
+  MultivariateRegularity result;
+  result.sum_rules = polynomial_reproduction(mask).sum_rules;
+  for (int order = 1; order <= result.sum_rules; ++order) {
+    if (Rational(order) <= exponent) continue;
+    result.space = difference_space(mask, order, largest_space);
+    result.radius = radius_up_to(result.space->family, target, budget);
+    result.exponent = Enclosure::at_least(std::min(end(result.radius->proved_upper()), Rational(order)));
+    if (*result.exponent.lower >= exponent) return result;
+  }
+  return std::nullopt;
 }
 
 bool MultivariateRegularity::is_closed() const {

@@ -120,4 +120,10 @@ inline MultivariateRegularity vector_regularity(const LatticeMask& mask, const s
 /// docs/surfaces.md. Ref: [Jia98], [Jia99], [CP19].
 MultivariateRegularity multivariate_regularity(const LatticeMask& mask, const Budget& budget, int bits = default_bits);
 
+/// A lower end of the exponent of at least `exponent`, with as short a proof as is found, by differences of an order
+/// above it; nothing where none is. Domain: numbers, an isotropic dilation, exponent > 0. Cost: a radius that is
+/// bounded, far less than what tells the exponent where there is room.
+std::optional<MultivariateRegularity> regularity_of_at_least(const LatticeMask& mask, const Rational& exponent,
+                                                             const Budget& budget);
+
 }  // namespace subcert

@@ -49,6 +49,23 @@ TEST_CASE("classical surfaces have their known exponents, exactly") {
   }
 }
 
+TEST_CASE("a lower end that is asked for has a short proof, and one above the exponent has none") {
+  const std::vector<std::pair<std::string, double>> known{{"butterfly", 2}, {"loop", 3}};
+  for (const auto& [specification, exponent] : known) {
+    CAPTURE(specification);
+    const LatticeMask mask = surface(specification).mask.without_factors();
+    const auto found = regularity_of_at_least(mask, Rational(11) / 10, {Deadline::in(60)});
+    REQUIRE(found);
+    REQUIRE(found->exponent.lower);
+    CHECK(*found->exponent.lower >= Rational(11) / 10);
+    CHECK(found->exponent.lower->convert_to<double>() <= exponent);
+    CHECK(found->space->order == 2);
+    CHECK_FALSE(regularity_of_at_least(mask, Rational(31) / 10, {Deadline::in(1)}));
+    CHECK_THROWS_AS(regularity_of_at_least(mask, 0, {Deadline::in(1)}), Error);
+  }
+  CHECK_FALSE(regularity_of_at_least(surface("mask2:[[1,1],[1,1]]").mask.without_factors(), 1, {Deadline::in(1)}));
+}
+
 TEST_CASE("a large block that is smaller than the leading one is settled by a quadratic form") {
   // The exponent of the tensor product, dual-odd:n=2,d=3: a block of size 8 leads, one of size 56 does not.
   const MultivariateRegularity result = regularity("grid:points=5x5,d=3");

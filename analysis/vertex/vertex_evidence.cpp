@@ -26,8 +26,9 @@ void put(std::vector<std::vector<Ball>>& matrix, std::size_t i, std::size_t j, c
 
 std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, const ClosedSet& set,
                                                   const CharacteristicMap& map, const Ball& lambda,
-                                                  const BallField& field) {
+                                                  const BallField& field, bool by_hulls) {
   VertexEvidence result;
+  result.by_hulls = by_hulls;
   std::vector<std::pair<LatticePoint, Point>> values;
   for (const auto& [point, rule] : set.rules)
     if (rules.lattice != SectorLattice::dual && point == LatticePoint{0, 0})

@@ -10,6 +10,6 @@ namespace subcert::vertex {
 /// and the map of the rules.
 std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, const ClosedSet& set,
                                                   const CharacteristicMap& map, const Ball& lambda,
-                                                  const BallField& field);
+                                                  const BallField& field, bool by_hulls);
 
 }  // namespace subcert::vertex

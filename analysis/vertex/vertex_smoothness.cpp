@@ -130,8 +130,8 @@ class VertexProof {
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
     if (!result_.c1.is_yes()) return;
     look_behind(leader);
-    if (regular_.forms->are_hulls())
-      result_.evidence = evidence_of(rules_, set_, *map, leader.value.real(), BallField(rules_.valence, bits_));
+    result_.evidence = evidence_of(rules_, set_, *map, leader.value.real(), BallField(rules_.valence, bits_),
+                                   regular_.forms->are_hulls());
   }
 
   void refute(const FrequencyGroup& leader) {

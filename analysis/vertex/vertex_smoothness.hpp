@@ -36,6 +36,7 @@ std::string to_text(CurvatureLimit limit);
 struct VertexEvidence {
   using Pair = std::array<Rational, 2>;  // x + y w, w = exp(2 pi i/n)
 
+  bool by_hulls = true;  ///< whether derivatives lie in hulls of differences; else they are near affine fits
   std::vector<LatticePoint> points;  ///< of a closed set; the vertex, if it is one of them, stands first
   Rational lambda;
   std::vector<Pair> values;                ///< of the map's data at the points but the vertex
@@ -54,7 +55,7 @@ struct VertexSmoothness {
   std::optional<CurvatureLimit> curvature;         ///< where c1 is yes; 0 or bounded, where curved
   int levels = 0;                                  ///< how often squares were cut
   long squares = 0;                                ///< that the proofs looked at
-  std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes, by hulls
+  std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes
 };
 
 /// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not the same in all

@@ -41,17 +41,17 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
                                           const std::optional<SectorRuleFamily>& family,
                                           const std::optional<EveryValence>& rest, Json& json) {
   std::vector<NamedCertificate> certificates;
-  std::optional<Regularity> regularity;  // of the mask itself, not of its factors
-  const auto add = [&](long valence, const char* end, const auto& of, const auto& smoothness) {
-    if (!smoothness.evidence) return;
-    if (!regularity) regularity = regularity_of(rules.front().mask.without_factors(), options.limits());
-    certificates.push_back(
-        {fmt::format("{:04}-{}", valence, end), vertex_certificate(of, *regularity->surface, smoothness)});
+  std::optional<MultivariateRegularity> regularity;  // of the mask itself, not of its factors
+  const auto add = [&](long valence, const char* end, bool by_hulls, const auto& of, const auto& smoothness) {
+    if (!regularity) regularity = regularity_around(rules.front().mask, by_hulls, options.limits());
+    certificates.push_back({fmt::format("{:04}-{}", valence, end), vertex_certificate(of, *regularity, smoothness)});
   };
-  for (std::size_t i = 0; i < rules.size(); ++i) add(valences[i].valence, "vertex", rules[i], valences[i]);
-  if (rest && rest->evidence) add(rest->first, "vertices", *family, *rest);
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    if (const auto& evidence = valences[i].evidence)
+      add(valences[i].valence, "vertex", evidence->by_hulls, rules[i], valences[i]);
+  if (rest && rest->evidence) add(rest->first, "vertices", true, *family, *rest);
   return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
-                            "what is not proved, or not by hulls of differences", json);
+                            "what is not proved, or of all valences not by hulls of differences", json);
 }
 
 /// A scheme by its name, or rules that a file says.

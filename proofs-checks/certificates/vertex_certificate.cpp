@@ -1,5 +1,6 @@
 #include "vertex_certificate.hpp"
 
+#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/numbers/numbers.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
@@ -14,6 +15,9 @@ namespace {
 constexpr int bits = 128, value_bits = 64, disc_bits = 24, row_bits = 24, most_hulls = 8, most_power = 12,
               most_halvings = 12;
 constexpr long most_turn = 3;
+constexpr int most_fits = 6;  // cuts of a square
+constexpr const char* rate_of_fits = "3/4";
+const Rational least_exponent = Rational(11) / 10;
 
 std::string polynomial_in_c(const LaurentPolynomial& p) {
   if (p.is_zero()) return "0";
@@ -67,11 +71,10 @@ std::string rules_text(const SectorRules& rules, const std::string& valences, lo
 
 /// Of the mask, with a claim about what is around these vertices.
 Certificate certificate_around(const LatticeMask& mask, const std::string& rules,
-                               const MultivariateRegularity& regularity, const Decision& c1, bool by_hulls) {
+                               const MultivariateRegularity& regularity, const Decision& c1, bool is_told) {
   require(c1.is_yes(), "certificate: need smoothness that is proved, got: {}", c1.reason);
-  require(by_hulls,
-          "certificate: need a proof by hulls of differences, which are none where the mask of the differences along "
-          "an edge has negative coefficients");
+  require(is_told,
+          "certificate: need what tells a checker the maps, those of all valences by hulls of differences alone");
   Certificate certificate = surface_certificate(mask, regularity);
   require(certificate.claim.lower && *parse_rational(*certificate.claim.lower) > 1,
           "certificate: need a proved exponent above 1 of the mask, got {}", certificate.claim.lower.value_or("none"));
@@ -87,6 +90,13 @@ std::string rules_text(const SectorRuleFamily& family, long first) {
   return rules_text(family.rules, fmt::format("{}+", first), most_turn, family.over_vertex);
 }
 
+MultivariateRegularity regularity_around(const LatticeMask& mask, bool by_hulls, const Budget& budget) {
+  const LatticeMask whole = mask.without_factors();
+  if (!by_hulls)
+    if (auto found = regularity_of_at_least(whole, least_exponent, budget)) return *std::move(found);
+  return *regularity_of(whole, budget).surface;
+}
+
 Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegularity& regularity,
                                const VertexSmoothness& smoothness) {
   Certificate certificate = certificate_around(rules.mask, rules_text(rules), regularity, smoothness.c1,
@@ -94,12 +104,14 @@ Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegul
   const VertexEvidence& evidence = *smoothness.evidence;
   const Integer radius = to_integer(power(Rational(2), disc_bits), Rounding::nearest);
   std::string text = fmt::format(
-      "vertex {} {} {} {} {}\npoints", bits, value_bits, std::min(smoothness.levels + 1, most_hulls),
+      "vertex {} {} {} {} {}\npoints", bits, value_bits,
+      evidence.by_hulls ? std::min(smoothness.levels + 1, most_hulls) : most_fits,
       to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(), radius.str());
   for (const LatticePoint& point : evidence.points) text += fmt::format(" {}", fmt::join(point, ","));
   text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), row_bits);
   for (std::size_t i = 0; i < evidence.inverse.size(); ++i)
     text += fmt::format("row {}{}\n", i, pairs_text(evidence.inverse[i], row_bits));
+  if (!evidence.by_hulls) text += fmt::format("fits {}\n", rate_of_fits);
   certificate.sections.push_back({std::move(text)});
   return certificate;
 }

@@ -3140,12 +3140,111 @@ var check_certificate = (() => {
     const value = weight.reduceRight((total, x) => real.plus(real.times(total, cosine), real.of(x)), real.zero);
     return by_n ? real.times(value, share) : value;
   }
-  function ring_of(sectors, lattice) {  // the windows, and r of Theorem 55
-    const window = window_of(lattice), differences = [0, 1].map(axis => window_of(of_differences(lattice, axis)));
+  // Lemma 65: Gamma_0, Gamma_1 and Gamma_2, by words w with g_w <= rate, and the shift of affine functions
+  const affine_at = ([x, y]) => [BigInt(1 - x - y), BigInt(x), BigInt(y)];  // by the data at 0, (1,0) and (0,1)
+  class Fits {
+    constructor(lattice, rate) {
+      demand(0n < rate.n && less(rate, 1n), 'the rate of the fits is not between 0 and 1');
+      const corners = [[0, 0], [1, 0], [0, 1]], window = different([...window_of(lattice), ...corners], String);
+      Object.assign(this, {lattice, rate, window, shift: shift_of(lattice), gammas: [0, 1, 2].map(() => fraction(0n)), first: 0});
+      spend(window.length ** 3);
+      this.corners = corners.map(corner => window.findIndex(l => String(l) === String(corner)));
+      this.free = range_of(window.length).filter(i => !this.corners.includes(i));
+      this.weights = window.map(([x, y]) => BigInt(3 * (x * x + x * y + y * y - x - y) + 1));
+      const {m, mask} = lattice, digits = range_of(m).flatMap(x => range_of(m).map(y => [x, y]));
+      this.letters = digits.map(d => window.map(l => window.flatMap((p, i) => {
+        const entry = mask.get(String(p.map((x, v) => d[v] + x - m * l[v] || 0)));
+        return entry ? [[i, entry[1]]] : [];
+      })));
+      const rows = this.free.map(l => window.map((_, i) => i === l ? 1n : 0n));
+      this.visit(rows, 1n, 1n, 0);
+    }
+    norm(rows, affine, l = null) {  // N of B_w times u_l, or times an affine function of the corners
+      const {corners, weights, free} = this, [a, b, c] = corners, [x, y, z] = affine;
+      spend(3 * rows.length);
+      return rows.reduce((total, row, i) => {
+        const value = row[a] * x + row[b] * y + row[c] * z - (l === null ? 0n : row[l]);
+        return total + weights[free[i]] * abs(value);
+      }, 0n);
+    }
+    contraction(rows, grown, scale) {  // g_w, null where it is above the rate
+      const {free, window, weights, rate} = this;
+      let most = fraction(0n);
+      for (let i = 0; i < free.length; ++i) {
+        const place = (this.first + i) % free.length, l = free[place];
+        const g = fraction(grown * this.norm(rows, affine_at(window[l]), l), scale * weights[l]);
+        if (less(rate, g)) {
+          this.first = place;  // likely the next one to fail
+          return null;
+        }
+        if (less(most, g)) most = g;
+      }
+      return most;
+    }
+    visit(rows, grown, scale, letters) {
+      const g = this.contraction(rows, grown, scale), {lattice: {m, den}, window} = this;
+      if (g) return this.use(rows, grown, scale, g);
+      demand(letters < 16, 'words do not contract by the rate');
+      for (const letter of this.letters) {
+        const next = rows.map(row => {
+          const image = window.map(() => 0n);
+          row.forEach((x, k) => {
+            if (!x) return;
+            spend(letter[k].length);
+            for (const [p, value] of letter[k]) image[p] += x * value;
+          });
+          return image;
+        });
+        this.visit(next, grown * BigInt(m), scale * den, letters + 1);
+      }
+    }
+    use(rows, grown, scale, g) {
+      const raise = (k, value, factor) => {
+        const gamma = over(value, minus(1n, factor));
+        if (less(this.gammas[k], gamma)) this.gammas[k] = reduced(gamma);
+      };
+      raise(1, fraction(grown * this.norm(rows, [-1n, 1n, 0n]), scale), g);
+      raise(2, fraction(grown * this.norm(rows, [-1n, 0n, 1n]), scale), g);
+      const {shift: [s, t]} = this, parts = s.d * t.d, of = (x, {n, d}) => (x * d + n) * (parts / d);
+      for (const x of [0n, 1n])
+        for (const y of [0n, 1n]) {
+          const at = [of(x, s), of(y, t)];
+          raise(0, fraction(this.norm(rows, [parts - at[0] - at[1], ...at]), scale * parts), fraction(g.n, g.d * grown));
+        }
+    }
+    within(real, data) {  // of real data at the window: the derivatives along both axes, and the least value
+      const {corners, weights, window, free, gammas, shift} = this, [o, ...ends] = corners.map(i => data[i]);
+      const times = (k, x) => k < 0n ? [k * x[1], k * x[0]] : [k * x[0], k * x[1]];
+      const rest = largest_by(free, i => {
+        const left = affine_at(window[i]).reduce((all, k, v) => real.minus(all, times(k, data[corners[v]])), data[i]);
+        return ceil_div(real.most(left), weights[i]);
+      });
+      const [off, ...offs] = gammas.map(gamma => real.times(real.of(gamma), [rest, rest])[1]), steps = ends.map(x => real.minus(x, o));
+      const slopes = steps.map((step, v) => real.plus(step, [-offs[v], offs[v]]));
+      const least = steps.map((step, v) => {
+        const [a, b] = [0n, 1n].map(x => real.times(real.of(plus(shift[v], x)), step)[0]);
+        return a < b ? a : b;
+      });
+      return {slopes, least: o[0] - off + sum(least)};
+    }
+  }
+  function shift_of({m, den, mask}) {  // -mu/(m-1), mu the sum of k a_k over each class
+    const sums = new Map();
+    for (const [k, value] of mask.values()) {
+      const key = String(k.map(x => (x % m + m) % m)), before = sums.get(key) || [0n, 0n, 0n];
+      sums.set(key, [1n, ...k.map(BigInt)].map((x, i) => before[i] + x * value));
+    }
+    const all = [...sums.values()], [first] = all;
+    demand(first[0] === den && all.length === m * m && all.every(other => String(other) === String(first)),
+           'the mask does not keep affine functions');
+    return first.slice(1).map(x => reduced(fraction(-x, BigInt(m - 1) * den)));
+  }
+  function ring_of(sectors, lattice, fits) {  // the windows, and r of Theorem 55
+    const window = fits ? fits.window : window_of(lattice), differences = fits ? [] : [0, 1].map(axis => window_of(of_differences(lattice, axis)));
     const most = points => Math.max(0, ...points.flat().map(Math.abs));
     const behind = differences.flatMap((points, axis) => points.map(k => add_points(k, axis ? [0, 1] : [1, 0], -1)));
     const h = most([...window, ...differences.flat(), ...behind]), reach = most([...lattice.mask.values()].map(([k]) => k));
-    return {window, differences, first: 2 * (h + reach) + most([...sectors.rules.values()].map(({point}) => point)) + 1};
+    return {fits, window, differences, first: 2 * (h + reach) + most([...sectors.rules.values()].map(({point}) => point)) + 1};
   }
   class SectorMap {  // z outwards from the known values; near_one: as rho and s of 1 + delta rho + s (w - 1), 5.12
     constructor(sectors, lattice, ring, {turns, letters, lambda, of_lambda, known, near_one}) {
@@ -3168,23 +3267,30 @@ var check_certificate = (() => {
       demand(known.get(key), 'a point depends on itself');
       return this.turned(known.get(key), turn);
     }
-    is_ahead(z, level) {
+    ahead(z, level) {  // what is positive in a half plane
       const {turns, near_one} = this, {real} = turns;
-      if (near_one) return real.plus(real.one, real.times(near_one.delta, z[0]))[0] > 0n;
-      const [a, b] = turns.times(this.powers[level], z);
-      return a[0] + b[0] > 0n;
+      if (near_one) return real.plus(real.one, real.times(near_one.delta, z[0]));
+      return real.plus(...turns.times(this.powers[level], z));
     }
-    is_regular_on(corner, level) {
-      const {turns} = this, {real} = turns, at = k => this.value_at(add_points(corner, k));
-      if (!this.ring.window.every(k => this.is_ahead(at(k), level))) return false;
+    is_ahead_on(corner, level) {
+      const {window, fits} = this.ring, data = window.map(k => this.ahead(this.value_at(add_points(corner, k)), level));
+      return fits ? fits.within(this.turns.real, data).least > 0n : data.every(([low]) => low > 0n);
+    }
+    is_regular_on(corner) {
+      const {turns} = this, {real} = turns, {fits, window} = this.ring, at = k => this.value_at(add_points(corner, k));
+      if (fits) {  // Theorem 66
+        const data = window.map(at), [a, b] = [0, 1].map(part => fits.within(real, data.map(z => z[part])).slopes);
+        return real.minus(real.times(a[0], b[1]), real.times(b[0], a[1]))[0] > 0n;
+      }
       const [us, vs] = this.ring.differences.map((window, axis) =>
         window.map(k => turns.minus(at(k), at(add_points(k, axis ? [0, 1] : [1, 0], -1)))));
       return us.every(([a, b]) => vs.every(([c, d]) => real.minus(real.times(a, d), real.times(b, c))[0] > 0n));
     }
-    shows(corner, level, cuts) {
+    shows(corner, level, cuts, known = false) {  // the parts of a square that is ahead are so
       const {m} = this.lattice, parts = range_of(m * m).map(i => [m * corner[0] + Math.floor(i / m), m * corner[1] + i % m]);
       spend(20);
-      return this.is_regular_on(corner, level) || (level < cuts && parts.every(part => this.shows(part, level + 1, cuts)));
+      const ahead = known || this.is_ahead_on(corner, level);
+      return (ahead && this.is_regular_on(corner)) || (level < cuts && parts.every(part => this.shows(part, level + 1, cuts, ahead)));
     }
     is_regular(cuts) {  // Theorem 55
       const {turns} = this, {first} = this.ring, end = this.lattice.m * first;
@@ -3276,7 +3382,9 @@ var check_certificate = (() => {
       }
     }
     show_regular() {
-      const {sectors, lattice, first, real, cosine, eigenvalue, known} = this, map = new SectorMap(sectors, lattice, ring_of(sectors, lattice), {
+      const {sectors, lattice, reader, first, real, cosine, eigenvalue, known} = this;
+      const fits = reader.peek() === 'fits' ? new Fits(lattice, rational(reader.read('fits', 1)[0])) : null;
+      const map = new SectorMap(sectors, lattice, ring_of(sectors, lattice, fits), {
         turns: first, letters: {cosine, share: real.zero}, lambda: eigenvalue, of_lambda: first.inverse(eigenvalue), known, near_one: null});
       demand(map.is_regular(this.levels), 'the characteristic map is not shown to be regular and in a half plane');
     }
@@ -3396,7 +3504,7 @@ var check_certificate = (() => {
       this.halvings = small(fields[1], 0, 16);
       [this.near] = this.real.of(rational(fields[2]));
       this.p = new IntervalPolynomials(this.real);
-      this.ring = ring_of(sectors, lattice);
+      this.ring = ring_of(sectors, lattice, null);
     }
     check() {
       [this.points, this.turning] = read_points(this.reader, this.sectors, 16);

@@ -95,10 +95,36 @@ TEST_CASE("no certificate of all valences where it is not proved, or not by hull
   CHECK_THROWS_AS(vertex_certificate(family, loop.regularity, open), Error);
 }
 
-TEST_CASE("no certificate where smoothness around a vertex is not proved by hulls") {
+TEST_CASE("certificates by affine fits, where masks have signs, and their short proofs of the regular part") {
+  const LatticeMask mask = vertex_rules("modified-butterfly", 5).mask;
+  const RegularPart regular = regular_part(vertex_rules("modified-butterfly", 5), {Deadline::in(60)});
+  const MultivariateRegularity regularity = regularity_around(mask, false, {Deadline::in(60)});
+  for (const long valence : {5L, 20L}) {
+    CAPTURE(valence);
+    const SectorRules rules = vertex_rules("modified-butterfly", valence);
+    const VertexSmoothness smoothness = vertex_smoothness(rules, regular);
+    REQUIRE(smoothness.evidence);
+    CHECK_FALSE(smoothness.evidence->by_hulls);
+    const Certificate certificate = vertex_certificate(rules, regularity, smoothness);
+    const std::string subject = testing::subject_of(mask) + " --vertex '";
+    const std::string others = rules_text(vertex_rules("modified-butterfly", valence + 1));
+    CHECK(says_its_claim(certificate));
+    CHECK(proves(subject + rules_text(rules) + "'", "11/10", "", certificate.text()));
+    CHECK_FALSE(proves(subject + others + "'", "11/10", "", certificate.text()));
+    CHECK(certificate.text().size() < 8000);
+    // Without the line of the fits, and with words that do not contract.
+    for (const std::string end : {"", "fits 1/1000000\n"}) {
+      std::string changed = certificate.text();
+      changed.replace(changed.find("fits 3/4\n"), 9, end);
+      CHECK_FALSE(proves(subject + rules_text(rules) + "'", "11/10", "", changed));
+    }
+  }
+}
+
+TEST_CASE("no certificate where smoothness around a vertex is not proved") {
   const Made midedge("midedge", {4});
-  CHECK_THROWS_AS(midedge.of(3), Error);  // a Jordan block
-  CHECK_THROWS_AS(Made("butterfly", {5}), Error);
+  CHECK_THROWS_AS(midedge.of(3), Error);           // a Jordan block
+  CHECK_THROWS_AS(Made("butterfly", {8}), Error);  // refuted
 }
 
 }  // namespace subcert::testing

@@ -18,13 +18,15 @@ SectorRule rule_at(const LatticeMask& mask, const SectorRules& rules, const Poin
   return rule;
 }
 
-MapRing::MapRing(const LatticeMask& mask, const SectorRules& rules) : window(mask.window()) {
+MapRing::MapRing(const LatticeMask& mask, const SectorRules& rules, std::optional<FitBounds> by_fits)
+    : fits(std::move(by_fits)), window(mask.window()) {
   std::int64_t beside = 0, reach = 0, own = 0;
   const auto up_to = [](std::int64_t& most, const Point& point) {
     for (const std::int64_t x : point) most = std::max(most, std::abs(x));
   };
+  if (fits) window = {fits->window.begin(), fits->window.end()};
   for (const Point& k : window) up_to(beside, k);
-  for (const std::size_t axis : {0U, 1U}) {
+  for (std::size_t axis = 0; !fits && axis < 2; ++axis) {
     differences[axis] = mask.of_differences(axis).window();
     for (Point k : differences[axis]) {
       up_to(beside, k);
@@ -92,16 +94,33 @@ std::vector<Turning> SectorMap::data_on(const std::set<Point>& window, const Poi
   return result;
 }
 
-bool SectorMap::is_ahead(const Turning& z, std::size_t level) const {
+/// What is positive in a half plane.
+Interval SectorMap::ahead(const Turning& z, std::size_t level) const {
   const Interval one{intervals_.one(), intervals_.one()};
-  if (near_one_) return (one + intervals_.times(near_one_->delta, z.a)).low > 0;
+  if (near_one_) return one + intervals_.times(near_one_->delta, z.a);
   const Turning value = frequency_.times(powers_[level], z);
-  return (value.a + value.b).low > 0;
+  return value.a + value.b;
 }
 
-bool SectorMap::is_regular_on(const Point& corner, std::size_t level) {
-  if (!std::ranges::all_of(data_on(ring_.window, corner, {}), [&](const Turning& z) { return is_ahead(z, level); }))
-    return false;
+bool SectorMap::is_ahead_on(const Point& corner, std::size_t level) {
+  std::vector<Interval> data;
+  for (const Turning& z : data_on(ring_.window, corner, {})) data.push_back(ahead(z, level));
+  if (ring_.fits) return AffineFit(*ring_.fits, data, intervals_).least() > 0;
+  return std::ranges::all_of(data, [](const Interval& x) { return x.low > 0; });
+}
+
+bool SectorMap::is_regular_by_fits(const Point& corner) {
+  std::vector<Interval> parts[2];
+  for (const Turning& z : data_on(ring_.window, corner, {})) {
+    parts[0].push_back(z.a);
+    parts[1].push_back(z.b);
+  }
+  const AffineFit a(*ring_.fits, parts[0], intervals_), b(*ring_.fits, parts[1], intervals_);
+  return (intervals_.times(a.slope(0), b.slope(1)) - intervals_.times(b.slope(0), a.slope(1))).low > 0;
+}
+
+bool SectorMap::is_regular_on(const Point& corner) {
+  if (ring_.fits) return is_regular_by_fits(corner);
   const std::vector<Turning> along_x = data_on(ring_.differences[0], corner, {1, 0, 0}),
                              along_y = data_on(ring_.differences[1], corner, {0, 1, 0});
   return std::ranges::all_of(along_x, [&](const Turning& u) {
@@ -110,14 +129,16 @@ bool SectorMap::is_regular_on(const Point& corner, std::size_t level) {
   });
 }
 
-bool SectorMap::shows(const Point& corner, std::size_t level, std::size_t cuts) {
+/// Where a square is known to be ahead, its parts are.
+bool SectorMap::shows(const Point& corner, std::size_t level, std::size_t cuts, bool ahead) {
   arithmetic_.spend(1000);
-  if (is_regular_on(corner, level)) return true;
+  ahead = ahead || is_ahead_on(corner, level);
+  if (ahead && is_regular_on(corner)) return true;
   if (level == cuts) return false;
   const std::int64_t m = mask_.arity;
   for (std::int64_t x = 0; x < m; ++x)
     for (std::int64_t y = 0; y < m; ++y)
-      if (!shows({m * corner[0] + x, m * corner[1] + y, 0}, level + 1, cuts)) return false;
+      if (!shows({m * corner[0] + x, m * corner[1] + y, 0}, level + 1, cuts, ahead)) return false;
   return true;
 }
 
@@ -131,7 +152,7 @@ bool SectorMap::is_regular(std::size_t cuts) {
     for (std::int64_t y = end; y-- > 0;)
       if (x < r && y < r)
         value_at({x, y, 0});
-      else if (!shows({x, y, 0}, 0, cuts))
+      else if (!shows({x, y, 0}, 0, cuts, false))
         return false;
   return true;
 }

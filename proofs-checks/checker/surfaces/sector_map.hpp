@@ -1,7 +1,8 @@
 // The map z of data around a vertex that turn by w and are lambda times themselves, outwards from some points, and its
-// regularity on a ring: Lemma 54, Theorems 55 and 56 in ../../certificates/SPEC.md.
+// regularity on a ring: Lemma 54, Theorems 55 and 66 in ../../certificates/SPEC.md.
 #pragma once
 
+#include "fit.hpp"
 #include "hull.hpp"
 #include "sector.hpp"
 #include "turning.hpp"
@@ -11,10 +12,12 @@ namespace subcert_check {
 /// The rule of a point of sector 0, or of the vertex: its own, or that of the mask.
 SectorRule rule_at(const LatticeMask& mask, const SectorRules& rules, const Point& point);
 
-/// Where limits are looked at, and on which data they and their derivatives along the axes depend.
+/// Where limits are looked at, and on which data they and their derivatives along the axes depend: by affine fits, or
+/// by hulls of differences.
 struct MapRing {
-  MapRing(const LatticeMask& mask, const SectorRules& rules);
+  MapRing(const LatticeMask& mask, const SectorRules& rules, std::optional<FitBounds> by_fits);
 
+  std::optional<FitBounds> fits;
   std::set<Point> window, differences[2];
   std::int64_t first = 0;  // r of Theorem 55
 };
@@ -46,9 +49,11 @@ class SectorMap {
   Turning turned(const Turning& x, long turns) const;
   Turning value_at(const Point& point);
   std::vector<Turning> data_on(const std::set<Point>& window, const Point& corner, const Point& step);
-  bool is_ahead(const Turning& z, std::size_t level) const;
-  bool is_regular_on(const Point& corner, std::size_t level);
-  bool shows(const Point& corner, std::size_t level, std::size_t cuts);
+  Interval ahead(const Turning& z, std::size_t level) const;
+  bool is_ahead_on(const Point& corner, std::size_t level);
+  bool is_regular_by_fits(const Point& corner);
+  bool is_regular_on(const Point& corner);
+  bool shows(const Point& corner, std::size_t level, std::size_t cuts, bool ahead);
 
   const LatticeMask& mask_;
   const SectorRules& rules_;

@@ -9,7 +9,7 @@
 namespace subcert_check {
 namespace {
 
-constexpr std::size_t max_points = 64, max_level = 8, max_squarings = 24;
+constexpr std::size_t most_points = 64, max_level = 8, max_squarings = 24;
 
 /// The map z of the data that turn by w = exp(2 pi i/n) and are lambda times themselves, and what it proves.
 class Vertex {
@@ -32,7 +32,7 @@ class Vertex {
   }
 
   void check() {
-    points_ = read_points(reader_, rules_, max_points);
+    points_ = read_points(reader_, rules_, most_points);
     turning_ = turning(points_, rules_);
     read_values();
     show_eigenvector();
@@ -131,7 +131,9 @@ class Vertex {
   }
 
   void show_regular() {
-    const MapRing ring(mask_, rules_);
+    std::optional<FitBounds> fits;
+    if (reader_.at("fits")) fits = fit_bounds(mask_, parse_rational(reader_.take("fits", 1, 1)[0]), arithmetic_);
+    const MapRing ring(mask_, rules_, std::move(fits));
     SectorMap map(mask_, rules_, ring, {cosine_, {0, 0}}, first_, intervals_, eigenvalue_, first_.inverse(eigenvalue_),
                   known_, {}, arithmetic_);
     require(map.is_regular(levels_), "the characteristic map is not shown to be regular and in a half plane");

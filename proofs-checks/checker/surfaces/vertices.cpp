@@ -34,7 +34,7 @@ class Vertices {
         intervals_(parse_size(fields[0], 64, 1024), arithmetic),
         halvings_(parse_size(fields[1], 0, max_halvings)),
         one_{intervals_.one(), intervals_.one()},
-        ring_(mask, rules) {
+        ring_(mask, rules, std::nullopt) {
     near_ = intervals_.number(parse_rational(fields[2])).low;
   }
 

@@ -30,6 +30,7 @@ import variant_cases
 import vector_cases
 import vector_range_cases
 import vertex_cases
+import vertex_fit_cases
 import vertex_variant_cases
 import vertices_cases
 
@@ -693,7 +694,7 @@ def main(out):
     modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, vector_range_cases, stability_cases, attains_cases, level_cases
     for name, case in [*attains_cases.accepted(sys.modules[__name__]), *field_cases.accepted_by(sys.modules[__name__])]:
         write(name, case)
-    for name, case in [*vertex_cases.accepted(), *vertex_variant_cases.accepted(), *vertices_cases.accepted()]:
+    for name, case in [*vertex_cases.accepted(), *vertex_variant_cases.accepted(), *vertices_cases.accepted(), *vertex_fit_cases.accepted()]:
         write(name, case)
     for name, family in [case for module in modules for case in module.MATRICES]:
         write_matrices(name, family)

@@ -27,6 +27,7 @@ import variant_cases
 import vector_cases
 import vector_range_cases
 import vertex_cases
+import vertex_fit_cases
 import vertex_variant_cases
 import vertices_cases
 
@@ -703,7 +704,7 @@ for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_case
 for case, (options, lines), reason in [*attains_cases.rejected(make_certificates), *field_cases.rejected_by(make_certificates)]:
     (out / f"{case}.cert").write_text("\n".join(lines) + "\n")
     index.append(f"{case} {' '.join(options)} | {reason}")
-for case, options, lines, reason in [*vertex_cases.rejected(), *vertex_variant_cases.rejected(), *vertices_cases.rejected()]:
+for case, options, lines, reason in [*vertex_cases.rejected(), *vertex_variant_cases.rejected(), *vertices_cases.rejected(), *vertex_fit_cases.rejected()]:
     (out / f"{case}.cert").write_text("\n".join(lines) + "\n")
     index.append(f"{case} {options} | {reason}")
 (out / "claims.txt").write_text("\n".join(index) + "\n")

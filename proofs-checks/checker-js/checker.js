@@ -2231,7 +2231,7 @@ var check_certificate = (() => {
       demand(next.slice(Math.max(0, degree + 1 - j)).every(x => !x), no_factor);
       quotient.push(range_of(degree + 1).map(k => next[k] || 0n));
     });
-    demand(quotient.length > 2 && quotient.slice(-2).flat().every(x => !x), no_factor);
+    demand(quotient.slice(-2).flat().every(x => !x), no_factor);
     return {...curve, degree, a: quotient.slice(0, -2)};
   }
   function check_factors(curve, order, exponentials) {

@@ -49,6 +49,8 @@ def limit(name, mask, values, step, start, level, to, end, lines, arity=2):
 CONIC, CONICS, ANGLE = "[-1,0,1+4*v+4*v^2,8*v+8*v^2,1+4*v+4*v^2,0,-1]/(8*v+8*v^2)@-3", "v=9/20..1000", "sqrt[1/2+1/2*v]"
 HALVED, HALVING = "[1/4*w,1-1/4*w,1-1/4*w,1/4*w]", "w=1/16..4"
 TWICE, TWICES, ANGLES = "[1,-1+4*w^2,-1+4*w^2,1]/(4*w^2)", "w=1/2..2", "sqrt[1/2+1/2*w]"
+LEFT = "[-1-w+4*w^2,3-3*w-2*w^2+8*w^3,3+5*w-2*w^2,3+7*w-8*w^3]/(4+4*w)"  # by 1 + 2 w z + z^2 a remainder, which is 0 for w = 1
+CUT = "[1+w,3+5*w,4+10*w,4+10*w,3+5*w,1+w]/(8+16*w)"  # (1+z)^3 (1+w) times 1 + 2 w z + z^2, without what has w^2
 FALL = "[1]/(3+4*w)"
 POLE = "[-1/10*w+w^2,-1/10+11/10*w-w^2,-1/10+11/10*w-w^2,-1/10*w+w^2]/(-1/10+w)"
 FOUR_POLYTOPE = "product 0 4 0 0; block 0 polytope 1 0 0 symmetric; vertex 0 1; unit 0 0f:1; image 0 0 0:4; image 0 1 0:-1 0f:-1"
@@ -103,10 +105,15 @@ ACCEPTED = [
     limit("limit-quotient", CORNER, RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
     limit("limit-quotient-negative", CORNER, RANGE, "[-1]/(-3-4*w)", "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
     limit("limit-constant", CORNER, RANGE, "[1/4]", "-7..7", 1, "1/4", "--lower 1", "level 1/4 1/4; sum-rules 1; block 0 norm 1"),
+    limit("limit-at-once", CORNER, RANGE, "[1/4]", "1/5..1/5", 0, "1/4", "--lower 1", "towards 1/4 1/4; sum-rules 1; block 0 norm 1"),
     limit("limit-at-end", CORNER, RANGE, "[49/200+1/2*w]", "1/5..49/100", 0, "49/100", "--lower 1/50", "sum-rules 1; block 0 norm 1"),
+    limit("limit-at-low-end", CORNER, RANGE, "[1/200+1/2*w]", "1/5..49/100", 0, "1/100", "--lower 1/50", "sum-rules 1; block 0 norm 1"),
+    limit("limit-both", CORNER, RANGE, "[1/16+w]/(1+w)", "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
+    limit("limit-in-turn", CORNER, RANGE, "[19/40-9/10*w]", "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
     limit("limit-shorter", "[w-1/4,w,5/4-w,1-w]", RANGE, "[1/8+1/2*w]", "1/5..1/5", 0, "1/4", "--lower 2/5", "sum-rules 1; block 0 norm 1"),
     limit("limit-twice", TWICE, TWICES, ANGLES, "0..3", 1, "1", "--lower 2 --upper 2",
           "level 7/10 3/2; exponentials 0 1; sum-rules 3; stability; product 0 2 0 0; block 0 norm 1"),
+    limit("limit-three-rules", CUT, TWICES, ANGLES, "0..3", 1, "1", "--lower 5/2", "level 7/10 3/2; sum-rules 3; block 0 norm 1"),
     limit("limit-arity-3", "[w,1-w,1,1-w,w]", "w=1/5..1/2", "[1/6+1/2*w]", "1/5..1/2", 0, "1/3", "--lower 1", "sum-rules 1; block 0 norm 1", 3),
     limit("limit-slowly", HALVED, HALVING, "sqrt[w]", "1/2..2", 0, "1", "--lower 1", f"{998 * 'towards 1/16 4; '}towards 1/4 2; towards 1/2 3/2; sum-rules 1; block 0 norm 1"),
     listed("list-any", HAT_CHAIKIN, "any", "--lower 1", "sum-rules 2; block 0 norm 1"),
@@ -210,6 +217,7 @@ EDITED = [
     ("limit-towards-left", "limit-towards", None, f"{OTHER} below", [("towards 1/2 3/2; ", "towards 1/2 3/2; towards 2/3 5/4; towards 5/6 9/8; ")]),
     ("limit-not-into-itself", "limit-constant", tending(CORNER, "w=-1..2", "[1/4+1/2*w^2]", "0..0", 0, "1/4", "--lower 1"), f"{OTHER} above",
      [(RANGE, "w=-1..2"), ("[1/4]", "[1/4+1/2*w^2]"), ("-7..7 from=1", "0..0 from=0"), ("level 1/4 1/4; ", "")]),
+    ("limit-left-again", "limit-in-turn", None, f"{OTHER} below", [("sum-rules 1", "towards 1/30 1/2; sum-rules 1")]),
     ("limit-more", "limit-slowly", None, "more levels than the checker allows", [("towards 1/4 2", "towards 1/16 4; towards 1/4 2")]),
     ("limit-pole", "limit-quotient", tending(POLE, RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1"), "the denominator of the masks", [(CORNER, POLE)]),
     ("limit-sum", "limit-quotient", tending("[w,1-w,1-w,1/4]", RANGE, FALL, "1/5..1/5", 0, "1/4", "--lower 1"), "do not sum to the arity",
@@ -219,8 +227,14 @@ EDITED = [
     ("limit-no-factor", "limit-conic", None, "no such exponential factor", [("exponentials 1", "exponentials 2"), ("sum-rules 4", "sum-rules 6")]),
     ("limit-no-factor-twice", "limit-twice", None, "no such exponential factor", [("exponentials 0 1", "exponentials 1 0")]),
     ("limit-no-factor-four", "limit-conic", None, "no such exponential factor", [("exponentials 1", "exponentials 0 0 0 1")]),
+    ("limit-remainder", "limit-twice", tending(LEFT, TWICES, ANGLES, "0..3", 1, "1", "--lower 2 --upper 2"), "no such exponential factor",
+     [(TWICE, LEFT), ("exponentials 0 1", "exponentials 1")]),
+    ("limit-power", "limit-twice", tending(CUT, TWICES, ANGLES, "0..3", 1, "1", "--lower 5/2"), "no such exponential factor",
+     [(TWICE, CUT), ("exponentials 0 1", "exponentials 1"), ("stability; product 0 2 0 0; ", "")]),
     ("limit-no-place", "limit-twice", None, "no such exponential factor", [("exponentials 0 1", "exponentials 0 2"), ("sum-rules 3", "sum-rules 5")]),
     ("limit-no-rule", "limit-conic", None, "a sum rule is needed", [("exponentials 1", "exponentials 2")]),
+    ("limit-no-constants", "limit-twice", tending("[1,2*w,1]/(1+w)", TWICES, ANGLES, "0..3", 1, "1", "--lower 1"), "a sum rule is needed",
+     [(TWICE, "[1,2*w,1]/(1+w)"), ("exponentials 0 1", "exponentials 1"), ("sum-rules 3; stability; product 0 2 0 0", "sum-rules 2")]),
     ("limit-too-few-rules", "limit-conic", None, "no sum rules of this order", [("sum-rules 4", "sum-rules 5")]),
     ("limit-nine", "limit-twice", None, "fields", [("exponentials 0 1", "exponentials 0 1 0 0 0 0 0 0 0")]),
     ("limit-other-angle", "limit-twice", tending(TWICE, TWICES, "[1/2+1/2*w]", "0..3", 1, "1", "--lower 2 --upper 2"), "exponentials need",

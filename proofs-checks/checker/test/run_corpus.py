@@ -48,6 +48,7 @@ USAGE = [
         "--recurrence [w] --start 0..1 --from some", "--recurrence [w] --start 0..1 --from 1001", "--recurrence [v] --start 0..1 --from 0",
         "--recurrence [w,1] --start 0..1 --from 0", "--recurrence root[w] --start 0..1 --from 0", "--recurrence [[w]] --start 0..1 --from 0")),
     (64, "--mask [w,1-w,1-w,w] --arity 2 --for w=0..1 --lower 0 --recurrence [w] --start 0..1 --from 0 golden.cert"),
+    (64, f"--masks [{'1,' * 1000}1]/2 --arity 2 --order any --lower 0 golden.cert"),
     *((64, f"--masks {more} golden.cert") for more in (
         "[1,2,1]/2 --arity 2 --lower 1", "[1,2,1]/2 --order any --lower 1", "[1,2,1]/2 --arity 2 --order any",
         "[1,2,1]/2 --arity 2 --order any --lower 1 --upper 1", "[1,2,1]/2 --arity 2 --order any --upper C1",

@@ -53,7 +53,7 @@ struct Claim {
   std::string head, text, subject, file;  // its line in a certificate; what to print; of what; the certificate
 
   /// Of matrices: as many as they have rows.
-  std::size_t functions() const { return mask ? mask->components / (root == 0 ? 1 : 2) : 0; }
+  std::size_t functions() const { return mask->components / (root == 0 ? 1 : 2); }
   /// Of matrices with an arity: about a scheme on vectors itself, section 6.7.
   bool is_vector_scheme() const { return arity != 0 && mask && mask->components > 0; }
   /// Of each value of a range by itself.

@@ -110,6 +110,9 @@ def rejected(tools):
     yield "attains-pair-words", (options, [*lines[:at], *cycle_lines(tools, family, vertex, 1, "-", [0, 1], point=value)[0], *lines[at:]]), SAME
     yield "attains-pair-symmetric", attains(tools, "[-1,0,9,16,9,0,-1]/16", 2, "1/1000000000000,4,symmetric", [0], both, True,
                                             others=[[1, 0]], logarithm=False), SAME
+    # a given vertex that is opposite to its flip: one image is said to be what it is, another one is outside
+    yield "attains-middle-opposite", attains(tools, "[1,8,7,13,7,8,1]/15", 3, "1/1000000000000,1,symmetric", [1], [(0, "-", [1])], True,
+                                             others=[[2.0, -2.0]]), "image 2 1 may lie outside"
     # 3/2 is in a corner of both matrices
     yield "attains-pair-corner", attains(tools, "[3,1,1,3]/4", 2, "1/1000000000000,1", [0], both, others=[[0.9 * 0.6, 0.9]],
                                          logarithm=False), "a corner of a matrix may be the eigenvalue"
@@ -188,6 +191,7 @@ REJECTED = [
     ("attains-same-other", "attains-middle", None, NOTHING, [("same 0 2 1f", "same 0 0 1f")]),
     ("attains-same-not-symmetric", "attains-middle-plain", None, ", line 29", [("logarithm", "same 0 2 1f\nlogarithm")]),
     ("attains-same-given", "attains-middle-given", None, NOTHING, [(f"vertex {2**64} {2**64}\n", f"vertex {2**64} {2**64 - 1}\n")]),
+    ("attains-same-roots", "attains-middle-given", None, NOTHING, [("same 1 2 2f", "same 0 2 2f")]),
     ("attains-same-turned", "attains-flip", None, NOTHING, [("logarithm", "same 0 1 0f\nlogarithm")]),
     ("attains-same-vertex", "attains-pair", None, NOTHING, [("logarithm", "same 0 0 0\nlogarithm")]),
     ("attains-1000", "attains-by-hand", f"{CLAIM}{',0' * 999}", "another product", []),

@@ -60,6 +60,7 @@ USAGE = [
     (64, "--matrices golden.mat --limit 1/4 --upper 2 golden.cert"),
     (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --limit 1/4 --lower 1 golden.cert"),
     (64, "--masks [1,2,1]/2 --arity 2 --order any --limit 1/4 --lower 1 golden.cert"),
+    (64, f"--masks [{'1,' * 1000}1]/2 --arity 2 --order any --lower 0 golden.cert"),
     *((64, f"--masks {more} golden.cert") for more in (
         "[1,2,1]/2 --arity 2 --lower 1", "[1,2,1]/2 --order any --lower 1", "[1,2,1]/2 --arity 2 --order any",
         "[1,2,1]/2 --arity 2 --order any --lower 1 --upper 1", "[1,2,1]/2 --arity 2 --order any --upper C1",

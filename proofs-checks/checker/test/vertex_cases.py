@@ -158,3 +158,4 @@ def usage():
     yield 64, f"--mask [1,2,1]/2 --arity 2 --lower 1 --vertex {good} hat-by-hand.cert"
     yield 64, f"--refinable [[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1 --dilation [2] --lower 11/10 --vertex {good} hat-by-hand.cert"
     yield 64, f"--matrices golden.mat --upper 2 --vertex {good} golden.cert"
+    yield 64, f"{surface} --exact 0-log|[-1,2]@1/2,0,1/10|^1/1 --vertex {good} hat-by-hand.cert"

@@ -66,6 +66,7 @@ def accepted():
             ("vertex-ring-outside", "doo-sabin", doo_sabin(5) + near("doo-sabin", (3, 3)) + "|100@0,0~2", {}),
             ("vertex-ring-of-squares", "doo-sabin", ONE_SIDE + near("doo-sabin", (8, 8)), {}),
             ("vertex-window-closed", "loop", loop(5) + near("loop", (3, 2), Q(-87, 100), (2, 1)), {}),
+            ("vertex-first-outside", "doo-sabin", doo_sabin(5) + near("doo-sabin", (3, 3)) + "|1/1000@0,0~1", {}),
     ):
         yield name, (options_of(base, rules).split(), lines_of(base, rules, **{"levels": 0, **more}))
 
@@ -114,3 +115,9 @@ def rejected():
     yield case("vertex-on-half-plane", "doo-sabin", doo_sabin(3), open_map, first=(1 - turn, 1 + turn), radius_bits=30,
                edits=[(r"^vertex 128( \S+ \S+ \S+) \S+", rf"vertex 64\1 {2 ** 34}")])
     yield case("vertex-radius-wide-5", "doo-sabin", doo_sabin(5), open_map, levels=1, edits=[(r"^(vertex \S+ \S+ \S+ \S+) \S+", r"\1 7223794280143191")])
+    yield case("vertex-first-outside-large", "doo-sabin", doo_sabin(5) + near("doo-sabin", (3, 3)) + "|100@0,0~1", open_map)
+    # a reflection as well: the squares of the lattice are not those of the sectors
+    mask, dilation, body = SURFACES["minus"]
+    mirrored, body = dilation.replace("[-2", "[2"), body.replace("digits -1,-1 0,-1 -1,0 0,0", "digits 0,-1 1,-1 0,0 1,0")
+    yield "vertex-dilation-mirrored", options_of("minus", "dual:4").replace(dilation, mirrored), [
+        lines[0], f"surface {mask} {mirrored} vertex=dual:4", *lines[2:3], *body.split("; "), *of_vertex], "no multiple of the unit matrix"

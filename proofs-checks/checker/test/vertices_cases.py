@@ -1,5 +1,6 @@
 """Smoothness around vertices of all valences from one on (5.12): what the checkers accept and what they reject."""
 import re
+from fractions import Fraction as Q
 
 from vertex_cases import SURFACES, doo_sabin, lines_of as lines_of_one, options_of
 
@@ -21,6 +22,10 @@ ON_AXIS = {"points": "0,0 1,0", "start": "1/2"}
 BENT = "dual:30+;0,0=1-1/2*c@0,0,0|1/4*c@0,0,1|1/4*c@0,0,-1"  # lambda = 1 - c/2 + c^2/2
 POINTS = {"loop": "0,0 1,0 1,1 2,0", "catmull-clark": "0,0 1,0 1,1 1,2 2,0 2,1 2,2", "doo-sabin": "0,0 0,1 1,0 1,1", "midedge": "0,0 0,1 1,0"}
 STARTS = {"loop": "5/8", "catmull-clark": "2/3", "doo-sabin": "1/2", "midedge": "1"}
+
+# PLANE with another point; of the constants one eigenvalue is 1/2 or less, another one below -1/2 where 1/n is not small
+SECOND = (PLANE.replace("-5/16/n@0,0,0|5/16/n@1,0~0", "-3/n@0,0,0|7/2/n@1,0~0|-1/2/n@3,0~0") +
+          ";3,0=-12/25@3,0,0|147/50@1,0,0|-73/50@0,0,0")
 
 
 LITTLE = "1/1000000000"
@@ -47,6 +52,7 @@ ACCEPTED = [
     ("vertices-exact-near-1", "midedge", NEAR_1, {"points": "0,0"}),
     ("vertices-plane", "catmull-clark", PLANE, ON_AXIS),
     ("vertices-free", "doo-sabin", DOO_SABIN.format("40+").replace("1/4@0,0~1", "73/100@0,0~1"), {"start": "49/50"}),
+    ("vertices-share", "doo-sabin", DOO_SABIN.format("13+") + "|1/9/n@0,0~1", {"halvings": 6}),
 ]
 
 
@@ -94,6 +100,14 @@ def rejected():
     yield case("vertices-near-1-bent", "midedge", BENT, open_rest, halvings=8)
     yield case("vertices-not-real", "midedge", MIDEDGE.format("13+").replace("1/4@0,0,1|1/4@0,0,-1", "1/2@0,0,1"),
                "the eigenvalues of a frequency and of its opposite are not the same")
+    # zeros that are not where they should be: of the constants, of others, of the frequency 1
+    yield case("vertices-constants-far", "catmull-clark", PLANE.replace("5/16/n", "64/n"), open_rest, **ON_AXIS, halvings=0)
+    yield case("vertices-constants-second", "catmull-clark", SECOND, open_rest, **{**ON_AXIS, "points": "0,0 1,0 3,0"}, halvings=0)
+    yield case("vertices-others-second", "midedge", NEAR_1 + "|-8@1,1,0|4@1,1,1|4@1,1,-1", open_rest, points="0,0 0,1 1,0 1,1")
+    yield case("vertices-leader-negative", "doo-sabin", EXACT.replace("1/4@0,0~1", "-3/4@0,0~1"), open_rest, **ON_LINE, start="-1/2")
+    yield case("vertices-start-flat", "doo-sabin", EXACT, open_rest, **ON_LINE, start="3/8")
+    yield case("vertices-leader-tiny", "doo-sabin", EXACT.replace("1/4@0,0~1", f"{Q(1, 2 ** 40) - Q(1, 4)}@0,0~1").replace(
+        "1/4@0,0,-1", "1/4@1,0,0"), open_rest, points="0,0 1,0 1,1", bits=64, start=f"{Q(1, 2 ** 40)}")
     # what the claim says
     wrong = "the weights of a rule do not sum to 1"
     yield case("vertices-sum", "doo-sabin", ds.replace("3/4@", "7/10@"), wrong)

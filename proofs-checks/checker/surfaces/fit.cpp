@@ -1,6 +1,7 @@
 #include "fit.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace subcert_check {
 namespace {

@@ -16,6 +16,7 @@ let usage =
   \       subcert-check-verified --mask ... --upper CK [...] FILE    (no C^K limits)\n\
   \       subcert-check-verified --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (a mask for each level:\n\
   \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
+  \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--show] FILE    (vectors of functions)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
@@ -731,9 +732,29 @@ let levels masks arity order m sequences lower file =
       Printf.printf "the Hoelder exponents are at least %s\n" (Q.to_string lower);
       show_masks m (Sequences sequences) )
 
+(* A claim about a vector of functions: that there is one, and the lower end *)
+let refinable mask dilation lower file =
+  let a = Vectors.read_mask mask dilation and head = Printf.sprintf "refinable %s %s" mask dilation in
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r head None in
+        if number <> None then Vectors.undecided "certificates of refinable functions with an exact number are";
+        let space = Vectors.read_space a lower r in
+        let order = space.difference_order and l = bound_of lower in
+        let bound = Q.div (most_radius a.vector_arity order l) (Q.of_bigint (Z.pow (Z.of_int a.vector_arity) order)) in
+        let radius = read_proof ~single:false (vector_family a space) None (Some bound) r in
+        let certificate = { space with space_bound = bound_of bound; space_radius = radius } in
+        read_end r;
+        require (check_vectors a l certificate) unproved;
+        fun name -> Theorem.print_vectors name a l certificate)
+  in
+  ( Printf.sprintf "%s <= Hoelder exponent of the refinable functions of %s with dilation %s" (Q.to_string lower) mask dilation,
+    theorem,
+    fun () -> Vectors.show a lower )
+
 let undecided =
-  "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, and \
-   those of lists of masks, the others by subcert-check"
+  "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, \
+   those of lists of masks, and lower ends of refinable functions of one variable, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -771,6 +792,8 @@ let check arguments =
       let exact = Option.map (read_exact false) (find "--exact") in
       prove (get option) (bound "--lower") (bound "--upper") exact (get "FILE")
     end
+    else if has "--refinable" && has "--dilation" && has "--lower" && only [ "--refinable"; "--dilation" ] then
+      refinable (get "--refinable") (get "--dilation") (Option.get (bound "--lower")) (get "FILE")
     else if has "--masks" || has "--order" then begin
       require (has "--masks" && has "--order" && has "--arity") usage;
       require (only [ "--masks"; "--arity"; "--order"; "--upper"; "--exact"; "--logarithm" ]) usage;

@@ -284,6 +284,23 @@ let print_levels name m s l c =
        "levels_hold : levels_hold %s_masks %s %s.\nProof. apply (check_levels_sound _ _ _ %s_certificate). %s"
        name (sequences s) (fraction l) name by_computation)
 
+(* Vectors of functions *)
+let print_vectors name a l c =
+  let mask =
+    Printf.sprintf "vector_mask : vector_mask := VectorMask %s %s %s\n%s %s" (natural a.vector_arity) (natural a.functions)
+      (integer a.vector_first) (list matrix a.of_points) (integer a.vector_common)
+  in
+  let certificate =
+    Printf.sprintf "VectorCertificate %s %s\n%s %s\n%s\n%s %s\n%s %s %s %s %s\n%s %s %s\n%s" (integer c.window_first)
+      (natural c.window) (vector c.fixed) (natural c.difference_order) (matrix c.spanning) (list natural c.places) (integer c.place_value)
+      (list matrix c.restricted) (natural c.entering) (integer c.inner_first) (natural c.inner) (natural c.nonzero) (matrix c.kernel)
+      (integer c.kernel_scale) (fraction c.space_bound) (certificate c.space_radius)
+  in
+  print name " Subdivision Exponent Levels Vectors" mask certificate
+    (Printf.sprintf
+       "vectors_hold : vectors_hold %s_vector_mask %s.\nProof. apply (check_vectors_sound _ _ %s_certificate). %s"
+       name (fraction l) name by_computation)
+
 let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
 
 let enclosure l u c =

@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Period Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Period Vectors Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -24,3 +24,4 @@ Print Assumptions check_reduced_full_sound.
 Print Assumptions check_reduced_rough_sound.
 Print Assumptions check_levels_sound.
 Print Assumptions period_sound.
+Print Assumptions check_vectors_sound.

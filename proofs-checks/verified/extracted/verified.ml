@@ -1933,7 +1933,7 @@ let check_upper f u =
 
 (** val check_lower : family -> q -> int list -> int -> eigen -> bool **)
 
-let rec check_lower f l sizes0 block e =
+let rec check_lower f l sizes0 block0 e =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ ->
     match sizes0 with
@@ -1944,7 +1944,7 @@ let rec check_lower f l sizes0 block e =
     | [] -> false
     | d::sizes' ->
       (&&) (triangular d f) (check_lower (other_blocks d f) l sizes' k e))
-    block
+    block0
 
 type basis = { basis_rows : zmat; inverse_rows : zmat; basis_scale : Number.t }
 
@@ -4070,3 +4070,233 @@ let keeps_constants m =
 let in_period m i others0 =
   (&&) (keeps_constants m)
     (forallb (fun j -> Nat.ltb j (length m.each)) (i::others0))
+
+type vector_mask = { vector_arity : int; functions : int;
+                     vector_first : Number.t; of_points : zmat list;
+                     vector_common : Number.t }
+
+type vector_certificate = { window_first : Number.t; window : int;
+                            fixed : Number.t list; difference_order : 
+                            int; spanning : Number.t list list;
+                            places : int list; place_value : Number.t;
+                            restricted : zmat list; entering : int;
+                            inner_first : Number.t; inner : int;
+                            nonzero : int; kernel : Number.t list list;
+                            kernel_scale : Number.t; space_bound : q;
+                            space_radius : certificate }
+
+(** val block :
+    int -> Number.t -> Number.t list -> Number.t -> Number.t list **)
+
+let block r lo u i =
+  if Number.less i lo
+  then []
+  else skipn (mul (Z.to_nat (Number.sub i lo)) r) u
+
+(** val mix_rows :
+    zmat list -> Number.t -> (Number.t -> Number.t list) -> int -> Number.t **)
+
+let rec mix_rows ms k u c =
+  match ms with
+  | [] -> Number.zero
+  | m::rest ->
+    Number.add (dot (nth c m []) (u k))
+      (mix_rows rest (Number.add k Number.one) u c)
+
+(** val move :
+    int -> int -> Number.t -> int -> Number.t -> zmat list -> int -> Number.t
+    list -> Number.t list **)
+
+let move a r lo len first0 matrices0 t0 u =
+  flat_map (fun j ->
+    map
+      (mix_rows matrices0 first0 (fun k ->
+        block r lo u
+          (Number.sub
+            (Number.add
+              (Number.mul (Number.of_natural a)
+                (Number.add lo (Number.of_natural j))) (Number.of_natural t0))
+            k))) (seq 0 r)) (seq 0 len)
+
+(** val zero_list : Number.t list -> bool **)
+
+let zero_list l =
+  forallb (Number.equal Number.zero) l
+
+(** val step_difference : int -> Number.t list -> Number.t list **)
+
+let step_difference r u =
+  addmul (Number.opposite Number.one) (app (repeat Number.zero r) u) u
+
+(** val combine_lists :
+    Number.t list -> Number.t list list -> Number.t list **)
+
+let rec combine_lists y b =
+  match y with
+  | [] -> []
+  | c::y' ->
+    (match b with
+     | [] -> []
+     | x::b' -> addmul c x (combine_lists y' b'))
+
+(** val in_space :
+    Number.t list list -> int list -> Number.t -> Number.t list -> bool **)
+
+let in_space b places0 place_value0 u =
+  zero_list
+    (addmul (Number.opposite place_value0) u
+      (combine_lists (map (fun p -> nth p u Number.zero) places0) b))
+
+(** val enters :
+    int -> int -> Number.t -> int -> Number.t -> zmat list -> Number.t list
+    list -> int list -> Number.t -> int -> Number.t list -> bool **)
+
+let rec enters a r lo len first0 matrices0 b places0 place_value0 n u =
+  (||) (in_space b places0 place_value0 u)
+    ((fun zero next n -> if n = 0 then zero () else next (n - 1))
+       (fun _ -> false)
+       (fun m ->
+       forallb (fun t0 ->
+         enters a r lo len first0 matrices0 b places0 place_value0 m
+           (move a r lo len first0 matrices0 t0 u)) (seq 0 a))
+       n)
+
+(** val vector_family : vector_mask -> vector_certificate -> family **)
+
+let vector_family a c =
+  { size = (length c.spanning); denominator =
+    (Number.mul a.vector_common c.place_value); matrices = c.restricted }
+
+(** val checks_space : vector_mask -> vector_certificate -> bool **)
+
+let checks_space a c =
+  let move0 =
+    move a.vector_arity a.functions c.window_first c.window a.vector_first
+      a.of_points
+  in
+  (&&)
+    ((&&) (Number.less Number.zero c.place_value)
+      (Nat.eqb (length c.restricted) a.vector_arity))
+    (forallb (fun t0 ->
+      forallb (fun k ->
+        zero_list
+          (addmul (Number.opposite c.place_value)
+            (move0 t0 (nth k c.spanning []))
+            (combine_lists
+              (map (fun row0 -> nth k row0 Number.zero)
+                (nth t0 c.restricted [])) c.spanning)))
+        (seq 0 (length c.spanning))) (seq 0 a.vector_arity))
+
+(** val differences_of :
+    vector_mask -> vector_certificate -> Number.t list **)
+
+let differences_of a c =
+  iterate c.difference_order (step_difference a.functions) c.fixed
+
+(** val checks_start : vector_mask -> vector_certificate -> bool **)
+
+let checks_start a c =
+  let size0 = mul c.window a.functions in
+  (&&)
+    ((&&) (forallb (fun b -> Nat.leb (length b) size0) (c.fixed::c.spanning))
+      (zero_list (skipn size0 (differences_of a c))))
+    (enters a.vector_arity a.functions c.window_first c.window a.vector_first
+      a.of_points c.spanning c.places c.place_value c.entering
+      (firstn size0 (differences_of a c)))
+
+(** val unfixed :
+    vector_mask -> vector_certificate -> Number.t list -> Number.t list **)
+
+let unfixed a c u =
+  addmul (Number.opposite a.vector_common) u
+    (move a.vector_arity a.functions c.window_first c.window a.vector_first
+      a.of_points 0 u)
+
+(** val checks_kernel : vector_mask -> vector_certificate -> bool **)
+
+let checks_kernel a c =
+  let n = mul c.inner a.functions in
+  let base0 =
+    mul (Z.to_nat (Number.sub c.inner_first c.window_first)) a.functions
+  in
+  let value = fun q0 -> nth (add base0 q0) c.fixed Number.zero in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&) (Number.less_equal c.window_first c.inner_first)
+                (Number.less_equal
+                  (Number.mul (Number.sub c.inner_first Number.one)
+                    (Number.sub (Number.of_natural a.vector_arity) Number.one))
+                  a.vector_first))
+              (Number.less_equal
+                (Number.add a.vector_first
+                  (Number.of_natural
+                    (sub (length a.of_points) (Stdlib.succ 0))))
+                (Number.mul
+                  (Number.add c.inner_first (Number.of_natural c.inner))
+                  (Number.sub (Number.of_natural a.vector_arity) Number.one))))
+            (Number.less_equal
+              (Number.add c.inner_first (Number.of_natural c.inner))
+              (Number.add c.window_first (Number.of_natural c.window))))
+          (Nat.ltb c.nonzero n))
+        (negb (Number.equal (value c.nonzero) Number.zero)))
+      (negb (Number.equal c.kernel_scale Number.zero)))
+    (forallb (fun q0 ->
+      let column = unfixed a c (unit_at Number.one (add base0 q0)) in
+      forallb (fun i ->
+        Number.equal
+          (dot (firstn (mul c.window a.functions) (nth i c.kernel [])) column)
+          (Number.mul c.kernel_scale
+            (Number.sub
+              (if Nat.eqb i q0 then value c.nonzero else Number.zero)
+              (if Nat.eqb q0 c.nonzero then value i else Number.zero))))
+        (seq 0 n)) (seq 0 n))
+
+(** val vector_reduces : vector_mask -> q -> vector_certificate -> bool **)
+
+let vector_reduces a l c =
+  let a0 = Number.of_natural a.vector_arity in
+  let high0 =
+    Number.sub (Number.add c.window_first (Number.of_natural c.window))
+      Number.one
+  in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&)
+                  ((&&)
+                    ((&&)
+                      ((&&)
+                        (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.vector_arity)
+                        (Number.less Number.zero a.vector_common))
+                      (Nat.leb (Stdlib.succ 0) (length a.of_points)))
+                    (Nat.leb (Stdlib.succ 0) a.functions))
+                  (forallb (square a.functions) a.of_points))
+                (Number.less_equal
+                  (Number.mul (Number.sub a0 Number.one) c.window_first)
+                  a.vector_first))
+              (Number.less_equal
+                (Number.add a.vector_first
+                  (Number.of_natural
+                    (sub (length a.of_points) (Stdlib.succ 0))))
+                (Number.mul (Number.sub a0 Number.one) high0)))
+            (zero_list (unfixed a c c.fixed))) (checks_space a c))
+        (checks_start a c)) (checks_kernel a c))
+    (below_power { arity = a.vector_arity; first = Number.zero;
+      coefficients = []; common = Number.one } l c.difference_order { qnum =
+      (Number.mul (Number.power a0 (Number.of_natural c.difference_order))
+        c.space_bound.qnum); qden = c.space_bound.qden })
+
+(** val check_vectors : vector_mask -> q -> vector_certificate -> bool **)
+
+let check_vectors a l c =
+  (&&) (vector_reduces a l c)
+    (check_radius { matrices_of = (vector_family a c); lower = None; upper =
+      (Some c.space_bound) } c.space_radius)

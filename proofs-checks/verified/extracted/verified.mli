@@ -922,3 +922,56 @@ val period_scheme : masks -> int -> int list -> scheme
 val keeps_constants : masks -> bool
 
 val in_period : masks -> int -> int list -> bool
+
+type vector_mask = { vector_arity : int; functions : int;
+                     vector_first : Number.t; of_points : zmat list;
+                     vector_common : Number.t }
+
+type vector_certificate = { window_first : Number.t; window : int;
+                            fixed : Number.t list; difference_order : 
+                            int; spanning : Number.t list list;
+                            places : int list; place_value : Number.t;
+                            restricted : zmat list; entering : int;
+                            inner_first : Number.t; inner : int;
+                            nonzero : int; kernel : Number.t list list;
+                            kernel_scale : Number.t; space_bound : q;
+                            space_radius : certificate }
+
+val block : int -> Number.t -> Number.t list -> Number.t -> Number.t list
+
+val mix_rows :
+  zmat list -> Number.t -> (Number.t -> Number.t list) -> int -> Number.t
+
+val move :
+  int -> int -> Number.t -> int -> Number.t -> zmat list -> int -> Number.t
+  list -> Number.t list
+
+val zero_list : Number.t list -> bool
+
+val step_difference : int -> Number.t list -> Number.t list
+
+val combine_lists : Number.t list -> Number.t list list -> Number.t list
+
+val in_space :
+  Number.t list list -> int list -> Number.t -> Number.t list -> bool
+
+val enters :
+  int -> int -> Number.t -> int -> Number.t -> zmat list -> Number.t list
+  list -> int list -> Number.t -> int -> Number.t list -> bool
+
+val vector_family : vector_mask -> vector_certificate -> family
+
+val checks_space : vector_mask -> vector_certificate -> bool
+
+val differences_of : vector_mask -> vector_certificate -> Number.t list
+
+val checks_start : vector_mask -> vector_certificate -> bool
+
+val unfixed :
+  vector_mask -> vector_certificate -> Number.t list -> Number.t list
+
+val checks_kernel : vector_mask -> vector_certificate -> bool
+
+val vector_reduces : vector_mask -> q -> vector_certificate -> bool
+
+val check_vectors : vector_mask -> q -> vector_certificate -> bool

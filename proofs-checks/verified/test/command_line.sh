@@ -142,6 +142,32 @@ expect 64 --mask "$hat" --arity 2 --order any --lower 1 bspline-1.cert
 expect 66 --masks "$pair" --arity 2 --order any --lower 1 none.cert
 expect 0 --matrices golden.mat --upper 2 --show golden.cert
 echo "$output" | grep -qx 'row 1 1'
+# vectors of functions
+hats='[[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1'
+functions() {
+  code=$1
+  shift
+  expect "$code" --refinable "$hats" --dilation '[2]' "$@" vector-by-hand.cert
+}
+functions 0 --lower 1 --show
+echo "$output" | grep -qx 'matrix 1, row 1: 1 1/4'
+functions 1 --lower 1001/1000
+functions 1 --lower 0
+functions 2
+functions 2 --lower 1 --upper 1
+functions 2 --lower 1 --component 0
+functions 2 --lower 1 --integral 1,1
+functions 64 --lower 1/0
+expect 1 --refinable "$hats" --dilation '[3]' --lower 1 vector-by-hand.cert
+expect 2 --refinable "$hats" --dilation '[-2]' --lower 1 vector-minus-two.cert
+expect 2 --refinable '[[[1,0],[0,sqrt(2)]]]' --dilation '[2]' --lower 1 vector-by-hand.cert
+for mask in '' '[' '[[[1]]' '[[1]]' '[[[1,0]]]' '[[[1]],[[1,0],[0,1]]]' '[[[1]]]/0' '[[[1]]]@' '[[[x]]]' '[[[]]]'; do
+  expect 64 --refinable "$mask" --dilation '[2]' --lower 1 vector-by-hand.cert
+done
+for dilation in '' '2' '[]' '[1]' '[65]' '[x]'; do
+  expect 64 --refinable "$hats" --dilation "$dilation" --lower 1 vector-by-hand.cert
+done
+expect 66 --refinable "$hats" --dilation '[2]' --lower 1 none.cert
 
 cd "$here/accept"
 slow() {

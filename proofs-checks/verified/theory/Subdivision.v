@@ -654,29 +654,12 @@ Qed.
 Lemma grid_value n i : INR A ^ n * (IZR i / INR A ^ n) = IZR i.
 Proof. field. assert (P := power_positive n). lra. Qed.
 
-(* The limit of a smoothed scheme has the differences of the limit of the scheme as its derivative. *)
+(* Data whose differences, divided by the step, tend to a continuous function: it is the derivative of what they tend to. *)
 Section Derivative.
-Variables (K : nat) (c : nat -> Z -> R) (phi psi : R -> R).
-Hypothesis Support : forall k, supported K (c k).
-Hypothesis Fits : (K + A - 1 <= L)%nat.
-Hypothesis Phi : tends (data (fun k => smooth (c k))) phi.
-Hypothesis Psi : tends (data c) psi.
-Let slope (x : R) := psi x - psi (x - 1).
-
-Lemma slope_near eta : 0 < eta -> exists n0, forall n, (n0 <= n)%nat -> forall m,
-  Rabs (data c n m - data c n (m - ZA ^ Z.of_nat n)%Z - slope (IZR m / INR A ^ n)) <= eta.
-Proof.
-  intros He. destruct (Psi (eta / 2) ltac:(lra)) as [n0 H]. exists n0. intros n Hn m. unfold slope.
-  assert (P := power_positive n). assert (H1 := H n Hn (IZR m / INR A ^ n)). assert (H2 := H n Hn (IZR m / INR A ^ n - 1)).
-  rewrite grid_value, floor_integer in H1.
-  replace (INR A ^ n * (IZR m / INR A ^ n - 1)) with (IZR (m - ZA ^ Z.of_nat n)) in H2
-    by (rewrite minus_IZR, arity_power; field; lra).
-  rewrite floor_integer in H2.
-  set (a := data c n m) in *. set (b := data c n (m - ZA ^ Z.of_nat n)%Z) in *.
-  replace (a - b - (psi (IZR m / INR A ^ n) - psi (IZR m / INR A ^ n - 1))) with
-    ((a - psi (IZR m / INR A ^ n)) + - (b - psi (IZR m / INR A ^ n - 1))) by lra.
-  eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. lra.
-Qed.
+Variables (p s : nat -> Z -> R) (phi slope : R -> R).
+Hypothesis Differences : forall n i, p n i - p n (i - 1)%Z = / INR A ^ n * s n i.
+Hypothesis Phi : tends p phi.
+Hypothesis Slope : forall eta, 0 < eta -> exists n0, forall n, (n0 <= n)%nat -> forall m, Rabs (s n m - slope (IZR m / INR A ^ n)) <= eta.
 
 Lemma small_cell eta : 0 < eta -> exists n0, forall n, (n0 <= n)%nat -> / INR A ^ n <= eta.
 Proof.
@@ -696,27 +679,27 @@ Proof.
   assert (E1 : eta <= 1) by apply Rmin_l.
   assert (E2 : eta * W <= eps).
   { apply Rle_trans with (eps / W * W). apply Rmult_le_compat_r. lra. apply Rmin_r. right. field. lra. }
-  destruct (Phi eta E0) as [n1 H1]. destruct (slope_near eta E0) as [n2 H2]. destruct (small_cell eta E0) as [n3 H3].
+  destruct (Phi eta E0) as [n1 H1]. destruct (Slope eta E0) as [n2 H2]. destruct (small_cell eta E0) as [n3 H3].
   set (n := (n1 + n2 + n3)%nat). specialize (H1 n ltac:(unfold n; lia)). specialize (H2 n ltac:(unfold n; lia)). specialize (H3 n ltac:(unfold n; lia)).
   assert (P := power_positive n). set (h := / INR A ^ n) in *. assert (Ph : 0 < h) by (apply Rinv_0_lt_compat; auto).
-  assert (Hx := H1 x). assert (Hy := H1 y). set (p := data (fun k => smooth (c k)) n) in *.
+  assert (Hx := H1 x). assert (Hy := H1 y). set (u := p n) in *.
   set (i := floor (INR A ^ n * x)) in *. set (k := floor (INR A ^ n * y)) in *.
   assert (ik : (i <= k)%Z) by (apply floor_monotone, Rmult_le_compat_l; lra).
   destruct (floor_bounds (INR A ^ n * x)) as [X1 X2]. destruct (floor_bounds (INR A ^ n * y)) as [Y1 Y2]. fold i in X1, X2. fold k in Y1, Y2.
   set (m := Z.to_nat (k - i)). assert (Hm : k = (i + Z.of_nat m)%Z) by (unfold m; lia).
   assert (Hk : IZR k = IZR i + INR m) by (rewrite Hm, plus_IZR, <- INR_IZR_INZ; auto).
   (* the sum of the differences *)
-  assert (HS : Rabs (p k - p i - h * (INR m * d)) <= h * (INR m * (e + eta))).
+  assert (HS : Rabs (u k - u i - h * (INR m * d)) <= h * (INR m * (e + eta))).
   { rewrite Hm, <- sum_differences. replace (h * (INR m * d)) with (sum m (fun _ => h * d)) by (rewrite sum_const; ring).
     replace (h * (INR m * (e + eta))) with (INR m * (h * (e + eta))) by ring. rewrite <- sum_minus.
     eapply Rle_trans. apply sum_abs. apply sum_bound. intros j Hj. cbv beta.
-    set (q := (i + Z.of_nat (S j))%Z). unfold p. rewrite (levels_difference K) by auto. fold h. specialize (H2 q).
+    set (q := (i + Z.of_nat (S j))%Z). unfold u. rewrite Differences. fold h. specialize (H2 q).
     rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq h) by lra. apply Rmult_le_compat_l. lra.
     assert (Hq : x <= IZR q / INR A ^ n <= y).
     { assert (IZR i + 1 <= IZR q) by (rewrite <- plus_IZR; apply IZR_le; unfold q; lia).
       assert (IZR q <= IZR k) by (apply IZR_le; unfold q; lia).
       split; apply (Rmult_le_reg_l (INR A ^ n)); auto; rewrite grid_value; lra. }
-    specialize (Hs _ Hq). set (v := data c n q - data c n (q - ZA ^ Z.of_nat n)%Z) in *. set (t := IZR q / INR A ^ n) in *.
+    specialize (Hs _ Hq). set (v := s n q) in *. set (t := IZR q / INR A ^ n) in *.
     replace (v - d) with ((v - slope t) + (slope t - d)) by lra. eapply Rle_trans. apply Rabs_triang. lra. }
   (* the number of cells *)
   assert (HM : Rabs (h * INR m - (y - x)) <= h).
@@ -726,7 +709,7 @@ Proof.
     apply Rabs_le. lra. }
   assert (HM' : h * INR m <= (y - x) + eta) by (generalize (Rle_abs (h * INR m - (y - x))); lra).
   replace (phi y - phi x - (y - x) * d) with
-    (- (p k - phi y) + (p i - phi x) + (p k - p i - h * (INR m * d)) + (h * INR m - (y - x)) * d) by ring.
+    (- (u k - phi y) + (u i - phi x) + (u k - u i - h * (INR m * d)) + (h * INR m - (y - x)) * d) by ring.
   eapply Rle_trans. apply Rabs_triang. eapply Rle_trans. apply Rplus_le_compat_r, Rabs_triang.
   eapply Rle_trans. apply Rplus_le_compat_r, Rplus_le_compat_r, Rabs_triang. rewrite Rabs_Ropp, Rabs_mult.
   assert (Rabs (h * INR m - (y - x)) * Rabs d <= eta * Rabs d) by (apply Rmult_le_compat_r; [apply Rabs_pos|lra]).
@@ -739,12 +722,9 @@ Proof.
   replace (eta * (4 + (y - x) + e + Rabs d)) with (eta + eta + eta * (y - x + e + 1) + eta * Rabs d + eta) by ring. lra.
 Qed.
 
-Theorem levels_derivative : continuity psi -> forall x, derivable_pt_lim phi x (slope x).
+Theorem data_derivative : continuity slope -> forall x, derivable_pt_lim phi x (slope x).
 Proof.
-  intros HC x eps He.
-  assert (HS : continuity slope).
-  { unfold slope. apply continuity_minus; auto. apply (continuity_comp (fun x => x - 1) psi); auto.
-    apply continuity_minus. apply derivable_continuous, derivable_id. apply derivable_continuous, derivable_const. }
+  intros HS x eps He.
   destruct (HS x (eps / 2) ltac:(lra)) as [delta [Hd H]]. exists (mkposreal delta Hd). intros h Hh0 Hh. simpl in Hh.
   assert (Near : forall t, Rabs (t - x) < delta -> Rabs (slope t - slope x) <= eps / 2).
   { intros t Ht. destruct (Req_dec t x) as [->|N]. rewrite Rminus_diag_eq, Rabs_R0 by auto. lra.
@@ -762,6 +742,34 @@ Proof.
   apply (Rmult_lt_reg_r (Rabs h)). auto. rewrite Rmult_assoc, Rinv_l by lra. assert (0 < Rabs h * (eps / 2)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 End Derivative.
+
+Lemma slope_near (c : nat -> Z -> R) psi eta : tends (data c) psi -> 0 < eta -> exists n0, forall n, (n0 <= n)%nat -> forall m,
+  Rabs (data c n m - data c n (m - ZA ^ Z.of_nat n)%Z - (psi (IZR m / INR A ^ n) - psi (IZR m / INR A ^ n - 1))) <= eta.
+Proof.
+  intros Psi He. destruct (Psi (eta / 2) ltac:(lra)) as [n0 H]. exists n0. intros n Hn m.
+  assert (P := power_positive n). assert (H1 := H n Hn (IZR m / INR A ^ n)). assert (H2 := H n Hn (IZR m / INR A ^ n - 1)).
+  rewrite grid_value, floor_integer in H1.
+  replace (INR A ^ n * (IZR m / INR A ^ n - 1)) with (IZR (m - ZA ^ Z.of_nat n)) in H2
+    by (rewrite minus_IZR, arity_power; field; lra).
+  rewrite floor_integer in H2.
+  set (a := data c n m) in *. set (b := data c n (m - ZA ^ Z.of_nat n)%Z) in *.
+  replace (a - b - (psi (IZR m / INR A ^ n) - psi (IZR m / INR A ^ n - 1))) with
+    ((a - psi (IZR m / INR A ^ n)) + - (b - psi (IZR m / INR A ^ n - 1))) by lra.
+  eapply Rle_trans. apply Rabs_triang. rewrite Rabs_Ropp. lra.
+Qed.
+
+(* The limit of a smoothed scheme has the differences of the limit of the scheme as its derivative. *)
+Theorem levels_derivative K c phi psi : (forall k, supported K (c k)) -> (K + A - 1 <= L)%nat ->
+  tends (data (fun k => smooth (c k))) phi -> tends (data c) psi -> continuity psi ->
+  forall x, derivable_pt_lim phi x (psi x - psi (x - 1)).
+Proof.
+  intros H HK Phi Psi HC. apply (data_derivative (data (fun k => smooth (c k)))
+    (fun n i => data c n i - data c n (i - ZA ^ Z.of_nat n)%Z) phi (fun x => psi x - psi (x - 1))); auto.
+  - intros n i. apply (levels_difference K); auto.
+  - intros eta He. apply slope_near; auto.
+  - apply continuity_minus; auto. apply (continuity_comp (fun x => x - 1) psi); auto.
+    apply continuity_minus. apply derivable_continuous, derivable_id. apply derivable_continuous, derivable_const.
+Qed.
 
 Corollary smooth_derivative K c phi psi : supported K c -> (K + A - 1 <= L)%nat -> tends (steps (smooth c)) phi ->
   tends (steps c) psi -> continuity psi -> forall x, derivable_pt_lim phi x (psi x - psi (x - 1)).

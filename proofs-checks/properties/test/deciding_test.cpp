@@ -49,6 +49,10 @@ TEST_CASE("a comparison holds for all numbers of an enclosure, or for none, or i
     CHECK(truth(value, "<=", number) == at_most);
     CHECK(truth(value, "<", number) == below);
   }
+  CHECK(truth(two, "=", 2) == yes);
+  CHECK(truth(two, "=", 3) == no);
+  CHECK(truth(wide, "=", 2) == unknown);
+  CHECK(truth(wide, "=", 4) == no);
   CHECK(compare(wide, expected(">=", 2), "the exponent").reason == "the exponent lies in [1, 3]");
   // As many digits as tell the ends from the number.
   const Rational near = 2 - power(Rational(10), -12);

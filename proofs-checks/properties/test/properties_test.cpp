@@ -90,6 +90,12 @@ TEST_CASE("properties of vectors of functions") {
     CHECK(first_answer(text).is_no());
   }
   CHECK_THAT(first_answer(knots + "support = [0, 1]").reason, Catch::Contains("phi_2"));
+  // The hat function on [-1, 1], and one beside it.
+  const std::string beside = "mask = 'refinable:[[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1'\n";
+  const Decision both = first_answer(beside + "support = [-1, 1]");
+  CHECK(both.is_yes());
+  CHECK_THAT(both.reason, Catch::Contains("phi_1 [-1, 1], phi_2 [0, 1]"));
+  CHECK(first_answer(beside + "support = [0, 1]").is_no());
   CHECK_THAT(error_of(ghm + "HC = '>= 1'"), Catch::Contains("is no property of vectors of functions"));
 }
 

@@ -66,7 +66,7 @@ theorem ReducedExactRough --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,
 pair='[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,1]/8'
 theorem ListAny --masks "$pair" --arity 2 --order any --lower 19/10 list-wide.cert
 theorem ListFollows --masks "$pair" --arity 2 --order follows=0-1,1-0 --lower 2 list-in-turn.cert
-theorem Period --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 5/2 period.cert
+theorem PeriodBoth --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 5/2 period.cert
 theorem PeriodExact --masks "$pair" --arity 2 --order period=0,1 --exact '4-log|[-8,1]@8,0,1/1000|^1/1' --logarithm 0 \
   period-exact.cert
 theorem VectorHats --refinable '[[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1' --dilation '[2]' --lower 1 \

@@ -3,6 +3,7 @@
 #include "computed_quantities.hpp"
 
 #include <subcert/analysis/regularity/regularity.hpp>
+#include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/vertex_rules_file.hpp>

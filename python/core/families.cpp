@@ -264,8 +264,8 @@ void add_families(py::module_& module) {
       .def("certificates", [](const LevelsEvidence& evidence) {
         const auto& [scheme, property, box, levels, followed, seconds] = evidence;
         std::vector<RangeCertificate> certificates;
-        const auto add = [&](std::optional<Certificate> one) {
-          if (one) certificates.push_back({box.low[0], box.high[0], Truth::yes, std::move(*one)});
+        const auto add = [&, &of = box](std::optional<Certificate> one) {
+          if (one) certificates.push_back({of.low[0], of.high[0], Truth::yes, std::move(*one)});
         };
         add(levels_certificate(scheme.mask, scheme.letter, property, box, levels, followed ? &*followed : nullptr));
         if (followed) add(limit_certificate(scheme.mask, scheme.letter, box, *followed, {Deadline::in(seconds)}));

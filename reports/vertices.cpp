@@ -2,7 +2,6 @@
 
 #include "computed_quantities.hpp"
 
-#include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
@@ -23,7 +22,7 @@ namespace subcert::reports {
 namespace {
 
 constexpr double seconds_of_scheme = 60;  // what closes needs 25
-constexpr int first_of_all = 13;          // as `subcert vertex --all-valences` begins
+constexpr int usual_valences = 12;        // up to this one
 const Rational beside = Rational(1) / 500;
 
 constexpr std::array classics{"loop",      "catmull-clark",      "doo-sabin", "midedge",
@@ -60,13 +59,13 @@ AtVertices at_vertices(const std::string& text, bool all, const ReportOptions& o
   VertexScheme scheme = scheme_of(text);
   std::optional<SectorRuleFamily> family;
   if (all) family = scheme.family();
-  const long end = std::max<long>(first_of_all, family ? family->least : 0);
-  std::vector<SectorRules> rules;
-  for (long n = smallest_valence; n < end; ++n) rules.push_back(scheme.at(n));
+  std::vector<int> numbers;
+  for (int n = smallest_valence; n <= usual_valences || (all && n < first_of_all(*family)); ++n) numbers.push_back(n);
+  std::vector<SectorRules> rules = scheme.at(numbers);
   RegularPart regular = regular_part(rules.front(), budget_of_scheme(options));
   std::vector<VertexSmoothness> valences = vertex_smoothness(rules, regular, 1);
   std::optional<EveryValence> rest;
-  if (all) rest = every_valence(*family, regular, end, budget_of_scheme(options));
+  if (all) rest = every_valence(*family, regular, numbers.back() + 1, budget_of_scheme(options));
   return {std::move(scheme),  std::move(rules),    std::move(family),
           std::move(regular), std::move(valences), std::move(rest)};
 }
@@ -152,9 +151,11 @@ class VerticesReport {
   /// By values on both sides of the printed one.
   formats::Comparison largest_eigenvalue(const statements::PublishedCell& cell) const {
     const Rational printed = *parse_number(cell.printed);
+    std::optional<RegularPart> regular;  // the same for all values
     const auto c1_at = [&](const Rational& value) {
       const SectorRules rules = scheme_of(cell.scheme, value).at(cell.n.value());
-      return vertex_smoothness(rules, regular_part(rules, budget_of_scheme(options_))).c1.truth;
+      if (!regular) regular = regular_part(rules, budget_of_scheme(options_));
+      return vertex_smoothness(rules, *regular).c1.truth;
     };
     const Rational low = printed - beside, high = printed + beside;
     const Truth below = c1_at(low), above = c1_at(high);
@@ -172,11 +173,12 @@ class VerticesReport {
     return comparison;
   }
 
-  /// Of all valences at once, and beside it those before.
+  /// The certificate of all valences that are proved at once.
   formats::RowProof proof_of(const std::string& name, const AtVertices& found) const {
     if (!found.rest->evidence) return {};
-    const Regularity regularity = regularity_of(found.rules.front().mask.without_factors(), budget_of_scheme(options_));
-    return row_proof(name + "-vertices.cert", vertex_certificate(*found.family, *regularity.surface, *found.rest),
+    const MultivariateRegularity regularity = regularity_around(found.rules.front().mask, true,
+                                                                budget_of_scheme(options_));
+    return row_proof(name + "-vertices.cert", vertex_certificate(*found.family, regularity, *found.rest),
                      options_.verified);
   }
 

@@ -13,6 +13,7 @@ using namespace vertex;
 
 constexpr int most_cuts = 2, most_halvings = 12;
 constexpr slong bits = 64;
+constexpr long first_together = 13;
 
 struct Piece {
   Rational low, high;  // of 1/n
@@ -85,6 +86,8 @@ void add(std::vector<EveryValence::Range>& open, const EveryValence::Range& rang
 }
 
 }  // namespace
+
+long first_of_all(const SectorRuleFamily& family) { return std::max(first_together, family.least); }
 
 EveryValence every_valence(const SectorRuleFamily& family, const RegularPart& regular, long first,
                            const Budget& budget) {

@@ -27,6 +27,9 @@ struct EveryValence {
   std::optional<Evidence> evidence = std::nullopt;  ///< where c1 is yes, by hulls
 };
 
+/// From which valence on all are proved at once; those before are looked at one by one.
+long first_of_all(const SectorRuleFamily& family);
+
 /// Domain: rules with the mask of the regular part, first >= family.least. Errors: as vertex_smoothness(). Cost: a
 /// proof for each interval of 1/n, which are halved where none is found, until the budget is spent. Proof:
 /// docs/all-valences.md.

@@ -21,7 +21,6 @@
 namespace subcert::cli {
 namespace {
 
-constexpr int first_of_all = 13;
 constexpr const char* usual_valences = "3..12";
 
 struct VertexOptions : SearchOptions {
@@ -110,7 +109,7 @@ ExitCode run(const VertexOptions& options) {
   std::optional<SectorRuleFamily> family;
   if (options.all) {
     family = scheme.family();
-    for (int n = first_of_all; n < family->least; ++n) numbers.push_back(n);
+    while (numbers.back() + 1 < first_of_all(*family)) numbers.push_back(numbers.back() + 1);
   }
   if (!options.certificate.empty()) require_folder(options.certificate);
   options.progress("the regular part");

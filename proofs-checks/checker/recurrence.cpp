@@ -159,6 +159,20 @@ void divide(Mask& mask, const Vector& chebyshev, Arithmetic& arithmetic) {
   mask.sizes = {points - 2};
 }
 
+/// Reads lines of this word with intervals to which the values lead one after the other; how many there are.
+std::size_t read_way(const char* word, Range& values, Steps& steps, Reader& reader) {
+  std::size_t count = 0;
+  for (; reader.at(word); ++count) {
+    require(count < most_levels, "more levels than the checker allows");
+    const Fields fields = reader.take(word, 2, 2);
+    const Range next{values.letter, parse_rational(fields[0]), parse_rational(fields[1])};
+    require(next.low <= next.high, "the values of a level are an interval");
+    steps.check(values, next);
+    values = next;
+  }
+  return count;
+}
+
 }  // namespace
 
 Recurrence parse_recurrence(std::string_view step, std::string_view start, std::string_view from, char letter) {
@@ -187,16 +201,8 @@ void read_recurrence(const Recurrence& recurrence, const Range& range, Reader& r
     values.unbounded = false;
     steps.check_descent(range);
   }
-  std::size_t level = 0;
-  for (; reader.at("level"); ++level) {
-    require(level < most_levels, "more levels than the checker allows");
-    const Fields fields = reader.take("level", 2, 2);
-    const Range next{range.letter, parse_rational(fields[0]), parse_rational(fields[1])};
-    require(next.low <= next.high, "the values of a level are an interval");
-    steps.check(values, next);
-    values = next;
-  }
-  require(!recurrence.from || level <= *recurrence.from, "the values come into the range at a later level");
+  const std::size_t levels = read_way("level", values, steps, reader);
+  require(!recurrence.from || levels <= *recurrence.from, "the values come into the range at a later level");
   require(range.low <= values.low && values.high <= range.high, "the values do not come into the range");
 }
 
@@ -206,14 +212,7 @@ std::vector<std::size_t> MasksToLimit::read(unsigned arity, Reader& reader, Arit
                  arithmetic);
   Steps steps(recurrence, arithmetic);
   Range values = range;
-  for (std::size_t level = 0; reader.at("towards"); ++level) {
-    require(level < most_levels, "more levels than the checker allows");
-    const Fields fields = reader.take("towards", 2, 2);
-    const Range next{range.letter, parse_rational(fields[0]), parse_rational(fields[1])};
-    require(next.low <= next.high, "the values of a level are an interval");
-    steps.check(values, next);
-    values = next;
-  }
+  read_way("towards", values, steps, reader);
   steps.check_limit(values, limit);
   if (!reader.at("exponentials")) return {};
   require(arity == 2 && steps.halves_angles(), "exponentials need arity 2 and w -> sqrt((1+w)/2)");

@@ -248,17 +248,10 @@ Theorem grid_exponent m l B : 0 < l <= INR m -> (forall i, Rabs (f O i) <= B) ->
 Proof.
   intros Hl HB HD.
   assert (One : forall x, x < l -> exists phi, tends A f phi /\ continuity phi /\ exists s, exponents phi s /\ x < s).
-  { intros x Hx. set (y := Rmax x 0). assert (Y1 : x <= y) by apply Rmax_l. assert (Y0 : 0 <= y) by apply Rmax_r.
-    assert (Yl : y < l) by (unfold y; apply Rmax_lub_lt; lra). destruct (floor_bounds y) as [F1 F2].
-    assert (F0 : (0 <= floor y)%Z) by (apply Z.lt_succ_r, lt_IZR; rewrite <- Z.add_1_r, plus_IZR; lra).
-    set (k := Z.to_nat (floor y)). assert (Hk : INR k = IZR (floor y)) by (unfold k; rewrite INR_IZR_INZ, Z2Nat.id; auto).
-    rewrite <- Hk in F1, F2. set (z := Rmin l (INR k + 1)).
-    assert (Z1 : z <= l) by apply Rmin_l. assert (Z2 : z <= INR k + 1) by apply Rmin_r.
-    assert (Z0 : y < z) by (apply Rmin_glb_lt; auto). set (w := (y + z) / 2).
-    assert (HkM : (k < m)%nat) by (apply INR_lt; lra).
-    destruct (HD w ltac:(unfold w; lra)) as [C HC].
-    destruct (grid_holder m k w C B HkM ltac:(unfold w; lra) HB HC) as [phi [T [Co Ho]]].
-    exists phi. split; auto. split; auto. exists w. split; [|unfold w; lra]. exists k, (w - INR k). split; [unfold w; lra|]. split; auto. lra. }
+  { intros x Hx. destruct (order_between m x l Hx Hl) as [k [w [Hk [Hw [Wl Wx]]]]].
+    destruct (HD w Wl) as [C HC].
+    destruct (grid_holder m k w C B Hk Hw HB HC) as [phi [T [Co Ho]]].
+    exists phi. split; auto. split; auto. exists w. split; [|auto]. exists k, (w - INR k). split; [lra|]. split; auto. lra. }
   destruct (One 0 ltac:(lra)) as [phi [T [Co _]]]. exists phi. split; auto. split; auto. intros x Hx.
   destruct (One x Hx) as [psi [T' [_ Hs]]]. replace phi with psi; auto. extensionality t. apply (tends_unique psi phi); auto.
 Qed.

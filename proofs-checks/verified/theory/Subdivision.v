@@ -441,6 +441,20 @@ Definition floor (x : R) : Z := (up x - 1)%Z.
 Lemma floor_bounds x : IZR (floor x) <= x < IZR (floor x) + 1.
 Proof. unfold floor. rewrite minus_IZR. destruct (archimed x). lra. Qed.
 
+(* An exponent that is no whole number, above x and below l, with the number of derivatives that it needs. *)
+Lemma order_between m x l : x < l -> 0 < l <= INR m ->
+  exists k w, (k < m)%nat /\ INR k < w < INR k + 1 /\ 0 < w < l /\ x < w.
+Proof.
+  intros Hx Hl. set (y := Rmax x 0). assert (Y1 : x <= y) by apply Rmax_l. assert (Y0 : 0 <= y) by apply Rmax_r.
+  assert (Yl : y < l) by (unfold y; apply Rmax_lub_lt; lra). destruct (floor_bounds y) as [F1 F2].
+  assert (F0 : (0 <= floor y)%Z) by (apply Z.lt_succ_r, lt_IZR; rewrite <- Z.add_1_r, plus_IZR; lra).
+  set (k := Z.to_nat (floor y)). assert (Hk : INR k = IZR (floor y)) by (unfold k; rewrite INR_IZR_INZ, Z2Nat.id; auto).
+  rewrite <- Hk in F1, F2. set (z := Rmin l (INR k + 1)).
+  assert (Z1 : z <= l) by apply Rmin_l. assert (Z2 : z <= INR k + 1) by apply Rmin_r.
+  assert (Z0 : y < z) by (apply Rmin_glb_lt; auto).
+  exists k, ((y + z) / 2). split; [apply INR_lt; lra|]. repeat split; lra.
+Qed.
+
 Lemma floor_unique x k : IZR k <= x < IZR k + 1 -> floor x = k.
 Proof.
   intros [H1 H2]. destruct (floor_bounds x) as [H3 H4].
@@ -973,17 +987,10 @@ Proof.
   intros Al HL Hl HD.
   assert (One : forall x, x < l -> exists phi, is_levels_limit A F L (fun l => smoothed M (b l)) phi /\
     tends (data (fun l => smoothed M (b l))) phi /\ exists s, exponents phi s /\ x < s).
-  { intros x Hx. set (y := Rmax x 0). assert (Y1 : x <= y) by apply Rmax_l. assert (Y0 : 0 <= y) by apply Rmax_r.
-    assert (Yl : y < l) by (unfold y; apply Rmax_lub_lt; lra). destruct (floor_bounds y) as [F1 F2].
-    assert (F0 : (0 <= floor y)%Z) by (apply Z.lt_succ_r, lt_IZR; rewrite <- Z.add_1_r, plus_IZR; lra).
-    set (k := Z.to_nat (floor y)). assert (Hk : INR k = IZR (floor y)) by (unfold k; rewrite INR_IZR_INZ, Z2Nat.id; auto).
-    rewrite <- Hk in F1, F2. set (z := Rmin l (INR k + 1)).
-    assert (Z1 : z <= l) by apply Rmin_l. assert (Z2 : z <= INR k + 1) by apply Rmin_r.
-    assert (Z0 : y < z) by (apply Rmin_glb_lt; auto). set (w := (y + z) / 2).
-    assert (HkM : (k < M)%nat) by (apply INR_lt; lra).
-    destruct (HD w ltac:(unfold w; lra)) as [D HD'].
-    destruct (levels_holder N B b M k w D Al HL HkM ltac:(unfold w; lra) HD') as [phi [Lim [T Ho]]].
-    exists phi. split; auto. split; auto. exists w. split; [|unfold w; lra]. exists k, (w - INR k). split; [unfold w; lra|]. split; auto. lra. }
+  { intros x Hx. destruct (order_between M x l Hx Hl) as [k [w [Hk [Hw [Wl Wx]]]]].
+    destruct (HD w Wl) as [D HD'].
+    destruct (levels_holder N B b M k w D Al HL Hk Hw HD') as [phi [Lim [T Ho]]].
+    exists phi. split; auto. split; auto. exists w. split; [|auto]. exists k, (w - INR k). split; [lra|]. split; auto. lra. }
   destruct (One 0 ltac:(lra)) as [phi [Lim [T _]]]. exists phi. split; auto. split; auto. intros x Hx.
   destruct (One x Hx) as [psi [Lim' [_ Hs]]]. replace phi with psi; auto. extensionality t. apply (levels_unique (fun l => smoothed M (b l))); auto.
 Qed.

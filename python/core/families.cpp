@@ -160,14 +160,14 @@ py::tuple values_in_turn(const std::vector<std::string>& first, const std::vecto
                          const py::object& progress) {
   require(!again.empty(), "limit: need a scheme, got none");
   LevelMasks masks;
-  std::vector<Mask> period;
+  std::vector<LatticeMask> period;
   for (const std::string& one : first) masks.first.push_back(make_scheme(one).mask);
   for (const std::string& one : again) {
     masks.again.push_back(make_scheme(one).mask);
-    period.push_back(masks.again.back().curve());
+    period.push_back(masks.again.back());
   }
   const LimitValues found = interruptible(progress, [&] {
-    require_derivative("the schemes in turn", levels_as_one(period), {0});
+    require_derivative("the schemes in turn", levels_as_one(period).curve(), {0});
     return limit_values(masks, level);
   });
   return py::make_tuple(found.arity, found.first_index, found.values);
@@ -199,8 +199,12 @@ struct ListEvidence {
 std::shared_ptr<ListEvidence> list_of(const std::vector<std::string>& schemes, const std::vector<std::size_t>& period,
                                       const std::vector<std::pair<std::size_t, std::size_t>>& follows, double seconds,
                                       const py::object& progress) {
-  MaskList list{{}, period, follows};
-  for (const std::string& one : schemes) list.masks.push_back(make_scheme(one).mask.curve());
+  properties::MaskListFile file;
+  for (const std::string& one : schemes) properties::add_mask(file, one);
+  if (!schemes.empty()) properties::require_common_data(file.list);
+  MaskList list = std::move(file.list);
+  list.period = period;
+  list.follows = follows;
   return interruptible(progress, [&] {
     ExponentOfList found = exponent_of(list, {Deadline::in(seconds)});
     return std::make_shared<ListEvidence>(ListEvidence{std::move(list), std::move(found), seconds});

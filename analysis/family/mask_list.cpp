@@ -286,8 +286,8 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
     letters = std::move(lift.letters);
   }
   result.list = std::move(single);
-  result.radius = joint_spectral_radius(result.family,
-                                        of_matrices ? Budget{budget.deadline.after(radius_share_of_lists), budget.memory} : budget);
+  result.radius = joint_spectral_radius(
+      result.family, of_matrices ? Budget{budget.deadline.after(radius_share_of_lists), budget.memory} : budget);
   result.sequence = list.period;
   if (list.period.empty())
     for (const std::size_t mask : masks_of(result.radius.product.word, letters, static_cast<std::size_t>(arity)))

@@ -12,10 +12,10 @@
 
 namespace subcert {
 
-/// f_{k+1} = S_k f_k with S_k by one of the masks, and which of them may follow which. Canonical: masks of one variable,
-/// one arity and one number of components; of numbers a sum rule for all, of matrices A_k, P_k transposed, constant data
-/// that all keep (kept_polynomials); most_rules >= 1, of numbers alone; numbers of masks; of `period` and `follows` one
-/// is empty.
+/// f_{k+1} = S_k f_k with S_k by one of the masks, and which of them may follow which. Canonical: masks of one
+/// variable, one arity and one number of components; of numbers a sum rule for all, of matrices A_k, P_k transposed,
+/// constant data that all keep (kept_polynomials); most_rules >= 1, of numbers alone; numbers of masks; of `period` and
+/// `follows` one is empty.
 struct MaskList {
   std::vector<LatticeMask> masks;
   std::vector<std::size_t> period = {};                           ///< these again and again, the coarsest level first
@@ -36,13 +36,13 @@ MaskList without_twins(const MaskList& list);
 
 /// What is known of masks of matrices beside the exponent.
 struct VectorList {
-  std::vector<int> alone;         ///< the number of sum rules of each mask by itself
+  std::vector<int> alone;          ///< the number of sum rules of each mask by itself
   bool keeps_derivatives = false;  ///< the data that all keep are values and derivatives
   /// Positive: words of n levels make O(a^(-ns)) of what annihilates the data that all keep, for each s below.
   std::optional<Rational> decay = {};
-  std::optional<LatticeMask> one = {};                         ///< the masks of the leading sequence as one
-  std::optional<MultivariateRegularity> functions = {};        ///< of its refinement equation
-  std::optional<HermiteOrder> hermite = {};                    ///< of its scheme, where the list is of such
+  std::optional<LatticeMask> one = {};                   ///< the masks of the leading sequence as one
+  std::optional<MultivariateRegularity> functions = {};  ///< of its refinement equation
+  std::optional<HermiteOrder> hermite = {};              ///< of its scheme, where the list is of such
 };
 
 /// The least exponent of all sequences.

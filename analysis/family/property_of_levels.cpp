@@ -149,15 +149,27 @@ Truth holds(const ExponentOfList& found, const RangeProperty& property) {
   return vectors.hermite->next.is_no() ? Truth::no : Truth::unknown;
 }
 
+std::optional<HermiteOrder> hermite_order_of(const ExponentOfList& found) {
+  if (!found.list.hermite || !found.vectors || !found.vectors->keeps_derivatives) return std::nullopt;
+  const int least = static_cast<int>(found.list.masks.front().components()) - 1;
+  const auto have = [&](int order) { return holds(found, {Kind::hermite, order}); };
+  HermiteOrder result{-1, {have(least), ""}};
+  while (result.next.is_yes()) {
+    result.order = result.order < 0 ? least : result.order + 1;
+    result.next = {have(result.order + 1), ""};
+  }
+  return result;
+}
+
 void require_property(const MaskList& list, const RangeProperty& property) {
   if (property.kind != Kind::hermite) return;
   require(list.hermite, "levels: need Hermite schemes for HC{}, got others", property.order);
   const std::size_t derivatives = list.masks.front().components() - 1;
-  require(property.order >= derivatives, "levels: need HC{} or more, as there are {} derivatives, got HC{}", derivatives,
-          derivatives, property.order);
+  require(property.order >= derivatives, "levels: need HC{} or more, as there are {} derivatives, got HC{}",
+          derivatives, derivatives, property.order);
   require(kept_polynomials(list).hermite,
-          "levels: need values and derivatives of polynomials of degree up to {} that all masks keep, got others (perhaps "
-          "the matrices are transposed)",
+          "levels: need values and derivatives of polynomials of degree up to {} that all masks keep, got others "
+          "(perhaps the matrices are transposed)",
           derivatives);
 }
 

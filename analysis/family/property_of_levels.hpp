@@ -14,6 +14,9 @@ Truth holds(const Enclosure& exponent, const RangeProperty& property);
 
 /// The same of a list; of a Hermite list also `hermite`, of an order from one less than its components on.
 Truth holds(const ExponentOfList& found, const RangeProperty& property);
+/// The largest HC^k that all sequences of a Hermite list have, and whether they have one more. Nothing where no
+/// derivatives are kept.
+std::optional<HermiteOrder> hermite_order_of(const ExponentOfList& found);
 /// Errors: throws Error for a property that is not one of lists, or HC^k of a list that has no derivatives, or more.
 void require_property(const MaskList& list, const RangeProperty& property);
 

@@ -20,9 +20,7 @@ namespace {
 const Budget a_minute{Deadline::in(60)};
 
 LatticeMask vector_mask(const std::string& text) { return make_refinable_scheme(text).mask; }
-LatticeMask merrien(const Rational& mu) {
-  return vector_mask(fmt::format("merrien:lambda=-1/8,mu={}", to_text(mu)));
-}
+LatticeMask merrien(const Rational& mu) { return vector_mask(fmt::format("merrien:lambda=-1/8,mu={}", to_text(mu))); }
 MaskList hermite_list(std::vector<LatticeMask> masks) { return {std::move(masks), {}, {}, {}, true}; }
 
 /// A scheme of numbers of arity a on pairs of neighbours.
@@ -101,8 +99,9 @@ TEST_CASE("lists of matrices: masks of numbers on pairs tell what the masks tell
     std::vector<LatticeMask> numbers, pairs;
     for (int k = 0; k < 2; ++k) {
       // Two or three sum rules, and another factor; shifts do not matter.
-      const LaurentPolynomial smoothing = arity == 2 ? LaurentPolynomial({Rational(1, 2), Rational(1, 2)}, 0)
-                                                     : LaurentPolynomial({Rational(1, 3), Rational(1, 3), Rational(1, 3)}, 0);
+      const LaurentPolynomial smoothing = arity == 2
+                                              ? LaurentPolynomial({Rational(1, 2), Rational(1, 2)}, 0)
+                                              : LaurentPolynomial({Rational(1, 3), Rational(1, 3), Rational(1, 3)}, 0);
       const Rational t(random.integer(-3, 5), 8);
       LaurentPolynomial symbol = LaurentPolynomial({arity * (1 - t), arity * t}, random.integer(-2, 2));
       for (long m = random.integer(2, 3); m > 0; --m) symbol *= smoothing;
@@ -111,8 +110,9 @@ TEST_CASE("lists of matrices: masks of numbers on pairs tell what the masks tell
     }
     const MaskList orders[] = {{numbers}, {numbers, {0, 1}, {}}, {numbers, {}, {{0, 1}, {1, 0}, {1, 1}}}};
     for (const MaskList& list : orders) {
-      INFO(list.masks.front().curve().symbol().to_mask_text() << " " << list.masks.back().curve().symbol().to_mask_text()
-                                                              << " " << list.period.size() << list.follows.size());
+      INFO(list.masks.front().curve().symbol().to_mask_text()
+           << " " << list.masks.back().curve().symbol().to_mask_text() << " " << list.period.size()
+           << list.follows.size());
       const ExponentOfList of_numbers = exponent_of(list, a_minute),
                            of_pairs = exponent_of({pairs, list.period, list.follows}, a_minute);
       CHECK(of_pairs.sum_rules == of_numbers.sum_rules);

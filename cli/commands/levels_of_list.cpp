@@ -50,6 +50,22 @@ std::string alone_line(const ExponentOfList& found) {
                      differ ? ", with other data for each mask" : "");
 }
 
+/// Of Hermite schemes.
+std::string hermite_line(const ExponentOfList& found) {
+  const auto known = hermite_order_of(found);
+  if (!known) return "";
+  const auto& [order, next] = *known;
+  if (order < 0) return fmt::format("Hermite      {}\n", next.is_no() ? "none for all sequences" : "unknown");
+  return fmt::format("Hermite      HC^{} for all sequences{}\n", order,
+                     next.is_no() ? fmt::format(", not HC^{}", order + 1) : fmt::format("; HC^{} is open", order + 1));
+}
+
+Json hermite_json(const ExponentOfList& found) {
+  const auto known = hermite_order_of(found);
+  if (!known) return nullptr;
+  return {{"order", known->order < 0 ? Json() : Json(known->order)}, {"next", to_text(known->next.truth)}};
+}
+
 std::string text_of(const MaskListFile& file, const ExponentOfList& found, const std::string& property, Truth answer) {
   std::string text;
   for (std::size_t k = 0; k < file.specifications.size(); ++k)
@@ -57,7 +73,7 @@ std::string text_of(const MaskListFile& file, const ExponentOfList& found, const
   text += fmt::format("order        {}\nsum rules    {}{}\nexponent     {}\n", order_text(file.list), found.sum_rules,
                       file.list.period.empty() ? " in common" : "", exponent_text(found));
   text += alone_line(found);
-  text += formula_line(found);
+  text += formula_line(found) + hermite_line(found);
   if (!found.sequence.empty() && file.list.period.empty())
     text += fmt::format("least for    {}\n", sequence_text(found.sequence));
   if (found.exponent.lower && !found.exact.is_yes()) text += "not exact    " + found.exact.reason + "\n";
@@ -72,7 +88,7 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   json["stable"] = found.stable.is_yes();
   if (found.vectors) {
     json["sum_rules_alone"] = found.vectors->alone;
-    json["keeps_derivatives"] = found.vectors->keeps_derivatives;
+    json["hermite"] = hermite_json(found);
   }
   if (!property.empty()) {
     json["property"] = property;
@@ -119,10 +135,11 @@ RangeProperty read_levels_property(const std::string& text, bool of_matrices) {
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
                             const std::string& certificates) {
   const MaskListFile read_file = read_lists(file);
-  const auto asked = property.empty()
-                         ? std::nullopt
-                         : std::optional(read_levels_property(property, read_file.list.hermite));
+  const auto asked = property.empty() ? std::nullopt
+                                      : std::optional(read_levels_property(property, read_file.list.hermite));
   if (asked) require_property(read_file.list, *asked);
+  if (!certificates.empty() && read_file.list.masks.front().components() > 1)
+    fail(ErrorKind::usage, "--certificate: lists of masks of matrices have none");
   if (!certificates.empty()) require_folder(certificates);
   const Budget budget = options.limits();
   options.progress("masks");

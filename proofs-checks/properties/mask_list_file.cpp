@@ -46,8 +46,7 @@ void add_mask(MaskListFile& file, std::string_view specification) {
     if (mask.arity() != first.arity())
       fail(ErrorKind::data, "expected masks of one arity, got {} and {}", first.arity(), mask.arity());
     if (mask.components() != first.components())
-      fail(ErrorKind::data, "expected matrices of one size, got {} and {} rows", first.components(),
-           mask.components());
+      fail(ErrorKind::data, "expected matrices of one size, got {} and {} rows", first.components(), mask.components());
     if (is_hermite != file.list.hermite)
       fail(ErrorKind::data, "expected Hermite schemes alone or none, got {} and {}", file.specifications.front(),
            scheme.specification);

@@ -9,6 +9,7 @@
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/properties/mask_list_file.hpp>
 #include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/plain_text.hpp>
@@ -213,8 +214,11 @@ std::shared_ptr<ListEvidence> list_of(const std::vector<std::string>& schemes, c
 
 py::dict list_dict(const ListEvidence& evidence) {
   const ExponentOfList& found = evidence.found;
+  const auto hermite = hermite_order_of(found);
   return py::dict("exponent"_a = found.exponent, "exact"_a = found.exact, "sum_rules"_a = found.sum_rules,
-                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes(), "formula"_a = formula_of(found));
+                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes(), "formula"_a = formula_of(found),
+                  "sum_rules_alone"_a = found.vectors ? found.vectors->alone : std::vector<int>{},
+                  "hermite_order"_a = hermite && hermite->order >= 0 ? std::optional(hermite->order) : std::nullopt);
 }
 
 py::list certificates_of(const ListEvidence& evidence) {

@@ -97,12 +97,17 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   return json;
 }
 
-/// Of all sequences first.
+/// Of all sequences first; of matrices those of one sequence alone.
 std::vector<NamedCertificate> certificates_of(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<NamedCertificate> result;
   for (Certificate& one : list_certificates(list, found, budget)) {
-    const bool all = result.empty() && list.period.empty();
-    result.push_back({fmt::format("0{}-{}", result.size() + 1, all ? "all" : "sequence"), std::move(one)});
+    const bool all = result.empty() && list.period.empty() && !found.vectors,
+               of_scheme = std::holds_alternative<MaskSubject>(one.claim.subject);
+    result.push_back({fmt::format("0{}-{}", result.size() + 1,
+                                  all         ? "all"
+                                  : of_scheme ? "scheme"
+                                              : "sequence"),
+                      std::move(one)});
   }
   return result;
 }
@@ -138,8 +143,6 @@ ExitCode run_levels_of_list(const SearchOptions& options, const std::string& fil
   const auto asked = property.empty() ? std::nullopt
                                       : std::optional(read_levels_property(property, read_file.list.hermite));
   if (asked) require_property(read_file.list, *asked);
-  if (!certificates.empty() && read_file.list.masks.front().components() > 1)
-    fail(ErrorKind::usage, "--certificate: lists of masks of matrices have none");
   if (!certificates.empty()) require_folder(certificates);
   const Budget budget = options.limits();
   options.progress("masks");
@@ -151,8 +154,8 @@ ExitCode run_levels_of_list(const SearchOptions& options, const std::string& fil
   Json json = json_of(read_file, found, property, answer);
   WrittenCertificates written;
   if (!certificates.empty())
-    written = write_certificates(certificates, certificates_of(read_file.list, found, budget), {"-all", "-sequence"},
-                                 "what is not proved", json);
+    written = write_certificates(certificates, certificates_of(read_file.list, found, budget),
+                                 {"-all", "-sequence", "-scheme"}, "what is not proved", json);
   options.answer(json, text_of(read_file, found, property, answer) + written.text);
   written.failure.raise();
   return exit_code(answer, !budget.deadline.expired());

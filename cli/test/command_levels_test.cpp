@@ -357,8 +357,13 @@ TEST_CASE("levels: lists of masks of matrices") {
   CHECK(run("levels lists:" + folder.write("root.toml", "masks = [\"refinable:[[[sqrt(2),0],[0,1]]]\"]")).code == 65);
   CHECK(run("levels lists:" + folder.write("none.toml", "masks = []")).code == 65);
   check_fails(run(any + " --property HC0"), 64, "levels: need HC1 or more, as there are 1 derivatives, got HC0");
-  check_fails(run(any + " --certificate " + (folder / "proofs")), 64,
-              "--certificate: lists of masks of matrices have none");
+  // Certificates are of the sequence with the least exponent.
+  const std::string certificates = folder / "proofs";
+  const auto written = run_json(graph + " --certificate " + certificates);
+  CHECK(written.at("certificates") == 2);
+  CHECK(says(run("verify " + certificates + "/01-sequence.cert"), " of the refinable functions of "));
+  CHECK(says(run("verify " + certificates + "/02-scheme.cert"), "HC^1 of the Hermite scheme of "));
+  CHECK(run("verify " + certificates).code == 0);
   check_fails(run("levels lists:" + folder.write("ghm.toml", "masks = [\"ghm\"]") + " --property HC1"), 64,
               "--property: expected convergent, C1, C2, ... or holder>=3/2, got 'HC1'");
   CHECK(run("limit lists:" + folder.write("turn.toml", pair + "period = [0, 1]")).code == 64);

@@ -45,6 +45,23 @@ Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& se
   return certificate;
 }
 
+/// Of masks of matrices: the exponent of the functions of the leading sequence, and of its scheme that it converges, of
+/// a Hermite list HC^k.
+std::vector<Certificate> of_functions(const ExponentOfList& found, const Budget& budget) {
+  std::vector<Certificate> result;
+  const VectorList& vectors = *found.vectors;
+  if (!vectors.functions || vectors.functions->vector->solutions != 1) return result;
+  const auto add = [&](const auto& make) {
+    try {
+      result.push_back(make());
+    } catch (const Error&) {  // nothing is proved, or not so that a certificate can tell
+    }
+  };
+  add([&] { return exponent_certificate(*vectors.one, Regularity{std::nullopt, vectors.functions}); });
+  add([&] { return vector_scheme_certificate(*vectors.one, vectors.hermite.has_value(), budget); });
+  return result;
+}
+
 /// Of levels that follow from each other, to which value they tend, and how.
 void add_limit(Certificate& certificate, char letter, const FollowedLevels& followed) {
   const LimitOfLevels& limit = *followed.limit;
@@ -111,7 +128,7 @@ std::optional<Certificate> each_point_certificate(const ParametricMask& mask, ch
 
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<Certificate> result;
-  if (found.vectors) return result;
+  if (found.vectors) return of_functions(found, budget);
   auto all = of_all(list_subject(found.list), found.sum_rules, list.masks.front().arity(), found.family, found.radius);
   if (!all) return result;
   if (list.period.empty()) result.push_back(std::move(*all));

@@ -383,6 +383,7 @@ TEST_CASE("levels: wrong usage") {
               "--start: expected w0=VALUE, w0=LOW..HIGH or w0=LOW..inf, got 'v0=1'");
   check_fails(run("levels four-point:w --over w=0..1"), 64,
               "--property is required with a family that has a parameter");
+  check_fails(run("levels masks.toml"), 64, "'masks.toml'; a file with a list of masks is lists:masks.toml");
   check_fails(run("levels four-point:w --property C1"), 64, "--over is required with a family that has a parameter");
   CHECK(run("levels four-point:w --over v=0..1 --property C1").code == 64);
   CHECK(run("levels chaikin --over w=0..1 --property C1").code == 64);

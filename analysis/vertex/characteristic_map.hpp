@@ -55,7 +55,8 @@ struct MapProof {
 class CharacteristicMap {
  public:
   /// Data of the frequency with the eigenvalue lambda, one vector among these. Domain: 0 <= frequency < n/2, and lambda
-  /// real and positive; `forms` of the mask of the rules. Nothing where no eigenvector is found in balls of so many bits.
+  /// real and positive; `forms` of the mask of the rules. Nothing where no eigenvector is found in balls of so many
+  /// bits.
   static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
                                                long frequency, const Ball& lambda, const BallField& field);
 

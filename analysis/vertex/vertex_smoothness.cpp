@@ -135,7 +135,7 @@ class VertexProof {
     const Decision& deciding = proof.regular.is_yes() ? proof.half_plane : proof.regular;
     result_.c1 = {deciding.truth,
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
-    if (!result_.c1.is_yes() || !leader.is_simple()) return;
+    if (!result_.c1.is_yes() || !spectrum_->has_simple_leader()) return;
     look_behind(spectrum_->groups.front());
     result_.evidence = evidence_of(rules_, set_, *map, leader.value, BallField(rules_.valence, bits_),
                                    regular_.forms->are_hulls());

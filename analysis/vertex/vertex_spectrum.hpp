@@ -41,7 +41,6 @@ struct SharedLeader {
 
   /// The frequencies with the largest blocks.
   std::vector<long> frequencies() const;
-  bool is_simple() const { return shares.size() == 1 && shares.front().size == 1; }
 };
 
 /// Exact. Nothing where that number is not found in Q(c), where a frequency has several blocks with it, or where other

@@ -389,20 +389,9 @@ let subradius matrices lower upper exact file =
 (* The text [c0,c1,...]/D@first *)
 let read_mask text arity =
   let expected = "a mask is [c0,c1,...]/D@first" in
-  let start, stop = match (String.index_opt text '[', String.rindex_opt text ']') with
-    | Some 0, Some stop -> (1, stop)
-    | _ -> reject expected
-  in
-  let tail = String.sub text (stop + 1) (String.length text - stop - 1) in
-  let over, first =
-    match String.split_on_char '@' tail with
-    | [ over ] -> (over, Z.zero)
-    | [ over; first ] -> (over, integer first)
-    | _ -> reject expected
-  in
-  require (over = "" || over.[0] = '/') expected;
+  let entries, over, first = read_list text expected in
   let scale = rational ("1" ^ over) in
-  let values = List.map (fun c -> Q.mul (rational c) scale) (String.split_on_char ',' (String.sub text start (stop - start))) in
+  let values = List.map (fun c -> Q.mul (rational c) scale) entries in
   let zero k = Q.sign (List.nth values k) = 0 and count = List.length values in
   require
     (count <= 1000 && not (zero 0) && not (zero (count - 1)))
@@ -585,11 +574,16 @@ let with_rough order shifts rough proof =
         holds = (fun a -> proof.holds a && check_rough a order k shifts);
         statement = { proof.statement with rough = Some (order, k, shifts) } }
 
-(* What is shown of a mask, from its sum rules on *)
-let read_mask_proof scheme lower upper rough number logarithm r =
+(* sum-rules M, perhaps full *)
+let read_sum_rules r =
   let fields = take r "sum-rules" 1 2 in
   let order = size (List.hd fields) 1 500 and full = List.length fields = 2 in
   require (not full || List.nth fields 1 = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+  (order, full)
+
+(* What is shown of a mask, from its sum rules on *)
+let read_mask_proof scheme lower upper rough number logarithm r =
+  let order, full = read_sum_rules r in
   require
     (Z.equal (List.fold_left Z.add Z.zero scheme.coefficients) (Z.mul (Z.of_int scheme.arity) scheme.common))
     "the coefficients of the mask do not sum to the arity";
@@ -765,9 +759,7 @@ let ranged mask arity range sequences lower file =
         let kind = if sequences then "levels" else "exponent" in
         let number = read_head ~exponent:true r (Printf.sprintf "%s %s %s %s" kind mask arity range) None in
         require (number = None) "exact numbers are those of one mask or family";
-        let fields = take r "sum-rules" 1 2 in
-        let order = size (List.hd fields) 1 500 in
-        require (List.length fields = 1 || List.nth fields 1 = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+        let order, _ = read_sum_rules r in
         if at r "stability" then line r "stability";
         require (Q.sign lower >= 0) "the lower end of an exponent must be positive";
         require (Q.lt lower (Q.of_int order)) "the order of the sum rules does not prove the claim";

@@ -42,12 +42,7 @@ let read_mask text dilation =
   if contains "sqrt" then undecided "masks with square roots are";
   let lists, stop = tree text 0 in
   let tail = String.sub text stop (String.length text - stop) in
-  let over, first = match String.split_on_char '@' tail with
-    | [ over ] -> (over, Z.zero)
-    | [ over; first ] -> (over, integer first)
-    | _ -> reject expected
-  in
-  require (over = "" || over.[0] = '/') expected;
+  let over, first = read_tail tail expected in
   let scale = rational ("1" ^ over) in
   let entry = function Leaf x -> Q.mul (rational x) scale | Lists _ -> reject expected in
   let items = function Lists l -> l | Leaf _ -> reject expected in

@@ -18,7 +18,7 @@ let usage =
   \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
   \       subcert-check-verified --mask '[-w,0,1/2+w,...]@first' --arity A --for w=LOW..HIGH --lower P/Q [--show] FILE\n\
   \                              (for all these w; <, not <=; --levels w=LOW..HIGH: for all sequences of them, one for each level)\n\
-  \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--show] FILE    (vectors of functions)\n\
+  \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--upper P/Q] [--show] FILE    (vectors of functions)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
@@ -781,8 +781,17 @@ let ranged mask arity range sequences lower file =
         (if sequences then "sequences of levels with " else "") (Q.to_string low) (Q.to_string high);
       Ranges.show a )
 
-(* A claim about a vector of functions: that there is one, and the lower end *)
-let refinable mask dilation lower file =
+(* arity^(-upper), rounded up, and above arity^(-order): a radius that proves an upper end of functions *)
+let least_radius arity order upper =
+  require (Q.sign upper >= 0 && Q.leq upper (Q.of_int 10_000)) "an exponent is negative or too large";
+  let base = Z.of_int arity in
+  let whole = Z.pow base order in
+  let digits = digits + Z.numbits whole in
+  let above = Z.cdiv (Z.shift_left unity digits) (power_below base order (Q.num upper) (Q.den upper)) in
+  Q.make (Z.max above (Z.succ (Z.fdiv (Z.shift_left Z.one digits) whole))) (Z.shift_left Z.one digits)
+
+(* A claim about a vector of functions: that there is one, and its lower end, or both *)
+let refinable mask dilation lower upper file =
   let a = Vectors.read_mask mask dilation and head = Printf.sprintf "refinable %s %s" mask dilation in
   let theorem =
     read file 1 (fun r ->
@@ -791,20 +800,30 @@ let refinable mask dilation lower file =
         let space = Vectors.read_space a lower r in
         let order = space.difference_order and l = bound_of lower in
         let bound = Q.div (most_radius a.vector_arity order l) (Q.of_bigint (Z.pow (Z.of_int a.vector_arity) order)) in
-        let radius = read_proof ~single:false (vector_family a space) None (Some bound) r in
+        let least = Option.map (least_radius a.vector_arity order) upper in
+        let images = Option.map (fun _ -> Vectors.read_images a space) upper in
+        let radius = read_proof ~single:false (vector_family a space) least (Some bound) r in
         let certificate = { space with space_bound = bound_of bound; space_radius = radius } in
         read_end r;
-        require (check_vectors a l certificate) unproved;
-        fun name -> Theorem.print_vectors name a l certificate)
+        match (upper, least, images) with
+        | Some upper, Some least, Some (image_words, combinations, combination_scale) ->
+            let above = { space_proof = certificate; image_words; combinations; combination_scale; space_least = bound_of least } in
+            let u = bound_of upper in
+            require (check_vectors_between a l u above) unproved;
+            fun name -> Theorem.print_vectors_between name a l u above
+        | _ ->
+            require (check_vectors a l certificate) unproved;
+            fun name -> Theorem.print_vectors name a l certificate)
   in
-  ( Printf.sprintf "%s <= Hoelder exponent of the refinable functions of %s with dilation %s" (Q.to_string lower) mask dilation,
+  ( Printf.sprintf "%s <= Hoelder exponent%s of the refinable functions of %s with dilation %s" (Q.to_string lower)
+      (side upper (fun u -> " <= " ^ u)) mask dilation,
     theorem,
-    fun () -> Vectors.show a lower )
+    fun () -> Vectors.show a lower upper )
 
 let undecided =
   "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, \
-   those of lists of masks, lower ends for all values of a parameter or all sequences of them, and of refinable functions of \
-   one variable, the others by subcert-check"
+   those of lists of masks, lower ends for all values of a parameter or all sequences of them, and bounds of refinable \
+   functions of one variable, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -842,8 +861,8 @@ let check arguments =
       let exact = Option.map (read_exact false) (find "--exact") in
       prove (get option) (bound "--lower") (bound "--upper") exact (get "FILE")
     end
-    else if has "--refinable" && has "--dilation" && has "--lower" && only [ "--refinable"; "--dilation" ] then
-      refinable (get "--refinable") (get "--dilation") (Option.get (bound "--lower")) (get "FILE")
+    else if has "--refinable" && has "--dilation" && has "--lower" && only [ "--refinable"; "--dilation"; "--upper" ] && rough = None then
+      refinable (get "--refinable") (get "--dilation") (Option.get (bound "--lower")) (bound "--upper") (get "FILE")
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
       ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels")
         (Option.get (bound "--lower")) (get "FILE")

@@ -194,8 +194,57 @@ let read_space mask lower r =
       require (checks_kernel mask certificate) "not shown that all solutions are multiples of one";
       certificate
 
-let show mask lower =
-  Printf.printf "the Hoelder exponent of %d functions of arity %d, at least %s\n" mask.functions mask.vector_arity (Q.to_string lower);
+(* Whether a vector of numbers modulo a prime is independent of those that `reduced` remembers, which it joins then *)
+let prime = 2_147_483_647
+
+let joins reduced row =
+  let rec power x k = if k = 0 then 1 else let h = power (x * x mod prime) (k / 2) in if k land 1 = 1 then h * x mod prime else h in
+  let row = Array.map (fun x -> Z.to_int (Z.erem x (Z.of_int prime))) row in
+  List.iter (fun (pivot, other) ->
+      let f = row.(pivot) in
+      if f <> 0 then Array.iteri (fun k x -> row.(k) <- ((row.(k) - (f * x mod prime)) + prime) mod prime) other) (List.rev !reduced);
+  let rec first k = if k = Array.length row then None else if row.(k) <> 0 then Some k else first (k + 1) in
+  match first 0 with
+  | None -> false
+  | Some pivot ->
+      let inverse = power row.(pivot) (prime - 2) in
+      reduced := (pivot, Array.map (fun x -> x * inverse mod prime) row) :: !reduced;
+      true
+
+(* Words whose images of the differences of the values span the space, and the vectors of the space as sums of these images *)
+let read_images mask certificate =
+  let a = mask.vector_arity and dimension = List.length certificate.spanning in
+  let moved t u =
+    spend (certificate.window * List.length mask.of_points * mask.functions * mask.functions);
+    move a mask.functions certificate.window_first certificate.window mask.vector_first mask.of_points t u
+  in
+  let coordinates u = let u = Array.of_list u in Array.of_list (List.map (fun p -> u.(p)) certificate.places) in
+  let digits = List.init a Fun.id in
+  let rec long k = if k = 0 then [ ([], start_differences mask certificate) ]
+    else List.concat_map (fun (w, u) -> List.map (fun t -> (t :: w, moved t u)) digits) (long (k - 1)) in
+  let reduced = ref [] in
+  let rec search found = function
+    | [] -> List.rev found
+    | _ when List.length found = dimension -> List.rev found
+    | (w, u) :: rest ->
+        let row = coordinates u in
+        if joins reduced row then search ((w, row) :: found) (rest @ List.map (fun t -> (t :: w, moved t u)) digits) else search found rest
+  in
+  let found = search [] (long certificate.entering) in
+  require (List.length found = dimension) "the differences of the values do not span the space";
+  let pivot = Q.of_bigint certificate.place_value in
+  let rows = Array.of_list (List.map (fun (_, row) -> Array.map (fun x -> Q.div (Q.of_bigint x) pivot) row) found) in
+  spend (dimension * dimension * dimension);
+  match independent rows dimension with
+  | None -> reject "the differences of the values do not span the space"
+  | Some (_, inverse) ->
+      let common = Array.fold_left (Array.fold_left (fun d x -> Z.lcm d (Q.den x))) Z.one inverse in
+      let whole row = Array.to_list (Array.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x))) row) in
+      (List.map fst found, Array.to_list (Array.map whole inverse), common)
+
+let show mask lower upper =
+  Printf.printf "the Hoelder exponent of %d functions of arity %d, at least %s%s\n" mask.functions mask.vector_arity (Q.to_string lower)
+    (match upper with Some u -> ", at most " ^ Q.to_string u | None -> "");
   List.iteri (fun k ->
       List.iteri (fun i row ->
           Printf.printf "matrix %s, row %d: %s\n" (Z.to_string (Z.add mask.vector_first (Z.of_int k))) i

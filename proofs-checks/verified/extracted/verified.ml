@@ -4423,3 +4423,71 @@ let check_vectors a l c =
   (&&) (vector_reduces a l c)
     (check_radius { matrices_of = (vector_family a c); lower = None; upper =
       (Some c.space_bound) } c.space_radius)
+
+(** val start_differences :
+    vector_mask -> vector_certificate -> Number.t list **)
+
+let start_differences a c =
+  firstn (mul c.window a.functions) (differences_of a c)
+
+type above_certificate = { space_proof : vector_certificate;
+                           image_words : int list list;
+                           combinations : Number.t list list;
+                           combination_scale : Number.t; space_least : 
+                           q }
+
+(** val image_by :
+    vector_mask -> vector_certificate -> int list -> Number.t list **)
+
+let image_by a c w =
+  fold_right
+    (move a.vector_arity a.functions c.window_first c.window a.vector_first
+      a.of_points) (start_differences a c) w
+
+(** val checks_images : vector_mask -> above_certificate -> bool **)
+
+let checks_images a d =
+  let c = d.space_proof in
+  let images0 = map (image_by a c) d.image_words in
+  (&&)
+    ((&&) (Number.less Number.zero d.combination_scale)
+      (forallb (forallb (fun t0 -> Nat.ltb t0 a.vector_arity)) d.image_words))
+    (forallb (fun k ->
+      zero_list
+        (addmul (Number.opposite d.combination_scale) (nth k c.spanning [])
+          (combine_lists (nth k d.combinations []) images0)))
+      (seq 0 (length c.spanning)))
+
+(** val checks_places : vector_mask -> vector_certificate -> bool **)
+
+let checks_places _ c =
+  forallb (fun l ->
+    forallb (fun k ->
+      Number.equal (nth (nth l c.places 0) (nth k c.spanning []) Number.zero)
+        (if_equal k l c.place_value)) (seq 0 (length c.spanning)))
+    (seq 0 (length c.spanning))
+
+(** val above_powers : int -> q -> int -> q -> bool **)
+
+let above_powers arity0 u order0 g =
+  (&&)
+    ((&&) (Number.less_equal Number.zero u.qnum)
+      (Number.less_equal (Number.mul unity g.qden)
+        (Number.mul g.qnum
+          (power_below (Number.of_natural arity0) order0 u.qnum u.qden))))
+    (Number.less g.qden
+      (Number.mul g.qnum
+        (Number.power (Number.of_natural arity0) (Number.of_natural order0))))
+
+(** val check_vectors_between :
+    vector_mask -> q -> q -> above_certificate -> bool **)
+
+let check_vectors_between a l u d =
+  let c = d.space_proof in
+  (&&)
+    ((&&)
+      ((&&) ((&&) (vector_reduces a l c) (checks_images a d))
+        (checks_places a c))
+      (above_powers a.vector_arity u c.difference_order d.space_least))
+    (check_radius { matrices_of = (vector_family a c); lower = (Some
+      d.space_least); upper = (Some c.space_bound) } c.space_radius)

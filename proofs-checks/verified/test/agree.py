@@ -55,13 +55,14 @@ def decided(name, arguments):
         return False
     if options & {"--matrices", "--subradius"}:
         return True
-    # Lower ends of refinable functions of one variable, with the digits 0, 1, ...
+    # Lower ends of refinable functions of one variable, or both, with the digits 0, 1, ...
     if "--refinable" in options:
         value = dict(zip(arguments[::2], arguments[1::2]))
         factor = re.fullmatch(r"\[([1-9]\d*)\]", value["--dilation"])
         digits = re.search(r"\ndigits(.*)\n", text)
         usual = factor and (not digits or digits[1].split() == [str(t) for t in range(int(factor[1]))])
-        return bool(options == {"--refinable", "--dilation", "--lower"} and usual and "sqrt" not in value["--refinable"])
+        ends = options - {"--refinable", "--dilation"}
+        return bool(ends in ({"--lower"}, {"--lower", "--upper"}) and usual and "sqrt" not in value["--refinable"])
     # Lower ends for all values of a parameter, or for all sequences of them
     if options & {"--for", "--levels"}:
         return options in ({"--mask", "--arity", "--for", "--lower"}, {"--mask", "--arity", "--levels", "--lower"})
@@ -123,6 +124,10 @@ for line in (directory / "claims.txt").read_text().splitlines():
         at = alone.index("--lower") + 1
         for end in (Fraction(alone[at]), Fraction(alone[at]) * Fraction(6, 7), Fraction(alone[at]) + Fraction(1, 10)):
             compare(f"{name} from {end}", [*alone[:at], str(end), *alone[at + 1:], f"{name}.cert"])
+        if "--upper" in arguments:
+            at = arguments.index("--upper") + 1
+            for end in (Fraction(arguments[at]) + Fraction(1, 7), Fraction(arguments[at]) - Fraction(1, 1000), Fraction(1000)):
+                compare(f"{name} to {end}", [*arguments[:at], str(end), *arguments[at + 1:], f"{name}.cert"])
         continue
     if "--exact" in arguments and directory.name == "accept":
         number = arguments[arguments.index("--exact") + 1]

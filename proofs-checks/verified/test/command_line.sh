@@ -183,7 +183,15 @@ echo "$output" | grep -qx 'matrix 1, row 1: 1 1/4'
 functions 1 --lower 1001/1000
 functions 1 --lower 0
 functions 2
-functions 2 --lower 1 --upper 1
+functions 0 --lower 1 --upper 1 --show
+echo "$output" | grep -qx 'the Hoelder exponent of 2 functions of arity 2, at least 1, at most 1'
+functions 0 --lower 1/2 --upper 10000
+functions 1 --lower 1 --upper 999/1000
+functions 1 --lower 1 --upper -1
+functions 1 --lower 1 --upper 10001
+functions 64 --lower 1 --upper 1/0
+functions 2 --lower 1 --upper C2
+functions 2 --upper 1
 functions 2 --lower 1 --component 0
 functions 2 --lower 1 --integral 1,1
 functions 64 --lower 1/0

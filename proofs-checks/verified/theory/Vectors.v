@@ -476,12 +476,13 @@ Proof.
   rewrite Nat.mul_add_distr_r, (Nat.mul_comm (q / r)). lia.
 Qed.
 
-Lemma start_real : checks_start a c = true -> exists u0, (length u0 <= size)%nat /\
+Definition start_differences : list Z := firstn (window c * functions a) (differences_of a c).
+Lemma start_real : checks_start a c = true -> let u0 := start_differences in (length u0 <= size)%nat /\
   (forall i k, (k < r)%nat -> sequence u0 i k = vector_differences (difference_order c) v i k) /\
   enters A r lo len F (of_points a) (spanning c) (places c) (place_value c) (entering c) u0 = true.
 Proof.
   unfold checks_start. rewrite !andb_true_iff. intros [[_ HZ] HE]. fold A r lo len F size in HZ, HE.
-  exists (firstn size (differences_of a c)). split. rewrite firstn_length; lia. split; auto. intros i k Hk.
+  unfold start_differences. fold len r size. cbv zeta. split. rewrite firstn_length; lia. split; auto. intros i k Hk.
   unfold v. rewrite <- sequence_differences by auto. fold r. change (iterate (difference_order c) (step_difference r) (fixed c)) with (differences_of a c).
   unfold sequence. destruct (i <? window_first c)%Z; auto. rewrite <- (firstn_skipn size (differences_of a c)) at 2.
   unfold vr. set (l := differences_of a c) in *. destruct (Nat.lt_ge_cases (place i k) (length (firstn size l))).
@@ -490,11 +491,13 @@ Proof.
     apply (zero_list_vr (skipn size l) HZ (place i k - length (firstn size l))).
 Qed.
 
-Theorem vectors_of_radius l bound : checks_start a c = true -> radius_at_most N A (real T) bound ->
+(* The solution, and its values on the grids *)
+Theorem values_of_radius l bound : checks_start a c = true -> radius_at_most N A (real T) bound ->
   (exists lambda, exp lambda = INR A /\ 0 < l <= INR (difference_order c) /\ bound <= exp (- l * lambda)) ->
-  one_solution A r F L (point_matrix a) l.
+  exists phi, solution_at_least A r F L (point_matrix a) phi l /\
+  forall n i k, (k < r)%nat -> phi k (IZR i / INR A ^ n) = values A r F L (point_matrix a) v n i k.
 Proof.
-  intros HS HR [lambda [Log [Hl HB]]]. destruct (start_real HS) as [u0 [U1 [U2 U3]]].
+  intros HS HR [lambda [Log [Hl HB]]]. destruct (start_real HS) as [U1 [U2 U3]]. set (u0 := start_differences) in *.
   destruct basis_bounded as [P HP]. destruct (sequence_bounded u0) as [B HB0]. destruct (sequence_bounded (fixed c)) as [B' HB1].
   assert (Lp := log_positive A Arity lambda Log).
   assert (Shrink : forall x, 0 < x < l -> exists C, forall n i k, (k < r)%nat ->
@@ -512,11 +515,16 @@ Proof.
     (fun i k Hk => values_fixed i k Hk) (difference_order c) l lambda Log Hl (ex_intro _ B' (fun i k _ => HB1 i k)) Shrink) as [phi [Phi [V Ex]]].
   assert (V0 : forall i k, (k < r)%nat -> phi k (IZR i) = v i k).
   { intros i k Hk. specialize (V O i k Hk). rewrite pow_O in V. unfold Rdiv in V. rewrite Rinv_1, Rmult_1_r in V. exact V. }
-  exists phi. split; auto. split; [|split]; auto.
+  exists phi. split; auto. split; auto. split; [|split]; auto.
   - destruct nonzero_value as [i [k [Hk Hv]]]. exists k, (IZR i). split; auto. rewrite V0; auto.
   - apply (solutions_multiple A r F L (point_matrix a) Arity v); auto. intros u Out Fix. apply fixed_kernel; auto.
     intros i k Hk Hi. rewrite <- V0 by auto. apply (integers_inside A r F L (point_matrix a) Arity phi Phi); auto.
 Qed.
+
+Corollary vectors_of_radius l bound : checks_start a c = true -> radius_at_most N A (real T) bound ->
+  (exists lambda, exp lambda = INR A /\ 0 < l <= INR (difference_order c) /\ bound <= exp (- l * lambda)) ->
+  one_solution A r F L (point_matrix a) l.
+Proof. intros HS HR HB. destruct (values_of_radius l bound HS HR HB) as [phi [S _]]. exists phi. exact S. Qed.
 End Real.
 
 (* What the checker accepts is true. *)

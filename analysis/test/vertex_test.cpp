@@ -105,7 +105,7 @@ TEST_CASE("Doo and Sabin's scheme with a free eigenvalue is C1 up to the bound o
   WrittenRules written = *VertexScheme::named("doo-sabin").written;
   written.rules = {{{0, 0}, {{{0, 0}, 0, {"1/4"}}, {{0, 0}, std::nullopt, {"(3/4 + 2*(b - 1/4)*C)/n"}}}}};
   const auto c1_at = [&](const Rational& eigenvalue, long valence) {
-    written.letter = {'b', eigenvalue};
+    written.letters = {{'b', eigenvalue}};
     return vertex_smoothness(rules_at(written, valence), part_of("doo-sabin")).c1;
   };
   // The zero of 128 x^2 (1 - x) - 7x - 2 + 9x cos(2 pi/n) below 1.

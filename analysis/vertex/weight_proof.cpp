@@ -14,6 +14,7 @@ namespace {
 
 constexpr slong weight_bits = 96;
 constexpr int most_map_levels = 3;
+constexpr auto above_one = "an eigenvalue has a modulus above 1";
 
 Ball smallest_of(const Ball& ball) { return -(-ball).upper_end(); }
 
@@ -89,6 +90,7 @@ std::optional<CharacteristicMap> WeightProof::map_of(const LetterZero& zero, con
 }
 
 WeightProof::Found WeightProof::by_map(const LetterZero& first, const Letters& weights) const {
+  if (Ball(1, weight_bits).is_less(first.value)) return {{Truth::no, above_one}};
   if (!Ball(0, weight_bits).is_less(first.value) || !first.value.is_less(Ball(1, weight_bits)))
     return {{Truth::unknown, "the subdominant eigenvalue is not proved to be positive and below 1"}};
   const auto map = map_of(first, weights);
@@ -100,7 +102,7 @@ WeightProof::Found WeightProof::by_map(const LetterZero& first, const Letters& w
 }
 
 bool WeightProof::is_refuted_by(const LetterZero& leader, const Letters& weights) const {
-  if (Ball(1, weight_bits).is_less(abs(leader.value))) return true;  // the data grow
+  if (Ball(1, weight_bits).is_less(abs(leader.value))) return true;  // points leave every bounded set
   const auto map = map_of(leader, weights);
   return map && map->winds(most_map_levels);
 }
@@ -114,7 +116,7 @@ WeightProof::Found WeightProof::refuted(const Letters& weights) const {
     if (is_refuted_by(*leader, weights)) return {{Truth::no, what}};
     return {{Truth::unknown, what + ", and no closed curve without a zero of its map is found"}, Help::coarse};
   }
-  if (spectrum_->some_above_one(weights)) return {{Truth::no, "an eigenvalue has a modulus above 1"}};
+  if (spectrum_->some_above_one(weights)) return {{Truth::no, above_one}};
   return {{Truth::unknown, "no single real subdominant eigenvalue is proved"}};
 }
 

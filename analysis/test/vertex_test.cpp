@@ -119,6 +119,21 @@ TEST_CASE("Doo and Sabin's scheme with a free eigenvalue is C1 up to the bound o
   }
 }
 
+TEST_CASE("an eigenvalue above 1 refutes, one that is 1 does not") {
+  WrittenRules written = *VertexScheme::named("loop").written;
+  std::erase_if(written.rules, [](const WrittenRule& rule) { return rule.point == LatticePoint{0, 0}; });
+  written.rules.push_back({{0, 0}, {{{0, 0}, 0, {"b"}}, {{1, 0}, std::nullopt, {"(1 - b)/n"}}}});
+  const auto c1_with = [&](const Rational& weight) {
+    written.letters = {{'b', weight}};
+    return vertex_smoothness(rules_at(written, 5), part_of("loop")).c1.truth;
+  };
+  // Frequency 0 has the eigenvalues 1, b - 3/8, ...
+  CHECK(c1_with(Rational(3, 2)) == Truth::no);
+  CHECK(c1_with(Rational(-3, 4)) == Truth::no);
+  CHECK(c1_with(Rational(11, 8)) == Truth::unknown);
+  CHECK(c1_with(Rational(-5, 8)) == Truth::unknown);
+}
+
 TEST_CASE("a Jordan block in front is not taken for a simple eigenvalue") {
   CHECK(smoothness("midedge", 3).c1.truth == Truth::unknown);
   // (4x - 1)^3 for frequency 0, (4x - 1)^2 (16x - 1) for frequency 1: functions of frequency 0 lead.

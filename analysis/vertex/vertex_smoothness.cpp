@@ -92,6 +92,10 @@ class VertexProof {
       result_.c1.reason = "the eigenvalues are not separated";
       return result_;
     }
+    if (Ball(1, bits_).is_less(abs(spectrum_->groups.front().value))) {
+      result_.c1 = {Truth::no, "an eigenvalue has a modulus above 1"};
+      return result_;
+    }
     const auto leader = leader_of(*spectrum_, rules_, set_);
     if (!leader) {
       result_.c1.reason = fmt::format("no single real subdominant eigenvalue is proved; the largest is about {}",

@@ -74,9 +74,8 @@ struct RealFamily {
 RealFamily on_functions(const Operators& operators, long number, long root_bits = 512);
 
 /// The 2-radius on the functions: the limit of (mean of |T_w|^2 over the words of k digits)^(1/(2k)). Error and cost:
-/// as p_radius of each block, with roots of so many bits that the zeros of its characteristic polynomial move by less
-/// than 2^-bits. Errors: as p_radius; of kind size for a block of more than 8 functions over a field. Nothing where the
-/// deadline comes first. Ref: [Els85]; docs/vectors.md, section 8.
+/// as p_radius; over a field as radius_of_congruences of each block. Errors: as these. Nothing where the deadline comes
+/// first. Proof: docs/vectors.md, section 8.
 std::optional<Enclosure> mean_square_radius(const Operators& operators, long number, int bits,
                                             const Deadline& deadline);
 

@@ -64,8 +64,7 @@ Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, c
 Certificate scheme_certificate(const Scheme& scheme, const Budget& budget);
 
 /// The same of matrices with a square root. Domain: `regularity` is that of the mask. Errors: throws Error where
-/// nothing positive is proved from below, and for an integral with multiples of the root. Proof: SPEC.md, theorems 60,
-/// 61 and 63.
+/// nothing positive is proved from below. Proof: SPEC.md, theorems 60, 61 and 63.
 Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegularity& regularity);
 
 /// The one or the other. `quadratic`: what is meant where `mask` is rounded. Errors: of a tensor product, whose

@@ -16,9 +16,6 @@ std::string outward(const Rational& value, Rounding rounding);
 /// As to_mask_text(), with numbers 1/2-3/4*sqrt(7).
 std::string mask_text(const QuadraticMask& mask);
 
-/// Of the multiples of 1 and then those of a square root the first ones. Errors: throws Error unless the others are 0.
-std::optional<std::vector<Rational>> rational_integral(const std::optional<std::vector<Rational>>& integral);
-
 /// Each after a blank.
 std::string numbers_text(const std::vector<Integer>& numbers);
 

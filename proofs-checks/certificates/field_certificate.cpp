@@ -228,15 +228,6 @@ std::string product_over_field(const JointSpectralRadius& radius, const FieldBlo
 
 }  // namespace
 
-std::optional<std::vector<Rational>> certificate_text::rational_integral(
-    const std::optional<std::vector<Rational>>& integral) {
-  if (!integral) return std::nullopt;
-  const auto half = integral->begin() + static_cast<std::ptrdiff_t>(integral->size() / 2);
-  require(std::all_of(half, integral->end(), [](const Rational& x) { return x == 0; }),
-          "certificate: need an integral of rational numbers, got multiples of a square root");
-  return std::vector<Rational>(integral->begin(), half);
-}
-
 std::string certificate_text::mask_text(const QuadraticMask& mask) {
   const text::MaskText doubled = mask_text_parts(mask.doubled);
   const std::size_t r = mask.components();
@@ -278,7 +269,7 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   Certificate certificate{{{},
                            SurfaceSubject{mask_text(mask), dilation.to_text(), true,
                                           component ? std::to_string(vector.components.front().component) : "",
-                                          integral_text(rational_integral(vector.integral))}},
+                                          integral_text(vector.integral, mask.root)}},
                           {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*ends.upper, Rounding::up);

@@ -2322,21 +2322,31 @@ var check_certificate = (() => {
   }
   // 5.13: matrices P + sqrt(R) Q as [P, R Q; Q, P]
   const root_form = 'square roots in a mask are sqrt(R) with one number R, 2 <= R <= 10^9, no square';
-  function read_over_field(text) {
-    const [, token] = /sqrt\(([^()]*)\)/.exec(text) || [], name = `sqrt(${token})`, two = [fraction(0n), fraction(0n)];
+  function read_root_in(text) {
+    const [, token] = /sqrt\(([^()]*)\)/.exec(text) || [];
     demand(token !== undefined, root_form);
-    const of_root = integer(token), pairs = [], one = c => {
-      const value = two.slice();
+    const of_root = integer(token);
+    demand(of_root >= 2n && of_root <= 10n ** 9n && root(of_root) ** 2n !== of_root, root_form);
+    return of_root;
+  }
+  function number_over_field(of_root) {  // p and q of a sum of terms
+    const name = `sqrt(${of_root})`;
+    return c => {
+      const value = [fraction(0n), fraction(0n)];
       for (const [, signs, term] of c.replace(/^-?/, s => s || '+').matchAll(/([+-])([^+-]*)/g)) {
         const at = term.endsWith(name) ? 1 : 0, factor = at ? term.slice(0, -name.length) : term;
         demand(!at || !factor || factor.endsWith('*'), root_form);
         const x = at ? (factor ? rational(factor.slice(0, -1)) : 1n) : rational(factor);
         value[at] = reduced((signs === '-' ? minus : plus)(value[at], x));
       }
-      pairs.push(value);
+      return value;
+    };
+  }
+  function read_over_field(text, of_root) {
+    const pairs = [], parts = number_over_field(of_root), one = c => {
+      pairs.push(parts(c));
       return 0n;
     };
-    demand(of_root >= 2n && of_root <= 10n ** 9n && root(of_root) ** 2n !== of_root, root_form);
     const surface = read_surface(text, true, one), r = surface.components, half = pairs.length;
     demand(half <= 2500, 'a mask with too many coefficients');
     const {den, numbers} = common(pairs.flat().map(x => reduced(over(x, surface.divisor))));
@@ -2348,7 +2358,7 @@ var check_certificate = (() => {
     return {...surface, components: 2 * r, den, numbers: all, root: of_root};
   }
   function read_field_curve(text, arity) {
-    const {sizes, den, numbers, components, first, root: of_root} = read_over_field(text);
+    const {sizes, den, numbers, components, first, root: of_root} = read_over_field(text, read_root_in(text));
     demand(sizes.length === 1 && numbers.length <= 4000, 'a mask has 1 to 1000 coefficients, the first and the last not zero');
     return {arity, degree: 0, q: [den], a: numbers.map(x => [x]), components, first: first[0], root: of_root};
   }
@@ -2730,7 +2740,7 @@ var check_certificate = (() => {
   // 5.9: what tells the integral of a solution from the sums of its values; that of these values is a multiple of `integral`
   // of_root: of a doubled mask, 5.13, whose functionals come with their multiples by the root
   function read_functionals(reader, {mask, det}, den, size, values, integral, of_root) {
-    const numbers = common(integral).numbers, goal = range_of(size).map(c => [numbers[c] || 0n]);
+    const numbers = common(integral).numbers, goal = numbers.map(x => [x]);
     const rest = scaled(identity(size), -den * abs(BigInt(det)));  // q |det M| (B - 1), q the denominator of the mask
     for (const [p, value] of mask.values()) rest[p[p.length - 2]][p[p.length - 1]] += value;
     demand(multiply(rest, goal).every(([x]) => !x), 'the integral is none of a solution');
@@ -4034,8 +4044,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
     if (kind === check_surface) {
       const kind_of = options.surface === undefined ? 'refinable' : 'surface', text = options[kind_of];
-      const of_matrices = kind_of === 'refinable', read = of_matrices && text.includes('sqrt(') ? read_over_field : read_surface;
-      [claim.surface, claim.dilation] = [read(text, of_matrices), read_dilation(options.dilation)];
+      const of_matrices = kind_of === 'refinable', of_root = [text, options.integral || ''].find(x => of_matrices && x.includes('sqrt('));
+      claim.surface = of_root === undefined ? read_surface(text, of_matrices) : read_over_field(text, read_root_in(of_root));
+      claim.dilation = read_dilation(options.dilation);
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
       if (options.vertex !== undefined) {
@@ -4045,8 +4056,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       }
       const functions = claim.surface.components / (claim.surface.root ? 2 : 1);
       if (options.integral !== undefined) {
-        claim.integral = options.integral.split(',').map(rational);
-        demand(claim.integral.length === functions && claim.integral.some(x => sign(x)),
+        const numbers = options.integral.split(','), parts = claim.surface.root && numbers.map(number_over_field(claim.surface.root));
+        claim.integral = parts ? [0, 1].flatMap(k => parts.map(x => x[k])) : numbers.map(rational);
+        demand(numbers.length === functions && claim.integral.some(x => sign(x)),
                'an integral is a list of a number for each component, not all 0');
         claim.head += ` integral=${options.integral}`;
       }

@@ -80,12 +80,12 @@ Options read_options(const std::vector<std::string>& arguments) {
   return given;
 }
 
-/// The mask, of numbers or of matrices, and its arity or its dilation.
+/// The mask, of numbers or of matrices, and its arity or its dilation. `numbers`: others that may hold the root.
 void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
-                       bool of_matrices = false) {
+                       bool of_matrices = false, const std::string& numbers = {}) {
   const char letter = claim.range ? claim.range->letter : '\0';
-  if (of_matrices && !claim.range && has_root(mask)) {
-    FieldMask over_field = parse_field_mask(mask);
+  if (of_matrices && !claim.range && (has_root(mask) || has_root(numbers))) {
+    FieldMask over_field = parse_field_mask(mask, parse_root(has_root(mask) ? mask : numbers));
     claim.mask = std::move(over_field.doubled);
     claim.root = over_field.root;
   } else {
@@ -247,7 +247,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   claim.hermite = hermite.has_value();
   if (masks) read_masks_claim(*masks, *arity, *order, claim);
   if (mask || of_matrices) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
-  if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (surface)
+    read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value(), integral.value_or(std::string()));
   if (vertex) {
     require(*claim.lower > 1, "smoothness around a vertex needs limits with an exponent above 1");
     claim.vertex = parse_sector_rules(*vertex);
@@ -256,8 +257,11 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   }
   if (integral) {
     claim.integral.emplace();
-    for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
-    require(claim.integral->size() == claim.functions() &&
+    if (claim.root != 0)
+      claim.integral = parse_field_numbers(*integral, claim.root);
+    else
+      for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
+    require(claim.integral->size() == claim.mask->components &&
                 std::ranges::any_of(*claim.integral, [](const mpq_class& x) { return x != 0; }),
             "an integral is a list of a number for each component, not all 0");
     claim.head += " integral=" + *integral;

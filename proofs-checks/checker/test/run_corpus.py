@@ -89,7 +89,7 @@ USAGE = [
         "[[[sqrt(2)+,0],[0,1]]]", "[[[sqrt(2),0]]]", "[[[sqrt(1/2),0],[0,1]]]", "[[[1,0],[0,1]]]/sqrt(2)", "[[[sqrt(2),0],[0,1]]]@sqrt(2)",
         f"[{'[[sqrt(2),0],[0,1]],' * 625}[[1,0],[0,1]]]")),
     *((64, f"--refinable [[[sqrt(2),0],[0,1]]] --dilation [2] {more} --lower 1 golden.cert") for more in (
-        "--integral 0,0", "--integral 1", "--integral 1,0,0,0", "--integral 1,sqrt(2)", "--component 2", "--component 3")),
+        "--integral 0,0", "--integral 1", "--integral 1,0,0,0", "--integral 1,sqrt(3)", "--integral 1,w", "--integral 1,2sqrt(2)", "--integral 0,sqrt(2)-sqrt(2)", "--integral sqrt(2)", "--integral 1,sqrt(2)^2", "--component 2", "--component 3")),
     (64, "--surface [[[sqrt(2),0],[0,1]]] --dilation [2] --lower 1 golden.cert"),
     (64, "--vectors [[[sqrt(2),0],[0,1]]] --arity 2 --for w=0..1 --lower 0 golden.cert"), (64, "--vectors [[[sqrt(4),0],[0,1]]] --arity 2 --lower 0 golden.cert"),
     (64, f"--vectors [{'[[sqrt(2),0],[0,1]],' * 625}[[1,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, f"--vectors [{'[[sqrt(2),0],[0,1]],' * 250}[[1,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, "--mask [sqrt(2),1] --arity 2 --lower 1 golden.cert"),
@@ -211,6 +211,8 @@ USAGE = [
     *((64, f"{subject} --integral {integral} golden.cert") for subject, integral in (
         ("--refinable [[[1]]] --dilation [2] --lower 1", "0"), ("--refinable [[[1]]] --dilation [2] --lower 1", "1,0"),
         ("--refinable [[[1]]] --dilation [2] --lower 1", "x"), ("--surface [1] --dilation [2] --lower 1", "1"),
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "sqrt(4)"), ("--refinable [[[1]]] --dilation [2] --lower 1", "sqrt(2"),
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "sqrt(2)+sqrt(3)"), ("--refinable [[[1]]] --dilation [2] --lower 1", "0*sqrt(2)"),
         ("--mask [1] --arity 2 --lower 1", "1"), (GOLDEN, "1"), ("--subradius golden.mat --lower 1", "1"), ("--l1 6,1 --lower 1/2", "1"),
         ("--vectors [[[w,0],[0,1]]] --arity 2 --for w=0..1 --lower 0", "1,0"))),
     (66, "--refinable [[[1]]] --dilation [2] --integral -1/2 --lower 1 none.cert"),

@@ -38,6 +38,26 @@ Operators operators_of(const std::vector<LatticeSequence>& basis, const std::vec
   return {family, std::move(root)};
 }
 
+std::vector<std::vector<Rational>> basis_over_field(const std::vector<std::vector<Rational>>& rows, long root) {
+  const std::size_t size = rows.front().size(), half = root > 0 ? size / 2 : size;
+  const auto column = [&](std::size_t c) { return root > 0 ? c % half * 2 + c / half : c; };
+  RationalMatrix matrix(rows.size(), size), conditions(size, size);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < size; ++c) matrix(r, column(c)) = rows[r][c];
+  const auto annihilators = kernel(matrix);
+  for (std::size_t r = 0; r < annihilators.size(); ++r)
+    for (std::size_t c = 0; c < size; ++c) conditions(r, c) = annihilators[r][c];
+  const auto basis = kernel(conditions);
+  const std::vector<std::size_t> places = free_columns(basis);
+  std::vector<std::vector<Rational>> result;
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    if (root > 0 && places[k] % 2 == 1) continue;
+    std::vector<Rational>& row = result.emplace_back();
+    for (std::size_t c = 0; c < size; ++c) row.push_back(basis[k][column(c)]);
+  }
+  return result;
+}
+
 RealFamily on_functions(const Operators& operators, long number, long root_bits) {
   if (!operators.root) return {operators.family};
   const RationalMatrix basis = basis_of_pairs(RationalMatrix::identity(operators.family.size()), *operators.root);

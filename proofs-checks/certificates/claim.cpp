@@ -105,8 +105,8 @@ struct SubjectArguments {
   const std::string& file;
 
   std::vector<std::string> operator()(const MaskSubject& of) const {
-    std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask, "--arity",
-                                       of.arity};
+    std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask,
+                                       of.arity.starts_with('[') ? "--dilation" : "--arity", of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
     if (!of.range.empty())
       arguments.insert(arguments.end(), {of.is_levels       ? "--levels"

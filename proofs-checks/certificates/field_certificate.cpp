@@ -316,4 +316,32 @@ Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, c
   return certificate;
 }
 
+Certificate convergence_certificate(const QuadraticMask& mask, const Budget& budget) {
+  const Dilation& dilation = mask.doubled.dilation();
+  require(
+      dilation.is_isotropic(),
+      "certificate: need a vector scheme with a dilation that is similar to a multiple of an orthogonal matrix, got "
+      "{}",
+      dilation.to_text());
+  const SchemeDifferences differences = scheme_differences(mask, budget);
+  const ClaimedEnds ends = ends_of_differences(differences);
+  Certificate certificate{{ends, MaskSubject{mask_text(mask), dilation.to_text(), {}, false, {}, "vectors"}}, {}, ends};
+  if (!differences.space) {
+    certificate.sections.push_back({space_of_constants_text(dilation, differences, {}, {})});
+    return certificate;
+  }
+  const DifferenceSpace& space = *differences.space;
+  const JointSpectralRadius& radius = differences.radius;
+  const FieldSpace own = space_over_field(space.basis, mask.components());
+  const BlockProof& proof = *radius.by_blocks();
+  std::string text = space_of_constants_text(space.dilation, differences, own.basis, own.pivots) +
+                     blocks_over_field(own, proof.triangular);
+  if (ends.upper)
+    text += product_over_field(radius, blocks_of(space.family, proof.triangular)[proof.leading], proof.leading,
+                               mask.root);
+  certificate.sections.push_back({std::move(text)});
+  if (!ends.upper) add_sections(certificate, radius.proof, space.family.count());
+  return certificate;
+}
+
 }  // namespace subcert

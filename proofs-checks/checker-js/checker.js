@@ -2893,6 +2893,68 @@ var check_certificate = (() => {
     if (interval) check_intervals(reader, symbol, goal, {levels, interval});
     else prove(reader, control_family(symbol, null), goal);
   }
+  // 6.11: of any number of variables, by the constant data that the scheme keeps and what annihilates them
+  function check_vectors_of_dilation(reader, {lower, upper, surface, dilation}) {
+    const {den, dimension, components: r, root: of_root} = surface, functions = of_root ? r / 2 : r;
+    check_isotropic(dilation);
+    const D = Math.abs(small_determinant(dilation));
+    demand(D <= 64, 'a dilation with too large a determinant');
+    const digits = reader.read('digits', D).map(token => read_point(token, dimension));
+    const transition = new Transition(mask_sequence(surface), dilation, digits);
+    const index = new Map(digits.map((t, i) => [transition.class_of(t), i]));
+    demand(index.size === D, 'two digits of one class');
+    const turned = y => [...y.slice(functions), ...y.slice(0, functions)], kept = [];
+    while (reader.peek() === 'fixed') {
+      demand(kept.length < r, "more lines 'fixed' than components");
+      const {numbers: y} = common(reader.read('fixed', r).map(rational));
+      kept.push(of_root ? turned(y) : y);
+      if (of_root) kept.push(y.map((x, c) => c < functions ? x : x * of_root));
+    }
+    check_all_kept(transition, den, kept, index, r);
+    if (!kept.length) {
+      demand(upper, 'a scheme that keeps no constant data does not converge');
+      return;
+    }
+    const start = range_of(functions).flatMap(c => {
+      const place = [...Array(dimension).fill(0), c], one = new Map();
+      add(one, place, 1n);
+      return [...differences(one, 1, dimension), ...digits.map(t => {
+        const image = transition.apply(t, one);
+        add(image, place, -den);
+        return image;
+      })];
+    });
+    const vectors = read_space(reader, dimension, r, of_root), count = of_root ? vectors.length / 2 : vectors.length;
+    for (const v of vectors) {
+      const sums = range_of(r).map(() => 0n);
+      for (const [p, value] of v.values()) sums[p[dimension]] += value;
+      demand(kept.every(y => !sum(y.map((x, c) => x * sums[c]))), 'a vector does not annihilate the data');
+    }
+    const family = space_family(vectors, transition, den, count);
+    lead_into(vectors, of_root ? [...start, ...start.map(x => times_root(x, of_root, r))] : start, transition);
+    const goal = {below: lower && at_most(fraction(1n), true), above: upper && at_least(fraction(1n))};
+    const halves = of_root && family.matrices.map(m => on_halves(m.slice(0, count), m.slice(count), of_root));
+    prove(reader, of_root ? near_family({root: of_root, size: count, den: family.den, halves}) : family, goal);
+  }
+  function check_all_kept(transition, den, kept, index, r) {  // these are a basis of all that the sums of the classes keep
+    const rank = rows => {
+      const span = new Span([], 2n ** 32n - 5n);
+      for (const row of rows) {
+        const one = new Map();
+        row.forEach((x, c) => x && add(one, [c], x));
+        span.extend(one);
+      }
+      return span.rows.length;
+    };
+    const equations = range_of(index.size * r).map(i => range_of(r).map(c => c === i % r ? -den : 0n));
+    for (const [p, value] of transition.mask.values()) {
+      const [row, column] = p.slice(-2);
+      equations[index.get(transition.class_of(p.slice(0, -2))) * r + column][row] += value;
+    }
+    demand(kept.every(y => equations.every(row => !sum(row.map((x, c) => x * y[c])))), "the scheme does not keep a line 'fixed'");
+    demand(rank(kept) === kept.length, "the lines 'fixed' are not independent");
+    demand(rank(equations) + kept.length >= r, 'the scheme may keep more constant data');
+  }
   function check_surface(reader, {lower, upper, surface, dilation, integral, component, exact}) {
     const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
     const order = order_in_space(reader.read(by_values ? 'differences' : 'sum-rules', 1)[0]);
@@ -3976,6 +4038,8 @@ var check_certificate = (() => {
        subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE
                      (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it diverges;
                      --levels and what belongs to it in place of --for, as above)
+       subcert-check --vectors MASK --dilation '[2,0;0,2]' --lower 0 FILE    (this scheme converges; --upper 0: it does
+                     not)
        subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
@@ -4021,15 +4085,17 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
+    const in_variables = has('vectors', 'dilation') && some('lower', 'upper') && ['lower', 'upper'].every(end => !has(end) || !sign(rational(options[end])));
+    const of_dilation = in_variables && !has('lower', 'upper') && none(...names.filter(name => !['vectors', 'dilation', 'lower', 'upper'].includes(name)));
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     const others = none('l1', 'contraction', 'vectors', 'hermite');
-    demand(has('FILE') && (l1 || of_vectors || ((curve || surface || family) && others)), usage);
+    demand(has('FILE') && (l1 || of_vectors || of_dilation || ((curve || surface || family) && others)), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? (follow || has('each-point') ? check_choices : check_curve) : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : of_dilation ? check_vectors_of_dilation : of_vectors ? check_vectors : curve ? (follow || has('each-point') ? check_choices : check_curve) : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
@@ -4066,6 +4132,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
         claim.component = small(options.component, 0, functions - 1);
         claim.head += ` component=${options.component}`;
       }
+    } else if (kind === check_vectors_of_dilation) {
+      claim.surface = options.vectors.includes('sqrt(') ? read_over_field(options.vectors, read_root_in(options.vectors)) : read_surface(options.vectors, true);
+      claim.dilation = read_dilation(options.dilation);
+      demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
+      claim.head = `vectors ${options.vectors} ${options.dilation}`;
     } else if (kind === check_vectors) {
       claim.hermite = options.hermite !== undefined;
       const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range_of(options, claim);
@@ -4139,8 +4210,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function text_of_vectors({options, hermite, lower, upper, levels, interval}) {
     const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
       : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
-    return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
-      options.arity + text_of_values(options, levels, interval);
+    return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with ` +
+      (options.dilation === undefined ? `arity ${options.arity}` : `dilation ${options.dilation}`) + text_of_values(options, levels, interval);
   }
   function text_of_levels({recurrence, start, from, limit, levels: range}) {
     const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
@@ -4193,7 +4264,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const is_subradius = claim.kind === check_subradius;
     demand(!is_subradius || claim.family.matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
     read_bounds(reader);
-    const one = !claim.interval && !claim.within && claim.kind !== check_vectors;
+    const one = !claim.interval && !claim.within && ![check_vectors, check_vectors_of_dilation].includes(claim.kind);
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
     claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);
@@ -4239,7 +4310,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     } catch (error) {
       return {exit: 1, line: `REJECTED ${reason(error)}, line ${reader.line}`};
     }
-    const words_of = claim.l1 ? text_of_l1 : claim.kind === check_vectors ? text_of_vectors : text_of;
+    const words_of = claim.l1 ? text_of_l1 : [check_vectors, check_vectors_of_dilation].includes(claim.kind) ? text_of_vectors : text_of;
     return {exit: 0, line: `VERIFIED ${words_of(claim)}`};
   };
 })();

@@ -10,6 +10,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+import convergence_cases
 import vertex_cases
 import vertices_cases
 
@@ -228,7 +229,7 @@ def usage_cases(directory, scratch):
              f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n"]
     for name, text in zip(FILES, texts):
         Path(name.replace("FOLDER", scratch)).write_text(text)
-    for code, arguments in [*USAGE, *vertex_cases.usage(), *vertices_cases.usage()]:
+    for code, arguments in [*USAGE, *convergence_cases.usage(), *vertex_cases.usage(), *vertices_cases.usage()]:
         yield arguments, arguments.replace("FOLDER", scratch).split(), lambda result, code=code: (
             result[0] == code and bool(result[2] if code else result[1]) and (code == 0 or "VERIFIED" not in result[1])
             and "internal error" not in result[2])
@@ -275,7 +276,7 @@ def printed(arguments):
     if "--vectors" in values or "--hermite" in values:
         end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"
         scheme = f"Hermite scheme of {values['--hermite']}" if "--hermite" in values else f"vector scheme of {values['--vectors']}"
-        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']}{over}"
+        text = f"VERIFIED {end} of the {scheme} with {'arity' if '--arity' in values else 'dilation'} {values.get('--arity') or values['--dilation']}{over}"
     if "--l1" in values:
         steps, order, bound = values.get("--contraction", "0,0,0").split(",")
         parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []

@@ -263,7 +263,7 @@ LevelMasks masks_of_levels(const ParametricMask& mask, const Recurrence& recurre
 LimitValues limit_values(const LevelMasks& masks, int level, const Deadline& deadline) {
   require(!masks.again.empty(), "limit: need masks for all levels, got {}", masks.first.size());
   const std::vector<Mask> first = curves(masks.first), again = curves(masks.again);
-  const Mask last = levels_as_one(again);
+  const Mask last = levels_as_one(masks.again).curve();
   const int arity = again.front().arity();
   Rational low = limit_support(last).lower, high = limit_support(last).upper;
   for (const auto* list : {&first, &again})

@@ -123,6 +123,7 @@ std::optional<NamedExponent> named_exponent(const LatticeMask& mask, const Regul
 
 std::optional<NamedExponent> named_exponent(const ExponentOfList& found) {
   if (!found.exact.is_yes() || found.exponent.is_exact()) return std::nullopt;
+  if (found.vectors && found.is_one_sequence()) return of_operators(*found.vectors->one, *found.vectors->functions);
   auto number = named_radius(found.family, found.radius, largest_named_degree);
   if (!number) return std::nullopt;
   long base = 1;

@@ -9,20 +9,21 @@
 namespace subcert {
 namespace {
 
-/// A number for each entry that is not 0 for all values of the letters.
-LatticeMask pattern_of(const ParametricMask& mask) {
-  const auto rows = static_cast<long>(mask.components());
+/// A number for each entry that is not 0 for all masks and values of the letters.
+LatticeMask pattern_of(const std::vector<ParametricMask>& masks) {
+  const auto rows = static_cast<long>(masks.front().components());
   std::vector<LatticeMask::Term> terms;
-  for (const LaurentPolynomial& power : mask.powers())
-    for (long k = 0; k < power.length(); ++k) {
-      const long at = power.lowest() + k, place = modulo(at, rows * rows);
-      if (power.coefficient(at) != 0)
-        terms.push_back({{floor_divide(at, rows * rows)},
-                         static_cast<std::size_t>(place / rows),
-                         static_cast<std::size_t>(place % rows),
-                         1});
-    }
-  return matrix_mask(terms, mask.components(), Dilation::multiple(1, mask.arity()));
+  for (const ParametricMask& mask : masks)
+    for (const LaurentPolynomial& power : mask.powers())
+      for (long k = 0; k < power.length(); ++k) {
+        const long at = power.lowest() + k, place = modulo(at, rows * rows);
+        if (power.coefficient(at) != 0)
+          terms.push_back({{floor_divide(at, rows * rows)},
+                           static_cast<std::size_t>(place / rows),
+                           static_cast<std::size_t>(place % rows),
+                           1});
+      }
+  return matrix_mask(terms, masks.front().components(), Dilation::multiple(1, masks.front().arity()));
 }
 
 /// The conditions sum over k of u_k . e_l(-k) = 0, a row for each l, on sequences at these points with components.
@@ -72,34 +73,9 @@ std::vector<Annihilator> annihilators(const PolynomialData& polynomials, const s
 }
 
 /// The window of the sequences.
-std::vector<LatticePoint> window_points(const ParametricMask& mask, const PolynomialData& polynomials) {
+std::vector<LatticePoint> window_points(const std::vector<ParametricMask>& masks, const PolynomialData& polynomials) {
   constexpr std::size_t most_numbers = 256;
-  return LatticeWindow(pattern_of(mask), generating_points(polynomials), most_numbers).points();
-}
-
-/// Of masks of matrices.
-ParametricFamily annihilating_matrices(const ParametricMask& mask, long root) {
-  const PolynomialData polynomials = kept_polynomials(mask, root);
-  const std::vector<LatticePoint> points = window_points(mask, polynomials);
-  const auto rows = static_cast<long>(mask.components());
-  return {mask, [arity = static_cast<long>(mask.arity()), rows, points, basis = annihilators(polynomials, points),
-                 scale = power(Rational(mask.arity()), static_cast<long>(polynomials.data.size()))](
-                    const LaurentPolynomial& entries) {
-            std::vector<RationalMatrix> matrices;
-            for (long t = 0; t < arity; ++t) {
-              RationalMatrix& matrix = matrices.emplace_back(basis.size(), basis.size());
-              for (std::size_t r = 0; r < basis.size(); ++r) {
-                const LatticePoint& to = points[basis[r].pivot];
-                for (std::size_t c = 0; c < basis.size(); ++c)
-                  for (const auto& [place, value] : basis[c].values) {
-                    const LatticePoint& from = points[place];
-                    const long k = arity * to.front() + t - from.front();
-                    matrix(r, c) += scale * value * entries.coefficient(rows * (rows * k + to.back()) + from.back());
-                  }
-              }
-            }
-            return matrices;
-          }};
+  return LatticeWindow(pattern_of(masks), generating_points(polynomials), most_numbers).points();
 }
 
 }  // namespace
@@ -126,14 +102,46 @@ ParametricFamily transition_matrices(const ParametricMask& mask) {
           }};
 }
 
+std::vector<ParametricFamily> difference_matrices(const std::vector<ParametricMask>& masks,
+                                                  const PolynomialData& polynomials) {
+  const std::vector<LatticePoint> points = window_points(masks, polynomials);
+  const auto rows = static_cast<long>(masks.front().components());
+  const auto matrices = [arity = static_cast<long>(masks.front().arity()), rows, points,
+                         basis = annihilators(polynomials, points),
+                         scale = power(Rational(masks.front().arity()), static_cast<long>(polynomials.data.size()))](
+                            const LaurentPolynomial& entries) {
+    std::vector<RationalMatrix> result;
+    for (long t = 0; t < arity; ++t) {
+      RationalMatrix& matrix = result.emplace_back(basis.size(), basis.size());
+      for (std::size_t r = 0; r < basis.size(); ++r) {
+        const LatticePoint& to = points[basis[r].pivot];
+        for (std::size_t c = 0; c < basis.size(); ++c)
+          for (const auto& [place, value] : basis[c].values) {
+            const LatticePoint& from = points[place];
+            const long k = arity * to.front() + t - from.front();
+            matrix(r, c) += scale * value * entries.coefficient(rows * (rows * k + to.back()) + from.back());
+          }
+      }
+    }
+    return result;
+  };
+  std::vector<ParametricFamily> families;
+  for (const ParametricMask& mask : masks) families.push_back({mask, matrices});
+  return families;
+}
+
 ParametricFamily difference_matrices(const ParametricMask& mask, long root) {
-  return mask.components() == 1 ? transition_matrices(divided_difference_scheme(mask, sum_rules(mask)))
-                                : annihilating_matrices(mask, root);
+  if (mask.components() == 1) return transition_matrices(divided_difference_scheme(mask, sum_rules(mask)));
+  return difference_matrices({mask}, kept_polynomials(mask, root)).front();
 }
 
 AnnihilatingSpace annihilating_space(const ParametricMask& mask, long root) {
-  AnnihilatingSpace result{kept_polynomials(mask, root), {}, {}, {}};
-  const std::vector<LatticePoint> points = window_points(mask, result.polynomials);
+  return annihilating_space(std::vector{mask}, root);
+}
+
+AnnihilatingSpace annihilating_space(const std::vector<ParametricMask>& masks, long root) {
+  AnnihilatingSpace result{kept_polynomials(masks, root), {}, {}, {}};
+  const std::vector<LatticePoint> points = window_points(masks, result.polynomials);
   for (const Annihilator& one : annihilators(result.polynomials, points)) {
     LatticeSequence& sequence = result.basis.emplace_back();
     for (const auto& [place, value] : one.values) sequence.emplace(points[place], value);

@@ -36,6 +36,10 @@ ParametricFamily transition_matrices(const ParametricMask& mask);
 /// With a root they are the rational ones of the doubled mask of a QuadraticMask, and the data are over the field.
 /// Domain: m >= 1. Errors: throws Error where the window needs more than 256 numbers. Proof: docs/vectors.md.
 ParametricFamily difference_matrices(const ParametricMask& mask, long root = 0);
+/// Those of several masks of matrices on one space: the sequences that annihilate these data, which all masks keep. So
+/// many data, times arity^m. Domain: masks of one arity and one size; m >= 1. Errors: as above.
+std::vector<ParametricFamily> difference_matrices(const std::vector<ParametricMask>& masks,
+                                                  const PolynomialData& polynomials);
 
 /// What of a mask of matrices annihilates the data of its polynomials.
 struct AnnihilatingSpace {
@@ -49,6 +53,8 @@ struct AnnihilatingSpace {
 
 /// Domain, errors and cost: as above, of matrices.
 AnnihilatingSpace annihilating_space(const ParametricMask& mask, long root = 0);
+/// Of several masks, as above.
+AnnihilatingSpace annihilating_space(const std::vector<ParametricMask>& masks, long root = 0);
 
 /// The one matrix central_matrix(b(z) b(1/z)) for b = mask.at(w), which gives the Sobolev exponent. Domain: one letter.
 ParametricFamily central_matrices(const ParametricMask& mask);

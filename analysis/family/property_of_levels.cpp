@@ -2,7 +2,6 @@
 
 #include "between_zeros.hpp"
 #include "box_search.hpp"
-#include "mask_list.hpp"
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
@@ -31,9 +30,9 @@ std::vector<Values> some_values(const Box& box) {
 /// The levels of a period as one; nothing where a value has no mask.
 std::optional<Mask> scheme_of(const ParametricMask& mask, const std::vector<Values>& period) {
   try {
-    std::vector<Mask> levels;
-    for (const Values& w : period) levels.push_back(mask.at(w));
-    return levels_as_one(levels);
+    std::vector<LatticeMask> levels;
+    for (const Values& w : period) levels.emplace_back(mask.at(w));
+    return levels_as_one(levels).curve();
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -138,6 +137,40 @@ Truth holds(const Enclosure& exponent, const RangeProperty& property) {
   if (exponent.lower && (strictly ? *exponent.lower > property.order : *exponent.lower >= property.order))
     return Truth::yes;
   return exponent.upper && *exponent.upper < property.order ? Truth::no : Truth::unknown;
+}
+
+Truth holds(const ExponentOfList& found, const RangeProperty& property) {
+  if (property.kind != Kind::hermite) return holds(found.exponent, property);
+  if (!found.vectors || !found.vectors->keeps_derivatives) return Truth::unknown;
+  const VectorList& vectors = *found.vectors;
+  if (vectors.decay && *vectors.decay > property.order && property.order < found.sum_rules) return Truth::yes;
+  if (!vectors.hermite) return Truth::unknown;
+  if (vectors.hermite->order >= property.order) return found.is_one_sequence() ? Truth::yes : Truth::unknown;
+  return vectors.hermite->next.is_no() ? Truth::no : Truth::unknown;
+}
+
+std::optional<HermiteOrder> hermite_order_of(const ExponentOfList& found) {
+  if (!found.list.hermite || !found.vectors || !found.vectors->keeps_derivatives) return std::nullopt;
+  const int least = static_cast<int>(found.list.masks.front().components()) - 1;
+  const auto have = [&](int order) { return holds(found, {Kind::hermite, order}); };
+  HermiteOrder result{-1, {have(least), ""}};
+  while (result.next.is_yes()) {
+    result.order = result.order < 0 ? least : result.order + 1;
+    result.next = {have(result.order + 1), ""};
+  }
+  return result;
+}
+
+void require_property(const MaskList& list, const RangeProperty& property) {
+  if (property.kind != Kind::hermite) return;
+  require(list.hermite, "levels: need Hermite schemes for HC{}, got others", property.order);
+  const std::size_t derivatives = list.masks.front().components() - 1;
+  require(property.order >= derivatives, "levels: need HC{} or more, as there are {} derivatives, got HC{}",
+          derivatives, derivatives, property.order);
+  require(kept_polynomials(list).hermite,
+          "levels: need values and derivatives of polynomials of degree up to {} that all masks keep, got others "
+          "(perhaps the matrices are transposed)",
+          derivatives);
 }
 
 void require_levels(const ParametricMask& mask, const Box& box) {

@@ -1,6 +1,7 @@
 #pragma once
 /// What holds for every sequence of values of the letters, one for each level.
 
+#include "mask_list.hpp"
 #include "property_range.hpp"
 
 #include <subcert/analysis/symbol/polynomials/box.hpp>
@@ -10,6 +11,14 @@ namespace subcert {
 /// Whether all limits have the property; no where some have not. `exponent`: no lower end where no convergence is
 /// proved; the upper one is that of some. Domain: `convergent`, `smooth` or `holder`.
 Truth holds(const Enclosure& exponent, const RangeProperty& property);
+
+/// The same of a list; of a Hermite list also `hermite`, of an order from one less than its components on.
+Truth holds(const ExponentOfList& found, const RangeProperty& property);
+/// The largest HC^k that all sequences of a Hermite list have, and whether they have one more. Nothing where no
+/// derivatives are kept.
+std::optional<HermiteOrder> hermite_order_of(const ExponentOfList& found);
+/// Errors: throws Error for a property that is not one of lists, or HC^k of a list that has no derivatives, or more.
+void require_property(const MaskList& list, const RangeProperty& property);
 
 /// Of f_{k+1} = S_{w_k} f_k with w_0, w_1, ... in a box: the limits of all these sequences have the property, uniformly
 /// (yes), or those of one sequence do not (no).

@@ -115,7 +115,7 @@ TEST_CASE("limits of masks that come again: one mask, and several as one") {
   }
   const LatticeMask a = lattice_mask("dd:n=2"), b = lattice_mask("bspline:degree=3");
   const LimitValues in_turn = limit_values(LevelMasks{{}, {a, b}}, 4),
-                    as_one = limit_values(levels_as_one({a.curve(), b.curve()}), 2);
+                    as_one = limit_values(levels_as_one({a, b}).curve(), 2);
   for (long i = -60; i <= 60; ++i) CHECK(in_turn.at(i) == as_one.at(i));
   // phi_0(x) = sum over j of a_j phi_1(2x - j), whichever masks follow.
   const LevelMasks whole{{a, b, b}, {b, a}}, rest{{b, b}, {b, a}};

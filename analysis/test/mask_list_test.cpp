@@ -49,7 +49,7 @@ TEST_CASE("lists of masks: one mask, or the same one twice, is that scheme") {
 }
 
 TEST_CASE("lists of masks: the interpolating scheme of four points and the cubic spline") {
-  const std::vector<Mask> masks{mask("dd:n=2"), mask("bspline:degree=3")};
+  const std::vector<LatticeMask> masks{mask("dd:n=2"), mask("bspline:degree=3")};
   check_exact(exponent({masks}), 2);
   check_exact(exponent({masks, {0, 1}, {}}), 2.5);
   check_exact(exponent({masks, {1, 0}, {}}), 2.5);
@@ -61,12 +61,12 @@ TEST_CASE("lists of masks: the interpolating scheme of four points and the cubic
 
 TEST_CASE("lists of masks: the order of levels matters where masks are no mirror images") {
   // 0 twice in a row is not allowed, so that 1 comes at least every second level.
-  const std::vector<Mask> masks{mask("four-point:w=1/4"), mask("four-point:w=1/16")};
+  const std::vector<LatticeMask> masks{mask("four-point:w=1/4"), mask("four-point:w=1/16")};
   const ExponentOfList found = exponent({masks, {}, {{0, 1}, {1, 0}, {1, 1}}});
   check_near(found.exponent.lower, 0.99734);
   CHECK(found.sequence == std::vector<std::size_t>{0, 1});
   // The other direction of each pair allows the same sequences read backwards, of which there are as many.
-  const std::vector<Mask> skewed{skew, mask("dd:n=2"), mask("bspline:degree=3")};
+  const std::vector<LatticeMask> skewed{skew, mask("dd:n=2"), mask("bspline:degree=3")};
   const std::vector<std::pair<std::size_t, std::size_t>> cycle{{0, 1}, {1, 2}, {2, 0}};
   const ExponentOfList as_graph = exponent({skewed, {}, cycle}), as_period = exponent({skewed, {0, 1, 2}, {}});
   check_near(as_graph.exponent.lower, as_period.exponent.lower->convert_to<double>());

@@ -121,7 +121,11 @@ TEST_CASE("Doo and Sabin's scheme with a free eigenvalue is C1 up to the bound o
 
 TEST_CASE("a Jordan block in front is not taken for a simple eigenvalue") {
   CHECK(smoothness("midedge", 3).c1.truth == Truth::unknown);
-  CHECK(smoothness("butterfly:w=1/16", 3).c1.truth == Truth::unknown);
+  // (4x - 1)^3 for frequency 0, (4x - 1)^2 (16x - 1) for frequency 1: functions of frequency 0 lead.
+  const VertexSmoothness butterfly = smoothness("butterfly:w=1/16", 3);
+  CHECK(butterfly.c1.is_no());
+  CHECK(butterfly.frequency == 0);
+  CHECK(butterfly.subdominant.contains(Rational(1, 4)));
 }
 
 TEST_CASE("vertex smoothness refuses what it has no proof for") {

@@ -381,6 +381,12 @@ bool CharacteristicMap::winds(int most_levels) const {
   return false;
 }
 
+bool CharacteristicMap::has_values() const {
+  if (!forms_.values.bound || !is_plane_on_ring()) return false;
+  const std::vector<Cell> cells = ring();
+  return std::ranges::any_of(cells, [&](const Cell& cell) { return has_no_zero({cell}, 0); });
+}
+
 bool CharacteristicMap::has_no_zero(std::deque<Cell> open, int most_levels) const {
   while (!open.empty()) {
     const Cell cell = open.front();

@@ -54,8 +54,9 @@ struct MapProof {
 /// F and its data: z(P) turned by w^t in sector t, z(new P) = lambda z(P) by the rules, and its own mirror image.
 class CharacteristicMap {
  public:
-  /// Data of the frequency with the eigenvalue lambda, simple among these. Domain: 0 < frequency < n/2, and lambda real
-  /// and positive; `forms` of the mask of the rules. Nothing where no eigenvector is found in balls of so many bits.
+  /// Data of the frequency with the eigenvalue lambda, one vector among these. Domain: 0 <= frequency < n/2, and lambda
+  /// real and positive; `forms` of the mask of the rules. Nothing where no eigenvector is found in balls of so many
+  /// bits.
   static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
                                                long frequency, const Ball& lambda, const BallField& field);
 
@@ -73,6 +74,8 @@ class CharacteristicMap {
   /// Whether F has no zero on some closed curve around the vertex: then it winds around 0 as often as k modulo n.
   /// Domain: also frequency 0, with a real eigenvalue other than 0.
   bool winds(int most_levels) const;
+  /// Whether F is proved not to vanish on some square. Domain: as `winds`.
+  bool has_values() const;
 
  private:
   struct Cell {

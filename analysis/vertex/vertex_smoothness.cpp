@@ -92,32 +92,39 @@ class VertexProof {
       result_.c1.reason = "the eigenvalues are not separated";
       return result_;
     }
-    const FrequencyGroup& leader = spectrum_->groups.front();
+    const FrequencyGroup& first = spectrum_->groups.front();
+    SharedLeader leader{first.value.real(), {{first.frequency, 1}}};
     if (!spectrum_->has_simple_leader()) {
-      result_.c1.reason = fmt::format("no single real subdominant eigenvalue is proved; the largest is about {}",
-                                      about(leader));
-      return result_;
+      const auto shared = shared_leader(*spectrum_, rules_, set_);
+      if (!shared) {
+        result_.c1.reason = fmt::format("no single real subdominant eigenvalue is proved; the largest is about {}",
+                                        about(first));
+        return result_;
+      }
+      leader = *shared;
     }
-    result_.frequency = leader.frequency;
-    result_.subdominant = leader.value.real().enclosure();
+    const std::vector<long> frequencies = leader.frequencies();
+    result_.frequency = frequencies.front();
+    result_.subdominant = leader.value.enclosure();
     if (!regular_.c1.is_yes())
       result_.c1.reason = "the regular part is not proved to be C1: " + regular_.c1.reason;
-    else if (!Ball(1, bits_).is_less(1 / leader.value.real()))
+    else if (!Ball(1, bits_).is_less(1 / leader.value))
       result_.c1.reason = "the subdominant eigenvalue is not below 1";
+    else if (frequencies.size() > 1)
+      refute_by_several(frequencies, leader.value);
     else
-      leader.frequency == 1 ? prove(leader) : refute(leader);
+      frequencies.front() == 1 ? prove(leader) : refute(frequencies.front(), leader.value);
     return result_;
   }
 
  private:
-  std::optional<CharacteristicMap> map_of(const FrequencyGroup& leader) {
-    if (2 * leader.frequency >= rules_.valence || leader.frequency == 0) return std::nullopt;
-    return CharacteristicMap::find(rules_, set_, *regular_.forms, leader.frequency, leader.value.real(),
-                                   BallField(rules_.valence, bits_));
+  std::optional<CharacteristicMap> map_of(long frequency, const Ball& value) {
+    if (2 * frequency >= rules_.valence) return std::nullopt;
+    return CharacteristicMap::find(rules_, set_, *regular_.forms, frequency, value, BallField(rules_.valence, bits_));
   }
 
-  void prove(const FrequencyGroup& leader) {
-    const auto map = map_of(leader);
+  void prove(const SharedLeader& leader) {
+    const auto map = map_of(1, leader.value);
     if (!map) {
       result_.c1.reason = "no eigenvector of the subdominant eigenvalue is found";
       return;
@@ -128,19 +135,32 @@ class VertexProof {
     const Decision& deciding = proof.regular.is_yes() ? proof.half_plane : proof.regular;
     result_.c1 = {deciding.truth,
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
-    if (!result_.c1.is_yes()) return;
-    look_behind(leader);
-    result_.evidence = evidence_of(rules_, set_, *map, leader.value.real(), BallField(rules_.valence, bits_),
+    if (!result_.c1.is_yes() || !spectrum_->has_simple_leader()) return;
+    look_behind(spectrum_->groups.front());
+    result_.evidence = evidence_of(rules_, set_, *map, leader.value, BallField(rules_.valence, bits_),
                                    regular_.forms->are_hulls());
   }
 
-  void refute(const FrequencyGroup& leader) {
-    const auto map = map_of(leader);
-    const std::string what = fmt::format("the subdominant eigenvalue has frequency {}", leader.frequency);
+  void refute(long frequency, const Ball& value) {
+    const auto map = map_of(frequency, value);
+    const std::string what = fmt::format("the subdominant eigenvalue has frequency {}", frequency);
     if (map && map->winds(most_levels))
       result_.c1 = {Truth::no, what};
     else
       result_.c1.reason = what + ", and no closed curve without a zero of its map is found";
+  }
+
+  /// Three functions or more that lead are those of no graph.
+  void refute_by_several(const std::vector<long>& frequencies, const Ball& value) {
+    const std::string what = fmt::format("the subdominant eigenvalue has frequencies {}", fmt::join(frequencies, ", "));
+    const bool known = std::ranges::all_of(frequencies, [&](long frequency) {
+      const auto map = map_of(frequency, value);
+      return map && map->has_values();
+    });
+    if (known)
+      result_.c1 = {Truth::no, what};
+    else
+      result_.c1.reason = what + ", and not all of their functions are proved not to be 0";
   }
 
   /// How |mu| and lambda^2 compare: none where nothing is proved.

@@ -3,6 +3,8 @@
 #include "diagonal_blocks.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace subcert::vertex {
 namespace {
@@ -26,6 +28,26 @@ std::optional<std::vector<EigenvalueGroup>> exact_eigenvalues(const SectorRules&
   for (const ComplexBall& value : *values)
     groups.push_back({value, contains_zero(value_at(multiple, value, balls)) ? 2U : 1U});
   return groups;
+}
+
+CosineField::Number value_at(const FieldPolynomial& p, const CosineField::Number& x, const CosineField& field) {
+  CosineField::Number value = field.number(0);
+  for (std::size_t i = p.size(); i-- > 0;) value = value * x + p[i];
+  return value;
+}
+
+/// Divides by x - zero as often as that is a factor, at most `most` times; how often.
+std::size_t take_out(FieldPolynomial& p, const CosineField::Number& zero, const CosineField& field, std::size_t most) {
+  std::size_t count = 0;
+  for (; count < most && p.size() > 1 && value_at(p, zero, field).is_zero(); ++count)
+    p = quotient(p, {-zero, field.number(1)}, field);
+  return count;
+}
+
+bool are_all_less(const FieldPolynomial& p, const Ball& bound, const CosineField& field, const BallField& balls) {
+  if (p.size() == 1) return true;
+  const auto values = zeros(quotient(p, gcd(p, derivative(p, field)), field), balls);
+  return values && std::ranges::all_of(*values, [&](const ComplexBall& value) { return abs(value).is_less(bound); });
 }
 
 /// Takes out the eigenvalue 1 of the constants. Whether it is alone.
@@ -67,6 +89,54 @@ std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const Cl
   std::stable_sort(result.groups.begin(), result.groups.end(), [](const FrequencyGroup& a, const FrequencyGroup& b) {
     return b.value.magnitude() < a.value.magnitude();
   });
+  return result;
+}
+
+std::vector<long> SharedLeader::frequencies() const {
+  std::size_t largest = 0;
+  for (const Share& share : shares) largest = std::max(largest, share.size);
+  std::vector<long> result;
+  for (const Share& share : shares)
+    if (share.size == largest) result.push_back(share.frequency);
+  return result;
+}
+
+std::optional<SharedLeader> shared_leader(const VertexSpectrum& spectrum, const SectorRules& rules,
+                                          const ClosedSet& set) {
+  if (spectrum.groups.empty()) return std::nullopt;
+  const FrequencyGroup& first = spectrum.groups.front();
+  const CosineField field(rules.valence);
+  const BallField balls(rules.valence, first.value.bits());
+  std::map<std::pair<long, Unknowns>, FieldPolynomial> rivals;
+  FieldPolynomial common;
+  for (const FrequencyGroup& group : spectrum.groups) {
+    if (abs(group.value).is_less(abs(first.value))) continue;
+    FieldPolynomial p = polynomial_of(rules, set, group.frequency, group.block, field);
+    const FieldPolynomial multiple = gcd(p, derivative(p, field));
+    // Zeros that this eigenvalue is one of.
+    const FieldPolynomial own = group.count > 1 ? multiple : p;
+    common = gcd(quotient(own, gcd(own, derivative(own, field)), field), common);
+    rivals.emplace(std::pair(group.frequency, group.block), std::move(p));
+  }
+  if (common.size() != 2) return std::nullopt;
+  const CosineField::Number value = -common[0];
+  SharedLeader result{balls.number(value.polynomial()), {}};
+  if (!Ball(0, balls.bits()).is_less(result.value)) return std::nullopt;
+  for (const FrequencyGroup& group : spectrum.groups)
+    if (rivals.count({group.frequency, group.block}) == 0 && !abs(group.value).is_less(result.value))
+      return std::nullopt;
+  std::map<long, std::size_t> multiplicities;
+  for (auto& [key, p] : rivals) {
+    if (key.first == 0) take_out(p, field.number(1), field, 1);
+    multiplicities[key.first] += take_out(p, value, field, p.size());
+    if (!are_all_less(p, result.value, field, balls)) return std::nullopt;
+  }
+  for (const auto& [frequency, multiplicity] : multiplicities) {
+    auto matrix = SectorBlock<CosineField>(rules, set, frequency, field).matrix();
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i][i] = matrix[i][i] - value;
+    if (reduce(matrix).size() + 1 != matrix.size()) return std::nullopt;
+    result.shares.push_back({frequency, multiplicity});
+  }
   return result;
 }
 

@@ -349,6 +349,8 @@ ExitCode run(const LevelsCommandOptions& options) {
     return run_levels_of_list(options, options.scheme.substr(std::string_view(lists).size()), options.property,
                               options.certificate);
   }
+  if (options.scheme.ends_with(".toml"))
+    fail(ErrorKind::usage, "'{}'; a file with a list of masks is {}{}", options.scheme, lists, options.scheme);
   for (const auto& [name, is_given] :
        {std::pair{"--over", !options.over.empty()}, {"--property", !options.property.empty()}})
     if (!is_given) fail(ErrorKind::usage, "{} is required with a family that has a parameter", name);

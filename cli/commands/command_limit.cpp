@@ -78,9 +78,7 @@ ExitCode run_levels(const std::variant<LevelDependentScheme, FollowedFamily>& le
                               options);
   const auto& scheme = std::get<LevelDependentScheme>(levels);
   const Deadline deadline = Deadline::in(options.budget);
-  std::vector<Mask> again;
-  for (const LatticeMask& mask : scheme.masks.again) again.push_back(mask.curve());
-  require_derivative(scheme.specification, levels_as_one(again), {0}, {proof_levels, deadline});
+  require_derivative(scheme.specification, levels_as_one(scheme.masks.again).curve(), {0}, {proof_levels, deadline});
   return print_limit_values(scheme.specification, limit_values(scheme.masks, options.level, deadline), options);
 }
 

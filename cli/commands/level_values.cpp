@@ -22,6 +22,8 @@ LevelDependentScheme scheme_of_list(const std::string& file) {
   const properties::MaskListFile read = read_lists(file);
   if (read.list.period.empty())
     fail(ErrorKind::usage, "{}: expected period = [...], which says what mask each level takes", file);
+  if (read.list.masks.front().components() > 1)
+    fail(ErrorKind::usage, "{}: levels of data and of limits are of masks of numbers", file);
   std::vector<std::string> names;
   LevelDependentScheme result;
   for (const std::size_t number : read.list.period) {

@@ -14,6 +14,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace subcert::cli {
 namespace {
 
@@ -40,13 +42,38 @@ std::string sequence_text(const std::vector<std::size_t>& sequence) {
   return fmt::format("{}{}", fmt::join(sequence, ", "), sequence.size() > 1 ? " in turn" : " at all levels");
 }
 
+/// Of masks of matrices of which some keep more data by themselves than all do in common.
+std::string alone_line(const ExponentOfList& found) {
+  if (!found.vectors || std::ranges::max(found.vectors->alone) <= found.sum_rules) return "";
+  const bool differ = std::ranges::min(found.vectors->alone) > found.sum_rules;
+  return fmt::format("by itself    {} sum rules{}\n", fmt::join(found.vectors->alone, ", "),
+                     differ ? ", with other data for each mask" : "");
+}
+
+/// Of Hermite schemes.
+std::string hermite_line(const ExponentOfList& found) {
+  const auto known = hermite_order_of(found);
+  if (!known) return "";
+  const auto& [order, next] = *known;
+  if (order < 0) return fmt::format("Hermite      {}\n", next.is_no() ? "none for all sequences" : "unknown");
+  return fmt::format("Hermite      HC^{} for all sequences{}\n", order,
+                     next.is_no() ? fmt::format(", not HC^{}", order + 1) : fmt::format("; HC^{} is open", order + 1));
+}
+
+Json hermite_json(const ExponentOfList& found) {
+  const auto known = hermite_order_of(found);
+  if (!known) return nullptr;
+  return {{"order", known->order < 0 ? Json() : Json(known->order)}, {"next", to_text(known->next.truth)}};
+}
+
 std::string text_of(const MaskListFile& file, const ExponentOfList& found, const std::string& property, Truth answer) {
   std::string text;
   for (std::size_t k = 0; k < file.specifications.size(); ++k)
     text += fmt::format("mask {}{}\n", padded(std::to_string(k), 8), file.specifications[k]);
   text += fmt::format("order        {}\nsum rules    {}{}\nexponent     {}\n", order_text(file.list), found.sum_rules,
                       file.list.period.empty() ? " in common" : "", exponent_text(found));
-  text += formula_line(found);
+  text += alone_line(found);
+  text += formula_line(found) + hermite_line(found);
   if (!found.sequence.empty() && file.list.period.empty())
     text += fmt::format("least for    {}\n", sequence_text(found.sequence));
   if (found.exponent.lower && !found.exact.is_yes()) text += "not exact    " + found.exact.reason + "\n";
@@ -59,6 +86,10 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   json.update(exponent_json(found));
   json["sequence"] = found.sequence;
   json["stable"] = found.stable.is_yes();
+  if (found.vectors) {
+    json["sum_rules_alone"] = found.vectors->alone;
+    json["hermite"] = hermite_json(found);
+  }
   if (!property.empty()) {
     json["property"] = property;
     json["verdict"] = verdict_text(answer);
@@ -66,12 +97,17 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   return json;
 }
 
-/// Of all sequences first.
+/// Of all sequences first; of matrices those of one sequence alone.
 std::vector<NamedCertificate> certificates_of(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<NamedCertificate> result;
   for (Certificate& one : list_certificates(list, found, budget)) {
-    const bool all = result.empty() && list.period.empty();
-    result.push_back({fmt::format("0{}-{}", result.size() + 1, all ? "all" : "sequence"), std::move(one)});
+    const bool all = result.empty() && list.period.empty() && !found.vectors,
+               of_scheme = std::holds_alternative<MaskSubject>(one.claim.subject);
+    result.push_back({fmt::format("0{}-{}", result.size() + 1,
+                                  all         ? "all"
+                                  : of_scheme ? "scheme"
+                                              : "sequence"),
+                      std::move(one)});
   }
   return result;
 }
@@ -103,21 +139,23 @@ RangeProperty read_levels_property(const std::string& text, bool of_matrices) {
 
 ExitCode run_levels_of_list(const SearchOptions& options, const std::string& file, const std::string& property,
                             const std::string& certificates) {
-  const auto asked = property.empty() ? std::nullopt : std::optional(read_levels_property(property));
   const MaskListFile read_file = read_lists(file);
+  const auto asked = property.empty() ? std::nullopt
+                                      : std::optional(read_levels_property(property, read_file.list.hermite));
+  if (asked) require_property(read_file.list, *asked);
   if (!certificates.empty()) require_folder(certificates);
   const Budget budget = options.limits();
   options.progress("masks");
   const ExponentOfList found = exponent_of(read_file.list, budget);
   options.end_progress();
-  const Truth answer = asked                                                 ? holds(found.exponent, *asked)
+  const Truth answer = asked                                                 ? holds(found, *asked)
                        : found.exponent.is_bounded() && found.exact.is_yes() ? Truth::yes
                                                                              : Truth::unknown;
   Json json = json_of(read_file, found, property, answer);
   WrittenCertificates written;
   if (!certificates.empty())
-    written = write_certificates(certificates, certificates_of(read_file.list, found, budget), {"-all", "-sequence"},
-                                 "what is not proved", json);
+    written = write_certificates(certificates, certificates_of(read_file.list, found, budget),
+                                 {"-all", "-sequence", "-scheme"}, "what is not proved", json);
   options.answer(json, text_of(read_file, found, property, answer) + written.text);
   written.failure.raise();
   return exit_code(answer, !budget.deadline.expired());

@@ -321,6 +321,54 @@ TEST_CASE("levels: lists of masks") {
   check_fails(run("levels lists:" + any + " --over w=0..1"), 64, "--over: cannot be asked for with a list of masks");
 }
 
+TEST_CASE("levels: lists of masks of matrices") {
+  const Folder folder;
+  const std::string pair = "masks = [\"merrien:lambda=-1/8,mu=3/2\", \"merrien:lambda=-1/8,mu=-1/2\"]\n";
+  const std::string graph = "levels lists:" + folder.write("graph.toml", pair + "follows = [[0, 1], [1, 0], [1, 1]]"),
+                    any = "levels lists:" + folder.write("any.toml", pair);
+  const Run page = run(graph + " --property HC1");
+  CHECK(page.code == 0);
+  CHECK(says(page, "sum rules    3 in common\n"));
+  CHECK(says(page, "exponent     1.83903595256  (the least of all sequences, exact)\n"));
+  CHECK(says(page, "formula      3 - log_2(5)/2\n"));
+  CHECK(says(page, "Hermite      HC^1 for all sequences, not HC^2\n"));
+  CHECK(says(page, "by itself    3, 4 sum rules\n"));
+  CHECK(says(page, "least for    0, 1 in turn\n"));
+  CHECK(run(any + " --property HC1").code == 1);
+  CHECK(run(any + " --property convergent").code == 0);
+  CHECK(run_json(any).at("hermite").at("next") == "no");
+  const auto json = run_json("levels lists:" +
+                             folder.write("data.toml", "masks = [\"ghm\", \"bspline:degree=3,multiplicity=2\"]"));
+  CHECK(json.at("hermite").is_null());
+  // One mask is that scheme.
+  const std::string one = "levels lists:" + folder.write("one.toml", "masks = [\"hermite-dd:points=4,order=2\"]");
+  CHECK(says(run(one), "(the least of all sequences, exact)\n"));
+  CHECK(run_json(one).at("holder") == run_json("regularity hermite-dd:points=4,order=2").at("holder"));
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    check_fails(run("levels lists:" + folder.write("bad.toml", text)), 65, folder / "bad.toml" + ", line " + message);
+  };
+  refused("masks = [\"ghm\", \"dd:n=2\"]", "1, column 17: expected matrices of one size, got 2 and 1 rows");
+  refused("masks = [\"ghm\", \"merrien:lambda=-1/8,mu=0\"]",
+          "1, column 17: expected Hermite schemes alone or none, got ghm and merrien:lambda=-1/8,mu=0");
+  refused("masks = [\"vector:[[[1,0],[0,1/2]],[[1,0],[0,1/2]]]@0\", \"vector:[[[1/2,0],[0,1]],[[1/2,0],[0,1]]]@0\"]",
+          "1, column 9: expected constant data that all masks of matrices keep, one vector up to a factor, got none "
+          "(perhaps the matrices are transposed)");
+  CHECK(run("levels lists:" + folder.write("nan.toml", "masks = [\"hermite:[[[nan]]]\"]")).code == 65);
+  CHECK(run("levels lists:" + folder.write("root.toml", "masks = [\"refinable:[[[sqrt(2),0],[0,1]]]\"]")).code == 65);
+  CHECK(run("levels lists:" + folder.write("none.toml", "masks = []")).code == 65);
+  check_fails(run(any + " --property HC0"), 64, "levels: need HC1 or more, as there are 1 derivatives, got HC0");
+  // Certificates are of the sequence with the least exponent.
+  const std::string certificates = folder / "proofs";
+  const auto written = run_json(graph + " --certificate " + certificates);
+  CHECK(written.at("certificates") == 2);
+  CHECK(says(run("verify " + certificates + "/01-sequence.cert"), " of the refinable functions of "));
+  CHECK(says(run("verify " + certificates + "/02-scheme.cert"), "HC^1 of the Hermite scheme of "));
+  CHECK(run("verify " + certificates).code == 0);
+  check_fails(run("levels lists:" + folder.write("ghm.toml", "masks = [\"ghm\"]") + " --property HC1"), 64,
+              "--property: expected convergent, C1, C2, ... or holder>=3/2, got 'HC1'");
+  CHECK(run("limit lists:" + folder.write("turn.toml", pair + "period = [0, 1]")).code == 64);
+}
+
 TEST_CASE("levels: wrong usage") {
   const std::string family = "levels four-point:w --over w=1/32..1/8 ", smooth = family + "--property C1 ";
   const std::string both = "--recurrence and --start: expected both or none",
@@ -335,6 +383,7 @@ TEST_CASE("levels: wrong usage") {
               "--start: expected w0=VALUE, w0=LOW..HIGH or w0=LOW..inf, got 'v0=1'");
   check_fails(run("levels four-point:w --over w=0..1"), 64,
               "--property is required with a family that has a parameter");
+  check_fails(run("levels masks.toml"), 64, "'masks.toml'; a file with a list of masks is lists:masks.toml");
   check_fails(run("levels four-point:w --property C1"), 64, "--over is required with a family that has a parameter");
   CHECK(run("levels four-point:w --over v=0..1 --property C1").code == 64);
   CHECK(run("levels chaikin --over w=0..1 --property C1").code == 64);

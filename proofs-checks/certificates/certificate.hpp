@@ -114,7 +114,8 @@ std::optional<Certificate> each_point_certificate(const ParametricMask& mask, ch
 ListSubject list_subject(const MaskList& list);
 
 /// That all sequences of the masks have at least the lower end of the exponent, unless they are in a period; and of the
-/// sequence that bounds it from above, if one does, what its exponent is. None where nothing positive is proved.
+/// sequence that bounds it from above, if one does, what its exponent is. Of masks of matrices of that sequence alone:
+/// the exponent of its functions, and that its scheme converges. None where nothing positive is proved.
 /// Domain: `found` is that of the list. Cost: the exponent of one mask of arity a^L.
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget);
 

@@ -36,13 +36,30 @@ std::optional<Certificate> of_all(ClaimSubject subject, int order, int arity, co
 }
 
 Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
-  std::vector<Mask> levels;
+  std::vector<LatticeMask> levels;
   for (const std::size_t number : sequence) levels.push_back(list.masks.at(number));
-  const Mask one = levels_as_one(levels);
+  const Mask one = levels_as_one(levels).curve();
   Certificate certificate = exponent_certificate(
       one, holder_regularity(one, levels_of_bounds, budget, HolderProof::certificate));
   certificate.claim.subject = list_subject({list.masks, sequence});
   return certificate;
+}
+
+/// Of masks of matrices: the exponent of the functions of the leading sequence, and of its scheme that it converges, of
+/// a Hermite list HC^k.
+std::vector<Certificate> of_functions(const ExponentOfList& found, const Budget& budget) {
+  std::vector<Certificate> result;
+  const VectorList& vectors = *found.vectors;
+  if (!vectors.functions || vectors.functions->vector->solutions != 1) return result;
+  const auto add = [&](const auto& make) {
+    try {
+      result.push_back(make());
+    } catch (const Error&) {  // nothing is proved, or not so that a certificate can tell
+    }
+  };
+  add([&] { return exponent_certificate(*vectors.one, Regularity{std::nullopt, vectors.functions}); });
+  add([&] { return vector_scheme_certificate(*vectors.one, vectors.hermite.has_value(), budget); });
+  return result;
 }
 
 /// Of levels that follow from each other, to which value they tend, and how.
@@ -97,7 +114,7 @@ std::optional<Certificate> limit_certificate(const ParametricMask& mask, char le
 
 ListSubject list_subject(const MaskList& list) {
   std::vector<std::string> masks;
-  for (const Mask& mask : list.masks) masks.push_back(mask.symbol().to_mask_text());
+  for (const LatticeMask& mask : list.masks) masks.push_back(mask.curve().symbol().to_mask_text());
   return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
 }
 
@@ -111,6 +128,7 @@ std::optional<Certificate> each_point_certificate(const ParametricMask& mask, ch
 
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<Certificate> result;
+  if (found.vectors) return of_functions(found, budget);
   auto all = of_all(list_subject(found.list), found.sum_rules, list.masks.front().arity(), found.family, found.radius);
   if (!all) return result;
   if (list.period.empty()) result.push_back(std::move(*all));

@@ -25,19 +25,51 @@ std::size_t number_of_mask(const toml::node& node, std::size_t count) {
   return static_cast<std::size_t>(number->get());
 }
 
-void add_mask(MaskListFile& file, const toml::node& node) {
+/// Of one variable.
+Scheme scheme_of(std::string_view specification) {
+  Scheme scheme = make_refinable_scheme(specification);
+  if (!scheme.form) return make_scheme(specification);
+  if (scheme.mask.dimension() != 1)
+    fail(ErrorKind::data, "expected masks of one variable, got {}", scheme.specification);
+  return scheme;
+}
+
+}  // namespace
+
+void add_mask(MaskListFile& file, std::string_view specification) {
+  const Scheme scheme = scheme_of(specification);
+  if (scheme.rounding) fail(ErrorKind::data, "expected a scheme with exact coefficients, got {}", scheme.specification);
+  const LatticeMask& mask = scheme.mask;
+  const bool is_hermite = scheme.form == VectorForm::hermite;
+  if (!file.list.masks.empty()) {
+    const LatticeMask& first = file.list.masks.front();
+    if (mask.arity() != first.arity())
+      fail(ErrorKind::data, "expected masks of one arity, got {} and {}", first.arity(), mask.arity());
+    if (mask.components() != first.components())
+      fail(ErrorKind::data, "expected matrices of one size, got {} and {} rows", first.components(), mask.components());
+    if (is_hermite != file.list.hermite)
+      fail(ErrorKind::data, "expected Hermite schemes alone or none, got {} and {}", file.specifications.front(),
+           scheme.specification);
+  }
+  file.list.hermite = is_hermite;
+  file.specifications.push_back(scheme.specification);
+  file.list.masks.push_back(mask);
+}
+
+void require_common_data(const MaskList& list) {
+  if (list.masks.front().components() > 1 && kept_polynomials(list).data.empty())
+    fail(ErrorKind::data,
+         "expected constant data that all masks of matrices keep, one vector up to a factor, got none (perhaps the "
+         "matrices are transposed)");
+}
+
+namespace {
+
+void add_mask_of(MaskListFile& file, const toml::node& node) {
   const auto* text = node.as_string();
   if (!text) throw FileError(place_of(node), "'masks' takes specifications of schemes in quotes");
   try {
-    const Scheme scheme = make_scheme(text->get());
-    if (scheme.rounding)
-      fail(ErrorKind::data, "expected a scheme with exact coefficients, got {}", scheme.specification);
-    const Mask mask = scheme.mask.curve();
-    if (!file.list.masks.empty() && mask.arity() != file.list.masks.front().arity())
-      fail(ErrorKind::data, "expected masks of one arity, got {} and {}", file.list.masks.front().arity(),
-           mask.arity());
-    file.specifications.push_back(scheme.specification);
-    file.list.masks.push_back(mask);
+    add_mask(file, text->get());
   } catch (const Error& error) {
     throw FileError(place_of(node), error.what());
   }
@@ -51,7 +83,12 @@ MaskListFile mask_list_of(const toml::table& table) {
   if (period && follows) throw FileError(place_of(*follows), "'follows' beside 'period'; expected one of them");
   MaskListFile file;
   for (const toml::node& node : list_of(*masks, "masks", "specifications of schemes", 1, most_masks))
-    add_mask(file, node);
+    add_mask_of(file, node);
+  try {
+    require_common_data(file.list);
+  } catch (const Error& error) {
+    throw FileError(place_of(*masks), error.what());
+  }
   const std::size_t count = file.list.masks.size();
   if (period)
     for (const toml::node& node : list_of(*period, "period", "numbers of masks", 1, longest_period))

@@ -71,7 +71,10 @@ Decision property_of(const SchemePoints& points, const Property& property, const
 Decision property_of(const SchemeList& list, const Property& property, const Expectation& expectation,
                      const SearchLimits& limits) {
   require_levels(property);
-  return by_exponent(exponent_of(list.list, limits.budget()).exponent, asked_of(property, expectation), "sequences");
+  const RangeProperty asked = asked_of(property, expectation);
+  subcert::require_property(list.list, asked);
+  const ExponentOfList found = exponent_of(list.list, limits.budget());
+  return {holds(found, asked), by_exponent(found.exponent, asked, "sequences").reason};
 }
 
 }  // namespace subcert::properties

@@ -16,6 +16,8 @@ let usage =
   \       subcert-check-verified --mask ... --upper CK [...] FILE    (no C^K limits)\n\
   \       subcert-check-verified --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (a mask for each level:\n\
   \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
+  \       subcert-check-verified --mask '[-w,0,1/2+w,...]@first' --arity A --for w=LOW..HIGH --lower P/Q [--show] FILE\n\
+  \                              (for all these w; <, not <=; --levels w=LOW..HIGH: for all sequences of them, one for each level)\n\
   \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--show] FILE    (vectors of functions)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
@@ -203,8 +205,9 @@ let read_head ?(domain = ignore) ~exponent r claim exact =
   let exact = match exact with Some e -> line r ("exact " ^ e.text); exact | None -> named () in
   Option.map (fun e -> (e, Attained_hint.read_root r e.number)) exact
 
-(* A basis, its blocks, the product, and the sections of the blocks as `section` reads them *)
-let read_lines family lower r sections =
+(* A basis, its blocks, the product, and the sections of the blocks as `section` reads them. `of_values`: the product is one of
+   the matrices of each value, from which nothing follows here. *)
+let read_lines ?(of_values = false) family lower r sections =
   let n = family.size in
   let divided = at r "blocks" in
   let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
@@ -224,6 +227,7 @@ let read_lines family lower r sections =
   let count = List.length blocks in
   let chosen, eigenvector =
     if lower = None && not (at r "product") then (0, None)
+    else if of_values then (ignore (take r "product" 4 (3 + 4096)); (0, None))
     else
       match take r "product" 4 (3 + 4096) with
       | block :: re :: im :: letters ->
@@ -247,7 +251,7 @@ let read_logarithm r =
   (logarithm, if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [])
 
 (* What proves bounds of the radius. *)
-let read_proof ~single family lower upper r =
+let read_proof ?of_values ~single family lower upper r =
   let section divided i block =
     let own, section, _ = Sections.read_section ~single:(single && not divided) ~may_keep:false r i block upper in
     (match (own, upper) with
@@ -261,7 +265,7 @@ let read_proof ~single family lower upper r =
     (block.size, section)
   in
   let sections divided blocks = if upper = None && not (at r "block 0") then [] else List.mapi (section divided) blocks in
-  let new_basis, sizes, chosen, eigenvector, sections = read_lines family lower r sections in
+  let new_basis, sizes, chosen, eigenvector, sections = read_lines ?of_values family lower r sections in
   { new_basis; sections; sizes; chosen; eigenvector }
 
 (* What proves that the radius is the number. *)
@@ -732,6 +736,59 @@ let levels masks arity order m sequences lower file =
       Printf.printf "the Hoelder exponents are at least %s\n" (Q.to_string lower);
       show_masks m (Sequences sequences) )
 
+(* The intervals that cover a range, one after another, and what is shown of each: the lines from the first `to` on. Bounds are
+   below what is needed, as the ends of such claims are not reached, by less than what numbers over `common` may differ. *)
+let read_intervals a order lower low high one r =
+  let most = most_radius a.ranged_arity order (bound_of lower) in
+  let rec intervals reached =
+    let next = rational (List.hd (take r "to" 1 1)) in
+    require (Q.lt reached next && Q.leq next high) "an interval ends outside of the rest of the range";
+    require ((not one) || Q.equal next high) "a claim about sequences of values has one interval";
+    let from = bound_of reached and till = bound_of next in
+    let common = Ranges.control_common a from till in
+    let family = Ranges.control_family a from till common order in
+    let bound = Q.sub most (Q.make Z.one (Z.shift_left Z.one (digits + Z.numbits common))) in
+    let radius = read_proof ~of_values:true ~single:false family None (Some bound) r in
+    let interval = (till, (common, { order; bound = bound_of bound; of_radius = radius })) in
+    if Q.equal next high then [ interval ] else interval :: intervals next
+  in
+  intervals low
+
+(* A claim about the values of a parameter in a range, or about all sequences of them. The lines `stability`, `full` and
+   `product` say nothing. *)
+let ranged mask arity range sequences lower file =
+  let letter, low, high = Ranges.read_range range in
+  let a = Ranges.read_mask letter mask (read_arity arity) in
+  let l = bound_of lower and from = bound_of low and till = bound_of high in
+  let theorem =
+    read file 1 (fun r ->
+        let kind = if sequences then "levels" else "exponent" in
+        let number = read_head ~exponent:true r (Printf.sprintf "%s %s %s %s" kind mask arity range) None in
+        require (number = None) "exact numbers are those of one mask or family";
+        let fields = take r "sum-rules" 1 2 in
+        let order = size (List.hd fields) 1 500 in
+        require (List.length fields = 1 || List.nth fields 1 = "full") "expected 'sum-rules M' or 'sum-rules M full'";
+        if at r "stability" then line r "stability";
+        require (Q.sign lower >= 0) "the lower end of an exponent must be positive";
+        require (Q.lt lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
+        let intervals = read_intervals a order lower low high sequences r in
+        read_end r;
+        match intervals with
+        | [ (_, (common, proof)) ] when sequences ->
+            require (check_range_levels a from till l common proof) unproved;
+            fun name -> Theorem.print_range_levels name a from till l common proof
+        | _ ->
+            require (check_range a from till l intervals) unproved;
+            fun name -> Theorem.print_range name a from till l intervals)
+  in
+  ( Printf.sprintf "%s < Hoelder exponent of %s with arity %s for all %s%s" (Q.to_string lower) mask arity
+      (if sequences then "sequences of levels with " else "") range,
+    theorem,
+    fun () ->
+      Printf.printf "the Hoelder exponents are above %s for all %sx from %s to %s\n" (Q.to_string lower)
+        (if sequences then "sequences of levels with " else "") (Q.to_string low) (Q.to_string high);
+      Ranges.show a )
+
 (* A claim about a vector of functions: that there is one, and the lower end *)
 let refinable mask dilation lower file =
   let a = Vectors.read_mask mask dilation and head = Printf.sprintf "refinable %s %s" mask dilation in
@@ -754,7 +811,8 @@ let refinable mask dilation lower file =
 
 let undecided =
   "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, \
-   those of lists of masks, and lower ends of refinable functions of one variable, the others by subcert-check"
+   those of lists of masks, lower ends for all values of a parameter or all sequences of them, and of refinable functions of \
+   one variable, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -794,6 +852,9 @@ let check arguments =
     end
     else if has "--refinable" && has "--dilation" && has "--lower" && only [ "--refinable"; "--dilation" ] then
       refinable (get "--refinable") (get "--dilation") (Option.get (bound "--lower")) (get "FILE")
+    else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
+      ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels")
+        (Option.get (bound "--lower")) (get "FILE")
     else if has "--masks" || has "--order" then begin
       require (has "--masks" && has "--order" && has "--arity") usage;
       require (only [ "--masks"; "--arity"; "--order"; "--upper"; "--exact"; "--logarithm" ]) usage;

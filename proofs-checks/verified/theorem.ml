@@ -284,6 +284,28 @@ let print_levels name m s l c =
        "levels_hold : levels_hold %s_masks %s %s.\nProof. apply (check_levels_sound _ _ _ %s_certificate). %s"
        name (sequences s) (fraction l) name by_computation)
 
+(* A mask with a parameter *)
+let print_ranged name a l claim checker certificate =
+  let mask =
+    Printf.sprintf "mask : ranged := Ranged %s %s\n%s\n%s" (natural a.ranged_arity) (integer a.ranged_first)
+      (list vector a.numerators) (vector a.ranged_divisor)
+  in
+  print name " Subdivision Exponent Levels Ranges" mask certificate
+    (Printf.sprintf "%s : %s %s_mask %s.\nProof. %s. %s" claim claim name l checker by_computation)
+
+let ends low high l = Printf.sprintf "%s %s %s" (fraction low) (fraction high) (fraction l)
+
+let print_range_levels name a low high l common c =
+  print_ranged name a (ends low high l) "range_levels_hold"
+    (Printf.sprintf "apply (check_range_levels_sound _ _ _ _ %s %s_certificate)" (integer common) name)
+    (lower_end c)
+
+let print_range name a low high l intervals =
+  let interval = pair fraction (pair integer (fun c -> "(" ^ lower_end c ^ ")")) in
+  print_ranged name a (ends low high l) "range_holds"
+    (Printf.sprintf "apply (check_range_sound _ _ %s_certificate)" name)
+    (list interval intervals)
+
 (* Vectors of functions *)
 let print_vectors name a l c =
   let mask =

@@ -9,6 +9,7 @@
 #include <subcert/analysis/regularity/derivatives.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/properties/mask_list_file.hpp>
 #include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/plain_text.hpp>
@@ -160,14 +161,14 @@ py::tuple values_in_turn(const std::vector<std::string>& first, const std::vecto
                          const py::object& progress) {
   require(!again.empty(), "limit: need a scheme, got none");
   LevelMasks masks;
-  std::vector<Mask> period;
+  std::vector<LatticeMask> period;
   for (const std::string& one : first) masks.first.push_back(make_scheme(one).mask);
   for (const std::string& one : again) {
     masks.again.push_back(make_scheme(one).mask);
-    period.push_back(masks.again.back().curve());
+    period.push_back(masks.again.back());
   }
   const LimitValues found = interruptible(progress, [&] {
-    require_derivative("the schemes in turn", levels_as_one(period), {0});
+    require_derivative("the schemes in turn", levels_as_one(period).curve(), {0});
     return limit_values(masks, level);
   });
   return py::make_tuple(found.arity, found.first_index, found.values);
@@ -199,8 +200,12 @@ struct ListEvidence {
 std::shared_ptr<ListEvidence> list_of(const std::vector<std::string>& schemes, const std::vector<std::size_t>& period,
                                       const std::vector<std::pair<std::size_t, std::size_t>>& follows, double seconds,
                                       const py::object& progress) {
-  MaskList list{{}, period, follows};
-  for (const std::string& one : schemes) list.masks.push_back(make_scheme(one).mask.curve());
+  properties::MaskListFile file;
+  for (const std::string& one : schemes) properties::add_mask(file, one);
+  if (!schemes.empty()) properties::require_common_data(file.list);
+  MaskList list = std::move(file.list);
+  list.period = period;
+  list.follows = follows;
   return interruptible(progress, [&] {
     ExponentOfList found = exponent_of(list, {Deadline::in(seconds)});
     return std::make_shared<ListEvidence>(ListEvidence{std::move(list), std::move(found), seconds});
@@ -209,8 +214,11 @@ std::shared_ptr<ListEvidence> list_of(const std::vector<std::string>& schemes, c
 
 py::dict list_dict(const ListEvidence& evidence) {
   const ExponentOfList& found = evidence.found;
+  const auto hermite = hermite_order_of(found);
   return py::dict("exponent"_a = found.exponent, "exact"_a = found.exact, "sum_rules"_a = found.sum_rules,
-                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes(), "formula"_a = formula_of(found));
+                  "sequence"_a = found.sequence, "stable"_a = found.stable.is_yes(), "formula"_a = formula_of(found),
+                  "sum_rules_alone"_a = found.vectors ? found.vectors->alone : std::vector<int>{},
+                  "hermite_order"_a = hermite && hermite->order >= 0 ? std::optional(hermite->order) : std::nullopt);
 }
 
 py::list certificates_of(const ListEvidence& evidence) {

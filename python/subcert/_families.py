@@ -147,13 +147,18 @@ class LevelsExponent:
     sequence: tuple[int, ...]
     """The numbers of the masks whose limits are the least smooth, again and again."""
     stable: bool
-    """Of the shifts of `sequence`."""
+    """Of the shifts of `sequence`; of masks of numbers."""
     formula: Optional[str] = None
     """The exponent in closed form, where it is exact and no rational number."""
+    sum_rules_alone: tuple[int, ...] = ()
+    """Of masks of matrices: the number for each mask by itself."""
+    hermite_order: Optional[int] = None
+    """Of Hermite schemes: the largest k for which HC^k is proved for all sequences."""
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def certificates(self) -> list[Certificate]:
-        """Of all sequences, unless they are in a period, and of the one with the least exponent."""
+        """Of all sequences, unless they are in a period, and of the one with the least exponent; of masks of matrices
+        two of that one: of its functions and of its scheme."""
         return [
             Certificate(text, lower, upper, None, exact, logarithm)
             for text, lower, upper, exact, logarithm in self._evidence.certificates()
@@ -472,13 +477,17 @@ def exponent_of_levels(
     budget: float = 60,
     progress: Progress = None,
 ) -> LevelsExponent:
-    """The least exponent of the limits where each level takes one of these masks: any of them; or those of a period,
-    numbers from 0, again and again; or so that each pair (before, after) is one of `follows`.
+    """The least exponent of the limits where each level takes one of these masks, of numbers or of matrices: any of
+    them; or those of a period, numbers from 0, again and again; or so that each pair (before, after) is one of
+    `follows`.
 
     >>> import subcert
     >>> found = subcert.exponent_of_levels(["four-point:w=1/4", "four-point:w=1/16"], follows=[(0, 1), (1, 0), (1, 1)])
     >>> round(float(found.exponent.lower), 5), found.sequence, len(found.certificates())
     (0.99734, (0, 1), 2)
+    >>> hermite = subcert.exponent_of_levels(["merrien:lambda=-1/8,mu=1/2", "merrien:lambda=-1/8,mu=-1/2"])
+    >>> hermite.formula, hermite.sum_rules_alone, hermite.hermite_order
+    ('3 - log_2(3)', (3, 4), 1)
     """
     texts = [one if isinstance(one, str) else one.specification for one in schemes]
     evidence = _core.exponent_of_levels(texts, list(period), list(follows), budget, progress)
@@ -490,5 +499,7 @@ def exponent_of_levels(
         sequence=tuple(facts["sequence"]),
         stable=facts["stable"],
         formula=facts["formula"],
+        sum_rules_alone=tuple(facts["sum_rules_alone"]),
+        hermite_order=facts["hermite_order"],
         _evidence=evidence,
     )

@@ -22,8 +22,9 @@ struct LevelMasks {
   }
 };
 
-/// a_(L-1)(z) a_(L-2)(z^a) ... a_0(z^(a^(L-1))): L levels as one, the coarsest first. Domain: one arity a, a^L at most
-/// 2^30.
-Mask levels_as_one(const std::vector<Mask>& levels);
+/// a_(L-1)(z) a_(L-2)(z^a) ... a_0(z^(a^(L-1))): L levels as one, the coarsest first; of matrices, as those of an
+/// equation, the product in the opposite order. Domain: one variable, one arity a, one number of components, a^L at
+/// most 2^30. Errors: throws Error for none, and where all products of matrices are 0.
+LatticeMask levels_as_one(const std::vector<LatticeMask>& levels);
 
 }  // namespace subcert

@@ -29,5 +29,7 @@ struct PolynomialData {
 /// a root the doubled mask of a QuadraticMask. Cost: small linear systems. Proof of what follows from them:
 /// docs/vectors.md.
 PolynomialData kept_polynomials(const ParametricMask& mask, long root = 0);
+/// What all of them keep. Domain: a mask at least, of one arity and one size.
+PolynomialData kept_polynomials(const std::vector<ParametricMask>& masks, long root = 0);
 
 }  // namespace subcert

@@ -98,19 +98,22 @@ class EigenpairSearch {
     return false;
   }
 
-  /// With an inverse of `few` bits. Nothing where that isolates no simple eigenpair.
-  std::optional<EigenpairEnclosure> enclosure(slong few) {
+  /// With an inverse of `few` bits. Nothing where that isolates no simple eigenpair, or time ends between two steps.
+  std::optional<EigenpairEnclosure> enclosure(slong few, const Deadline& deadline) {
     ComplexBallMatrix inverse(n_ + 1, n_ + 1), product(n_ + 1, n_ + 1), step(n_ + 1, 1);
     derivative(product);
-    if (acb_mat_approx_inv(inverse.get(), product.get(), few) == 0 || acb_mat_is_finite(inverse.get()) == 0)
+    if (acb_mat_approx_inv(inverse.get(), product.get(), few) == 0 || acb_mat_is_finite(inverse.get()) == 0 ||
+        deadline.expired())
       return std::nullopt;
     acb_mat_get_mid(inverse.get(), inverse.get());
-    improve(inverse);
+    improve(inverse, deadline);
+    if (deadline.expired()) return std::nullopt;
     // Let C be that inverse and r twice |C F|. Where |1 - C F'| + 2 |C| r <= 1/2, the map 1 - C F takes the points
     // within r of this one to such points, as the quadratic part of F is the product of the changes of v and x; and F'
     // has an inverse there, so that the eigenvalue is simple. Where all is real, so is the fixed point.
     derivative(product);
     acb_mat_mul(product.get(), inverse.get(), product.get(), few);
+    if (deadline.expired()) return std::nullopt;
     for (std::size_t i = 0; i <= n_; ++i) acb_sub_ui(product.entry(i, i), product.entry(i, i), 1, few);
     residual(step);
     acb_mat_mul(step.get(), inverse.get(), step.get(), bits_);
@@ -169,10 +172,10 @@ class EigenpairSearch {
   }
 
   /// Steps as long as they become shorter.
-  void improve(ComplexBallMatrix& inverse) {
+  void improve(ComplexBallMatrix& inverse, const Deadline& deadline) {
     ComplexBallMatrix step(n_ + 1, 1);
     Ball last = Ball::indeterminate(64);
-    for (int k = 0; k < newton_steps; ++k) {
+    for (int k = 0; k < newton_steps && !deadline.expired(); ++k) {
       residual(step);
       acb_mat_approx_mul(step.get(), inverse.get(), step.get(), bits_);
       const Ball length = norm(step);
@@ -202,7 +205,7 @@ std::optional<EigenpairEnclosure> enclosure_of(const RationalMatrix& matrix, con
   EigenpairSearch search(unit * matrix, unit * near, bits);
   for (const slong few : {std::min(bits, few_bits), bits}) {
     if (deadline.expired() || !start(search, few)) return std::nullopt;
-    if (auto found = search.enclosure(few)) {
+    if (auto found = search.enclosure(few, deadline)) {
       found->value = found->value.scaled(exponent);
       return found;
     }

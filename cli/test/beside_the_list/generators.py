@@ -433,6 +433,53 @@ def range_case(rng, low, high):
     return case
 
 
+def keeping_vectors(rng, masks):
+    """Schemes on vectors of one size that keep the same constant vector, in one basis."""
+    size, arity = rng.choice((2, 2, 3)), rng.choice((2, 2, 3))
+    there, back = vector_basis(rng, size)
+    for _ in range(masks):
+        count = rng.randint(arity, arity + 2)
+        matrices = [[[entry(rng, "plain") / 8 for _ in range(size)] for _ in range(size)] for _ in range(count)]
+        for k in range(arity):
+            for i in range(size):
+                matrices[k][i][0] += int(i == 0) - sum(m[i][0] for m in matrices[k::arity])
+        yield refinable_text("vector", [times(times(there, m), back) for m in matrices], rng.randint(-2, 1), arity)
+
+
+def list_of_schemes(rng):
+    """Of one arity, numbers or matrices of one size."""
+    count, kind = rng.randint(1, 3), rng.choice(("merrien", "hermite-dd", "vector", "numbers"))
+    if kind == "merrien":
+        return [f"merrien:lambda={rng.choice(('-1/8', rational(rng, Fraction(-1, 4), Fraction(1, 8))))},"
+                f"mu={rational(rng, Fraction(-3), Fraction(1))}" for _ in range(count)]
+    if kind == "hermite-dd":
+        order, arity = rng.randint(2, 3), rng.randint(2, 3)
+        return [f"hermite-dd:points={rng.choice((2, 2, 4))},order={order},a={arity}" for _ in range(count)]
+    if kind == "vector":
+        return list(keeping_vectors(rng, count))
+    return [rng.choice((f"dd:n={rng.randint(1, 4)}", f"bspline:degree={rng.randint(1, 6)}",
+                        f"four-point:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}")) for _ in range(count)]
+
+
+def list_case(rng, low, high):
+    """Masks in any order, in turn, or so that none comes twice in a row but the first."""
+    schemes = list_of_schemes(rng)
+    numbers, order = list(range(len(schemes))), rng.choice(("any", "any", "period", "follows"))
+    text = "masks = " + json.dumps(schemes) + "\n"
+    alone = numbers  # which may be at all levels
+    if order == "period":
+        period = [rng.choice(numbers) for _ in range(rng.randint(1, 3))]
+        text += f"period = {period}\n"
+        alone = period[:1] if len(set(period)) == 1 else []
+    elif order == "follows":
+        text += f"follows = {[[i, j] for i in numbers for j in numbers if i != j or i == 0]}\n"
+        alone = [0]
+    case = Case("levels", ["levels", "lists:list.toml"], budget(rng, low, high), {"list.toml": text})
+    case.facts = {"alone": [schemes[k] for k in alone], "one": len({schemes[k] for k in alone}) == 1 and
+                  (order == "period" or len(set(schemes)) == 1)}
+    return case
+
+
 def page_case(rng, low, high):
     command = rng.choice(("analyze", "variance", "limit", "limit --range", "mask"))
     surface = command in ("analyze", "limit", "mask") and rng.random() < 0.3
@@ -444,5 +491,5 @@ def page_case(rng, low, high):
 
 
 def any_case(rng, low, high):
-    kinds = (regularity_case, vector_case, jsr_case, range_case, page_case)
-    return rng.choices(kinds, (40, 15, 25, 8, 12))[0](rng, low, high)
+    kinds = (regularity_case, vector_case, jsr_case, range_case, list_case, page_case)
+    return rng.choices(kinds, (40, 15, 25, 8, 8, 12))[0](rng, low, high)

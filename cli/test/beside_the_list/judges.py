@@ -225,6 +225,22 @@ def sample(asked, verdict, w, scheme):
         yield "wrong", f"convergence proved at w = {w}, where a product of differences grows"
 
 
+def masks_alone(case, run):
+    """No more holds for all sequences than for a mask at all levels; one sequence has the exponent of its mask."""
+    found = (run.answer or {}).get("holder")
+    if not found:
+        return
+    for scheme in case.facts["alone"]:
+        alone = run.ask("regularity", scheme, *case.limits) or {}
+        of_functions = alone.get("solutions") == 1 and alone.get("continuous") == "yes"
+        low, high = end(found, "lower"), end(alone.get("holder"), "upper")
+        if low is not None and high is not None and (alone.get("stable") is True or of_functions) and low > high:
+            yield "wrong", f"lower end {found['lower']}, but {alone['holder']['upper']} for {scheme} at all levels"
+        low, high = end(alone.get("holder"), "lower"), end(found, "upper")
+        if case.facts["one"] and low is not None and high is not None and low > high:
+            yield "wrong", f"upper end {found['upper']}, but {alone['holder']['lower']} for {scheme}, the only mask"
+
+
 def values(case, run):
     """The shifts of the basic limit function sum to 1."""
     answer = run.answer or {}
@@ -322,7 +338,7 @@ def middle(enclosures_of_runs, side):
 
 OF_ALL = (ending, resources, not_empty)
 OF_COMMAND = {"regularity": (exponent, certificate), "vector": (vector, twin, certificate),
-              "jsr": (radius, certificate), "range": (pieces,), "limit": (values,), "variance": (curve,),
+              "jsr": (radius, certificate), "range": (pieces,), "levels": (masks_alone,), "limit": (values,), "variance": (curve,),
               "mask": (coefficients,)}
 
 

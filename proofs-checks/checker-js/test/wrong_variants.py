@@ -4,19 +4,16 @@
     wrong_variants.py NODE CORPUS [--only REGEX] [--lines FIRST-LAST] [--list]
 
 A variant drops one check, or changes one comparison, condition, quantifier, rounding, end or sign. It is run on those cases
-of the corpus that come to its place, the quickest first, until an outcome is wrong, or for 10 s. Variants that no file can
-tell from the checker stand in `same.txt`, each with its reason. Prints the variants that survive; exit code 1 if there are
-any, or if a line of `same.txt` fits none."""
+of the corpus that come to its place, the quickest first, until an outcome is wrong. Variants that no file can tell from the
+checker stand in `same.txt`, each with its reason; they are run for two seconds. Prints the variants that survive; exit code 1
+if there are any, or if a line of `same.txt` fits none."""
 import argparse
-import itertools
 import json
-import math
-import os
-import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 test = Path(__file__).resolve().parent
@@ -57,23 +54,34 @@ CHANGES = [
     (r" \+= ", " -= ", "+= -> -="),
     (r" -= ", " += ", "-= -> +="),
 ]
+QUICK = 2  # seconds for the variants of same.txt
 
 
-def reached(coverage, chosen):
-    """The numbers of the variants whose place a run came to: the innermost range of V8's report around it counts."""
-    scripts = json.loads(coverage.read_text())["result"]
-    functions = next(script["functions"] for script in scripts if script["url"].endswith("/checker.js"))
-    ranges = sorted((r["startOffset"], -r["endOffset"], r["count"]) for function in functions for r in function["ranges"])
-    places = sorted((begin, number) for number, (_, _, begin, _, _) in chosen.items())
-    numbers, first = {}, 0
-    for start, end, count in ranges:
-        while first < len(places) and places[first][0] < start:
-            first += 1
-        for begin, number in itertools.islice(places, first, None):
-            if begin >= -end:
-                break
-            numbers[number] = count
-    return {number for number, count in numbers.items() if count > 0}
+class Reached:
+    """The variants whose place a command line comes to, by number: what reached.js says, which is started once for a thread,
+    without the optimizer, as the report leaves functions out that this has inlined."""
+
+    def __init__(self, node, chosen):
+        self.node, self.local, self.lock, self.started = node, threading.local(), threading.Lock(), []
+        places = sorted((begin, number) for number, (_, _, begin, _, _) in chosen.items())
+        self.numbers = [number for _, number in places]
+        self.places = tempfile.NamedTemporaryFile("w", suffix=".json")
+        json.dump([begin for begin, _ in places], self.places)
+        self.places.flush()
+
+    def __call__(self, folder, words):
+        if not hasattr(self.local, "server"):
+            self.local.server = subprocess.Popen([self.node, "--no-opt", test / "reached.js", self.places.name], stdin=subprocess.PIPE,
+                                                 stdout=subprocess.PIPE, text=True)
+            with self.lock:
+                self.started.append(self.local.server)
+        self.local.server.stdin.write(json.dumps([str(folder), words]) + "\n")
+        self.local.server.stdin.flush()
+        return {self.numbers[index] for index in json.loads(self.local.server.stdout.readline())}
+
+    def close(self):
+        for server in self.started:
+            server.communicate()
 
 
 def main():
@@ -84,31 +92,19 @@ def main():
     # lines that count work and memory are left out: these limits are the checker's own
     every = list(variants.variants([sources / "checker.js"], CHANGES, "'`", ("spend(", "allow_bits(")))
     chosen = variants.chosen(every, arguments)
-
-    def trace(folder, words):
-        with tempfile.TemporaryDirectory() as coverage:
-            subprocess.run([arguments.node, sources / "main.js", *words], cwd=folder, capture_output=True, check=False,
-                           env={**os.environ, "NODE_V8_COVERAGE": coverage})
-            return reached(next(Path(coverage).iterdir()), chosen)
-
-    corpus = variants.Corpus(arguments.corpus.resolve(), trace, arguments.jobs)
-
-    def fails(number, main_js, seconds):
-        return corpus.fails([arguments.node, "--max-old-space-size=2000", main_js], number, f"ulimit -t {seconds}")
-
-    # One process has all cases of a folder: as long as the checker itself takes, and half as much again.
-    before = sum(os.times()[2:4])
-    if fails(0, sources / "main.js", 600):
-        sys.exit("the checker itself fails")
-    most = math.ceil(1.5 * (sum(os.times()[2:4]) - before)) + 10
+    known = set(variants.names_in(test / "same.txt"))
+    checker = [arguments.node, "--max-old-space-size=2000"]
+    trace = Reached(arguments.node, chosen)
+    corpus = variants.Corpus(arguments.corpus.resolve(), trace, arguments.jobs, [*checker, sources / "main.js"], "")
+    trace.close()
 
     def outcome(numbered):
-        number, (_, file, begin, end, new) = numbered
+        number, (name, file, begin, end, new) = numbered
         text = file.read_text()
         with tempfile.TemporaryDirectory() as folder:
             variant = Path(folder) / file.name
             variant.write_text(text[:begin] + new + text[end:])
-            if not fails(number, shutil.copy(sources / "main.js", folder), most):
+            if not corpus.fails([*checker, shutil.copy(sources / "main.js", folder)], number, QUICK if name in known else None):
                 return "survive"
             done = subprocess.run([arguments.node, "--check", variant], capture_output=True, check=False)
             return "do not compile" if done.returncode else "fail"

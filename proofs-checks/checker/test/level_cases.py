@@ -59,6 +59,7 @@ BETWEEN = "--lower 7/10 --upper 3/4"
 MATRICES, CHANGED = [], []
 MOVING = "[1-w,2-w,1+w,w]/2"  # linear data are moved by w
 WIDE = {points: f"[w,w{',0' * (points - 3)},1-w,1-w]" for points in (9, 10, 11, 72)}  # as many points depend on w for each t
+NINE = "[1,3+2*w,7+6*w,10+12*w,12+14*w,10+12*w,7+6*w,3+2*w,1]/(18+18*w)"  # (1 + z + z^2)^3 (1 + 2 w z + z^2)
 FOUR, FOURS = "[-w,0,1/2+w,1,1/2+w,0,-w]", "w=1/32..3/32"
 ONE_SIDED = "[w,3/4,1-w,1/4]"
 SIDES = [Q(x, 10) for x in (11, 9)]
@@ -109,6 +110,7 @@ ACCEPTED = [
     limit("limit-at-end", CORNER, RANGE, "[49/200+1/2*w]", "1/5..49/100", 0, "49/100", "--lower 1/50", "sum-rules 1; block 0 norm 1"),
     limit("limit-at-low-end", CORNER, RANGE, "[1/200+1/2*w]", "1/5..49/100", 0, "1/100", "--lower 1/50", "sum-rules 1; block 0 norm 1"),
     limit("limit-both", CORNER, RANGE, "[1/16+w]/(1+w)", "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
+    limit("limit-steep-end", CORNER, "w=4/25..9/20", "[9/80]/(1/5+w)", "1/5..1/5", 0, "1/4", "--lower 1/2", "sum-rules 1; block 0 norm 1"),
     limit("limit-in-turn", CORNER, RANGE, "[19/40-9/10*w]", "1/5..1/5", 0, "1/4", "--lower 1", "sum-rules 1; block 0 norm 1"),
     limit("limit-shorter", "[w-1/4,w,5/4-w,1-w]", RANGE, "[1/8+1/2*w]", "1/5..1/5", 0, "1/4", "--lower 2/5", "sum-rules 1; block 0 norm 1"),
     limit("limit-twice", TWICE, TWICES, ANGLES, "0..3", 1, "1", "--lower 2 --upper 2",
@@ -241,6 +243,8 @@ EDITED = [
      [(ANGLES, "[1/2+1/2*w]"), ("level 7/10 3/2", "level 1/2 2")]),
     ("limit-other-cosine", "limit-twice", tending(TWICE, TWICES, "sqrt[2/3+1/3*w]", "0..3", 1, "1", "--lower 2 --upper 2"), "exponentials need",
      [(ANGLES, "sqrt[2/3+1/3*w]"), ("level 7/10 3/2", "level 4/5 3/2")]),
+    ("limit-exponentials-of-3-angle", "limit-twice", tending(NINE, TWICES, ANGLES, "0..3", 1, "1", "--lower 1", 3), "exponentials need",
+     [(f"{TWICE} 2", f"{NINE} 3"), ("exponentials 0 1", "exponentials 1"), ("stability; product 0 2 0 0; ", "")]),
     ("limit-exponentials-of-3", "limit-arity-3", None, "exponentials need", [("sum-rules 1", "exponentials 0; sum-rules 1")]),
     ("limit-early", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 1, "1/5", BETWEEN), "come into the range at a later level", [("from=2", "from=1")]),
     ("limit-to", "limit-quotient", None, "expected 'block 0'", [("block 0", "to 49/100; block 0")]),

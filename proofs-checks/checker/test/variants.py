@@ -1,7 +1,8 @@
 """What the tests with wrong variants of the checkers share: where the changes are made, and what the corpus says.
 
 A variant is run on those cases alone that come to its place, where that can be told with both values there: in all others it
-does what the checker does. The quickest go first, until one fails."""
+does what the checker does. Those that told the variants before it go first, then the quickest, until one fails."""
+import math
 import os
 import re
 import subprocess
@@ -60,37 +61,71 @@ def chosen(every, arguments):
 
 class Corpus:
     """The cases of a corpus, and which variants each may tell from the checker: those that `trace(folder, words)` gives, by
-    number, or all where that is None."""
+    number, or all where that is None. The checker is run on all of them, which gives their times; `limits` are commands of the
+    shell."""
 
-    def __init__(self, folder, trace, jobs):
-        self.scratch = tempfile.TemporaryDirectory()
-
-        def traced(case):
-            start = time.monotonic_ns()
-            return case, trace(*case[:2]), time.monotonic_ns() - start
+    def __init__(self, folder, trace, jobs, checker, limits):
+        self.scratch, self.limits, self.last = tempfile.TemporaryDirectory(), limits, []
         cases = [(folder / run_corpus.folder_of(mode), words, is_right) for mode in ("accept", "usage", "reject") for _, words, is_right
                  in run_corpus.cases(mode, folder / run_corpus.folder_of(mode), self.scratch.name)]
         with ThreadPoolExecutor(jobs) as pool:
-            self.traces = sorted(pool.map(traced, cases), key=lambda trace: trace[2])
+            traces = list(pool.map(lambda case: trace(*case[:2]), cases))
+        self.cases, seconds = [(case, numbers, 0) for case, numbers in zip(cases, traces)], []
+        if self.fails_on(self.cases, checker, 3600, seconds):
+            sys.exit("the checker itself fails")
+        self.cases = sorted(zip(cases, traces, seconds), key=lambda case: case[2])
 
     def cases_for(self, number):
-        return [case for case, numbers, _ in self.traces if number == 0 or numbers is None or number in numbers]
+        return [case for case in self.cases if case[1] is None or number in case[1]]
 
-    def fails(self, checker, number, limits, **environment):
-        """Whether a checker, this variant, fails on a case, or exceeds the limits, commands of the shell. Number 0 is none."""
+    def parts(self, number, quick):
+        """The cases for a variant, in parts: those that told some variants before it, quick ones, and all others, which
+        are left out where only `quick` seconds are allowed."""
+        cases = self.cases_for(number)
+        told = [case for case in self.last if case in cases]
+        result, total, ends = [told, []], 0, [quick or 1, 10, 1e9]
+        for case in cases:
+            total += case[2]
+            if total > ends[0]:
+                if quick:
+                    break
+                ends = ends[1:]
+                result.append([])
+            if case not in told:
+                result[-1].append(case)
+        return [part for part in result if part]
+
+    def fails(self, checker, number, quick=None, **environment):
+        """Whether a checker, this variant, fails on a case, or takes three times as long."""
+        return any(self.fails_on(part, checker, 3 + math.ceil(3 * sum(case[2] for case in part)), **environment)
+                   for part in self.parts(number, quick))
+
+    def fails_on(self, cases, checker, most, seconds=None, **environment):
+        """Whether a checker fails on one of these cases, or exceeds the limits; without, how long each took."""
         started = {}
         try:
-            for folder, words, is_right in self.cases_for(number):
+            for case in cases:
+                folder, words, is_right = case[0]
                 if folder not in started:
-                    started[folder] = run_corpus.Checker(checker, folder, limits, {**os.environ, **environment})
+                    started[folder] = run_corpus.Checker(checker, folder, f"{self.limits}ulimit -t {most}", {**os.environ, **environment})
+                start = time.monotonic()
                 if not is_right(started[folder].run(words)):
-                    return True
+                    break
+                if seconds is not None:
+                    seconds.append(time.monotonic() - start)
+            else:
+                return False
         except (OSError, ValueError):  # it has ended
-            return True
+            pass
         finally:
             for one in started.values():
                 one.close()
-        return False
+        self.last = [case, *(other for other in self.last if other is not case)][:5]
+        return True
+
+
+def names_in(same):
+    return [line.split(" # ")[0] for line in same.read_text().splitlines() if " # " in line]
 
 
 def report(chosen, outcome, corpus, jobs, every, same):
@@ -103,7 +138,7 @@ def report(chosen, outcome, corpus, jobs, every, same):
             if result == "survive":
                 survivors.append(name)
                 print(f"{name} # {len(corpus.cases_for(number))} cases come there", flush=True)
-    known = [line.split(" # ")[0] for line in same.read_text().splitlines() if " # " in line]
+    known = names_in(same)
     new = [name for name in survivors if name not in known]
     every, tried = {name for name, *_ in every}, {name for name, *_ in chosen.values()}
     gone = [name for name in known if name not in every or (name in tried and name not in survivors)]

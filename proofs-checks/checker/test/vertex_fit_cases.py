@@ -1,4 +1,6 @@
 """Smoothness around vertices by affine fits (Lemma 65, Theorem 66): masks of any sign, around one valence (5.11)."""
+from fractions import Fraction
+
 import vertices_cases
 from vertex_cases import SURFACES, catmull_clark, doo_sabin, lines_of, loop, midedge, options_of
 from vertex_variant_cases import near
@@ -59,6 +61,7 @@ def rejected():
     yield case("fits-levels-0", "butterfly", "triangles:4", open_map, "fits 3/4", levels=0)
     yield case("fits-levels-3", "butterfly", modified(3), open_map, "fits 3/4", levels=3)
     yield case("fits-turned", "doo-sabin", ds, open_map, levels=2, first=(-1, 2))
+    yield case("fits-beside", "doo-sabin", ds, open_map, levels=0, first=(Fraction(957, 1000), Fraction(-291, 1000)))  # by the rest alone
     yield case("fits-behind", "doo-sabin", ds, open_map, levels=1, first=(-1, -1))
     for axis, point, at, step in ((0, (7, 3), (3, 1), (1, 0)), (1, (3, 7), (1, 3), (0, 1))):
         yield case(f"fits-bent-{axis}", "doo-sabin", ds + near("doo-sabin", point, -9, at, step), open_map, levels=0)

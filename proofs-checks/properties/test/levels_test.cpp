@@ -127,6 +127,24 @@ TEST_CASE("properties of levels: what is refused") {
   }
 }
 
+TEST_CASE("lists of masks: matrices") {
+  const std::string masks = "masks = ['merrien:lambda=-1/8,mu=3/2', 'merrien:lambda=-1/8,mu=-1/2']\n";
+  const auto holds_of = [&](const std::string& rest) {
+    const ExpectedScheme scheme = read_expectations(masks + rest).front();
+    return has_property(scheme, scheme.expectations.front(), {60}).truth;
+  };
+  CHECK(holds_of("convergent = true") == Truth::yes);
+  CHECK(holds_of("smoothness = '>= 1'") == Truth::no);
+  CHECK(holds_of("follows = [[0, 1], [1, 0]]\nsmoothness = '>= 1'") == Truth::yes);
+  CHECK(holds_of("period = [0, 1]\nholder = '>= 1.9'") == Truth::no);
+  CHECK_THROWS_WITH(read_expectations(masks + "HC = '>= 1'"), Catch::Contains("is no property of masks that change"));
+  MaskListFile file = read_mask_list(masks);
+  CHECK(file.list.hermite);
+  CHECK_THROWS_WITH(add_mask(file, "ghm"), Catch::Contains("expected Hermite schemes alone or none"));
+  CHECK_THROWS_WITH(add_mask(file, "dd:n=2"), Catch::Contains("expected matrices of one size"));
+  CHECK_THROWS_WITH(add_mask(file, "refinable:[[[[1,0],[0,1]]]]"), Catch::Contains("expected masks of one variable"));
+}
+
 TEST_CASE("lists of masks: keys of a file of its own") {
   const MaskListFile file = read_mask_list(masks_of_two + "period = [1, 0]\n");
   CHECK(file.specifications == std::vector<std::string>{"dd:n=2", "bspline:degree=3"});

@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Period Vectors Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Period Vectors Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -23,5 +23,7 @@ Print Assumptions check_reduced_logarithm_sound.
 Print Assumptions check_reduced_full_sound.
 Print Assumptions check_reduced_rough_sound.
 Print Assumptions check_levels_sound.
+Print Assumptions check_range_levels_sound.
+Print Assumptions check_range_sound.
 Print Assumptions period_sound.
 Print Assumptions check_vectors_sound.

@@ -4027,6 +4027,129 @@ let check_levels m s l cert =
     (check_radius { matrices_of = (levels_family m s cert.order); lower =
       None; upper = (Some cert.bound) } cert.of_radius)
 
+type ranged = { ranged_arity : int; ranged_first : Number.t;
+                numerators : Number.t list list;
+                ranged_divisor : Number.t list }
+
+(** val times_linear :
+    Number.t -> Number.t -> Number.t list -> Number.t list **)
+
+let times_linear c d f =
+  addmul c (app f (Number.zero::[])) (Number.zero::(map (Number.mul d) f))
+
+(** val powers_of : Number.t -> int -> Number.t list **)
+
+let rec powers_of e n =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> Number.one::[])
+    (fun k -> times_linear e e (powers_of e k))
+    n
+
+(** val polynomial_form :
+    Number.t -> Number.t -> Number.t -> Number.t list -> Number.t list **)
+
+let rec polynomial_form a b e = function
+| [] -> []
+| c::rest ->
+  addmul c (powers_of e (length rest))
+    (times_linear a b (polynomial_form a b e rest))
+
+(** val form_between : q -> q -> Number.t list -> Number.t list **)
+
+let form_between low0 high0 =
+  polynomial_form (Number.mul low0.qnum high0.qden)
+    (Number.mul high0.qnum low0.qden) (Number.mul low0.qden high0.qden)
+
+(** val control_masks : ranged -> q -> q -> Number.t -> masks **)
+
+let control_masks a low0 high0 common0 =
+  let q0 = form_between low0 high0 a.ranged_divisor in
+  let forms = map (form_between low0 high0) a.numerators in
+  { masks_arity = a.ranged_arity; masks_common = common0; each =
+  (map (fun j ->
+    let factor0 = Number.divide common0 (nth j q0 Number.zero) in
+    a.ranged_first,(map (fun f -> Number.mul factor0 (nth j f Number.zero))
+                     forms)) (seq 0 (length a.ranged_divisor))) }
+
+(** val has_control_masks : ranged -> q -> q -> Number.t -> bool **)
+
+let has_control_masks a low0 high0 common0 =
+  let q0 = form_between low0 high0 a.ranged_divisor in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&) (Number.less Number.zero common0)
+              (Number.less (Number.mul low0.qnum high0.qden)
+                (Number.mul high0.qnum low0.qden)))
+            (Nat.leb (Stdlib.succ 0) (length a.ranged_divisor)))
+          (Nat.leb (Stdlib.succ 0) (length a.numerators)))
+        (forallb (fun l -> Nat.eqb (length l) (length a.ranged_divisor))
+          a.numerators))
+      ((||) (forallb (Number.less Number.zero) q0)
+        (forallb (fun c -> Number.less c Number.zero) q0)))
+    (forallb (fun c ->
+      Number.equal (Number.mul (Number.divide common0 c) c) common0) q0)
+
+(** val range_family : masks -> int -> family **)
+
+let range_family m order0 =
+  let all = any_family m order0 in
+  let n = length m.each in
+  { size = all.size; denominator = m.masks_common; matrices =
+  (flat_map (fun t0 ->
+    map (fun j -> letter all (add (mul j m.masks_arity) t0)) (seq 0 n))
+    (seq 0 m.masks_arity)) }
+
+(** val below_power_strictly : int -> q -> int -> q -> bool **)
+
+let below_power_strictly arity0 l order0 u =
+  let bottom0 = l.qden in
+  let top = Number.sub (Number.mul (Number.of_natural order0) bottom0) l.qnum
+  in
+  (&&)
+    ((&&) (Number.less_equal Number.zero l.qnum)
+      (Number.less Number.zero top))
+    (Number.less (Number.mul u.qnum unity)
+      (Number.mul (power_below (Number.of_natural arity0) order0 top bottom0)
+        u.qden))
+
+(** val check_interval :
+    ranged -> q -> q -> q -> Number.t -> exponent_certificate -> bool **)
+
+let check_interval a low0 high0 l common0 cert =
+  let m = control_masks a low0 high0 common0 in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.ranged_arity)
+          (has_control_masks a low0 high0 common0))
+        (forallb (fun p -> reducible (scheme_of m p) cert.order) m.each))
+      (below_power_strictly a.ranged_arity l cert.order cert.bound))
+    (check_radius { matrices_of = (range_family m cert.order); lower = None;
+      upper = (Some cert.bound) } cert.of_radius)
+
+(** val check_range_levels :
+    ranged -> q -> q -> q -> Number.t -> exponent_certificate -> bool **)
+
+let check_range_levels =
+  check_interval
+
+(** val check_range :
+    ranged -> q -> q -> q -> (q*(Number.t*exponent_certificate)) list -> bool **)
+
+let rec check_range a low0 high0 l = function
+| [] -> false
+| p::pieces' ->
+  let next,p0 = p in
+  let common0,cert = p0 in
+  (match pieces' with
+   | [] -> check_interval a low0 high0 l common0 cert
+   | _::_ ->
+     (&&) (check_interval a low0 next l common0 cert)
+       (check_range a next high0 l pieces'))
+
 (** val spread_times :
     int -> Number.t list -> Number.t list -> Number.t list **)
 

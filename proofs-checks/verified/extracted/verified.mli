@@ -913,6 +913,36 @@ val levels_reduce : masks -> sequences -> q -> int -> q -> bool
 
 val check_levels : masks -> sequences -> q -> exponent_certificate -> bool
 
+type ranged = { ranged_arity : int; ranged_first : Number.t;
+                numerators : Number.t list list;
+                ranged_divisor : Number.t list }
+
+val times_linear : Number.t -> Number.t -> Number.t list -> Number.t list
+
+val powers_of : Number.t -> int -> Number.t list
+
+val polynomial_form :
+  Number.t -> Number.t -> Number.t -> Number.t list -> Number.t list
+
+val form_between : q -> q -> Number.t list -> Number.t list
+
+val control_masks : ranged -> q -> q -> Number.t -> masks
+
+val has_control_masks : ranged -> q -> q -> Number.t -> bool
+
+val range_family : masks -> int -> family
+
+val below_power_strictly : int -> q -> int -> q -> bool
+
+val check_interval :
+  ranged -> q -> q -> q -> Number.t -> exponent_certificate -> bool
+
+val check_range_levels :
+  ranged -> q -> q -> q -> Number.t -> exponent_certificate -> bool
+
+val check_range :
+  ranged -> q -> q -> q -> (q*(Number.t*exponent_certificate)) list -> bool
+
 val spread_times : int -> Number.t list -> Number.t list -> Number.t list
 
 val then_mask : masks -> scheme -> (Number.t*Number.t list) -> scheme

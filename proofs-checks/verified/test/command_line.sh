@@ -142,6 +142,35 @@ expect 64 --mask "$hat" --arity 2 --order any --lower 1 bspline-1.cert
 expect 66 --masks "$pair" --arity 2 --order any --lower 1 none.cert
 expect 0 --matrices golden.mat --upper 2 --show golden.cert
 echo "$output" | grep -qx 'row 1 1'
+# values of a parameter
+tension='[-w,0,1/2+w,1,1/2+w,0,-w]@-3'
+expect 0 --mask "$tension" --arity 2 --levels w=1/50..1/10 --lower 1 --show four-point-levels.cert
+echo "$output" | grep -qx 'the Hoelder exponents are above 1 for all sequences of levels with x from 1/50 to 1/10'
+echo "$output" | grep -qx 'coefficient -1 is (1 x^0 + 2 x^1) / q'
+echo "$output" | grep -qx 'q is 2 x^0 + 0 x^1'
+expect 0 --mask "$tension" --arity 2 --for w=1/50..4/25 --lower 1 --show four-point-range.cert
+echo "$output" | grep -qx 'the Hoelder exponents are above 1 for all x from 1/50 to 4/25'
+expect 1 --mask "$tension" --arity 2 --levels w=1/50..1/10 --lower 3/2 four-point-levels.cert
+expect 1 --mask "$tension" --arity 2 --levels w=1/50..1/10 --lower 2 four-point-levels.cert
+expect 1 --mask "$tension" --arity 2 --levels w=1/50..1/10 --lower -1 four-point-levels.cert
+expect 1 --mask "$tension" --arity 2 --levels w=1/50..4/25 --lower 1 four-point-range.cert
+expect 1 --mask "$tension" --arity 2 --for w=1/50..1/5 --lower 1 four-point-range.cert
+expect 0 --mask '[1,v,v,1]/(1+v)' --arity 2 --for v=3/2..9 --lower 0 --show quotient-converges.cert
+echo "$output" | grep -qx 'q is 1 x^0 + 1 x^1'
+# the lower end of a claim with both
+expect 0 --mask '[w,1-w,1-w,w]' --arity 2 --for w=3/10..2/5 --lower 0 corner-full.cert
+expect 2 --mask '[w,1-w,1-w,w]' --arity 2 --for w=3/10..2/5 --lower 0 --upper 1000001/1000000 corner-full.cert
+expect 2 --mask '[w,1-w,1-w,w]' --arity 2 --for w=-2..-1/10 --upper 0 corner-diverges.cert
+for range in '' w w=1 w=1..1 w=2..1 w=1,2 w=1..2..3 9=1..2 w:1..2 ww=1..2 w=1/0..2; do
+  expect 64 --mask "$tension" --arity 2 --levels "$range" --lower 1 four-point-levels.cert
+done
+for mask in '' '[w' 'w,1' '[]' '[w,,1]' '[w*w]' '[w^0]' '[w^13]' '[2w]' '[v,1]' '[+w,1]' '[w+,1]' \
+  '[1]/0' '[1]/()' '[1]/w' '[1]@' '[1]@1@2'; do
+  expect 64 --mask "$mask" --arity 2 --levels w=1/50..1/10 --lower 1 four-point-levels.cert
+done
+expect 64 --mask "$tension" --arity 17 --levels w=1/50..1/10 --lower 1 four-point-levels.cert
+expect 2 --mask "$tension" --arity 2 --levels w=1/50..1/10 --for w=1/50..1/10 --lower 1 four-point-levels.cert
+expect 66 --mask "$tension" --arity 2 --levels w=1/50..1/10 --lower 1 none.cert
 # vectors of functions
 hats='[[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1'
 functions() {

@@ -66,6 +66,10 @@ theorem ReducedExactRough --mask "$reduced" --arity 2 --exact '4-log|[-4,1]@4,0,
 pair='[-1,0,9,16,9,0,-1]/16@-3;[1,4,6,4,1]/8'
 theorem ListAny --masks "$pair" --arity 2 --order any --lower 19/10 list-wide.cert
 theorem ListFollows --masks "$pair" --arity 2 --order follows=0-1,1-0 --lower 2 list-in-turn.cert
+theorem SequencesOfValues --mask '[-w,0,1/2+w,1,1/2+w,0,-w]@-3' --arity 2 --levels w=1/50..1/10 --lower 1 \
+  four-point-levels.cert
+theorem QuotientOfValues --mask '[1,v,v,1]/(1+v)' --arity 2 --for v=3/2..9 --lower 0 quotient-converges.cert
+theorem SquareOfValues --mask '[w^2,1/2,1-2*w^2,1/2,w^2]@-2' --arity 2 --for w=1/5..2/5 --lower 1 square-range.cert
 theorem PeriodBoth --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 5/2 period.cert
 theorem PeriodExact --masks "$pair" --arity 2 --order period=0,1 --exact '4-log|[-8,1]@8,0,1/1000|^1/1' --logarithm 0 \
   period-exact.cert

@@ -7,8 +7,10 @@
 #include <subcert/schemes/data/refine/axis_refinement.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace subcert::experiments::dyn_2015 {
 namespace {
@@ -23,13 +25,25 @@ double orientation(const Curve& c, std::size_t i, std::size_t j, std::size_t k) 
   return (x_of(c, j) - x_of(c, i)) * (y_of(c, k) - y_of(c, i)) - (y_of(c, j) - y_of(c, i)) * (x_of(c, k) - x_of(c, i));
 }
 
-/// Pairs of edges of the open polygon that cross properly.
+/// Pairs of edges of the open polygon that cross properly. Cost: a comparison for each pair whose ranges of x meet.
 std::size_t crossings(const Curve& c) {
+  struct Edge {
+    std::size_t begin;
+    double low, high;
+  };
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i + 1 < c.points(); ++i) {
+    const auto [low, high] = std::minmax({x_of(c, i), x_of(c, i + 1)});
+    edges.push_back({i, low, high});
+  }
+  std::ranges::sort(edges, {}, &Edge::low);
   std::size_t result = 0;
-  for (std::size_t i = 0; i + 1 < c.points(); ++i)
-    for (std::size_t j = i + 2; j + 1 < c.points(); ++j)
-      result += orientation(c, i, i + 1, j) * orientation(c, i, i + 1, j + 1) < 0 &&
+  for (auto one = edges.begin(); one != edges.end(); ++one)
+    for (auto other = one + 1; other != edges.end() && other->low <= one->high; ++other) {
+      const auto [i, j] = std::minmax({one->begin, other->begin});
+      result += j > i + 1 && orientation(c, i, i + 1, j) * orientation(c, i, i + 1, j + 1) < 0 &&
                 orientation(c, j, j + 1, i) * orientation(c, j, j + 1, i + 1) < 0;
+    }
   return result;
 }
 

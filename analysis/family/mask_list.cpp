@@ -23,7 +23,8 @@ constexpr double radius_share_of_lists = 0.6;  // of the time: the rest is for t
 
 bool is_of_matrices(const MaskList& list) { return list.masks.front().components() > 1; }
 
-void require_list(const MaskList& list) {
+/// What all masks keep, of matrices.
+PolynomialData require_list(const MaskList& list) {
   require(!list.masks.empty(), "levels: need a mask, got none");
   const LatticeMask& first = list.masks.front();
   for (const LatticeMask& mask : list.masks) {
@@ -34,13 +35,15 @@ void require_list(const MaskList& list) {
             first.components(), mask.components());
     require(mask.components() > 1 || sum_rules(mask.curve()) >= 1, "levels: need a sum rule for each mask, got none");
   }
-  require(!is_of_matrices(list) || !kept_polynomials(list).data.empty(),
+  PolynomialData polynomials = is_of_matrices(list) ? kept_polynomials(list) : PolynomialData{};
+  require(!is_of_matrices(list) || !polynomials.data.empty(),
           "levels: need constant data that all masks of matrices keep, one vector up to a factor, got none");
   const auto is_mask = [&](std::size_t number) { return number < list.masks.size(); };
   require(std::ranges::all_of(list.period, is_mask) &&
               std::ranges::all_of(list.follows, [&](const auto& p) { return is_mask(p.first) && is_mask(p.second); }),
           "levels: need numbers of masks below {}", list.masks.size());
   require(has_sequence(list), "levels: need a sequence of masks that goes on for ever, got none");
+  return polynomials;
 }
 
 /// Of each mask the first one that is equal and that the same sequences may follow: the coarsest partition in which
@@ -124,13 +127,10 @@ CommonMatrices matrices_of_numbers(const std::vector<LatticeMask>& masks, const 
   return {rules, MatrixFamily(std::move(matrices))};
 }
 
-/// For what annihilates the data that are kept, `known` ones at least.
-CommonMatrices matrices_of_vectors(const std::vector<LatticeMask>& masks, const PolynomialData& known) {
-  const std::vector<ParametricMask> with_letters = parametric(masks);
-  PolynomialData polynomials = kept_polynomials(with_letters);
-  if (polynomials.data.size() < known.data.size()) polynomials = known;
+/// For what annihilates these data, which all keep.
+CommonMatrices matrices_of_vectors(const std::vector<LatticeMask>& masks, const PolynomialData& polynomials) {
   std::vector<RationalMatrix> matrices;
-  for (const ParametricFamily& one : difference_matrices(with_letters, polynomials))
+  for (const ParametricFamily& one : difference_matrices(parametric(masks), polynomials))
     std::ranges::move(one.matrices_of(one.mask.powers().front()), std::back_inserter(matrices));
   return {static_cast<int>(polynomials.data.size()), MatrixFamily(std::move(matrices))};
 }
@@ -263,7 +263,7 @@ MaskList without_twins(const MaskList& list) {
 }
 
 ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
-  require_list(list);
+  const PolynomialData polynomials = require_list(list);
   std::vector<std::size_t> kept;
   MaskList single = list.period.empty() ? with_twins_as_one(list, kept) : list;
   std::vector<LatticeMask> masks = single.masks;
@@ -275,9 +275,11 @@ ExponentOfList exponent_of(const MaskList& list, const Budget& budget) {
   }
   const int arity_of_level = list.masks.front().arity(), arity = masks.front().arity();
   const bool of_matrices = is_of_matrices(list);
-  const PolynomialData polynomials = of_matrices ? kept_polynomials(list) : PolynomialData{};
-  CommonMatrices common = of_matrices ? matrices_of_vectors(masks, polynomials)
-                                      : matrices_of_numbers(masks, list.most_rules);
+  PolynomialData used = polynomials;
+  if (of_matrices && !list.period.empty())  // as one mask they may keep more
+    if (PolynomialData own = kept_polynomials(parametric(masks)); own.data.size() >= used.data.size())
+      used = std::move(own);
+  CommonMatrices common = of_matrices ? matrices_of_vectors(masks, used) : matrices_of_numbers(masks, list.most_rules);
   ExponentOfList result{common.sum_rules, {}, {}, {}, {}, std::move(common.family), {}, {}};
   std::vector<int> letters;
   if (!single.follows.empty()) {

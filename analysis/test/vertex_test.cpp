@@ -105,7 +105,7 @@ TEST_CASE("Doo and Sabin's scheme with a free eigenvalue is C1 up to the bound o
   WrittenRules written = *VertexScheme::named("doo-sabin").written;
   written.rules = {{{0, 0}, {{{0, 0}, 0, {"1/4"}}, {{0, 0}, std::nullopt, {"(3/4 + 2*(b - 1/4)*C)/n"}}}}};
   const auto c1_at = [&](const Rational& eigenvalue, long valence) {
-    written.letter = {'b', eigenvalue};
+    written.letters = {{'b', eigenvalue}};
     return vertex_smoothness(rules_at(written, valence), part_of("doo-sabin")).c1;
   };
   // The zero of 128 x^2 (1 - x) - 7x - 2 + 9x cos(2 pi/n) below 1.
@@ -117,6 +117,21 @@ TEST_CASE("Doo and Sabin's scheme with a free eigenvalue is C1 up to the bound o
     CHECK(above.is_no());
     CHECK(above.reason.find("both signs") != std::string::npos);
   }
+}
+
+TEST_CASE("an eigenvalue above 1 refutes, one that is 1 does not") {
+  WrittenRules written = *VertexScheme::named("loop").written;
+  std::erase_if(written.rules, [](const WrittenRule& rule) { return rule.point == LatticePoint{0, 0}; });
+  written.rules.push_back({{0, 0}, {{{0, 0}, 0, {"b"}}, {{1, 0}, std::nullopt, {"(1 - b)/n"}}}});
+  const auto c1_with = [&](const Rational& weight) {
+    written.letters = {{'b', weight}};
+    return vertex_smoothness(rules_at(written, 5), part_of("loop")).c1.truth;
+  };
+  // Frequency 0 has the eigenvalues 1, b - 3/8, ...
+  CHECK(c1_with(Rational(3, 2)) == Truth::no);
+  CHECK(c1_with(Rational(-3, 4)) == Truth::no);
+  CHECK(c1_with(Rational(11, 8)) == Truth::unknown);
+  CHECK(c1_with(Rational(-5, 8)) == Truth::unknown);
 }
 
 TEST_CASE("a Jordan block in front is not taken for a simple eigenvalue") {

@@ -92,28 +92,27 @@ class VertexProof {
       result_.c1.reason = "the eigenvalues are not separated";
       return result_;
     }
-    const FrequencyGroup& first = spectrum_->groups.front();
-    SharedLeader leader{first.value.real(), {{first.frequency, 1}}};
-    if (!spectrum_->has_simple_leader()) {
-      const auto shared = shared_leader(*spectrum_, rules_, set_);
-      if (!shared) {
-        result_.c1.reason = fmt::format("no single real subdominant eigenvalue is proved; the largest is about {}",
-                                        about(first));
-        return result_;
-      }
-      leader = *shared;
+    if (Ball(1, bits_).is_less(abs(spectrum_->groups.front().value))) {
+      result_.c1 = {Truth::no, "an eigenvalue has a modulus above 1"};
+      return result_;
     }
-    const std::vector<long> frequencies = leader.frequencies();
+    const auto leader = leader_of(*spectrum_, rules_, set_);
+    if (!leader) {
+      result_.c1.reason = fmt::format("no single real subdominant eigenvalue is proved; the largest is about {}",
+                                      about(spectrum_->groups.front()));
+      return result_;
+    }
+    const std::vector<long> frequencies = leader->frequencies();
     result_.frequency = frequencies.front();
-    result_.subdominant = leader.value.enclosure();
+    result_.subdominant = leader->value.enclosure();
     if (!regular_.c1.is_yes())
       result_.c1.reason = "the regular part is not proved to be C1: " + regular_.c1.reason;
-    else if (!Ball(1, bits_).is_less(1 / leader.value))
+    else if (!Ball(1, bits_).is_less(1 / leader->value))
       result_.c1.reason = "the subdominant eigenvalue is not below 1";
     else if (frequencies.size() > 1)
-      refute_by_several(frequencies, leader.value);
+      refute_by_several(frequencies, leader->value);
     else
-      frequencies.front() == 1 ? prove(leader) : refute(frequencies.front(), leader.value);
+      frequencies.front() == 1 ? prove(leader->value) : refute(frequencies.front(), leader->value);
     return result_;
   }
 
@@ -123,8 +122,8 @@ class VertexProof {
     return CharacteristicMap::find(rules_, set_, *regular_.forms, frequency, value, BallField(rules_.valence, bits_));
   }
 
-  void prove(const SharedLeader& leader) {
-    const auto map = map_of(1, leader.value);
+  void prove(const Ball& value) {
+    const auto map = map_of(1, value);
     if (!map) {
       result_.c1.reason = "no eigenvector of the subdominant eigenvalue is found";
       return;
@@ -137,7 +136,7 @@ class VertexProof {
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
     if (!result_.c1.is_yes() || !spectrum_->has_simple_leader()) return;
     look_behind(spectrum_->groups.front());
-    result_.evidence = evidence_of(rules_, set_, *map, leader.value, BallField(rules_.valence, bits_),
+    result_.evidence = evidence_of(rules_, set_, *map, value, BallField(rules_.valence, bits_),
                                    regular_.forms->are_hulls());
   }
 

@@ -15,6 +15,11 @@ FieldPolynomial polynomial_of(const SectorRules& rules, const ClosedSet& set, lo
   return characteristic_polynomial(restricted(SectorBlock<CosineField>(rules, set, k, field).matrix(), block), field);
 }
 
+/// A polynomial with the same zeros, all simple.
+FieldPolynomial squarefree(const FieldPolynomial& p, const CosineField& field) {
+  return quotient(p, gcd(p, derivative(p, field)), field);
+}
+
 /// Of one block, by its characteristic polynomial, whatever the multiplicities.
 std::optional<std::vector<EigenvalueGroup>> exact_eigenvalues(const SectorRules& rules, const ClosedSet& set, long k,
                                                               const Unknowns& block, slong bits) {
@@ -46,7 +51,7 @@ std::size_t take_out(FieldPolynomial& p, const CosineField::Number& zero, const 
 
 bool are_all_less(const FieldPolynomial& p, const Ball& bound, const CosineField& field, const BallField& balls) {
   if (p.size() == 1) return true;
-  const auto values = zeros(quotient(p, gcd(p, derivative(p, field)), field), balls);
+  const auto values = zeros(squarefree(p, field), balls);
   return values && std::ranges::all_of(*values, [&](const ComplexBall& value) { return abs(value).is_less(bound); });
 }
 
@@ -92,7 +97,7 @@ std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const Cl
   return result;
 }
 
-std::vector<long> SharedLeader::frequencies() const {
+std::vector<long> Leader::frequencies() const {
   std::size_t largest = 0;
   for (const Share& share : shares) largest = std::max(largest, share.size);
   std::vector<long> result;
@@ -101,26 +106,25 @@ std::vector<long> SharedLeader::frequencies() const {
   return result;
 }
 
-std::optional<SharedLeader> shared_leader(const VertexSpectrum& spectrum, const SectorRules& rules,
-                                          const ClosedSet& set) {
+std::optional<Leader> leader_of(const VertexSpectrum& spectrum, const SectorRules& rules, const ClosedSet& set) {
   if (spectrum.groups.empty()) return std::nullopt;
   const FrequencyGroup& first = spectrum.groups.front();
+  if (spectrum.has_simple_leader()) return Leader{first.value.real(), {{first.frequency, 1}}};
   const CosineField field(rules.valence);
   const BallField balls(rules.valence, first.value.bits());
   std::map<std::pair<long, Unknowns>, FieldPolynomial> rivals;
   FieldPolynomial common;
   for (const FrequencyGroup& group : spectrum.groups) {
     if (abs(group.value).is_less(abs(first.value))) continue;
-    FieldPolynomial p = polynomial_of(rules, set, group.frequency, group.block, field);
-    const FieldPolynomial multiple = gcd(p, derivative(p, field));
+    const auto [rival, fresh] = rivals.try_emplace({group.frequency, group.block});
+    FieldPolynomial& p = rival->second;
+    if (fresh) p = polynomial_of(rules, set, group.frequency, group.block, field);
     // Zeros that this eigenvalue is one of.
-    const FieldPolynomial own = group.count > 1 ? multiple : p;
-    common = gcd(quotient(own, gcd(own, derivative(own, field)), field), common);
-    rivals.emplace(std::pair(group.frequency, group.block), std::move(p));
+    common = gcd(squarefree(group.count > 1 ? gcd(p, derivative(p, field)) : p, field), common);
   }
   if (common.size() != 2) return std::nullopt;
   const CosineField::Number value = -common[0];
-  SharedLeader result{balls.number(value.polynomial()), {}};
+  Leader result{balls.number(value.polynomial()), {}};
   if (!Ball(0, balls.bits()).is_less(result.value)) return std::nullopt;
   for (const FrequencyGroup& group : spectrum.groups)
     if (rivals.count({group.frequency, group.block}) == 0 && !abs(group.value).is_less(result.value))

@@ -30,8 +30,8 @@ struct VertexSpectrum {
 /// not proved to be simple. Cost: a QR iteration for each diagonal block of each frequency.
 std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const ClosedSet& set, slong bits);
 
-/// The largest modulus where it is that of one number in several frequencies or in Jordan blocks.
-struct SharedLeader {
+/// The one number of largest modulus, which several frequencies may share, or Jordan blocks have.
+struct Leader {
   struct Share {
     long frequency;
     std::size_t size;  ///< of its one Jordan block
@@ -43,10 +43,10 @@ struct SharedLeader {
   std::vector<long> frequencies() const;
 };
 
-/// Exact. Nothing where that number is not found in Q(c), where a frequency has several blocks with it, or where other
-/// eigenvalues may be as large. Domain: a spectrum of these. Cost: characteristic polynomials over Q(c).
-std::optional<SharedLeader> shared_leader(const VertexSpectrum& spectrum, const SectorRules& rules,
-                                          const ClosedSet& set);
+/// Exact. Nothing where it is not simple and not found in Q(c), where a frequency has several blocks with it, or where
+/// other eigenvalues may be as large. Domain: a spectrum of these. Cost: where it is not simple, characteristic
+/// polynomials over Q(c).
+std::optional<Leader> leader_of(const VertexSpectrum& spectrum, const SectorRules& rules, const ClosedSet& set);
 
 /// Whether eigenvalues are exactly the square of one. Domain: groups of one eigenvalue, that of `root` real and
 /// positive; rules and set that stay. Cost: a characteristic polynomial over Q(c) at first, another and a gcd for each.

@@ -116,6 +116,10 @@ TEST_CASE("vertex: files that are no rules get one line with file, line and key"
       {"[[rule]]\nvalence = 3", "expected the table 'weights'"},
       {"", "no rules; expected tables [[rule]]"},
       {"letter = \"n\"\n[[rule]]\n" + weights, "'letter' takes one letter other than c, C and n"},
+      {"letter = [\"a\", \"n\"]\n[[rule]]\n" + weights, "line 2, column 16: 'letter' takes one letter"},
+      {"letter = [\"a\", \"a\"]\n[[rule]]\n" + weights, "'letter' takes up to 3 different letters"},
+      {"letter = [\"a\", \"b\"]\nvalue = 1\n[[rule]]\n" + weights, "line 3, column 9: 1 values of 2 letters"},
+      {"value = 1\n[[rule]]\n" + weights, "a value is that of a letter"},
       {"[[rule]]\nweigths = 1", "unknown key 'weigths'"},
       {"[[rule]", "not TOML"}};
   for (const auto& [text, expected] : faults) {

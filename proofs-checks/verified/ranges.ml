@@ -64,18 +64,11 @@ let least_common = List.fold_left (fun d x ->
 (* [c0,c1,...], perhaps with /D or /(Q) and @first after it, the ci polynomials in the letter: all of them, and Q, of one length *)
 let read_mask letter text arity =
   let expected = "a mask is [c0,c1,...]/D@first" in
-  let stop = match String.rindex_opt text ']' with Some stop when text.[0] = '[' -> stop | _ -> reject expected in
-  let over, first =
-    match String.split_on_char '@' (String.sub text (stop + 1) (String.length text - stop - 1)) with
-    | [ over ] -> (over, Z.zero)
-    | [ over; first ] -> (over, integer first)
-    | _ -> reject expected
-  in
-  require (over = "" || over.[0] = '/') expected;
+  let entries, over, first = read_list text expected in
   let length = String.length over in
   let divided = length > 3 && over.[1] = '(' && over.[length - 1] = ')' in
   let below = if divided then read_polynomial letter (String.sub over 2 (length - 3)) else [ Q.inv (rational ("1" ^ over)) ] in
-  let above = List.map (read_polynomial letter) (String.split_on_char ',' (String.sub text 1 (stop - 1))) in
+  let above = List.map (read_polynomial letter) entries in
   require (List.length above <= 1000) "a mask has 1 to 1000 coefficients";
   let longest = List.fold_left (fun most p -> max most (List.length p)) (List.length below) above in
   let below_common = least_common Z.one below in

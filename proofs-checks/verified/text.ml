@@ -49,6 +49,23 @@ let rational text =
       Q.make (integer top) below
   | _ -> reject "not a rational"
 
+(* ...TAIL of a mask: /D or nothing, then @first or nothing, as "/D" or "" and the first index *)
+let read_tail tail expected =
+  let over, first =
+    match String.split_on_char '@' tail with
+    | [ over ] -> (over, Z.zero)
+    | [ over; first ] -> (over, integer first)
+    | _ -> reject expected
+  in
+  require (over = "" || over.[0] = '/') expected;
+  (over, first)
+
+(* [c0,c1,...]TAIL: the coefficients, and the tail *)
+let read_list text expected =
+  let stop = match String.rindex_opt text ']' with Some stop when text.[0] = '[' -> stop | _ -> reject expected in
+  let over, first = read_tail (String.sub text (stop + 1) (String.length text - stop - 1)) expected in
+  (String.split_on_char ',' (String.sub text 1 (stop - 1)), over, first)
+
 let power base k = Q.make (Z.pow (Q.num base) k) (Z.pow (Q.den base) k)
 
 type reader = { text : string; mutable position : int; mutable line : int; mutable current : string option; mutable taken : bool }

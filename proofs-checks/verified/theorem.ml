@@ -307,21 +307,44 @@ let print_range name a low high l intervals =
     (list interval intervals)
 
 (* Vectors of functions *)
+let vector_mask a =
+  Printf.sprintf "vector_mask : vector_mask := VectorMask %s %s %s\n%s %s" (natural a.vector_arity) (natural a.functions)
+    (integer a.vector_first) (list matrix a.of_points) (integer a.vector_common)
+
+let vector_certificate c =
+  Printf.sprintf "VectorCertificate %s %s\n%s %s\n%s\n%s %s\n%s %s %s %s %s\n%s %s %s\n%s" (integer c.window_first)
+    (natural c.window) (vector c.fixed) (natural c.difference_order) (matrix c.spanning) (list natural c.places) (integer c.place_value)
+    (list matrix c.restricted) (natural c.entering) (integer c.inner_first) (natural c.inner) (natural c.nonzero) (matrix c.kernel)
+    (integer c.kernel_scale) (fraction c.space_bound) (certificate c.space_radius)
+
+let vector_modules = " Subdivision Exponent Levels Vectors"
+
 let print_vectors name a l c =
-  let mask =
-    Printf.sprintf "vector_mask : vector_mask := VectorMask %s %s %s\n%s %s" (natural a.vector_arity) (natural a.functions)
-      (integer a.vector_first) (list matrix a.of_points) (integer a.vector_common)
-  in
-  let certificate =
-    Printf.sprintf "VectorCertificate %s %s\n%s %s\n%s\n%s %s\n%s %s %s %s %s\n%s %s %s\n%s" (integer c.window_first)
-      (natural c.window) (vector c.fixed) (natural c.difference_order) (matrix c.spanning) (list natural c.places) (integer c.place_value)
-      (list matrix c.restricted) (natural c.entering) (integer c.inner_first) (natural c.inner) (natural c.nonzero) (matrix c.kernel)
-      (integer c.kernel_scale) (fraction c.space_bound) (certificate c.space_radius)
-  in
-  print name " Subdivision Exponent Levels Vectors" mask certificate
+  print name vector_modules (vector_mask a) (vector_certificate c)
     (Printf.sprintf
        "vectors_hold : vectors_hold %s_vector_mask %s.\nProof. apply (check_vectors_sound _ _ %s_certificate). %s"
        name (fraction l) name by_computation)
+
+let above_certificate d =
+  Printf.sprintf "AboveCertificate (%s)\n%s\n%s %s %s" (vector_certificate d.space_proof) (list (list natural) d.image_words)
+    (matrix d.combinations) (integer d.combination_scale) (fraction d.space_least)
+
+let print_vectors_between name a l u d =
+  print name (vector_modules ^ " VectorsAbove") (vector_mask a) (above_certificate d)
+    (Printf.sprintf
+       "vectors_between : vectors_between %s_vector_mask %s %s.\n\
+        Proof. apply (check_vectors_between_sound _ _ _ %s_certificate). %s"
+       name (fraction l) (fraction u) name by_computation)
+
+let print_exact_vectors name a e lower upper d c =
+  print name
+    (exact_modules ^ " Levels Vectors VectorsAbove VectorsExact")
+    (Printf.sprintf "%s.\n\nDefinition %s_space := %s" (vector_mask a) name (above_certificate d))
+    (exact_certificate c)
+    (Printf.sprintf
+       "exact_vectors_hold : exact_vectors_hold %s_vector_mask %s %s %s.\n\
+        Proof. apply (check_exact_vectors_sound _ _ _ _ %s_space %s_certificate). %s"
+       name (number e) (option fraction lower) (option fraction upper) name name by_computation)
 
 let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
 

@@ -42,12 +42,7 @@ let read_mask text dilation =
   if contains "sqrt" then undecided "masks with square roots are";
   let lists, stop = tree text 0 in
   let tail = String.sub text stop (String.length text - stop) in
-  let over, first = match String.split_on_char '@' tail with
-    | [ over ] -> (over, Z.zero)
-    | [ over; first ] -> (over, integer first)
-    | _ -> reject expected
-  in
-  require (over = "" || over.[0] = '/') expected;
+  let over, first = read_tail tail expected in
   let scale = rational ("1" ^ over) in
   let entry = function Leaf x -> Q.mul (rational x) scale | Lists _ -> reject expected in
   let items = function Lists l -> l | Leaf _ -> reject expected in
@@ -126,8 +121,9 @@ let independent rows n =
 let read_space mask lower r =
   let a = mask.vector_arity and n = mask.functions in
   let order = size (List.hd (take r "differences" 1 1)) 1 64 in
-  require (Q.sign lower > 0) "the lower end of an exponent must be positive";
-  require (Q.leq lower (Q.of_int order)) "the lower end is above the order of the differences";
+  Option.iter (fun lower ->
+      require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+      require (Q.leq lower (Q.of_int order)) "the lower end is above the order of the differences") lower;
   let digits = List.map integer (take r "digits" a a) in
   if digits <> List.init a Z.of_int then undecided "certificates with other digits are";
   let values = read_terms mask (take r "values" 1 100_000) in
@@ -199,8 +195,62 @@ let read_space mask lower r =
       require (checks_kernel mask certificate) "not shown that all solutions are multiples of one";
       certificate
 
-let show mask lower =
-  Printf.printf "the Hoelder exponent of %d functions of arity %d, at least %s\n" mask.functions mask.vector_arity (Q.to_string lower);
+(* Whether a vector of numbers modulo a prime is independent of those that `reduced` remembers, which it joins then *)
+let prime = 2_147_483_647
+
+let joins reduced row =
+  let rec power x k = if k = 0 then 1 else let h = power (x * x mod prime) (k / 2) in if k land 1 = 1 then h * x mod prime else h in
+  let row = Array.map (fun x -> Z.to_int (Z.erem x (Z.of_int prime))) row in
+  List.iter (fun (pivot, other) ->
+      let f = row.(pivot) in
+      if f <> 0 then Array.iteri (fun k x -> row.(k) <- ((row.(k) - (f * x mod prime)) + prime) mod prime) other) (List.rev !reduced);
+  let rec first k = if k = Array.length row then None else if row.(k) <> 0 then Some k else first (k + 1) in
+  match first 0 with
+  | None -> false
+  | Some pivot ->
+      let inverse = power row.(pivot) (prime - 2) in
+      reduced := (pivot, Array.map (fun x -> x * inverse mod prime) row) :: !reduced;
+      true
+
+(* Words whose images of the differences of the values span the space, and the vectors of the space as sums of these images *)
+let read_images mask certificate =
+  let a = mask.vector_arity and dimension = List.length certificate.spanning in
+  let moved t u =
+    spend (certificate.window * List.length mask.of_points * mask.functions * mask.functions);
+    move a mask.functions certificate.window_first certificate.window mask.vector_first mask.of_points t u
+  in
+  let coordinates u = let u = Array.of_list u in Array.of_list (List.map (fun p -> u.(p)) certificate.places) in
+  let digits = List.init a Fun.id in
+  let rec long k = if k = 0 then [ ([], start_differences mask certificate) ]
+    else List.concat_map (fun (w, u) -> List.map (fun t -> (t :: w, moved t u)) digits) (long (k - 1)) in
+  let reduced = ref [] in
+  let rec search found = function
+    | [] -> List.rev found
+    | _ when List.length found = dimension -> List.rev found
+    | (w, u) :: rest ->
+        let row = coordinates u in
+        if joins reduced row then search ((w, row) :: found) (rest @ List.map (fun t -> (t :: w, moved t u)) digits) else search found rest
+  in
+  let found = search [] (long certificate.entering) in
+  require (List.length found = dimension) "the differences of the values do not span the space";
+  let pivot = Q.of_bigint certificate.place_value in
+  let rows = Array.of_list (List.map (fun (_, row) -> Array.map (fun x -> Q.div (Q.of_bigint x) pivot) row) found) in
+  spend (dimension * dimension * dimension);
+  match independent rows dimension with
+  | None -> reject "the differences of the values do not span the space"
+  | Some (_, inverse) ->
+      let common = Array.fold_left (Array.fold_left (fun d x -> Z.lcm d (Q.den x))) Z.one inverse in
+      let whole row = Array.to_list (Array.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x))) row) in
+      (List.map fst found, Array.to_list (Array.map whole inverse), common)
+
+(* With the words and sums of these images, and a bound from below of the radius *)
+let with_images space_proof (image_words, combinations, combination_scale) space_least =
+  { space_proof; image_words; combinations; combination_scale; space_least }
+
+let show mask lower upper =
+  let side words = Option.fold ~none:"" ~some:(fun q -> words ^ Q.to_string q) in
+  Printf.printf "the Hoelder exponent of %d functions of arity %d%s%s\n" mask.functions mask.vector_arity
+    (side ", at least " lower) (side ", at most " upper);
   List.iteri (fun k ->
       List.iteri (fun i row ->
           Printf.printf "matrix %s, row %d: %s\n" (Z.to_string (Z.add mask.vector_first (Z.of_int k))) i

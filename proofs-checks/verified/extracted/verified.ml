@@ -4378,9 +4378,9 @@ let checks_kernel a c =
               (if Nat.eqb q0 c.nonzero then value i else Number.zero))))
         (seq 0 n)) (seq 0 n))
 
-(** val vector_reduces : vector_mask -> q -> vector_certificate -> bool **)
+(** val vector_space : vector_mask -> vector_certificate -> bool **)
 
-let vector_reduces a l c =
+let vector_space a c =
   let a0 = Number.of_natural a.vector_arity in
   let high0 =
     Number.sub (Number.add c.window_first (Number.of_natural c.window))
@@ -4396,26 +4396,34 @@ let vector_reduces a l c =
                 ((&&)
                   ((&&)
                     ((&&)
-                      ((&&)
-                        (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.vector_arity)
-                        (Number.less Number.zero a.vector_common))
-                      (Nat.leb (Stdlib.succ 0) (length a.of_points)))
-                    (Nat.leb (Stdlib.succ 0) a.functions))
-                  (forallb (square a.functions) a.of_points))
-                (Number.less_equal
-                  (Number.mul (Number.sub a0 Number.one) c.window_first)
-                  a.vector_first))
+                      (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.vector_arity)
+                      (Number.less Number.zero a.vector_common))
+                    (Nat.leb (Stdlib.succ 0) (length a.of_points)))
+                  (Nat.leb (Stdlib.succ 0) a.functions))
+                (forallb (square a.functions) a.of_points))
               (Number.less_equal
-                (Number.add a.vector_first
-                  (Number.of_natural
-                    (sub (length a.of_points) (Stdlib.succ 0))))
-                (Number.mul (Number.sub a0 Number.one) high0)))
-            (zero_list (unfixed a c c.fixed))) (checks_space a c))
-        (checks_start a c)) (checks_kernel a c))
-    (below_power { arity = a.vector_arity; first = Number.zero;
-      coefficients = []; common = Number.one } l c.difference_order { qnum =
-      (Number.mul (Number.power a0 (Number.of_natural c.difference_order))
-        c.space_bound.qnum); qden = c.space_bound.qden })
+                (Number.mul (Number.sub a0 Number.one) c.window_first)
+                a.vector_first))
+            (Number.less_equal
+              (Number.add a.vector_first
+                (Number.of_natural (sub (length a.of_points) (Stdlib.succ 0))))
+              (Number.mul (Number.sub a0 Number.one) high0)))
+          (zero_list (unfixed a c c.fixed))) (checks_space a c))
+      (checks_start a c)) (checks_kernel a c)
+
+(** val vector_power : vector_mask -> q -> int -> q -> bool **)
+
+let vector_power a l order0 bound0 =
+  below_power { arity = a.vector_arity; first = Number.zero; coefficients =
+    []; common = Number.one } l order0 { qnum =
+    (Number.mul
+      (Number.power (Number.of_natural a.vector_arity)
+        (Number.of_natural order0)) bound0.qnum); qden = bound0.qden }
+
+(** val vector_reduces : vector_mask -> q -> vector_certificate -> bool **)
+
+let vector_reduces a l c =
+  (&&) (vector_space a c) (vector_power a l c.difference_order c.space_bound)
 
 (** val check_vectors : vector_mask -> q -> vector_certificate -> bool **)
 
@@ -4423,3 +4431,103 @@ let check_vectors a l c =
   (&&) (vector_reduces a l c)
     (check_radius { matrices_of = (vector_family a c); lower = None; upper =
       (Some c.space_bound) } c.space_radius)
+
+(** val start_differences :
+    vector_mask -> vector_certificate -> Number.t list **)
+
+let start_differences a c =
+  firstn (mul c.window a.functions) (differences_of a c)
+
+type above_certificate = { space_proof : vector_certificate;
+                           image_words : int list list;
+                           combinations : Number.t list list;
+                           combination_scale : Number.t; space_least : 
+                           q }
+
+(** val image_by :
+    vector_mask -> vector_certificate -> int list -> Number.t list **)
+
+let image_by a c w =
+  fold_right
+    (move a.vector_arity a.functions c.window_first c.window a.vector_first
+      a.of_points) (start_differences a c) w
+
+(** val checks_images : vector_mask -> above_certificate -> bool **)
+
+let checks_images a d =
+  let c = d.space_proof in
+  let images0 = map (image_by a c) d.image_words in
+  (&&)
+    ((&&) (Number.less Number.zero d.combination_scale)
+      (forallb (forallb (fun t0 -> Nat.ltb t0 a.vector_arity)) d.image_words))
+    (forallb (fun k ->
+      zero_list
+        (addmul (Number.opposite d.combination_scale) (nth k c.spanning [])
+          (combine_lists (nth k d.combinations []) images0)))
+      (seq 0 (length c.spanning)))
+
+(** val checks_places : vector_mask -> vector_certificate -> bool **)
+
+let checks_places _ c =
+  forallb (fun l ->
+    forallb (fun k ->
+      Number.equal (nth (nth l c.places 0) (nth k c.spanning []) Number.zero)
+        (if_equal k l c.place_value)) (seq 0 (length c.spanning)))
+    (seq 0 (length c.spanning))
+
+(** val above_powers : int -> q -> int -> q -> bool **)
+
+let above_powers arity0 u order0 g =
+  (&&)
+    ((&&) (Number.less_equal Number.zero u.qnum)
+      (Number.less_equal (Number.mul unity g.qden)
+        (Number.mul g.qnum
+          (power_below (Number.of_natural arity0) order0 u.qnum u.qden))))
+    (Number.less g.qden
+      (Number.mul g.qnum
+        (Number.power (Number.of_natural arity0) (Number.of_natural order0))))
+
+(** val check_vectors_between :
+    vector_mask -> q -> q -> above_certificate -> bool **)
+
+let check_vectors_between a l u d =
+  let c = d.space_proof in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (vector_space a c) (checks_images a d))
+          (checks_places a c))
+        (vector_power a l c.difference_order c.space_bound))
+      (above_powers a.vector_arity u c.difference_order d.space_least))
+    (check_radius { matrices_of = (vector_family a c); lower = (Some
+      d.space_least); upper = (Some c.space_bound) } c.space_radius)
+
+(** val check_exact_vectors :
+    vector_mask -> exact_number -> q option -> q option -> above_certificate
+    -> exact_certificate -> bool **)
+
+let check_exact_vectors a e lower0 upper0 d x =
+  let c = d.space_proof in
+  let m = c.difference_order in
+  let h = x.number_place in
+  let q0 = Z.to_pos h.bottom in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&) ((&&) (vector_space a c) (checks_images a d))
+              (checks_places a c)) (Number.less h.high h.bottom))
+          (Number.less h.bottom
+            (Number.mul h.low
+              (Number.power (Number.of_natural a.vector_arity)
+                (Number.of_natural m)))))
+        (check_number_and_blocks (vector_family a c) e x))
+      (match lower0 with
+       | Some l ->
+         (||) (Number.less_equal l.qnum Number.zero)
+           (vector_power a l m { qnum = h.high; qden = q0 })
+       | None -> true))
+    (match upper0 with
+     | Some u -> above_powers a.vector_arity u m { qnum = h.low; qden = q0 }
+     | None -> true)

@@ -1002,6 +1002,32 @@ val unfixed :
 
 val checks_kernel : vector_mask -> vector_certificate -> bool
 
+val vector_space : vector_mask -> vector_certificate -> bool
+
+val vector_power : vector_mask -> q -> int -> q -> bool
+
 val vector_reduces : vector_mask -> q -> vector_certificate -> bool
 
 val check_vectors : vector_mask -> q -> vector_certificate -> bool
+
+val start_differences : vector_mask -> vector_certificate -> Number.t list
+
+type above_certificate = { space_proof : vector_certificate;
+                           image_words : int list list;
+                           combinations : Number.t list list;
+                           combination_scale : Number.t; space_least : 
+                           q }
+
+val image_by : vector_mask -> vector_certificate -> int list -> Number.t list
+
+val checks_images : vector_mask -> above_certificate -> bool
+
+val checks_places : vector_mask -> vector_certificate -> bool
+
+val above_powers : int -> q -> int -> q -> bool
+
+val check_vectors_between : vector_mask -> q -> q -> above_certificate -> bool
+
+val check_exact_vectors :
+  vector_mask -> exact_number -> q option -> q option -> above_certificate ->
+  exact_certificate -> bool

@@ -19,11 +19,13 @@ Definition is_solution (A r : nat) (first : Z) (length : nat) (a : Z -> nat -> n
   (exists S, forall c x, (c < r)%nat -> x < - S \/ S < x -> phi c x = 0) /\
   forall c x, (c < r)%nat -> phi c x = mix r first length a (fun k d => phi d (INR A * x - IZR k)) c.
 
-(* There is one that is not 0, all others are its multiples, and the exponent of each component is at least l. *)
-Definition one_solution (A r : nat) (first : Z) (length : nat) (a : Z -> nat -> nat -> R) (l : R) : Prop :=
-  exists phi, is_solution A r first length a phi /\ (exists c x, (c < r)%nat /\ phi c x <> 0) /\
+(* One that is not 0; all others are its multiples, and the exponent of each component is at least l. *)
+Definition solution_at_least (A r : nat) (first : Z) (length : nat) (a : Z -> nat -> nat -> R) (phi : nat -> R -> R) (l : R) : Prop :=
+  is_solution A r first length a phi /\ (exists c x, (c < r)%nat /\ phi c x <> 0) /\
   (forall psi, is_solution A r first length a psi -> exists z, forall c x, (c < r)%nat -> psi c x = z * phi c x) /\
   forall c, (c < r)%nat -> exponent_at_least (phi c) l.
+Definition one_solution (A r : nat) (first : Z) (length : nat) (a : Z -> nat -> nat -> R) (l : R) : Prop :=
+  exists phi, solution_at_least A r first length a phi l.
 
 (* ---- sequences of vectors ---------------------------------------------------------------------------------------- *)
 

@@ -157,7 +157,11 @@ VertexScheme written_rules(const RefineCommand& options) {
   const LevelOptions& levels = options.level_options;
   if (!levels.recurrence.empty() || !levels.start.empty() || !levels.values.empty())
     fail(ErrorKind::usage, "{}: rules at vertices are the same on all levels", options.scheme);
-  return read_vertex_rules(read_input(options.scheme), options.scheme);
+  VertexScheme scheme = read_vertex_rules(read_input(options.scheme), options.scheme);
+  if (const WrittenLetter* letter = scheme.written->free_letter())
+    fail(ErrorKind::usage, "{}: the letter {} has no value; to refine it needs one in the file, as value = \"3/8\"",
+         options.scheme, letter->name);
+  return scheme;
 }
 
 void require_mesh_options(const RefineCommand& options, const std::string& scheme) {

@@ -6,12 +6,13 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/vertex_arguments.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/number_list.hpp>
-#include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/reports/facts/vertex_facts.hpp>
 #include <subcert/reports/facts/weight_facts.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
+#include <subcert/schemes/plain_text.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <fmt/ranges.h>
@@ -49,24 +50,9 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
     if (const auto& evidence = valences[i].evidence)
       add(valences[i].valence, "vertex", evidence->by_hulls, rules[i], valences[i]);
   if (rest && rest->evidence) add(rest->first, "vertices", true, *family, *rest);
-  return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
-                            "what is not proved, or of all valences not by hulls of differences", json);
-}
-
-/// A scheme by its name, or rules that a file says.
-VertexScheme scheme_of(const std::string& text) {
-  if (text.ends_with(".toml")) return read_vertex_rules(read_input(text), text);
-  const Scheme scheme = make_linear_scheme(text);
-  if (!has_vertex_rules(scheme))
-    fail(ErrorKind::usage, "{}: has no rules at vertices; these have: {}", scheme.specification,
-         fmt::join(schemes_with_vertex_rules(), ", "));
-  return VertexScheme::named(scheme.specification);
-}
-
-WeightProperty property_of(const std::string& text) {
-  for (const WeightProperty property : {WeightProperty::c1, WeightProperty::bounded_curvature})
-    if (text == facts::property_text(property)) return property;
-  fail(ErrorKind::usage, "--property: expected C1 or bounded-curvature, got {}", in_quotes(text));
+  return write_certificates(
+      options.certificate, certificates, {"-vertex", "-vertices"},
+      "what is not proved, or with a Jordan block in front, or of all valences not by hulls of differences", json);
 }
 
 /// For which values of a letter.
@@ -74,24 +60,22 @@ ExitCode run_over(const VertexOptions& options) {
   if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty())
     fail(ErrorKind::usage, "--over: need no --all-valences, --stencils, --stencils-header or --certificate beside it");
   const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
-  const WeightProperty property = property_of(options.property);
+  const WeightProperty property = facts::parse_weight_property(options.property, "--property");
   const auto width = parse_number(options.width);
   if (!width || !(*width > 0))
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-6, got {}", in_quotes(options.width));
-  const VertexScheme scheme = scheme_of(options.scheme);
-  if (!scheme.written || !scheme.written->letter)
-    fail(ErrorKind::usage, "--over: need rules with a letter, a file with letter = \"b\", got {}",
-         scheme.specification);
-  const auto [low, high] = read_over(options.over, std::string(1, scheme.written->letter->name));
+  const std::string name = plain_text(options.over.substr(0, options.over.find('=')));
+  const VertexScheme scheme = read_free_rules(options.scheme, {name});
+  const auto [low, high] = read_over(options.over, name);
   options.progress("the regular part");
   const Budget budget = options.limits();
   std::vector<SectorRules> rules;
-  for (const int n : numbers) rules.push_back(rules_with_letter(*scheme.written, n));
+  for (const int n : numbers) rules.push_back(rules_with_letters(*scheme.written, n));
   const RegularPart regular = regular_part(rules.front(), budget);
   std::vector<WeightRange> ranges;
   for (const SectorRules& at : rules) {
     options.progress(fmt::format("valence {}", at.valence));
-    ranges.push_back(weight_range(at, regular, property, low, high, *width, budget));
+    ranges.push_back(weight_range(at, regular, property, low, high, *width, options.threads(), budget));
   }
   options.end_progress();
   const Facts list = facts::weight_facts(scheme, regular, property, ranges);
@@ -105,7 +89,7 @@ ExitCode run(const VertexOptions& options) {
   if (options.all && options.valence != usual_valences)
     fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
   std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
-  const VertexScheme scheme = scheme_of(options.scheme);
+  const VertexScheme scheme = read_vertex_scheme(options.scheme);
   std::optional<SectorRuleFamily> family;
   if (options.all) {
     family = scheme.family();

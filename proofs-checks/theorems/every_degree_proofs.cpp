@@ -9,7 +9,6 @@
 #include <subcert/analysis/variance/variance.hpp>
 #include "kernel/kernel.hpp"
 #include "kernel/kernel_coefficients.hpp"
-#include "limit_constant.hpp"
 #include "variance_ends.hpp"
 
 #if __has_include(<flint/arb_hypgeom.h>)
@@ -241,7 +240,7 @@ std::vector<Check> limits_grow_checks(const Constants&, int) {
   const Ball pi = Ball::pi(proof_bits), shift = one / (sqrt(exactly(3)) * pi * pi) - one / pi.scaled(1);
   std::vector<Check> expansions;
   for (int degree = 1; degree <= 21; degree += 2) {
-    const Ball limit = degree <= 9 ? limit_ball(degree) : Ball::containing(limit_constant(degree, 8), proof_bits);
+    const Ball& limit = limit_ball(degree);
     if (degree >= first) {
       checks.push_back(less("S.3", "gamma^2/2 < C_" + text(degree) + ", gamma of degree " + text(degree - 2),
                             exact(half_square(degree - 2)), limit.enclosure()));

@@ -18,7 +18,8 @@ let usage =
   \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
   \       subcert-check-verified --mask '[-w,0,1/2+w,...]@first' --arity A --for w=LOW..HIGH --lower P/Q [--show] FILE\n\
   \                              (for all these w; <, not <=; --levels w=LOW..HIGH: for all sequences of them, one for each level)\n\
-  \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--upper P/Q] [--show] FILE    (vectors of functions)\n\
+  \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--upper P/Q] [--show] FILE    (vectors of functions;\n\
+  \                              or --exact '0-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...])\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
@@ -790,40 +791,58 @@ let least_radius arity order upper =
   let above = Z.cdiv (Z.shift_left unity digits) (power_below base order (Q.num upper) (Q.den upper)) in
   Q.make (Z.max above (Z.succ (Z.fdiv (Z.shift_left Z.one digits) whole))) (Z.shift_left Z.one digits)
 
-(* A claim about a vector of functions: that there is one, and its lower end, or both *)
-let refinable mask dilation lower upper file =
+(* What is shown of a vector of functions: a lower end, or both; and what --theorem prints *)
+let read_vector_bounds a space lower upper r =
+  let order = space.difference_order and l = bound_of lower in
+  let bound = Q.div (most_radius a.vector_arity order l) (Q.of_bigint (Z.pow (Z.of_int a.vector_arity) order)) in
+  let least = Option.map (least_radius a.vector_arity order) upper in
+  let images = Option.map (fun _ -> Vectors.read_images a space) upper in
+  let radius = read_proof ~single:false (vector_family a space) least (Some bound) r in
+  let certificate = { space with space_bound = bound_of bound; space_radius = radius } in
+  read_end r;
+  match (upper, least, images) with
+  | Some upper, Some least, Some images ->
+      let above = Vectors.with_images certificate images (bound_of least) in
+      let u = bound_of upper in
+      require (check_vectors_between a l u above) unproved;
+      fun name -> Theorem.print_vectors_between name a l u above
+  | _ ->
+      require (check_vectors a l certificate) unproved;
+      fun name -> Theorem.print_vectors name a l certificate
+
+(* The same where the certificate names the exponent *)
+let read_vector_number a space lower upper ({ number = e; order; _ }, root) r =
+  require (order = Some 0) "the exact exponent has another number before its logarithm";
+  let above = Vectors.with_images space (Vectors.read_images a space) space.space_bound in
+  let certificate = read_exact_proof ~single:false (vector_family a space) (e, root) r in
+  read_end r;
+  let lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+  require (check_exact_vectors a e lower upper above certificate) unproved;
+  fun name -> Theorem.print_exact_vectors name a e lower upper above certificate
+
+(* A claim about a vector of functions: that there is one, and its lower end, or both, or what its exponent is *)
+let refinable mask dilation lower upper exact file =
   let a = Vectors.read_mask mask dilation and head = Printf.sprintf "refinable %s %s" mask dilation in
   let theorem =
     read file 1 (fun r ->
-        let number = read_head ~exponent:true r head None in
-        if number <> None then Vectors.undecided "certificates of refinable functions with an exact number are";
+        let number = read_head ~exponent:true r head exact in
         let space = Vectors.read_space a lower r in
-        let order = space.difference_order and l = bound_of lower in
-        let bound = Q.div (most_radius a.vector_arity order l) (Q.of_bigint (Z.pow (Z.of_int a.vector_arity) order)) in
-        let least = Option.map (least_radius a.vector_arity order) upper in
-        let images = Option.map (fun _ -> Vectors.read_images a space) upper in
-        let radius = read_proof ~single:false (vector_family a space) least (Some bound) r in
-        let certificate = { space with space_bound = bound_of bound; space_radius = radius } in
-        read_end r;
-        match (upper, least, images) with
-        | Some upper, Some least, Some (image_words, combinations, combination_scale) ->
-            let above = { space_proof = certificate; image_words; combinations; combination_scale; space_least = bound_of least } in
-            let u = bound_of upper in
-            require (check_vectors_between a l u above) unproved;
-            fun name -> Theorem.print_vectors_between name a l u above
-        | _ ->
-            require (check_vectors a l certificate) unproved;
-            fun name -> Theorem.print_vectors name a l certificate)
+        match (number, lower) with
+        | Some number, _ -> read_vector_number a space lower upper number r
+        | None, Some lower -> read_vector_bounds a space lower upper r
+        | None, None -> assert false)
   in
-  ( Printf.sprintf "%s <= Hoelder exponent%s of the refinable functions of %s with dilation %s" (Q.to_string lower)
-      (side upper (fun u -> " <= " ^ u)) mask dilation,
+  ( Printf.sprintf "%sHoelder exponent%s%s of the refinable functions of %s with dilation %s" (side lower (fun l -> l ^ " <= "))
+      (number_text exact) (side upper (fun u -> " <= " ^ u)) mask dilation,
     theorem,
-    fun () -> Vectors.show a lower upper )
+    fun () ->
+      Vectors.show a lower upper;
+      Option.iter show_exact exact )
 
 let undecided =
   "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, \
-   those of lists of masks, lower ends for all values of a parameter or all sequences of them, and bounds of refinable \
-   functions of one variable, the others by subcert-check"
+   those of lists of masks, lower ends for all values of a parameter or all sequences of them, and bounds and exact \
+   numbers of refinable functions of one variable, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -861,8 +880,12 @@ let check arguments =
       let exact = Option.map (read_exact false) (find "--exact") in
       prove (get option) (bound "--lower") (bound "--upper") exact (get "FILE")
     end
-    else if has "--refinable" && has "--dilation" && has "--lower" && only [ "--refinable"; "--dilation"; "--upper" ] && rough = None then
-      refinable (get "--refinable") (get "--dilation") (Option.get (bound "--lower")) (bound "--upper") (get "FILE")
+    else if
+      has "--refinable" && has "--dilation" && (has "--lower" || has "--exact") && rough = None
+      && only [ "--refinable"; "--dilation"; "--upper"; "--exact" ]
+    then
+      refinable (get "--refinable") (get "--dilation") (bound "--lower") (bound "--upper")
+        (Option.map (read_exact true) (find "--exact")) (get "FILE")
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
       ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels")
         (Option.get (bound "--lower")) (get "FILE")

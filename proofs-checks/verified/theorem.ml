@@ -325,16 +325,26 @@ let print_vectors name a l c =
        "vectors_hold : vectors_hold %s_vector_mask %s.\nProof. apply (check_vectors_sound _ _ %s_certificate). %s"
        name (fraction l) name by_computation)
 
+let above_certificate d =
+  Printf.sprintf "AboveCertificate (%s)\n%s\n%s %s %s" (vector_certificate d.space_proof) (list (list natural) d.image_words)
+    (matrix d.combinations) (integer d.combination_scale) (fraction d.space_least)
+
 let print_vectors_between name a l u d =
-  let certificate =
-    Printf.sprintf "AboveCertificate (%s)\n%s\n%s %s %s" (vector_certificate d.space_proof) (list (list natural) d.image_words)
-      (matrix d.combinations) (integer d.combination_scale) (fraction d.space_least)
-  in
-  print name (vector_modules ^ " VectorsAbove") (vector_mask a) certificate
+  print name (vector_modules ^ " VectorsAbove") (vector_mask a) (above_certificate d)
     (Printf.sprintf
        "vectors_between : vectors_between %s_vector_mask %s %s.\n\
         Proof. apply (check_vectors_between_sound _ _ _ %s_certificate). %s"
        name (fraction l) (fraction u) name by_computation)
+
+let print_exact_vectors name a e lower upper d c =
+  print name
+    (exact_modules ^ " Levels Vectors VectorsAbove VectorsExact")
+    (Printf.sprintf "%s.\n\nDefinition %s_space := %s" (vector_mask a) name (above_certificate d))
+    (exact_certificate c)
+    (Printf.sprintf
+       "exact_vectors_hold : exact_vectors_hold %s_vector_mask %s %s %s.\n\
+        Proof. apply (check_exact_vectors_sound _ _ _ _ %s_space %s_certificate). %s"
+       name (number e) (option fraction lower) (option fraction upper) name name by_computation)
 
 let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
 

@@ -121,8 +121,9 @@ let independent rows n =
 let read_space mask lower r =
   let a = mask.vector_arity and n = mask.functions in
   let order = size (List.hd (take r "differences" 1 1)) 1 64 in
-  require (Q.sign lower > 0) "the lower end of an exponent must be positive";
-  require (Q.leq lower (Q.of_int order)) "the lower end is above the order of the differences";
+  Option.iter (fun lower ->
+      require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+      require (Q.leq lower (Q.of_int order)) "the lower end is above the order of the differences") lower;
   let digits = List.map integer (take r "digits" a a) in
   if digits <> List.init a Z.of_int then undecided "certificates with other digits are";
   let values = read_terms mask (take r "values" 1 100_000) in
@@ -242,9 +243,14 @@ let read_images mask certificate =
       let whole row = Array.to_list (Array.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x))) row) in
       (List.map fst found, Array.to_list (Array.map whole inverse), common)
 
+(* With the words and sums of these images, and a bound from below of the radius *)
+let with_images space_proof (image_words, combinations, combination_scale) space_least =
+  { space_proof; image_words; combinations; combination_scale; space_least }
+
 let show mask lower upper =
-  Printf.printf "the Hoelder exponent of %d functions of arity %d, at least %s%s\n" mask.functions mask.vector_arity (Q.to_string lower)
-    (match upper with Some u -> ", at most " ^ Q.to_string u | None -> "");
+  let side words = Option.fold ~none:"" ~some:(fun q -> words ^ Q.to_string q) in
+  Printf.printf "the Hoelder exponent of %d functions of arity %d%s%s\n" mask.functions mask.vector_arity
+    (side ", at least " lower) (side ", at most " upper);
   List.iteri (fun k ->
       List.iteri (fun i row ->
           Printf.printf "matrix %s, row %d: %s\n" (Z.to_string (Z.add mask.vector_first (Z.of_int k))) i

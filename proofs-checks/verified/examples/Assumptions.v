@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Period Vectors VectorsAbove Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -28,3 +28,4 @@ Print Assumptions check_range_sound.
 Print Assumptions period_sound.
 Print Assumptions check_vectors_sound.
 Print Assumptions check_vectors_between_sound.
+Print Assumptions check_exact_vectors_sound.

@@ -4378,9 +4378,9 @@ let checks_kernel a c =
               (if Nat.eqb q0 c.nonzero then value i else Number.zero))))
         (seq 0 n)) (seq 0 n))
 
-(** val vector_reduces : vector_mask -> q -> vector_certificate -> bool **)
+(** val vector_space : vector_mask -> vector_certificate -> bool **)
 
-let vector_reduces a l c =
+let vector_space a c =
   let a0 = Number.of_natural a.vector_arity in
   let high0 =
     Number.sub (Number.add c.window_first (Number.of_natural c.window))
@@ -4396,26 +4396,34 @@ let vector_reduces a l c =
                 ((&&)
                   ((&&)
                     ((&&)
-                      ((&&)
-                        (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.vector_arity)
-                        (Number.less Number.zero a.vector_common))
-                      (Nat.leb (Stdlib.succ 0) (length a.of_points)))
-                    (Nat.leb (Stdlib.succ 0) a.functions))
-                  (forallb (square a.functions) a.of_points))
-                (Number.less_equal
-                  (Number.mul (Number.sub a0 Number.one) c.window_first)
-                  a.vector_first))
+                      (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a.vector_arity)
+                      (Number.less Number.zero a.vector_common))
+                    (Nat.leb (Stdlib.succ 0) (length a.of_points)))
+                  (Nat.leb (Stdlib.succ 0) a.functions))
+                (forallb (square a.functions) a.of_points))
               (Number.less_equal
-                (Number.add a.vector_first
-                  (Number.of_natural
-                    (sub (length a.of_points) (Stdlib.succ 0))))
-                (Number.mul (Number.sub a0 Number.one) high0)))
-            (zero_list (unfixed a c c.fixed))) (checks_space a c))
-        (checks_start a c)) (checks_kernel a c))
-    (below_power { arity = a.vector_arity; first = Number.zero;
-      coefficients = []; common = Number.one } l c.difference_order { qnum =
-      (Number.mul (Number.power a0 (Number.of_natural c.difference_order))
-        c.space_bound.qnum); qden = c.space_bound.qden })
+                (Number.mul (Number.sub a0 Number.one) c.window_first)
+                a.vector_first))
+            (Number.less_equal
+              (Number.add a.vector_first
+                (Number.of_natural (sub (length a.of_points) (Stdlib.succ 0))))
+              (Number.mul (Number.sub a0 Number.one) high0)))
+          (zero_list (unfixed a c c.fixed))) (checks_space a c))
+      (checks_start a c)) (checks_kernel a c)
+
+(** val vector_power : vector_mask -> q -> int -> q -> bool **)
+
+let vector_power a l order0 bound0 =
+  below_power { arity = a.vector_arity; first = Number.zero; coefficients =
+    []; common = Number.one } l order0 { qnum =
+    (Number.mul
+      (Number.power (Number.of_natural a.vector_arity)
+        (Number.of_natural order0)) bound0.qnum); qden = bound0.qden }
+
+(** val vector_reduces : vector_mask -> q -> vector_certificate -> bool **)
+
+let vector_reduces a l c =
+  (&&) (vector_space a c) (vector_power a l c.difference_order c.space_bound)
 
 (** val check_vectors : vector_mask -> q -> vector_certificate -> bool **)
 
@@ -4486,8 +4494,40 @@ let check_vectors_between a l u d =
   let c = d.space_proof in
   (&&)
     ((&&)
-      ((&&) ((&&) (vector_reduces a l c) (checks_images a d))
-        (checks_places a c))
+      ((&&)
+        ((&&) ((&&) (vector_space a c) (checks_images a d))
+          (checks_places a c))
+        (vector_power a l c.difference_order c.space_bound))
       (above_powers a.vector_arity u c.difference_order d.space_least))
     (check_radius { matrices_of = (vector_family a c); lower = (Some
       d.space_least); upper = (Some c.space_bound) } c.space_radius)
+
+(** val check_exact_vectors :
+    vector_mask -> exact_number -> q option -> q option -> above_certificate
+    -> exact_certificate -> bool **)
+
+let check_exact_vectors a e lower0 upper0 d x =
+  let c = d.space_proof in
+  let m = c.difference_order in
+  let h = x.number_place in
+  let q0 = Z.to_pos h.bottom in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&) ((&&) (vector_space a c) (checks_images a d))
+              (checks_places a c)) (Number.less h.high h.bottom))
+          (Number.less h.bottom
+            (Number.mul h.low
+              (Number.power (Number.of_natural a.vector_arity)
+                (Number.of_natural m)))))
+        (check_number_and_blocks (vector_family a c) e x))
+      (match lower0 with
+       | Some l ->
+         (||) (Number.less_equal l.qnum Number.zero)
+           (vector_power a l m { qnum = h.high; qden = q0 })
+       | None -> true))
+    (match upper0 with
+     | Some u -> above_powers a.vector_arity u m { qnum = h.low; qden = q0 }
+     | None -> true)

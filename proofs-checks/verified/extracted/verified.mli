@@ -1002,6 +1002,10 @@ val unfixed :
 
 val checks_kernel : vector_mask -> vector_certificate -> bool
 
+val vector_space : vector_mask -> vector_certificate -> bool
+
+val vector_power : vector_mask -> q -> int -> q -> bool
+
 val vector_reduces : vector_mask -> q -> vector_certificate -> bool
 
 val check_vectors : vector_mask -> q -> vector_certificate -> bool
@@ -1023,3 +1027,7 @@ val checks_places : vector_mask -> vector_certificate -> bool
 val above_powers : int -> q -> int -> q -> bool
 
 val check_vectors_between : vector_mask -> q -> q -> above_certificate -> bool
+
+val check_exact_vectors :
+  vector_mask -> exact_number -> q option -> q option -> above_certificate ->
+  exact_certificate -> bool

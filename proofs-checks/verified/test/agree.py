@@ -55,14 +55,15 @@ def decided(name, arguments):
         return False
     if options & {"--matrices", "--subradius"}:
         return True
-    # Lower ends of refinable functions of one variable, or both, with the digits 0, 1, ...
+    # Lower ends of refinable functions of one variable, or both, or exact numbers, with the digits 0, 1, ...
     if "--refinable" in options:
         value = dict(zip(arguments[::2], arguments[1::2]))
         factor = re.fullmatch(r"\[([1-9]\d*)\]", value["--dilation"])
         digits = re.search(r"\ndigits(.*)\n", text)
         usual = factor and (not digits or digits[1].split() == [str(t) for t in range(int(factor[1]))])
         ends = options - {"--refinable", "--dilation"}
-        return bool(ends in ({"--lower"}, {"--lower", "--upper"}) and usual and "sqrt" not in value["--refinable"])
+        asked = ends <= {"--lower", "--upper", "--exact"} and ends & {"--lower", "--exact"}
+        return bool(asked and usual and "sqrt" not in value["--refinable"])
     # Lower ends for all values of a parameter, or for all sequences of them
     if options & {"--for", "--levels"}:
         return options in ({"--mask", "--arity", "--for", "--lower"}, {"--mask", "--arity", "--levels", "--lower"})
@@ -92,9 +93,11 @@ def compare(name, arguments, accepted=None):
     slowest = max(slowest, time.monotonic() - start)
     word = mine[1].split(" ")[0]
     counts[word] = counts.get(word, 0) + 1
+    if not decided(name, arguments) and (mine[0], word) == (2, "UNDECIDED"):
+        return
     theirs = run(checker, arguments)
     if not decided(name, arguments):
-        if (mine[0], word) != (2, "UNDECIDED") and not mine[0] == theirs[0] == 1:
+        if not mine[0] == theirs[0] == 1:
             failures.append(f"{name}: {mine} and {theirs}")
         return
     same = mine == theirs if theirs[0] != 1 else mine[0] == theirs[0] == 1 and word == "REJECTED" and ", line " in mine[1]
@@ -119,6 +122,15 @@ def without(option, arguments):
 for line in (directory / "claims.txt").read_text().splitlines():
     name, *arguments = line.partition(" | ")[0].split()
     compare(name, [*arguments, f"{name}.cert"])
+    if {"--refinable", "--exact"} <= set(arguments) and decided(name, arguments) and directory.name == "accept":
+        number = arguments[arguments.index("--exact") + 1]
+        alone = without("--lower", without("--upper", arguments))
+        compare(f"{name} alone", [*alone, f"{name}.cert"], True)
+        for old, new in (("|[", "|[7,"), ("]@", ",7]@"), ("^1/", "^1/1"), ("0-log", "1-log")):
+            compare(f"{name} with {new}", [*(a.replace(old, new) if a == number else a for a in alone), f"{name}.cert"], False)
+        for key, end, accepted in (("--lower", 0, False), ("--lower", 100, False), ("--upper", 0, False)):
+            compare(f"{name} with {key} {end}", [*alone, key, str(end), f"{name}.cert"], accepted)
+        arguments = without("--exact", arguments)
     if {"--refinable", "--lower"} <= set(arguments):
         alone = without("--upper", arguments)
         at = alone.index("--lower") + 1

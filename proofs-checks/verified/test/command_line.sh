@@ -195,6 +195,25 @@ functions 2 --upper 1
 functions 2 --lower 1 --component 0
 functions 2 --lower 1 --integral 1,1
 functions 64 --lower 1/0
+functions 64 --exact '|[-1,2]@1/2,0,1/4|^1/1'
+functions 1 --exact '0-log|[-1,2]@1/2,0,1/4|^1/1'
+rough='[[[2,0],[0,0]],[[4,0],[0,3]],[[2,0],[4,3]]]/4@-1'
+number() {
+  code=$1
+  shift
+  expect "$code" --refinable "$rough" --dilation '[2]' "$@" vector-exact.cert
+}
+number 0 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --show
+echo "$output" | grep -q '^exactly 0 less the logarithm, .* of the zero within 1/4 of 3/4 + i 0 of'
+number 0 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --lower 415/1000 --upper 416/1000
+number 0 --lower 415/1000
+number 1 --lower 416/1000
+number 1 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --upper 415/1000
+number 1 --exact '0-log|[-3,4]@3/4,0,1/4|^1/2'
+number 1 --exact '1-log|[-3,4]@3/4,0,1/4|^1/1'
+number 64 --exact '0-log|[-3,4]@3/4,0,0|^1/1'
+number 2 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --logarithm 0
+number 2 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --component 0
 expect 1 --refinable "$hats" --dilation '[3]' --lower 1 vector-by-hand.cert
 expect 2 --refinable "$hats" --dilation '[-2]' --lower 1 vector-minus-two.cert
 expect 2 --refinable '[[[1,0],[0,sqrt(2)]]]' --dilation '[2]' --lower 1 vector-by-hand.cert

@@ -79,6 +79,8 @@ theorem VectorGhm --refinable '[[[6,8],[-1,-3]],[[6,0],[9,10]],[[0,0],[9,-3]],[[
   --lower 1 vector-ghm.cert
 theorem VectorMerrien --refinable '[[[4,2],[-1,1]],[[8,0],[0,4]],[[4,-2],[1,1]]]/8@-1' --dilation '[2]' \
   --lower 1415/1000 --upper 1416/1000 vector-merrien.cert
+theorem VectorExact --refinable '[[[2,0],[0,0]],[[4,0],[0,3]],[[2,0],[4,3]]]/4@-1' --dilation '[2]' \
+  --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --upper 1/2 vector-exact.cert
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert

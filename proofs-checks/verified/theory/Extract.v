@@ -1,7 +1,7 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
-  SubradiusExact Rough Reduced Levels Ranges Period Vectors VectorsAbove.
+  SubradiusExact Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -42,4 +42,5 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   check_range check_range_levels control_masks has_control_masks range_family form_between
   in_period period_scheme
   check_vectors checks_space checks_start checks_kernel unfixed move vector_family
-  check_vectors_between checks_images checks_places image_by start_differences.
+  check_vectors_between checks_images checks_places image_by start_differences
+  check_exact_vectors.

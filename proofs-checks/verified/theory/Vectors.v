@@ -82,14 +82,19 @@ Definition checks_kernel (a : vector_mask) (c : vector_certificate) : bool :=
     forallb (fun i => dot (firstn (window c * functions a) (nth i (kernel c) [])) column =? kernel_scale c *
       ((if (i =? q)%nat then value (nonzero c) else 0) - (if (q =? nonzero c)%nat then value i else 0))) (seq 0 n)) (seq 0 n).
 
-Definition vector_reduces (a : vector_mask) (l : Q) (c : vector_certificate) : bool :=
+Definition vector_space (a : vector_mask) (c : vector_certificate) : bool :=
   let A := Z.of_nat (vector_arity a) in let high := window_first c + Z.of_nat (window c) - 1 in
   (2 <=? vector_arity a)%nat && (0 <? vector_common a) && (1 <=? length (of_points a))%nat && (1 <=? functions a)%nat &&
   forallb (square (functions a)) (of_points a) &&
   ((A - 1) * window_first c <=? vector_first a) && (vector_first a + Z.of_nat (length (of_points a) - 1) <=? (A - 1) * high) &&
-  zero_list (unfixed a c (fixed c)) && checks_space a c && checks_start a c && checks_kernel a c &&
-  below_power (Scheme (vector_arity a) 0 [] 1) l (difference_order c)
-    (Qmake (A ^ Z.of_nat (difference_order c) * Qnum (space_bound c)) (Qden (space_bound c))).
+  zero_list (unfixed a c (fixed c)) && checks_space a c && checks_start a c && checks_kernel a c.
+
+(* A radius of at most bound is at most arity^(-l), and l at most the order of the differences. *)
+Definition vector_power (a : vector_mask) (l : Q) (order : nat) (bound : Q) : bool :=
+  below_power (Scheme (vector_arity a) 0 [] 1) l order (Qmake (Z.of_nat (vector_arity a) ^ Z.of_nat order * Qnum bound) (Qden bound)).
+
+Definition vector_reduces (a : vector_mask) (l : Q) (c : vector_certificate) : bool :=
+  vector_space a c && vector_power a l (difference_order c) (space_bound c).
 
 Definition check_vectors (a : vector_mask) (l : Q) (c : vector_certificate) : bool :=
   vector_reduces a l c && check_radius (Claim (vector_family a c) None (Some (space_bound c))) (space_radius c).
@@ -527,22 +532,29 @@ Corollary vectors_of_radius l bound : checks_start a c = true -> radius_at_most 
 Proof. intros HS HR HB. destruct (values_of_radius l bound HS HR HB) as [phi [S _]]. exists phi. exact S. Qed.
 End Real.
 
+Lemma vector_power_sound a l m bound lambda : (2 <= vector_arity a)%nat -> exp lambda = INR (vector_arity a) ->
+  vector_power a l m bound = true -> 0 < real_of l <= INR m /\ real_of bound <= exp (- real_of l * lambda).
+Proof.
+  intros HA Log HB. apply (below_power_sound lambda) in HB; auto. destruct HB as [Hl HB]. split; auto.
+  assert (PM : 0 < INR (vector_arity a) ^ m) by (apply pow_lt, arity_positive; auto).
+  apply (Rmult_le_reg_l (INR (vector_arity a) ^ m)); auto.
+  replace (INR (vector_arity a) ^ m * exp (- real_of l * lambda)) with (exp ((INR m - real_of l) * lambda)).
+  - eapply Rle_trans. 2: apply HB. right. unfold real_of. cbn [Qnum Qden]. rewrite mult_IZR, (arity_power _ HA). unfold Rdiv. ring.
+  - rewrite <- Log, exp_power, <- exp_plus. f_equal. ring.
+Qed.
+
 (* What the checker accepts is true. *)
 Theorem check_vectors_sound a l c : check_vectors a l c = true -> vectors_hold a l.
 Proof.
-  intros H. apply andb_prop in H. destruct H as [H HR]. unfold vector_reduces in H. rewrite !andb_true_iff in H.
-  destruct H as [[[[[[[[[[[HA HO] HP] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK] HB].
+  intros H. apply andb_prop in H. destruct H as [H HR]. apply andb_prop in H. destruct H as [H HB].
+  unfold vector_space in H. rewrite !andb_true_iff in H.
+  destruct H as [[[[[[[[[[HA HO] HP] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK].
   apply Nat.leb_le in HA, HP, Hf. apply Z.ltb_lt in HO. apply Z.leb_le in Hlo, Hhi.
   destruct (exp_onto (INR (vector_arity a)) (arity_positive _ HA)) as [lambda Log].
-  apply (below_power_sound lambda) in HB; auto. destruct HB as [Hl HB].
+  apply (vector_power_sound a l _ _ lambda HA Log) in HB. destruct HB as [Hl HB].
   apply (check_radius_sound) in HR. apply radius_bounded in HR.
   assert (Sh := HT). unfold checks_start in Sh. rewrite !andb_true_iff in Sh. destruct Sh as [[Sh _] _].
   unfold vectors_hold. apply (vectors_of_radius a c HA HO HP Hf HQ Hlo ltac:(lia) Sh HS HF HK (real_of l) (real_of (space_bound c)) HT).
   - intros g G1 G2. rewrite <- (space_count a c HS). apply HR; auto.
-  - exists lambda. split; auto. split; auto. set (m := difference_order c) in *.
-    assert (PA := arity_positive _ HA). assert (PM : 0 < INR (vector_arity a) ^ m) by (apply pow_lt; auto).
-    apply (Rmult_le_reg_l (INR (vector_arity a) ^ m)); auto.
-    replace (INR (vector_arity a) ^ m * exp (- real_of l * lambda)) with (exp ((INR m - real_of l) * lambda)).
-    + eapply Rle_trans. 2: apply HB. right. unfold real_of. cbn [Qnum Qden]. rewrite mult_IZR, (arity_power _ HA). unfold Rdiv. ring.
-    + rewrite <- Log, exp_power, <- exp_plus. f_equal. ring.
+  - exists lambda. auto.
 Qed.

@@ -180,7 +180,8 @@ Definition above_powers (arity : nat) (u : Q) (order : nat) (g : Q) : bool :=
 
 Definition check_vectors_between (a : vector_mask) (l u : Q) (d : above_certificate) : bool :=
   let c := space_proof d in
-  vector_reduces a l c && checks_images a d && checks_places a c && above_powers (vector_arity a) u (difference_order c) (space_least d) &&
+  vector_space a c && checks_images a d && checks_places a c && vector_power a l (difference_order c) (space_bound c) &&
+  above_powers (vector_arity a) u (difference_order c) (space_least d) &&
   check_radius (Claim (vector_family a c) (Some (space_least d)) (Some (space_bound c))) (space_radius c).
 
 Lemma above_powers_sound lambda A u m g : exp lambda = INR A -> (2 <= A)%nat -> above_powers A u m g = true ->
@@ -253,38 +254,24 @@ Proof.
 Qed.
 End Images.
 
-(* What the checker accepts is true. *)
-Theorem check_vectors_between_sound a l u d : check_vectors_between a l u d = true -> vectors_between a l u.
+(* A space whose radius is at most arity^(-s) and at least g, that the images span *)
+Theorem vectors_of_bounds a d lambda s u g : let c := space_proof d in
+  let T := real (vector_family a c) in let N := length (spanning c) in let m := INR (difference_order c) in
+  vector_space a c && checks_images a d && checks_places a c = true -> exp lambda = INR (vector_arity a) -> 0 < s <= m ->
+  radius_at_most N (vector_arity a) T (exp (- s * lambda)) -> radius_at_least N (vector_arity a) T g ->
+  exp (- u * lambda) <= g -> exp (- m * lambda) < g -> exists phi,
+  solution_at_least (vector_arity a) (functions a) (vector_first a) (length (of_points a) - 1) (point_matrix a) phi s /\
+  exists k, (k < functions a)%nat /\ exponent_at_most (phi k) u.
 Proof.
-  intros H. unfold check_vectors_between in H. cbv zeta in H. set (c := space_proof d) in *. rewrite !andb_true_iff in H.
-  destruct H as [[[[H HI] HP] HU] HR]. unfold vector_reduces in H. rewrite !andb_true_iff in H.
-  destruct H as [[[[[[[[[[[HA HO] Hpt] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK] HB].
+  cbv zeta. set (c := space_proof d). intros H Log Hs Most Least G1 G2. rewrite !andb_true_iff in H. destruct H as [[H HI] HP].
+  unfold vector_space in H. rewrite !andb_true_iff in H. destruct H as [[[[[[[[[[HA HO] Hpt] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK].
   apply Nat.leb_le in HA, Hpt, Hf. apply Z.ltb_lt in HO. apply Z.leb_le in Hlo, Hhi.
-  destruct (exp_onto (INR (vector_arity a)) (arity_positive _ HA)) as [lambda Log].
-  apply (below_power_sound lambda) in HB; auto. destruct HB as [Hl HB].
-  destruct (above_powers_sound lambda _ _ _ _ Log HA HU) as [G1 G2].
   assert (Sh := HT). unfold checks_start in Sh. rewrite !andb_true_iff in Sh. destruct Sh as [[Sh _] _].
-  apply (check_radius_sound) in HR.
   set (A := vector_arity a) in *. set (r := functions a) in *. set (F := vector_first a) in *.
   set (L := (length (of_points a) - 1)%nat) in *.
-  set (m := difference_order c) in *. set (N := length (spanning c)).
-  set (T := vector_family a c) in *.
-  assert (Count : count T = A) by (apply (space_count a c HS)).
-  assert (Least : radius_at_least N A (real T) (real_of (space_least d))).
-  { intros g Hg G. destruct (radius_exists N A (real T)) as [x Hx]. rewrite <- Count in Hx.
-    destruct (HR x Hx) as [Lo _]. specialize (Lo _ eq_refl). destruct Hx as [_ [_ Up]]. rewrite Count in Up. specialize (Up g Hg G). lra. }
-  assert (Most : radius_at_most N A (real T) (real_of (space_bound c))).
-  { intros g G1' G2'. destruct (radius_exists N A (real T)) as [x Hx]. rewrite <- Count in Hx.
-    destruct (HR x Hx) as [_ Up]. specialize (Up _ eq_refl). destruct Hx as [_ [Gr _]]. rewrite Count in Gr. apply Gr. lra. }
-  assert (Bound : exists lambda, exp lambda = INR A /\ 0 < real_of l <= INR m /\ real_of (space_bound c) <= exp (- real_of l * lambda)).
-  { exists lambda. split; auto. split; auto.
-    assert (PA := arity_positive _ HA). assert (PM : 0 < INR A ^ m) by (apply pow_lt; auto).
-    apply (Rmult_le_reg_l (INR A ^ m)); auto.
-    replace (INR A ^ m * exp (- real_of l * lambda)) with (exp ((INR m - real_of l) * lambda)).
-    + eapply Rle_trans. 2: apply HB. right. unfold real_of. cbn [Qnum Qden]. rewrite mult_IZR, (arity_power _ HA). unfold Rdiv. ring.
-    + rewrite <- Log, exp_power, <- exp_plus. f_equal. ring. }
-  destruct (values_of_radius a c HA HO Hpt Hf HQ Hlo ltac:(lia) Sh HS HF HK (real_of l) (real_of (space_bound c)) HT Most Bound)
-    as [phi [Sol V]].
+  set (m := difference_order c) in *. set (N := length (spanning c)) in *.
+  destruct (values_of_radius a c HA HO Hpt Hf HQ Hlo ltac:(lia) Sh HS HF HK s (exp (- s * lambda)) HT Most) as [phi [Sol V]].
+  { exists lambda. split; auto. split; auto. apply Rle_refl. }
   exists phi. split. exact Sol. fold A r F L in Sol, V.
   unfold checks_images in HI. cbv zeta in HI. fold c in HI. rewrite !andb_true_iff in HI. destruct HI as [[HI1 HI2] HI3].
   apply Z.ltb_lt in HI1. rewrite forallb_forall in HI2, HI3. fold A in HI2. fold N in HI3.
@@ -296,11 +283,11 @@ Proof.
     intros t Ht. apply Nat.ltb_lt, W. exact Ht. }
   set (place := fun l => nth l (places c) O).
   apply (solution_above A r F L (point_matrix a) HA phi (sequence a c (fixed c)) (proj1 Sol) V lambda m Log N
-    (fun k => sequence a c (nth k (spanning c) [])) (real T)
+    (fun k => sequence a c (nth k (spanning c) [])) (real (vector_family a c))
     (space_invariant a c HA HO Hpt Hf HQ Hlo ltac:(lia) Sh HS) images
     (fun k h => IZR (nth h (nth k (combinations d) []) 0%Z) * IZR (vector_common a) ^ length (word h) / IZR (combination_scale d)) word)
     with (point := fun l => (window_first c + Z.of_nat (place l / r))%Z) (component := fun l => (place l mod r)%nat)
-    (pivot := IZR (place_value c)) (g := real_of (space_least d)); auto.
+    (pivot := IZR (place_value c)) (g := g); auto.
   - intros k Hk j q Hq. assert (Z0 := HI3 k ltac:(apply in_seq; lia)). apply (sequence_zero a c) with (i := j) (k := q) in Z0.
     rewrite sequence_addmul, sequence_combine, map_length, opp_IZR in Z0. fold images in Z0.
     rewrite (sum_ext images _ (fun h => IZR (combination_scale d) *
@@ -318,4 +305,24 @@ Proof.
   - intros i k Hi Hk. rewrite (place_value_at a c) by auto. specialize (HP i ltac:(apply in_seq; lia)). rewrite forallb_forall in HP.
     specialize (HP k ltac:(apply in_seq; lia)). apply Z.eqb_eq in HP. fold (place i) in HP. rewrite HP. unfold if_equal, identity.
     destruct (Nat.eqb k i); lra.
+Qed.
+
+(* What the checker accepts is true. *)
+Theorem check_vectors_between_sound a l u d : check_vectors_between a l u d = true -> vectors_between a l u.
+Proof.
+  intros H. unfold check_vectors_between in H. cbv zeta in H. set (c := space_proof d) in *.
+  apply andb_prop in H. destruct H as [H HR]. apply andb_prop in H. destruct H as [H HU].
+  apply andb_prop in H. destruct H as [H HB].
+  assert (H' := H). unfold vector_space in H'. rewrite !andb_true_iff in H'. destruct H' as [[H1 _] _].
+  destruct H1 as [[[[[[[[[[HA _] _] _] _] _] _] _] HS] _] _]. apply Nat.leb_le in HA.
+  destruct (exp_onto (INR (vector_arity a)) (arity_positive _ HA)) as [lambda Log].
+  apply (vector_power_sound a l _ _ lambda HA Log) in HB. destruct HB as [Hl HB].
+  destruct (above_powers_sound lambda _ _ _ _ Log HA HU) as [G1 G2].
+  apply (check_radius_sound) in HR. set (T := vector_family a c) in *.
+  assert (Count : count T = vector_arity a) by (apply (space_count a c HS)).
+  destruct (radius_exists (length (spanning c)) (vector_arity a) (real T)) as [x Hx]. rewrite <- Count in Hx.
+  destruct (HR x Hx) as [Lo Up]. specialize (Lo _ eq_refl). specialize (Up _ eq_refl). destruct Hx as [_ [Gr Le]]. rewrite Count in Gr, Le.
+  apply (vectors_of_bounds a d lambda (real_of l) (real_of u) (real_of (space_least d))); auto.
+  - intros g G3 _. apply Gr. fold c T in HB. lra.
+  - intros g G3 G. specialize (Le g G3 G). lra.
 Qed.

@@ -33,7 +33,8 @@ struct Claim {
   bool each_point = false;               // of all choices of values, one for each new point of each level; not strict
   std::optional<Recurrence> recurrence;  // of these levels
   std::optional<MasksToLimit> limit;     // masks that tend to `mask`: of all of them, or of late ones
-  std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
+  std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity; of
+                                         // matrices `mask` is masks_as_powers
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   std::optional<SectorRules> vertex;     // of numbers with a dilation: limits are C^1 there as well
@@ -58,7 +59,10 @@ struct Claim {
   bool is_vector_scheme() const { return arity != 0 && mask && mask->components > 0; }
   /// Of each value of a range by itself.
   bool is_of_values() const { return range && !each_point; }
-  bool is_strict() const { return is_of_values() || is_vector_scheme(); }
+  /// Of all sequences of a list of masks of matrices exponents are at least the lower end.
+  bool is_strict() const { return is_of_values() || (is_vector_scheme() && (!list || hermite)); }
+  /// Of masks of numbers, for all that may be chosen at each level, or for each new point.
+  bool is_of_choices() const { return each_point || (list && list->period.empty() && !is_vector_scheme()); }
 };
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.

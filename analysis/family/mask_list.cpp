@@ -1,7 +1,5 @@
 #include "mask_list.hpp"
 
-#include "parametric_family.hpp"
-
 #include <subcert/analysis/difference/difference.hpp>
 #include <subcert/analysis/radii/joint/constrained.hpp>
 #include <subcert/analysis/radii/polytope_search/product_search.hpp>
@@ -241,6 +239,23 @@ void tell_of_vectors(ExponentOfList& result, std::optional<LatticeMask> leading,
 }  // namespace
 
 PolynomialData kept_polynomials(const MaskList& list) { return kept_polynomials(parametric(list.masks)); }
+
+AnnihilatingSpace annihilating_space(const MaskList& list) { return annihilating_space(parametric(list.masks)); }
+
+MatrixFamily matrices_along(const MaskList& list) {
+  CommonMatrices common = matrices_of_vectors(list.masks, kept_polynomials(list));
+  if (list.follows.empty()) return std::move(common.family);
+  return lifted(common.family, backwards(list, static_cast<std::size_t>(list.masks.front().arity()))).family;
+}
+
+MaskList in_turn(const MaskList& list) {
+  MaskList result{{}, {}, {}, list.most_rules, list.hermite};
+  for (std::size_t k = 0; k < list.period.size(); ++k) {
+    result.masks.push_back(list.masks.at(list.period[k]));
+    result.follows.emplace_back(k, (k + 1) % list.period.size());
+  }
+  return result;
+}
 
 bool has_sequence(const MaskList& list) {
   // Pairs to masks that nothing follows are left out, until there are none.

@@ -1,6 +1,7 @@
 #pragma once
 /// Finitely many masks, one for each level.
 
+#include <subcert/analysis/family/parametric_family.hpp>
 #include <subcert/analysis/radii/joint/joint_spectral_radius.hpp>
 #include <subcert/analysis/regularity/multivariate_regularity.hpp>
 #include <subcert/analysis/symbol/masks/level_masks.hpp>
@@ -26,6 +27,15 @@ struct MaskList {
 
 /// What all masks of matrices keep. Domain: a list of such masks.
 PolynomialData kept_polynomials(const MaskList& list);
+
+/// T_0, T_1, ... of masks of matrices on what annihilates the data that all keep, times a^m for m of them, along the
+/// successions as in exponent_of. Domain: canonical, of matrices, without a period. Errors: throws Error.
+MatrixFamily matrices_along(const MaskList& list);
+/// The same sequences without a period: each mask as often as in the period, and each is followed by the next one.
+/// Domain: a list with a period.
+MaskList in_turn(const MaskList& list);
+/// The space of these matrices. Domain: a list of masks of matrices. Errors: throws Error.
+AnnihilatingSpace annihilating_space(const MaskList& list);
 
 /// Whether some sequence goes on for ever.
 bool has_sequence(const MaskList& list);

@@ -37,9 +37,10 @@ RationalMatrix conditions(const PolynomialData& polynomials, const std::vector<L
 }
 
 /// All components at so many points that shifts of what annihilates the data there are a basis of all that does: one
-/// more than those at which no polynomial has the data 0. Over a field also those of the sequences from which a
-/// certificate starts, readings and differences of the order m + 1.
-std::vector<LatticePoint> generating_points(const PolynomialData& polynomials) {
+/// more than those at which no polynomial has the data 0. Over a field, and of several masks, also those of the
+/// sequences from which a certificate starts, readings and differences of the order m + 1: points that shorter words
+/// alone reach are left out of a window anyway.
+std::vector<LatticePoint> generating_points(const PolynomialData& polynomials, bool of_several) {
   const auto components = static_cast<long>(polynomials.data.front().size());
   const std::size_t count = polynomials.at(0).size();
   const auto order = static_cast<long>(polynomials.data.size());
@@ -49,7 +50,8 @@ std::vector<LatticePoint> generating_points(const PolynomialData& polynomials) {
   };
   long k = 0;
   do add_point(k++);
-  while (pivot_columns(conditions(polynomials, points)).size() < count || (polynomials.root > 0 && k < order));
+  while (pivot_columns(conditions(polynomials, points)).size() < count ||
+         ((polynomials.root > 0 || of_several) && k < order));
   add_point(k);
   return points;
 }
@@ -75,7 +77,7 @@ std::vector<Annihilator> annihilators(const PolynomialData& polynomials, const s
 /// The window of the sequences.
 std::vector<LatticePoint> window_points(const std::vector<ParametricMask>& masks, const PolynomialData& polynomials) {
   constexpr std::size_t most_numbers = 256;
-  return LatticeWindow(pattern_of(masks), generating_points(polynomials), most_numbers).points();
+  return LatticeWindow(pattern_of(masks), generating_points(polynomials, masks.size() > 1), most_numbers).points();
 }
 
 }  // namespace

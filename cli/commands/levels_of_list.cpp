@@ -97,13 +97,16 @@ Json json_of(const MaskListFile& file, const ExponentOfList& found, const std::s
   return json;
 }
 
-/// Of all sequences first; of matrices those of one sequence alone.
+/// Of all sequences first.
 std::vector<NamedCertificate> certificates_of(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<NamedCertificate> result;
   for (Certificate& one : list_certificates(list, found, budget)) {
-    const bool all = result.empty() && list.period.empty() && !found.vectors,
+    const auto* about_list = std::get_if<ListSubject>(&one.claim.subject);
+    const bool of_matrices = about_list && !about_list->of_matrices.empty(),
+               all = of_matrices || (result.empty() && list.period.empty()),
                of_scheme = std::holds_alternative<MaskSubject>(one.claim.subject);
-    result.push_back({fmt::format("0{}-{}", result.size() + 1,
+    result.push_back({fmt::format("0{}{}-{}", result.size() + 1,
+                                  of_matrices && about_list->of_matrices == "hermite" ? "-hermite" : "",
                                   all         ? "all"
                                   : of_scheme ? "scheme"
                                               : "sequence"),

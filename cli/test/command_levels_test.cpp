@@ -357,16 +357,47 @@ TEST_CASE("levels: lists of masks of matrices") {
   CHECK(run("levels lists:" + folder.write("root.toml", "masks = [\"refinable:[[[sqrt(2),0],[0,1]]]\"]")).code == 65);
   CHECK(run("levels lists:" + folder.write("none.toml", "masks = []")).code == 65);
   check_fails(run(any + " --property HC0"), 64, "levels: need HC1 or more, as there are 1 derivatives, got HC0");
-  // Certificates are of the sequence with the least exponent.
-  const std::string certificates = folder / "proofs";
-  const auto written = run_json(graph + " --certificate " + certificates);
-  CHECK(written.at("certificates") == 2);
-  CHECK(says(run("verify " + certificates + "/01-sequence.cert"), " of the refinable functions of "));
-  CHECK(says(run("verify " + certificates + "/02-scheme.cert"), "HC^1 of the Hermite scheme of "));
-  CHECK(run("verify " + certificates).code == 0);
   check_fails(run("levels lists:" + folder.write("ghm.toml", "masks = [\"ghm\"]") + " --property HC1"), 64,
               "--property: expected convergent, C1, C2, ... or holder>=3/2, got 'HC1'");
   CHECK(run("limit lists:" + folder.write("turn.toml", pair + "period = [0, 1]")).code == 64);
+}
+
+TEST_CASE("levels: certificates of lists of masks of matrices") {
+  const Folder folder;
+  const std::string pair = "masks = [\"merrien:lambda=-1/8,mu=3/2\", \"merrien:lambda=-1/8,mu=-1/2\"]\n",
+                    ends = " for all sequences of levels with ";
+  const std::string graph = "lists:" + folder.write("graph.toml", pair + "follows = [[0, 1], [1, 0], [1, 1]]"),
+                    turn = "lists:" + folder.write("turn.toml", pair + "period = [0, 1]"),
+                    any = "lists:" + folder.write("any.toml", pair);
+  const std::string certificates = folder / "proofs", proof = "verify " + certificates;
+  const auto written = [&](const std::string& list) {
+    return run_json("levels " + list + " --certificate " + certificates).at("certificates");
+  };
+  CHECK(written(graph) == 4);
+  CHECK(run(proof).code == 0);
+  CHECK(says(run(proof + "/01-all.cert"), "Hoelder exponent of the vector scheme of "));
+  CHECK(says(run(proof + "/02-hermite-all.cert"), ends + "follows=0-1,1-0,1-1\n"));
+  CHECK(says(run(proof + "/03-sequence.cert"), " of the refinable functions of "));
+  CHECK(says(run(proof + "/04-scheme.cert"), "HC^1 of the Hermite scheme of "));
+  CHECK(run(proof + " --claim '3/2 < " + graph + "'").code == 0);
+  CHECK(run(proof + " --claim '1 <= HC of " + graph + "'").code == 0);
+  CHECK(run(proof + " --claim '2 <= " + graph + "'").code == 1);
+  CHECK(run(proof + " --claim '2 <= HC of " + graph + "'").code == 1);
+  CHECK(run(proof + " --claim '1/2 <= " + any + "'").code == 1);  // the file is about fewer sequences
+  CHECK(says(run(proof + "/02-hermite-all.cert --print-claim"), "--order follows=0-1,1-0,1-1 --lower 1 "));
+  CHECK(written(turn) == 4);
+  CHECK(says(run(proof + "/02-hermite-all.cert"), ends + "period=0,1\n"));
+  CHECK(run(proof + " --claim '1 <= HC of " + turn + "'").code == 0);
+  CHECK(written(any) == 3);
+  CHECK_FALSE(std::filesystem::exists(certificates + "/02-hermite-all.cert"));
+  CHECK(run(proof + " --claim '2/3 <= " + any + "'").code == 0);
+  // Masks whose windows differ, and scalar lists, which have no derivatives.
+  CHECK(written("lists:" + folder.write("dd.toml",
+                                        "masks = [\"hermite-dd:points=4,order=2\", "
+                                        "\"hermite-dd:points=2,order=2\"]")) == 4);
+  CHECK(run(proof).code == 0);
+  const std::string scalar = "lists:" + folder.write("scalar.toml", "masks = [\"dd:n=2\"]");
+  CHECK(run(proof + " --claim '1 <= HC of " + scalar + "'").code == 64);
 }
 
 TEST_CASE("levels: wrong usage") {

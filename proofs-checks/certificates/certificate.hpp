@@ -120,10 +120,12 @@ std::optional<Certificate> each_point_certificate(const ParametricMask& mask, ch
 /// As certificates name a list.
 ListSubject list_subject(const MaskList& list);
 
-/// That all sequences of the masks have at least the lower end of the exponent, unless they are in a period; and of the
-/// sequence that bounds it from above, if one does, what its exponent is. Of masks of matrices of that sequence alone:
-/// the exponent of its functions, and that its scheme converges. None where nothing positive is proved.
-/// Domain: `found` is that of the list. Cost: the exponent of one mask of arity a^L.
+/// That all sequences of the masks have at least the lower end of the exponent, of numbers unless they are in a
+/// period; and of the sequence that bounds it from above, if one does, what its exponent is. Of masks of matrices the
+/// lower end, with values and derivatives that all are HC^k for the largest k that is proved; and of the leading
+/// sequence the exponent of its functions, and that its scheme converges. None where nothing positive is proved.
+/// Domain: `found` is that of the list. Cost: the exponent of one mask of arity a^L; of matrices in a period one more
+/// joint spectral radius. Proof: SPEC.md, theorems 50 and 73.
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget);
 
 /// Proves the envelopes piece by piece, the lower one less 10^-12. `holds` of each: whether it proves convergence. Of

@@ -52,6 +52,10 @@ void require_kept(const PolynomialData& kept, bool hermite);
 /// neither is proved.
 ClaimedEnds ends_of_scheme(const PolynomialData& kept, bool hermite, int arity, const JointSpectralRadius& radius);
 
+/// The largest integer k from `least` on with radius < arity^(order - k), of which k is below; nothing where there is
+/// none.
+std::optional<long> proved_derivatives(const Rational& radius, long arity, long order, long least);
+
 /// The head, and the coefficients from that of z^0 on.
 std::string polynomial_text(const std::string& head, const LaurentPolynomial& p);
 

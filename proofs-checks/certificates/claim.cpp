@@ -47,7 +47,8 @@ struct SubjectLine {
     return fmt::format("{} {} {}", of.is_subradius ? "subradius" : "radius", of.count, of.size);
   }
   std::string operator()(const ListSubject& of) const {
-    return fmt::format("{} {} {} {}", lists, of.masks, of.arity, of.order);
+    return fmt::format("{} {} {} {}{}{}", lists, of.masks, of.arity, of.order, of.of_matrices.empty() ? "" : " ",
+                       of.of_matrices);
   }
   std::string operator()(const L1Subject& of) const {
     return fmt::format("l1 {} {}{}{}", of.points, of.degree, of.arity.empty() ? "" : " ", of.arity);
@@ -73,7 +74,11 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
         if (word.starts_with(name)) *field = word.substr(name.size());
     return subject;
   }
-  if (kind == lists) return ListSubject{first, second, more};
+  if (kind == lists) {
+    ListSubject subject{first, second, more};
+    words >> subject.of_matrices;
+    return subject;
+  }
   if (kind == "surface" || kind == "refinable") {
     SurfaceSubject subject{first, second, kind == "refinable"};
     for (; !more.empty(); more.clear(), words >> more)
@@ -96,7 +101,7 @@ bool may_lack_lower(const CertificateClaim& claim) {
   if (std::holds_alternative<L1Subject>(claim.subject)) return true;
   const auto* mask = std::get_if<MaskSubject>(&claim.subject);
   const auto* list = std::get_if<ListSubject>(&claim.subject);
-  if (!claim.upper) return mask || (list && list->order.starts_with(period));
+  if (!claim.upper) return mask || (list && list->of_matrices.empty() && list->order.starts_with(period));
   return claim.says_rough() || (mask && (!mask->range.empty() || !mask->of_matrices.empty())) ||
          std::holds_alternative<FamilySubject>(claim.subject);
 }
@@ -130,7 +135,8 @@ struct SubjectArguments {
     return {of.is_subradius ? "--subradius" : "--matrices", of.matrices.value_or(file + ".matrices")};
   }
   std::vector<std::string> operator()(const ListSubject& of) const {
-    return {"--masks", of.masks, "--arity", of.arity, "--order", of.order};
+    return {
+        of.of_matrices.empty() ? "--masks" : "--" + of.of_matrices, of.masks, "--arity", of.arity, "--order", of.order};
   }
   std::vector<std::string> operator()(const L1Subject& of) const {
     std::vector<std::string> arguments{"--l1", of.points + "," + of.degree + (of.arity.empty() ? "" : ",") + of.arity};

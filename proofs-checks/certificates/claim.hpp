@@ -27,8 +27,9 @@ struct MaskSubject {
 };
 /// A mask for each level.
 struct ListSubject {
-  std::string masks, arity;  ///< MASK;MASK;...
-  std::string order;         ///< `any`, `follows=0-1,1-0,...` or `period=0,1,...`
+  std::string masks, arity;      ///< MASK;MASK;...
+  std::string order;             ///< `any`, `follows=0-1,1-0,...` or `period=0,1,...`
+  std::string of_matrices = {};  ///< as above
 };
 struct SurfaceSubject {
   std::string mask, dilation;

@@ -45,12 +45,51 @@ Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& se
   return certificate;
 }
 
+/// Of masks of matrices, what is claimed of all sequences: the exponent, or with `hermite` HC^k; nothing where nothing
+/// positive is proved.
+ClaimedEnds ends_of_all(const MaskList& list, int order, const Rational& radius, bool hermite) {
+  ClaimedEnds ends;
+  const int arity = list.masks.front().arity();
+  if (hermite) {
+    const auto k = proved_derivatives(radius, arity, order, static_cast<long>(list.masks.front().components()) - 1);
+    if (k) ends.lower = std::to_string(*k);
+    return ends;
+  }
+  Rational lower = order;
+  if (radius > 0) lower = std::min(lower, Rational(order - *log_ratio(radius, arity).upper));
+  if (lower > 0) ends.lower = outward(lower, Rounding::down);
+  return ends;
+}
+
+/// Of masks of matrices: for all sequences, the exponent, and of a Hermite list HC^k.
+std::vector<Certificate> of_all_vectors(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
+  std::vector<Certificate> result;
+  const bool in_period = !list.period.empty();
+  const MaskList along = in_period ? in_turn(list) : found.list;
+  const AnnihilatingSpace space = annihilating_space(along);
+  const int order = static_cast<int>(space.polynomials.data.size());
+  const MatrixFamily family = in_period ? matrices_along(along) : found.family;
+  const JointSpectralRadius radius = in_period ? joint_spectral_radius(family, budget) : found.radius;
+  for (const bool hermite : {false, true}) {
+    if (hermite && !(list.hermite && space.polynomials.hermite)) continue;
+    const ClaimedEnds ends = ends_of_all(along, order, upper_end(radius, {}), hermite);
+    if (!ends.lower) continue;
+    ListSubject subject = list_subject(in_period ? list : along);
+    if (hermite) subject.of_matrices = "hermite";
+    Certificate certificate{{ends, std::move(subject)}, {}, ends};
+    certificate.sections.push_back(
+        {space_of_vectors_text(space, along.masks.front().arity(), hermite) + blocks_text(radius)});
+    add_sections(certificate, radius.proof, family.count());
+    result.push_back(std::move(certificate));
+  }
+  return result;
+}
+
 /// Of masks of matrices: the exponent of the functions of the leading sequence, and of its scheme that it converges, of
 /// a Hermite list HC^k.
-std::vector<Certificate> of_functions(const ExponentOfList& found, const Budget& budget) {
-  std::vector<Certificate> result;
+void add_functions(std::vector<Certificate>& result, const ExponentOfList& found, const Budget& budget) {
   const VectorList& vectors = *found.vectors;
-  if (!vectors.functions || vectors.functions->vector->solutions != 1) return result;
+  if (!vectors.functions || vectors.functions->vector->solutions != 1) return;
   const auto add = [&](const auto& make) {
     try {
       result.push_back(make());
@@ -59,7 +98,6 @@ std::vector<Certificate> of_functions(const ExponentOfList& found, const Budget&
   };
   add([&] { return exponent_certificate(*vectors.one, Regularity{std::nullopt, vectors.functions}); });
   add([&] { return vector_scheme_certificate(*vectors.one, vectors.hermite.has_value(), budget); });
-  return result;
 }
 
 /// Of levels that follow from each other, to which value they tend, and how.
@@ -114,8 +152,11 @@ std::optional<Certificate> limit_certificate(const ParametricMask& mask, char le
 
 ListSubject list_subject(const MaskList& list) {
   std::vector<std::string> masks;
-  for (const LatticeMask& mask : list.masks) masks.push_back(mask.curve().symbol().to_mask_text());
-  return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list)};
+  const bool of_matrices = list.masks.front().components() > 1;
+  for (const LatticeMask& mask : list.masks)
+    masks.push_back(of_matrices ? without_letters(mask).to_text('w') : mask.curve().symbol().to_mask_text());
+  return {fmt::format("{}", fmt::join(masks, ";")), std::to_string(list.masks.front().arity()), order_text(list),
+          of_matrices ? "vectors" : ""};
 }
 
 std::optional<Certificate> each_point_certificate(const ParametricMask& mask, char letter, const Box& box,
@@ -128,7 +169,11 @@ std::optional<Certificate> each_point_certificate(const ParametricMask& mask, ch
 
 std::vector<Certificate> list_certificates(const MaskList& list, const ExponentOfList& found, const Budget& budget) {
   std::vector<Certificate> result;
-  if (found.vectors) return of_functions(found, budget);
+  if (found.vectors) {
+    result = of_all_vectors(list, found, budget);
+    add_functions(result, found, budget);
+    return result;
+  }
   auto all = of_all(list_subject(found.list), found.sum_rules, list.masks.front().arity(), found.family, found.radius);
   if (!all) return result;
   if (list.period.empty()) result.push_back(std::move(*all));

@@ -186,8 +186,14 @@ ClaimSubject stated_subject(const std::string& subject, const ReadList& read_lis
   if (subject.starts_with(subradius)) return FamilySubject{true, {}, {}, trimmed(subject.substr(subradius.size()))};
   if (is_l1_specification(subject)) return l1_subject(subject);
   for (const bool hermite : {false, true})
-    if (const std::string_view word = hermite ? hc : of_scheme; subject.starts_with(word))
-      return vector_scheme_subject(trimmed(subject.substr(word.size())), hermite);
+    if (const std::string_view word = hermite ? hc : of_scheme; subject.starts_with(word)) {
+      const std::string named = trimmed(subject.substr(word.size()));
+      if (!hermite || !read_list || !named.starts_with(lists)) return vector_scheme_subject(named, hermite);
+      ListSubject list = read_list(named.substr(lists.size()));
+      if (list.of_matrices.empty()) fail(ErrorKind::usage, "--claim: {} is no list of Hermite schemes", named);
+      list.of_matrices = "hermite";
+      return list;
+    }
   std::string scheme_text = subject;
   std::optional<int> number;
   if (const std::size_t at = subject.find(belongs_to); subject.starts_with(of_component) && at != std::string::npos) {
@@ -354,7 +360,9 @@ StatedClaim read_claim(const std::string& words, const ReadList& read_list) {
     stated.start = clause->start;
     if (!clause->limit) stated.lower_strict = stated.upper_strict = false;  // as certificates have it
   }
-  if (!mask_of(claim).of_matrices.empty()) stated.lower_strict = stated.upper_strict = false;
+  const auto* list = std::get_if<ListSubject>(&claim.subject);
+  if (!mask_of(claim).of_matrices.empty() || (list && list->of_matrices == "hermite"))
+    stated.lower_strict = stated.upper_strict = false;
   if (upper) claim.upper = end_of(*upper, true);
   if (claim.says_rough()) stated.upper_strict = false;
   return stated;

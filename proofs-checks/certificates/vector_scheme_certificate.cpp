@@ -15,17 +15,15 @@ namespace {
 
 using namespace certificate_text;
 
-/// The largest integer k from `least` on with radius < arity^(order - k), of which k is below; nothing where there is
-/// none.
-std::optional<long> proved_derivatives(const Rational& radius, long arity, long order, long least) {
+std::string scheme_name(bool hermite) { return hermite ? "Hermite scheme" : "vector scheme"; }
+
+}  // namespace
+
+std::optional<long> certificate_text::proved_derivatives(const Rational& radius, long arity, long order, long least) {
   std::optional<long> result;
   for (long k = least; k < order && radius < power(Rational(arity), order - k); ++k) result = k;
   return result;
 }
-
-std::string scheme_name(bool hermite) { return hermite ? "Hermite scheme" : "vector scheme"; }
-
-}  // namespace
 
 void certificate_text::require_vector_scheme(const LatticeMask& mask, bool hermite) {
   require(mask.components() > 1 && mask.dimension() == 1 && mask.dilation().factor().value_or(0) > 1,

@@ -2026,8 +2026,8 @@ var check_certificate = (() => {
   }
   // ---- 6.5: masks that change from level to level --------------------------------------------------------------------
   const expected_order = 'an order is any, period=0,1,... or follows=0-1,1-0,...';
-  function read_list(text, arity, order) {
-    const masks = text.split(';').map(mask => read_curve(mask, arity, null));
+  function read_list(text, arity, order, inner = 0) {  // `inner`: 2 where the coefficients are matrices
+    const masks = text.split(';').map(mask => read_curve(mask, arity, null, inner));
     demand(masks.length <= 64, 'more masks than the checker allows');
     const [, kind, numbers] = /^(period|follows)=(.*)$/s.exec(order) || [], number_of = token => small(token, 0, masks.length - 1);
     demand(kind || order === 'any', expected_order);
@@ -2043,6 +2043,23 @@ var check_certificate = (() => {
       return pair.map(number_of);
     });
     return {masks, arity, period: [], follows};
+  }
+  // Masks of matrices in a period: each as often in the list as in the period, and each is followed by the next one
+  function read_list_of_matrices(text, arity, order) {
+    const list = read_list(text, arity, order, 2), {masks, period} = list;
+    demand(masks.every(({components}) => components === masks[0].components), 'the matrices of two masks have different sizes');
+    return period.length ? {masks: period.map(k => masks[k]), arity, period: [], follows: period.map((_, k) => [k, (k + 1) % period.length])} : list;
+  }
+  // All of them on the same points, the numbers of the masks in place of the powers of a parameter
+  function masks_as_powers({masks, arity}) {
+    const {components: r} = masks[0], end = ({first, a}) => first + BigInt(a.length / (r * r));
+    const first = masks.map(mask => mask.first).reduce((x, y) => y < x ? y : x), last = masks.map(end).reduce(max);
+    demand((last - first) * BigInt(r * r) <= 1000n, 'the masks of a list have more than 1000 entries together');
+    const skipped = mask => Number(mask.first - first) * r * r;
+    const value = (mask, i) => fraction((mask.a[i - skipped(mask)] || [0n])[0], mask.q[0]);
+    const {den, numbers} = common(range_of(Number(last - first) * r * r).flatMap(i => masks.map(mask => reduced(value(mask, i)))));
+    const count = masks.length, a = range_of(numbers.length / count).map(i => numbers.slice(i * count, (i + 1) * count));
+    return {arity, degree: count - 1, q: masks.map(() => den), a, components: r, first};
   }
   const spread = (p, step) => range_of((p.length - 1) * step + 1).map(i => i % step ? 0n : p[i / step]);
   function masks_in_one({masks, arity, period}) {
@@ -2062,13 +2079,17 @@ var check_certificate = (() => {
     const families = symbols.map(symbol => control_family({...symbol, size: width}, null));
     const den = families.reduce((all, family) => lcm(all, family.den), 1n);
     const wide = families.map(family => family.matrices.map(m => scaled(m, den / family.den)));
+    return along({arity, follows}, wide, width, den);
+  }
+  // The matrices of the pairs, or those of all masks one after another
+  function along({arity, follows}, families, width, den) {
     const one = {den, weights: [1n], symbol: null};
-    if (!follows.length) return {...one, size: width, matrices: wide.flat()};
+    if (!follows.length) return {...one, size: width, matrices: families.flat()};
     const size = (Math.max(...follows.flat()) + 1) * width;
     demand(size <= 256, 'transition matrices larger than 256');
     demand(follows.length * arity * size * size <= 2 ** 22, too_much_work);
     const inside = (node, i) => i >= node * width && i < (node + 1) * width;
-    const matrices = follows.flatMap(([before, after]) => wide[after].map(m => range_of(size).map(i => range_of(size).map(k =>
+    const matrices = follows.flatMap(([before, after]) => families[after].map(m => range_of(size).map(i => range_of(size).map(k =>
       inside(before, i) && inside(after, k) ? m[i - before * width][k - after * width] : 0n))));
     return {...one, size, matrices};
   }
@@ -2837,12 +2858,13 @@ var check_certificate = (() => {
     });
   }
   function check_vectors(reader, claim) {
-    const {lower, upper, hermite, curve, interval, levels, recurrence} = claim, {arity, degree, q, a, components: r, first} = curve, base = BigInt(arity);
+    const {lower, upper, hermite, curve, interval, levels, recurrence, list} = claim, {arity, degree, q, a, components: r, first} = curve, base = BigInt(arity);
+    const strict = !list || hermite;
     if (recurrence) check_following(reader, recurrence, interval);
     const order = small(reader.read('sum-rules', 1)[0], 1, 64);
-    check_ends(lower, upper, 0);
+    check_ends(lower, upper, strict ? 0 : 1);
     const end = lower || upper;
-    demand(less(end, order), 'the end is not below the number of sum rules');
+    demand(less(end, order) || (!strict && !less(order, end)), 'the end is not below the number of sum rules');
     const {root: of_root} = curve, functions = of_root ? r / 2 : r;
     demand(!hermite || !less(end, functions - 1), 'a Hermite scheme is asked for fewer derivatives than its data are');
     if (hermite && upper) check_interpolation(curve, functions);
@@ -2880,11 +2902,15 @@ var check_certificate = (() => {
     const multiples_of_start = of_root ? start.map(x => times_root(x, of_root, r)) : [];
     long_words([...start, ...multiples_of_start], vectors.map(row => ({key: first_key(row), row})), all);
     const scale = base ** BigInt(order);
-    const goal = {below: lower && at_most(power_below(base, minus(order, lower)), true)};
+    const goal = {below: lower && at_most(power_below(base, minus(order, lower)), strict)};
     if (upper) goal.above = at_least(over(1n, power_below(base, minus(upper, order))));  // above 1
     if (of_root) {
       const halves = by_power[0].matrices.map(m => scaled(m, scale)).map(m => on_halves(m.slice(0, count), m.slice(count), of_root));
       prove(reader, near_family({root: of_root, size: count, den: by_power[0].den, halves}), goal);
+      return;
+    }
+    if (list) {
+      prove(reader, along(list, by_power.map(({matrices: m}) => m.map(one => scaled(one, scale))), count, by_power[0].den * q[0]), goal);
       return;
     }
     const matrices = digits.map((_, t) => vectors.map((_row, i) => vectors.map((_column, k) =>
@@ -4037,7 +4063,8 @@ var check_certificate = (() => {
                      alone, C = 0, 1, ...)
        subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE
                      (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it diverges;
-                     --levels and what belongs to it in place of --for, as above)
+                     --levels and what belongs to it in place of --for, as above; 'MASK;MASK;...' with --order:
+                     for all sequences of these masks, <=)
        subcert-check --vectors MASK --dilation '[2,0;0,2]' --lower 0 FILE    (this scheme converges; --upper 0: it does
                      not)
        subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)
@@ -4071,6 +4098,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const none = (...all) => !some(...all);
     const rough = has('upper') && options.upper.startsWith('C');
     const in_period = has('order') && options.order.startsWith('period'), follow = has('masks') && !in_period;
+    const list_of_matrices = none('masks') && has('order');
     const of_levels = ['for', 'levels', 'each-point', 'within'].filter(name => has(name)).length <= 1 && (none('levels', 'each-point') || has('limit') || (has('lower') && none('upper'))) &&
       ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
       (none('limit') || (has('mask', 'from') && some('lower', 'exact') && !rough && none('logarithm')));
@@ -4089,7 +4117,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const of_dilation = in_variables && !has('lower', 'upper') && none(...names.filter(name => !['vectors', 'dilation', 'lower', 'upper'].includes(name)));
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
-      none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
+      !(list_of_matrices && (some('for', 'levels') || none('lower'))) &&
+      none(...names.filter(name => !['vectors', 'hermite', 'arity', 'order', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     const others = none('l1', 'contraction', 'vectors', 'hermite');
@@ -4142,6 +4171,12 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range_of(options, claim);
       if (claim.hermite) small(options.lower === undefined ? options.upper : options.lower, 0, 500);
       const arity = small(options.arity, 2, 16);
+      if (options.order !== undefined) {
+        claim.list = read_list_of_matrices(options[kind_of], arity, options.order);
+        claim.curve = masks_as_powers(claim.list);
+        claim.head = `lists ${options[kind_of]} ${options.arity} ${options.order} ${kind_of}`;
+        return claim;
+      }
       claim.curve = letter || !options[kind_of].includes('sqrt(') ? read_curve(options[kind_of], arity, letter, 2) : read_field_curve(options[kind_of], arity);
       claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${claim.values}${claim.levels ? ' levels' : ''}${claim.following}`;
     } else if (options.masks !== undefined) {
@@ -4207,12 +4242,14 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
             contraction && `|D^${order} S^${steps} f| <= ${number(bound)} |D^${order} f|`].filter(x => x).join(' and ') +
       ` of least absolute deviations ${options.l1}`;
   }
-  function text_of_vectors({options, hermite, lower, upper, levels, interval}) {
+  function text_of_vectors({options, hermite, lower, upper, levels, interval, list}) {
     const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
-      : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
+      : upper ? 'no convergence' : `${number(lower)} ${list ? '<=' : '<'} Hoelder exponent`;
     return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with ` +
-      (options.dilation === undefined ? `arity ${options.arity}` : `dilation ${options.dilation}`) + text_of_values(options, levels, interval);
+      (options.dilation === undefined ? `arity ${options.arity}` : `dilation ${options.dilation}`) +
+      (list ? text_of_order(options) : text_of_values(options, levels, interval));
   }
+  const text_of_order = ({order}) => ' for all sequences of levels' + (order === 'any' ? '' : ` with ${order}`);
   function text_of_levels({recurrence, start, from, limit, levels: range}) {
     const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
     return recurrence === undefined ? ` for all sequences of levels with ${range}`
@@ -4238,8 +4275,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}${options.integral === undefined ? '' : ` and integral ${options.integral}`}` +
         (options.vertex === undefined ? '' : `, and C^1 limits of almost all data around ${options.vertex}`)
       : `${options.mask || options.masks} with arity ${options.arity}`;
-    const of_list = list && (list.period.length ? ' for levels' : ' for all sequences of levels') +
-      (options.order === 'any' ? '' : ` with ${options.order}`);
+    const of_list = list && (list.period.length ? ` for levels with ${options.order}` : text_of_order(options));
     return `${ends} of ${subject}` +
       (list ? of_list : text_of_values(options, levels, interval)) +
       (options.within ? ` for all masks within=${options.within}` : '');

@@ -59,10 +59,11 @@ class Checker {
   void read_proof() {
     if (claim_.recurrence) read_recurrence(*claim_.recurrence, *claim_.range, reader_, arithmetic_);
     if (claim_.limit) exponentials_ = claim_.limit->read(claim_.arity, reader_, arithmetic_);
-    if (claim_.list) check_constants(*claim_.list);
-    if (claim_.each_point || (claim_.list && claim_.list->period.empty()))
+    if (claim_.list && !claim_.on_vectors) check_constants(*claim_.list);
+    if (claim_.is_of_choices())
       read_bounds(read_choices(), false);
-    else if (claim_.arity != 0 && !claim_.is_strict() && !claim_.limit && reader_.at("reduced"))
+    else if (claim_.arity != 0 && !claim_.is_of_values() && !claim_.on_vectors && !claim_.limit &&
+             reader_.at("reduced"))
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
@@ -91,7 +92,8 @@ class Checker {
 
   /// Section 4.10: the number that the joint spectral radius is said to be.
   void read_exact() {
-    require(!claim_.is_strict() && !claim_.rounding, "exact numbers are those of one mask or family");
+    require(!claim_.is_strict() && !claim_.on_vectors && !claim_.rounding,
+            "exact numbers are those of one mask or family");
     if (claim_.exact) {
       reader_.take("exact " + claim_.exact_text, 0, 0);
       exact_ = claim_.exact;
@@ -241,14 +243,15 @@ class Checker {
     const std::size_t order = parse_size(reader_.take("sum-rules", 1, 1)[0], 1, 64), size = claim_.functions();
     show_exponent(claim_.arity, power(claim_.arity, order), order);
     const mpq_class end = claim_.lower ? *claim_.lower : *claim_.upper;
-    require(end < mpz_class(order), "the end is not below the number of sum rules");
+    require(end < mpz_class(order) || (!claim_.is_strict() && end == mpz_class(order)),
+            "the end is not below the number of sum rules");
     require(!claim_.hermite || end + 1 >= mpz_class(size),
             "a Hermite scheme is asked for fewer derivatives than its data are");
     if (claim_.hermite && claim_.upper) check_interpolation(mask, size, claim_.arity);
     SurfaceFamily found = read_vector_scheme(mask, claim_.root, claim_.arity, order, claim_.hermite, reader_,
                                              arithmetic_);
     over_field_ = std::move(found.over_field);
-    return std::move(found.family);
+    return claim_.list ? along(*claim_.list, found.family) : std::move(found.family);
   }
 
   /// Section 6.11: the same with a dilation.

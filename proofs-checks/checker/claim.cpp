@@ -38,7 +38,8 @@ const char* const usage =
     "       subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE\n"
     "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it "
     "diverges;\n"
-    "                     --levels and what belongs to it in place of --for, as above)\n"
+    "                     --levels and what belongs to it in place of --for, as above; 'MASK;MASK;...' with --order:\n"
+    "                     for all sequences of these masks, <=)\n"
     "       subcert-check --vectors MASK --dilation '[2,0;0,2]' --lower 0 FILE    (this scheme converges; --upper 0: "
     "it "
     "does\n"
@@ -139,6 +140,19 @@ void read_masks_claim(const std::string& masks, const std::string& arity, const 
                   (order == "any" ? "" : " with " + order);
 }
 
+/// A mask of matrices for each level.
+void read_matrix_masks_claim(const std::string& masks, const std::string& arity, const std::string& order,
+                             Claim& claim) {
+  claim.arity = static_cast<unsigned>(parse_size(arity, 2, 16));
+  claim.list = parse_matrix_mask_list(masks, claim.arity, order);
+  claim.mask = masks_as_powers(*claim.list);
+  claim.head = "lists " + masks + " " + arity + " " + order + (claim.hermite ? " hermite" : " vectors");
+  claim.text = "Hoelder exponent";
+  const std::string what = claim.hermite ? "the Hermite scheme of " : "the vector scheme of ";
+  claim.subject = what + masks + " with arity " + arity + " for all sequences of levels" +
+                  (order == "any" ? "" : " with " + order);
+}
+
 /// Of the levels of a recurrence: their masks tend to one, and the rest is about that.
 void read_limit(const std::string& limit, Claim& claim) {
   const mpq_class value = parse_rational(limit);
@@ -212,16 +226,18 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const bool of_values = range && !limit;  // of each value, or of all choices of them
-  const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;
+  const bool in_period = order && order->starts_with("period"), list_of_matrices = of_matrices && order,
+             follow_each_other = (masks && !in_period) || list_of_matrices;
   const int subjects = one.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
                        subradius.has_value() + vectors.has_value() + hermite.has_value();
   const bool in_variables = vectors && dilation && !range;  // section 6.11
   require(file && subjects == 1 && (curve.has_value() && !in_variables) == arity.has_value() &&
               (surface.has_value() || in_variables) == dilation.has_value() && (mask || of_matrices || !range) &&
-              (mask || !rounding) && !(mask && masks) && masks.has_value() == order.has_value() &&
-              recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
-              (levels || !from) && (!limit || (mask && from && !rough && !logarithm)) && (mask || !each) &&
-              !(range && rounding) && (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
+              (mask || !rounding) && !(mask && masks) && (masks || list_of_matrices) == order.has_value() &&
+              !(order && (range || in_variables)) && recurrence.has_value() == start.has_value() &&
+              start.has_value() == from.has_value() && (levels || !from) &&
+              (!limit || (mask && from && !rough && !logarithm)) && (mask || !each) && !(range && rounding) &&
+              (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
               values.has_value() + levels.has_value() + each.has_value() <= 1 &&
               !(((levels && !limit) || each || follow_each_other) && (upper || !lower)) &&
               !(exact && (of_values || rounding || follow_each_other)) && (!attains || rounding) &&
@@ -252,7 +268,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   claim.on_vectors = of_matrices.has_value();
   claim.hermite = hermite.has_value();
   if (masks) read_masks_claim(*masks, *arity, *order, claim);
-  if (mask || of_matrices)
+  if (list_of_matrices) read_matrix_masks_claim(*of_matrices, *arity, *order, claim);
+  if (mask || (of_matrices && !order))
     read_scheme_claim(in_variables ? "dilation" : "arity", *curve, in_variables ? *dilation : *arity, claim,
                       of_matrices.has_value());
   if (surface)

@@ -34,7 +34,8 @@ struct Claim {
   bool each_point = false;               // of all choices of values, one for each new point of each level; not strict
   std::optional<Recurrence> recurrence;  // of these levels
   std::optional<MasksToLimit> limit;     // masks that tend to `mask`: of all of them, or of late ones
-  std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity
+  std::optional<MaskList> list;          // one mask for each level; in a period they are `mask`, with its arity; of
+                                         // matrices `mask` is masks_as_powers
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   std::optional<SectorRules> vertex;     // of numbers with a dilation: limits are C^1 there as well
@@ -57,7 +58,10 @@ struct Claim {
   std::size_t functions() const { return mask->components / (root == 0 ? 1 : 2); }
   /// Of each value of a range by itself.
   bool is_of_values() const { return range && !each_point; }
-  bool is_strict() const { return is_of_values() || on_vectors; }
+  /// Of all sequences of a list of masks of matrices exponents are at least the lower end.
+  bool is_strict() const { return is_of_values() || (on_vectors && (!list || hermite)); }
+  /// Of masks of numbers, for all that may be chosen at each level, or for each new point.
+  bool is_of_choices() const { return each_point || (list && list->period.empty() && !on_vectors); }
 };
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.

@@ -8,6 +8,7 @@ namespace subcert_check {
 namespace {
 
 constexpr std::size_t most_masks = 64, most_pairs = 4096, most_choices = 1024;
+constexpr std::size_t most_entries = 1000;
 constexpr unsigned most_classes = 64;
 constexpr const char* expected_order = "an order is any, period=0,1,... or follows=0-1,1-0,...";
 
@@ -71,14 +72,10 @@ Vector divided_by_classes(Vector e, unsigned arity, std::size_t order) {
 
 }  // namespace
 
-MaskList parse_mask_list(std::string_view masks, unsigned arity, std::string_view order) {
-  MaskList list{{}, arity, {}, {}};
-  for (const std::string_view text : split(masks, ";")) {
-    const Mask& mask = list.masks.emplace_back(parse_mask(text, '\0'));
-    require(mask.sizes.size() == 1 && mask.points() <= 1000 && mask.coefficients.front() != 0 &&
-                mask.coefficients.back() != 0,
-            "a mask has 1 to 1000 coefficients, the first and the last not zero");
-  }
+namespace {
+
+/// What may follow what, and how many masks there may be.
+void parse_order(std::string_view order, MaskList& list) {
   require(list.masks.size() <= most_masks, "more masks than the checker allows");
   const auto number = [&](std::string_view text) { return parse_size(text, 0, list.masks.size() - 1); };
   constexpr std::string_view period = "period=", follows = "follows=";
@@ -86,7 +83,7 @@ MaskList parse_mask_list(std::string_view masks, unsigned arity, std::string_vie
     unsigned classes = 1;
     for (const std::string_view text : split(order.substr(period.size()), ",")) {
       list.period.push_back(number(text));
-      require((classes *= arity) <= most_classes, "a longer period than the checker allows");
+      require((classes *= list.arity) <= most_classes, "a longer period than the checker allows");
     }
   } else if (order.starts_with(follows)) {
     for (const std::string_view text : split(order.substr(follows.size()), ",")) {
@@ -97,7 +94,89 @@ MaskList parse_mask_list(std::string_view masks, unsigned arity, std::string_vie
   } else {
     require(order == "any", expected_order);
   }
+}
+
+/// The matrices of the pairs, or those of all masks one after another. Domain: as many families, of one size and one
+/// denominator, as masks.
+Family along_pairs(const MaskList& list, const std::vector<Family>& families) {
+  const std::size_t width = families.front().size;
+  Family result{width, {}, families.front().denominator};
+  if (list.follows.empty()) {
+    for (const Family& family : families)
+      result.entries.insert(result.entries.end(), family.entries.begin(), family.entries.end());
+    return result;
+  }
+  std::size_t nodes = 0;
+  for (const auto& [before, after] : list.follows) nodes = std::max({nodes, before + 1, after + 1});
+  result.size = nodes * width;
+  require(result.size <= 256, "transition matrices larger than 256");
+  require(list.follows.size() * list.arity * result.size * result.size <= std::size_t{1} << 22, too_much_work);
+  for (const auto& [before, after] : list.follows)
+    for (std::size_t t = 0; t < list.arity; ++t) {
+      Vector block(result.size * result.size);
+      for (std::size_t k = 0; k < width; ++k)
+        for (std::size_t i = 0; i < width; ++i)
+          block[(after * width + k) * result.size + before * width + i] = families[after].matrix(t)[k * width + i];
+      result.entries.insert(result.entries.end(), block.begin(), block.end());
+    }
+  return result;
+}
+
+}  // namespace
+
+MaskList parse_mask_list(std::string_view masks, unsigned arity, std::string_view order) {
+  MaskList list{{}, arity, {}, {}};
+  for (const std::string_view text : split(masks, ";")) {
+    const Mask& mask = list.masks.emplace_back(parse_mask(text, '\0'));
+    require(mask.sizes.size() == 1 && mask.points() <= 1000 && mask.coefficients.front() != 0 &&
+                mask.coefficients.back() != 0,
+            "a mask has 1 to 1000 coefficients, the first and the last not zero");
+  }
+  parse_order(order, list);
   return list;
+}
+
+MaskList parse_matrix_mask_list(std::string_view masks, unsigned arity, std::string_view order) {
+  MaskList list{{}, arity, {}, {}};
+  for (const std::string_view text : split(masks, ";")) {
+    const Mask& mask = list.masks.emplace_back(parse_matrix_mask(text, '\0'));
+    require(mask.sizes.size() == 1 && mask.points() <= most_entries, "a mask has 1 to 1000 entries of coefficients");
+    require(mask.components == list.masks.front().components, "the matrices of two masks have different sizes");
+  }
+  parse_order(order, list);
+  if (list.period.empty()) return list;
+  MaskList in_turn{{}, arity, {}, {}};
+  for (std::size_t k = 0; k < list.period.size(); ++k) {
+    in_turn.masks.push_back(list.masks[list.period[k]]);
+    in_turn.follows.emplace_back(k, (k + 1) % list.period.size());
+  }
+  return in_turn;
+}
+
+Mask masks_as_powers(const MaskList& list) {
+  Mask all = list.masks.front();
+  mpz_class end = all.first[0] + all.sizes[0];
+  for (const Mask& mask : list.masks) {
+    all.first[0] = std::min(all.first[0], mask.first[0]);
+    end = std::max(end, mpz_class(mask.first[0] + mask.sizes[0]));
+  }
+  const std::size_t square = all.components * all.components;
+  const mpz_class points = end - all.first[0];
+  require(points * square <= most_entries, "the masks of a list have more than 1000 entries together");
+  all.sizes = {points.get_ui()};
+  all.powers = list.masks.size();
+  all.divisor.assign(all.powers, 1);
+  Rationals entries(all.powers * all.sizes[0] * square);
+  for (std::size_t p = 0; p < all.powers; ++p) {
+    const Mask& mask = list.masks[p];
+    const mpz_class skipped = mask.first[0] - all.first[0];
+    const std::size_t begin = (p * all.sizes[0] + skipped.get_ui()) * square;
+    for (std::size_t i = 0; i < mask.points(); ++i) entries[begin + i] = ratio(mask.coefficients[i], mask.denominator);
+  }
+  Family cleared = clear_denominators(1, entries);
+  all.coefficients = std::move(cleared.entries);
+  all.denominator = std::move(cleared.denominator);
+  return all;
 }
 
 Vector product_of_symbols(const Vector& symbol, const Vector& factor, std::size_t step, Arithmetic& arithmetic) {
@@ -135,26 +214,19 @@ Family list_family(const MaskList& list, std::size_t sum_rules) {
   }
   for (Family& family : families)
     for (mpz_class& x : family.entries) x *= common / family.denominator;
-  Family result{width, {}, common};
-  if (list.follows.empty()) {
-    for (const Family& family : families)
-      result.entries.insert(result.entries.end(), family.entries.begin(), family.entries.end());
-    return result;
+  for (Family& family : families) family.denominator = common;
+  return along_pairs(list, families);
+}
+
+Family along(const MaskList& list, const Family& by_powers) {
+  const std::size_t masks = list.masks.size();
+  std::vector<Family> families(masks, Family{by_powers.size, {}, by_powers.denominator});
+  for (std::size_t k = 0; k < by_powers.count(); ++k) {
+    const auto matrix = by_powers.matrix(k);
+    Vector& entries = families[k % masks].entries;
+    entries.insert(entries.end(), matrix.begin(), matrix.end());
   }
-  std::size_t nodes = 0;
-  for (const auto& [before, after] : list.follows) nodes = std::max({nodes, before + 1, after + 1});
-  result.size = nodes * width;
-  require(result.size <= 256, "transition matrices larger than 256");
-  require(list.follows.size() * list.arity * result.size * result.size <= std::size_t{1} << 22, too_much_work);
-  for (const auto& [before, after] : list.follows)
-    for (std::size_t t = 0; t < list.arity; ++t) {
-      Vector block(result.size * result.size);
-      for (std::size_t k = 0; k < width; ++k)
-        for (std::size_t i = 0; i < width; ++i)
-          block[(after * width + k) * result.size + before * width + i] = families[after].matrix(t)[k * width + i];
-      result.entries.insert(result.entries.end(), block.begin(), block.end());
-    }
-  return result;
+  return along_pairs(list, families);
 }
 
 Family each_point_family(const Mask& mask, unsigned arity, const Range& range, std::size_t sum_rules,

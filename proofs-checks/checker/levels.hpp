@@ -12,7 +12,7 @@
 namespace subcert_check {
 
 /// Masks of one arity and what may follow what: nothing said, each may follow each; or the pairs BEFORE, AFTER; or the
-/// masks of `period` again and again.
+/// masks of `period` again and again, of numbers alone.
 struct MaskList {
   std::vector<Mask> masks;
   unsigned arity;
@@ -23,6 +23,13 @@ struct MaskList {
 /// MASK;MASK;... and `any`, `period=0,1,...` or `follows=0-1,1-0,...`.
 MaskList parse_mask_list(std::string_view masks, unsigned arity, std::string_view order);
 
+/// The same of masks of matrices of one size. Masks in a period are each as often in the list as in the period, and
+/// each is followed by the next one.
+MaskList parse_matrix_mask_list(std::string_view masks, unsigned arity, std::string_view order);
+
+/// All masks of matrices on the same points, the numbers of the masks in place of the powers of a parameter.
+Mask masks_as_powers(const MaskList& list);
+
 /// The first mask, then the next one, and so on, as one mask of the arity to the power of their number.
 Mask masks_in_one(const MaskList& list, const std::vector<std::size_t>& sequence, Arithmetic& arithmetic);
 
@@ -31,6 +38,9 @@ void check_constants(const MaskList& list);
 
 /// T_0, T_1, ... of the masks in any order, or the matrices of the pairs.
 Family list_family(const MaskList& list, std::size_t sum_rules);
+
+/// The same of masks of matrices, from those of masks_as_powers: T_0 of all masks, T_1 of all masks, ....
+Family along(const MaskList& list, const Family& by_powers);
 
 /// The T_t with an end of the range for each new point, of a mask whose coefficients are of degree 1 in the parameter.
 /// Rejects unless each rule takes polynomials of degrees below `sum_rules` to their values, at places that do not

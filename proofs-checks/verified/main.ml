@@ -970,7 +970,7 @@ let check arguments =
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
       ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels")
         (Option.get (bound "--lower")) (get "FILE")
-    else if has "--masks" || has "--order" then begin
+    else if has "--masks" || (has "--order" && not (has "--vectors" || has "--hermite")) then begin
       require (has "--masks" && has "--order" && has "--arity") usage;
       require (only [ "--masks"; "--arity"; "--order"; "--upper"; "--exact"; "--logarithm" ]) usage;
       let masks = get "--masks" and arity = get "--arity" and order = get "--order" in

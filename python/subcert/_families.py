@@ -157,8 +157,8 @@ class LevelsExponent:
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def certificates(self) -> list[Certificate]:
-        """Of all sequences, unless they are in a period, and of the one with the least exponent; of masks of matrices
-        two of that one: of its functions and of its scheme."""
+        """Of all sequences, of numbers unless they are in a period, and of the one with the least exponent; of masks of
+        matrices two of that one: of its functions and of its scheme; of Hermite schemes HC^k of all sequences, too."""
         return [
             Certificate(text, lower, upper, None, exact, logarithm)
             for text, lower, upper, exact, logarithm in self._evidence.certificates()

@@ -360,6 +360,7 @@ class Surface {
   /// first coefficient of the vectors.
   Family restricted(std::size_t columns) {
     const std::size_t count = operators_.classes() * (1 + more_powers_.size());
+    require(count * columns * space_.size() <= std::size_t{1} << 24, too_much_work);
     Family result{space_.size(), Vector(count * columns * space_.size()), operators_.denominator() * factor_};
     for (std::size_t k = 0; k < columns; ++k) {
       std::vector<Sequence> moved = images(space_[k].values);

@@ -62,6 +62,16 @@ USAGE = [
     (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --limit 1/4 --lower 1 golden.cert"),
     (64, "--masks [1,2,1]/2 --arity 2 --order any --limit 1/4 --lower 1 golden.cert"),
     (64, f"--masks [{'1,' * 1000}1]/2 --arity 2 --order any --lower 0 golden.cert"),
+    *((64, f"--vectors {more} golden.cert") for more in (
+        "[[[1]],[[1]]] --arity 2 --order any", "[[[1]],[[1]]] --order any --lower 1", "[[[1]],[[1]]] --arity 2 --order any --upper 0",
+        "[[[1]],[[1]]] --arity 2 --order any --lower 1 --upper 0", "[[[1]],[[1]]] --arity 2 --order any --lower 1 --for w=0..1",
+        "[[[1]],[[1]]] --arity 2 --order any --lower 1 --levels w=0..1", "[[[1]],[[1]]] --arity 2 --order any --lower 1 --masks [1,2,1]/2",
+        "[[[1]],[[1]]] --arity 2 --order any --lower 1 --hermite [[[1]],[[1]]]", "[[[1]],[[1]]] --arity 2 --order any --lower 1 --exact 1-log|[-1,1]@1,0,1|^1/1",
+        "[[[1]],[[1]]] --arity 2 --order all --lower 1", "[[[1]],[[1]]] --arity 2 --order period=1 --lower 1", "[[[1]],[[1]]] --arity 2 --order follows=0-1 --lower 1",
+        "[[[1]],[[1]]]; --arity 2 --order any --lower 1", "[[[1]],[[1]]];[[[1,0],[0,1]]] --arity 2 --order any --lower 1",
+        "[[[sqrt(2)]],[[1]]] --arity 2 --order any --lower 1", "[[[w]],[[1]]] --arity 2 --order any --lower 1", "[[[1]],[[1]]];[[[1]],[[1]]]@999 --arity 2 --order any --lower 1",
+        "[1,2,1]/2 --arity 2 --order any --lower 1", f"[{'[[1]],' * 1000}[[1]]] --arity 2 --order any --lower 1",
+        f"{'[[[1]]];' * 64}[[[1]]] --arity 2 --order any --lower 1", "[[[[1]]]] --arity 2 --order any --lower 1")),
     *((64, f"--masks {more} golden.cert") for more in (
         "[1,2,1]/2 --arity 2 --lower 1", "[1,2,1]/2 --order any --lower 1", "[1,2,1]/2 --arity 2 --order any",
         "[1,2,1]/2 --arity 2 --order any --lower 1 --upper 1", "[1,2,1]/2 --arity 2 --order any --upper C1",
@@ -274,8 +284,9 @@ def printed(arguments):
         text += "" if order == "any" else f" with {order}"
     text += f" for all masks within={within}" if within else ""
     if "--vectors" in values or "--hermite" in values:
-        end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"
+        end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} {'<=' if order else '<'} Hoelder exponent" if lower else "no convergence"
         scheme = f"Hermite scheme of {values['--hermite']}" if "--hermite" in values else f"vector scheme of {values['--vectors']}"
+        over = over if not order else " for all sequences of levels" + ("" if order == "any" else f" with {order}")
         text = f"VERIFIED {end} of the {scheme} with {'arity' if '--arity' in values else 'dilation'} {values.get('--arity') or values['--dilation']}{over}"
     if "--l1" in values:
         steps, order, bound = values.get("--contraction", "0,0,0").split(",")

@@ -535,8 +535,8 @@ class VectorScheme(_OnLattice):
 
     def convergence_certificate(self, budget: float = 60, progress: Progress = None) -> Certificate:
         """A proof that the scheme converges, or of a Hermite scheme that it is HC^k, k the lower end, or that it does
-        not. Raises DomainError where the scheme keeps no constants, or as a Hermite scheme not the values and
-        derivatives of polynomials, of more than one variable, and where nothing is decided.
+        not. Raises DomainError of a Hermite scheme that does not keep the values and derivatives of polynomials, of
+        dilations that are not isotropic, and where nothing is decided.
 
         >>> import subcert
         >>> proof = subcert.scheme("hermite-dd:points=4,order=2").convergence_certificate()

@@ -39,7 +39,7 @@ Operators operators_of(const std::vector<LatticeSequence>& basis, const std::vec
 }
 
 std::vector<std::vector<Rational>> basis_over_field(const std::vector<std::vector<Rational>>& rows, long root) {
-  const std::size_t size = rows.front().size(), half = root > 0 ? size / 2 : size;
+  const std::size_t size = rows.front().size(), half = root > 0 ? std::max<std::size_t>(size / 2, 1) : size;
   const auto column = [&](std::size_t c) { return root > 0 ? c % half * 2 + c / half : c; };
   RationalMatrix matrix(rows.size(), size), conditions(size, size);
   for (std::size_t r = 0; r < rows.size(); ++r)

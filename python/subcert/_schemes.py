@@ -535,13 +535,16 @@ class VectorScheme(_OnLattice):
 
     def convergence_certificate(self, budget: float = 60, progress: Progress = None) -> Certificate:
         """A proof that the scheme converges, or of a Hermite scheme that it is HC^k, k the lower end, or that it does
-        not. Raises DomainError where the scheme keeps no constants, or as a Hermite scheme not the values and
-        derivatives of polynomials, of more than one variable, and where nothing is decided.
+        not. Raises DomainError of a Hermite scheme that does not keep the values and derivatives of polynomials, of
+        dilations that are not isotropic, and where nothing is decided.
 
         >>> import subcert
         >>> proof = subcert.scheme("hermite-dd:points=4,order=2").convergence_certificate()
         >>> proof.lower, proof.verify().accepted
         ('2', True)
+        >>> plane = subcert.scheme("tensor:(ghm)x(bspline:degree=1)").convergence_certificate()
+        >>> plane.lower, plane.verify().accepted
+        ('0', True)
         """
         return strongest(_core.vector_scheme_certificate(self._handle, budget, progress))
 
@@ -693,7 +696,7 @@ def refinable(
     >>> both = [[[2, 0], [0, 1]], [[4, 0], [0, 3]], [[2, 0], [0, 3]], [[0, 0], [0, 1]]]
     >>> print(subcert.refinable(both, 4, first=-1, integral=[0, 1]).holder())
     2
-    >>> print(subcert.refinable(both, 4, first=-1, integral=["1-sqrt(2)", "1/3"]).holder(component=1))
+    >>> print(subcert.refinable(both, 4, first=-1, integral=["1-sqrt(2)", "1/3"]).holder(component=2))
     2
     """
     chosen = "" if integral is None else f",integral={_listed(integral, 1)[0]}"

@@ -11,6 +11,7 @@ namespace subcert {
 namespace {
 
 constexpr long largest_coordinate = 20;
+constexpr std::size_t most_letters = 3;
 constexpr const char* lattices = "\"triangles\", \"quads\" or \"dual\"";
 
 std::optional<long> whole(std::string_view text) {
@@ -41,7 +42,7 @@ class RulesFile {
     const Scheme scheme = scheme_at(*node, specification);
     VertexScheme result = base(*node, scheme);
     lattice_ = result.written->lattice;
-    result.written->letter = letter();
+    result.written->letters = letters();
     const std::vector<const toml::table*> tables = tables_of(table_, "rule");
     if (tables.empty()) throw FileError({1, 1}, "no rules; expected tables [[rule]]");
     std::vector<WrittenRule> own;
@@ -94,20 +95,38 @@ class RulesFile {
     return result;
   }
 
-  std::optional<WrittenLetter> letter() const {
-    const std::string name = optional_text(table_, "letter");
-    const toml::node* const value = table_.get("value");
-    if (name.empty()) {
-      if (value) throw FileError(place_of(*value), "a value is that of a letter; expected the key 'letter', too");
-      return std::nullopt;
+  /// One or several, in a list.
+  static std::vector<const toml::node*> nodes_of(const toml::node* node) {
+    std::vector<const toml::node*> result;
+    if (const toml::array* list = node ? node->as_array() : nullptr)
+      for (const toml::node& one : *list) result.push_back(&one);
+    else if (node)
+      result.push_back(node);
+    return result;
+  }
+
+  std::vector<WrittenLetter> letters() const {
+    const std::vector<const toml::node*> names = nodes_of(table_.get("letter")), values = nodes_of(table_.get("value"));
+    if (names.empty() && !values.empty())
+      throw FileError(place_of(*values.front()), "a value is that of a letter; expected the key 'letter', too");
+    std::vector<WrittenLetter> result;
+    for (const toml::node* node : names) {
+      const std::string name = node->is_string() ? text_of(*node) : "";
+      if (name.size() != 1 || std::isalpha(static_cast<unsigned char>(name[0])) == 0 || name == "c" || name == "C" ||
+          name == "n")
+        throw FileError(place_of(*node), "'letter' takes one letter other than c, C and n, or a list of such");
+      if (std::ranges::find(result, name[0], &WrittenLetter::name) != result.end() || result.size() == most_letters)
+        throw FileError(place_of(*node), fmt::format("'letter' takes up to {} different letters", most_letters));
+      result.push_back({name[0]});
     }
-    if (name.size() != 1 || std::isalpha(static_cast<unsigned char>(name[0])) == 0 || name == "c" || name == "C" ||
-        name == "n")
-      throw FileError(place_of(*table_.get("letter")), "'letter' takes one letter other than c, C and n");
-    WrittenLetter result{name[0]};
-    if (value) result.value = parse_number(expression_at(*value));
-    if (value && !result.value)
-      throw FileError(place_of(*value), "'value' takes an exact number in quotes, as \"3/8\"");
+    if (!values.empty() && values.size() != result.size())
+      throw FileError(place_of(*values.front()), fmt::format("{} values of {} letters; expected one for each, or none",
+                                                             values.size(), result.size()));
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      result[v].value = parse_number(expression_at(*values[v]));
+      if (!result[v].value)
+        throw FileError(place_of(*values[v]), "'value' takes an exact number in quotes, as \"3/8\"");
+    }
     return result;
   }
 

@@ -35,7 +35,7 @@ VertexScheme scheme_of(const std::string& text, const std::optional<Rational>& v
   const std::size_t begin = text.rfind('/') + 1;
   const std::string name = text.substr(begin, text.size() - begin - std::string_view(".toml").size());
   VertexScheme scheme = read_vertex_rules(vertex_rule_files.at(name), text);
-  if (value) scheme.written->letter->value = value;
+  if (value) scheme.written->letters.front().value = value;
   return scheme;
 }
 

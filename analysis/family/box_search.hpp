@@ -54,16 +54,6 @@ PolynomialData polynomials_of(const ParametricMask& mask);
 bool links_derivatives(const FamilyRadius& radius, const PolynomialData& polynomials, int arity, const Box& box,
                        const Budget& budget);
 
-/// Decides things on several threads, round by round, until `next`, which is given them and their answers, has no more.
-template <class Thing, class Decide, class Next>
-void in_rounds(std::vector<Thing> open, int jobs, Decide decide, Next next) {
-  while (!open.empty()) {
-    std::vector<decltype(decide(open.front()))> decided(open.size());
-    parallel_tasks(open.size(), jobs, [&](std::size_t k) { decided[k] = decide(open[k]); });
-    open = next(open, std::move(decided));
-  }
-}
-
 /// As IntervalProof, for several letters.
 struct BoxProof {
   Box box;

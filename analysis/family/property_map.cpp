@@ -11,24 +11,13 @@ constexpr double cell_seconds = 1;  // for one upper bound
 
 }  // namespace
 
-Rational PropertyMap::share(Truth holds) const {
-  Rational all = 0, found = 0;
-  for (const MapCell& cell : cells) {
-    const Rational volume = cell.box.volume();
-    all += volume;
-    if (cell.holds == holds) found += volume;
-  }
-  return found / all;
-}
-
 PropertyMap property_map(const ParametricMask& mask, const RangeProperty& property, const Box& box,
                          const MapOptions& options) {
   require(mask.letters() >= 2 && box.letters() == mask.letters(),
           "map: need a mask with two or more letters and a range for each, got {} letters and {} ranges",
           mask.letters(), box.letters());
   family::require_box("map", mask, box);
-  require(options.resolution >= 1 && options.resolution <= 1024, "map: need a resolution from 1 to 1024, got {}",
-          options.resolution);
+  require_map(box, options);
   PropertyMap result;
   result.sum_rules = sum_rules(mask);
   family::require_property("map", mask, property, result.sum_rules);

@@ -3,30 +3,12 @@
 
 #include "property_range.hpp"
 
-#include <subcert/analysis/symbol/polynomials/box.hpp>
+#include <subcert/analysis/symbol/polynomials/cell_map.hpp>
 
 namespace subcert {
 
-/// On all of a box the property holds (yes), for none of its values (no), or neither is proved.
-struct MapCell {
-  Box box;
-  Truth holds = Truth::unknown;
-  std::string reason = {};  ///< why it is not decided
-};
-
-struct PropertyMap {
-  int sum_rules = 0;           ///< that hold for all values
-  std::vector<MapCell> cells;  ///< they cover the box that was asked for, and have no inner point in common
-  bool complete = true;        ///< all cells that are not decided are as small as they may be
-
-  /// The share of the area, or volume, with this answer.
-  Rational share(Truth holds) const;
-};
-
-struct MapOptions {
-  int resolution = 64;  ///< cells along each side, at most; rounded up to a power of 2
-  int jobs = 1;
-  Budget budget{Deadline::in(60)};
+struct PropertyMap : CellMap {
+  int sum_rules = 0;  ///< that hold for all values
 };
 
 /// Decides a property over a box of two or three letters by cells that are halved in each of them: proved by the joint

@@ -28,19 +28,22 @@ FieldPolynomial reduced(FieldPolynomial a, const FieldPolynomial& b, FieldPolyno
 
 }  // namespace
 
-Ball BallField::in_cosine(const LaurentPolynomial& p, long from, long to) const {
-  Ball value(0, bits());
-  for (long k = to; k >= from; --k) value = value * first_ + Ball(p.coefficient(k), bits());
-  return value;
-}
-
 Ball BallField::number(const LaurentPolynomial& p) const {
+  // By Horner's rule in c and in each letter: the coefficient of what is left of the powers from `at` on.
   const long highest = p.is_zero() ? -1 : p.highest();
-  if (!letter_) return in_cosine(p, 0, highest);
-  Ball value(0, bits());
-  for (long power = highest / letter_stride; power >= 0; --power)
-    value = value * *letter_ + in_cosine(p, power * letter_stride, std::min(highest, (power + 1) * letter_stride - 1));
-  return value;
+  const auto value_of = [&](const auto& self, long at, long step, std::size_t place) -> Ball {
+    const bool is_last = place == letters_.size();
+    const long below = place == 0 ? letter_stride : letter_powers, most = highest < at ? -1 : (highest - at) / step;
+    Ball value(0, bits());
+    for (long k = is_last ? most : std::min(most, below - 1); k >= 0; --k)
+      value = value * (place == 0 ? first_ : letters_[place - 1]) +
+              (place == 0 ? Ball(p.coefficient(at + k), bits())
+                          : self(self, at + k * step, step / (place == 1 ? letter_stride : letter_powers), place - 1));
+    return value;
+  };
+  long step = 1;
+  for (std::size_t place = 0; place < letters_.size(); ++place) step *= place == 0 ? letter_stride : letter_powers;
+  return value_of(value_of, 0, step, letters_.size());
 }
 
 FieldPolynomial gcd(FieldPolynomial a, FieldPolynomial b) {

@@ -15,12 +15,14 @@ class BallField {
  public:
   using Number = Ball;
   BallField(long valence, slong bits) : BallField(Ball(Rational(Integer(1), Integer(valence)), bits)) {}
-  /// With the powers of a letter, those of c^letter_stride in the weights of rules.
-  BallField(long valence, const Ball& letter) : BallField(valence, letter.bits()) { letter_ = letter; }
+  /// With letters in the weights of rules, see letter_stride. Domain: one letter or more.
+  BallField(long valence, const std::vector<Ball>& letters) : BallField(valence, letters.front().bits()) {
+    letters_ = letters;
+  }
   /// For all 1/n in a ball.
   explicit BallField(const Ball& over_valence) : over_valence_(over_valence), first_(cosine_of(1)) {}
 
-  /// A polynomial in c = cos(2 pi/n), and in the letter.
+  /// A polynomial in c = cos(2 pi/n), and in the letters.
   Ball number(const LaurentPolynomial& p) const;
   Ball number(long value) const { return {value, bits()}; }
   /// cos(2 pi k/n).
@@ -29,9 +31,8 @@ class BallField {
 
  private:
   Ball cosine_of(long k) const { return cos(Ball::pi(bits()) * over_valence_ * (2 * k)); }
-  Ball in_cosine(const LaurentPolynomial& p, long from, long to) const;
   Ball over_valence_, first_;
-  std::optional<Ball> letter_ = std::nullopt;
+  std::vector<Ball> letters_ = {};
 };
 
 /// Polynomials over the field, the lowest coefficient first. Canonical: the last coefficient is not zero.

@@ -79,8 +79,7 @@ std::vector<LetterPolynomial> FamilySpectrum::polynomials(const SectorRuleFamily
   };
   auto matrix = matrix_of(many);
   const auto other = matrix_of(2 * many);
-  const MultivariatePolynomial share = MultivariatePolynomial::in_variable(letters, letter_share,
-                                                                           LaurentPolynomial::monomial(1, 1));
+  const MultivariatePolynomial share = ring.letter(letter_share);
   for (std::size_t i = 0; i < matrix.size(); ++i)
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       const MultivariatePolynomial half = matrix[i][j] - other[i][j];  // what 1/(2 many) adds

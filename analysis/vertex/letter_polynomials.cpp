@@ -5,19 +5,23 @@
 namespace subcert::vertex {
 
 LetterRing::Number LetterRing::number(const LaurentPolynomial& weight) const {
-  if (weight.is_zero()) return Number(letters);
+  if (weight.is_zero()) return Number(letters_);
   std::vector<Monomial> terms;
-  for (long k = weight.lowest(); k <= weight.highest(); ++k)
-    if (weight.coefficient(k) != 0) terms.push_back({weight.coefficient(k), {k % letter_stride, 0, k / letter_stride}});
-  return {letters, terms};
+  for (long k = weight.lowest(); k <= weight.highest(); ++k) {
+    if (weight.coefficient(k) == 0) continue;
+    std::vector<long> exponents = letter_exponents(k, static_cast<std::size_t>(letters_ - letter_share));
+    exponents.insert(exponents.begin() + letter_w, 0);
+    terms.push_back({weight.coefficient(k), exponents});
+  }
+  return {letters_, terms};
 }
 
 LetterPolynomial::LetterPolynomial(std::vector<MultivariatePolynomial> coefficients)
     : coefficients_(std::move(coefficients)), terms_(terms_of(coefficients_)) {
-  for (int letter = 0; letter < letters; ++letter) {
+  for (int letter = 0; letter < coefficients_.front().variables(); ++letter) {
     std::vector<MultivariatePolynomial> derivative;
     for (const MultivariatePolynomial& p : coefficients_) derivative.push_back(p.derivative(letter));
-    derivatives_[static_cast<std::size_t>(letter)] = terms_of(derivative);
+    derivatives_.push_back(terms_of(derivative));
   }
 }
 
@@ -34,7 +38,7 @@ std::vector<Ball> LetterPolynomial::values(const Terms& terms, const Letters& at
     Ball sum(0, bits);
     for (const Monomial& term : coefficient) {
       Ball product(term.coefficient, bits);
-      for (std::size_t v = 0; v < letters; ++v)
+      for (std::size_t v = 0; v < at.size(); ++v)
         if (term.exponents[v] != 0) product *= at[v].pow(term.exponents[v]);
       sum += product;
     }
@@ -57,7 +61,7 @@ bool LetterPolynomial::equals_with_w_as_c(const LetterPolynomial& other) const {
       term.exponents[letter_c] += term.exponents[letter_w];
       term.exponents[letter_w] = 0;
     }
-    result.emplace_back(letters, moved);
+    result.emplace_back(coefficients_.front().variables(), moved);
   }
   return result == other.coefficients_;
 }
@@ -73,8 +77,8 @@ LaurentPolynomial LetterPolynomial::limit() const {
 }
 
 std::optional<LetterPolynomial> LetterPolynomial::without_one() const {
-  std::vector<MultivariatePolynomial> quotient(degree(), MultivariatePolynomial(letters));
-  MultivariatePolynomial carry(letters);
+  MultivariatePolynomial carry(coefficients_.front().variables());
+  std::vector<MultivariatePolynomial> quotient(degree(), carry);
   for (std::size_t i = degree() + 1; i-- > 0;) {
     carry += coefficients_[i];
     if (i > 0) quotient[i - 1] = carry;

@@ -5,33 +5,34 @@
 #include <subcert/analysis/symbol/polynomials/multivariate_polynomial.hpp>
 #include "cosine_field.hpp"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace subcert::vertex {
 
-/// The letters are c = cos(2 pi/n), w = cos(2 pi k/n) and 1/n.
-enum Letter { letter_c, letter_w, letter_share, letters };
-using Letters = std::array<Ball, letters>;
+/// The letters are c = cos(2 pi/n), w = cos(2 pi k/n), and 1/n or those of the weights.
+enum Letter { letter_c, letter_w, letter_share };
+using Letters = std::vector<Ball>;
 
-/// Polynomials in the letters; in weights the third one is c^letter_stride. One frequency, `general`, has the cosine w:
-/// it stands for all that no rule names. Negative: none.
+/// Polynomials in the letters; in weights those from the third one on are powers of c, see letter_stride. One
+/// frequency, `general`, has the cosine w: it stands for all that no rule names. Negative: none.
 class LetterRing {
  public:
   using Number = MultivariatePolynomial;
-  explicit LetterRing(long general) : general_(general) {}
+  explicit LetterRing(long general, std::size_t of_weights = 1)
+      : general_(general), letters_(static_cast<int>(of_weights) + letter_share) {}
 
   /// Domain: a polynomial, of degree below letter_stride in c.
   Number number(const LaurentPolynomial& weight) const;
-  Number number(long value) const { return {letters, Rational(value)}; }
+  Number number(long value) const { return {letters_, Rational(value)}; }
+  Number letter(Letter which) const { return Number::in_variable(letters_, which, LaurentPolynomial::monomial(1, 1)); }
   Number cosine(long k) const {
-    return k == general_ ? Number::in_variable(letters, letter_w, LaurentPolynomial::monomial(1, 1))
-                         : Number::in_variable(letters, letter_c, chebyshev(k));
+    return k == general_ ? letter(letter_w) : Number::in_variable(letters_, letter_c, chebyshev(k));
   }
 
  private:
   long general_;
+  int letters_;
 };
 
 /// A polynomial in x, monic, with such coefficients, the lowest first.
@@ -59,7 +60,7 @@ class LetterPolynomial {
 
   std::vector<MultivariatePolynomial> coefficients_;
   Terms terms_;
-  std::array<Terms, letters> derivatives_;
+  std::vector<Terms> derivatives_;
 };
 
 /// Of a polynomial with coefficients in balls, the lowest first.

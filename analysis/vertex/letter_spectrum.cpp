@@ -5,12 +5,10 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace subcert::vertex {
 namespace {
-
-/// In the blocks of a frequency its cosine is w, from 2 on; those of 0 and 1 are polynomials in c.
-LetterRing ring_of(long frequency) { return LetterRing(frequency > 1 ? frequency : -1); }
 
 /// p(-x), up to a sign.
 std::vector<Ball> mirror_of(std::vector<Ball> p) {
@@ -22,7 +20,8 @@ std::vector<Ball> mirror_of(std::vector<Ball> p) {
 using Numbers = std::vector<std::vector<MultivariatePolynomial>>;
 
 Numbers product_of(const Numbers& a, const Numbers& b) {
-  Numbers result(a.size(), std::vector<MultivariatePolynomial>(a.size(), MultivariatePolynomial(letters)));
+  const MultivariatePolynomial zero(a.front().front().variables());
+  Numbers result(a.size(), std::vector<MultivariatePolynomial>(a.size(), zero));
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < a.size(); ++j)
       for (std::size_t k = 0; k < a.size(); ++k)
@@ -33,6 +32,7 @@ Numbers product_of(const Numbers& a, const Numbers& b) {
 /// A matrix with the zeros of p, monic, as its eigenvalues.
 Numbers companion(const LetterPolynomial& p) {
   const std::size_t n = p.degree();
+  const int letters = p.coefficients().front().variables();
   Numbers result(n, std::vector<MultivariatePolynomial>(n, MultivariatePolynomial(letters)));
   for (std::size_t i = 0; i < n; ++i) {
     if (i > 0) result[i][i - 1] = MultivariatePolynomial(letters, Rational(1));
@@ -43,18 +43,26 @@ Numbers companion(const LetterPolynomial& p) {
 
 /// With w as a polynomial in c.
 MultivariatePolynomial with_cosine(const MultivariatePolynomial& p, long frequency) {
-  MultivariatePolynomial result(letters);
+  MultivariatePolynomial result(p.variables());
   const LaurentPolynomial w = chebyshev(frequency);
-  for (const Monomial& term : p.terms())
-    result += MultivariatePolynomial(letters, {{term.coefficient, {term.exponents[0], 0, term.exponents[2]}}}) *
-              MultivariatePolynomial::in_variable(letters, letter_c, w.pow(term.exponents[1]));
+  for (Monomial term : p.terms()) {
+    const long power = std::exchange(term.exponents[letter_w], 0);
+    result += MultivariatePolynomial(p.variables(), {term}) *
+              MultivariatePolynomial::in_variable(p.variables(), letter_c, w.pow(power));
+  }
+  return result;
+}
+
+Letters middles_of(const Letters& weights) {
+  Letters result;
+  for (const Ball& one : weights) result.emplace_back(Rational(one.middle()), one.bits());
   return result;
 }
 
 }  // namespace
 
-LetterSpectrum::LetterSpectrum(const SectorRules& rules, const ClosedSet& set)
-    : valence_(rules.valence), field_(rules.valence) {
+LetterSpectrum::LetterSpectrum(const SectorRules& rules, const ClosedSet& set, std::size_t letters)
+    : valence_(rules.valence), letters_(letters), field_(rules.valence) {
   int constants = 0;
   for (long k = 0; 2 * k <= valence_; ++k) {
     const LetterRing ring = ring_of(k);
@@ -69,18 +77,25 @@ LetterSpectrum::LetterSpectrum(const SectorRules& rules, const ClosedSet& set)
   require(constants == 1, "eigenvalues at a vertex: need the eigenvalue 1 once, got {} times", constants);
 }
 
-Letters LetterSpectrum::letters_at(long frequency, const Ball& letter) const {
-  const BallField field(valence_, letter.bits());
-  return {field.cosine(1), field.cosine(frequency), letter};
+/// In the blocks of a frequency its cosine is w, from 2 on; those of 0 and 1 are polynomials in c.
+LetterRing LetterSpectrum::ring_of(long frequency) const {
+  return LetterRing(frequency > 1 ? frequency : -1, letters_);
 }
 
-std::vector<Ball> LetterSpectrum::values(const Block& block, const Ball& letter, bool mirrored) const {
-  std::vector<Ball> p = block.polynomial.at(letters_at(block.frequency, letter));
+Letters LetterSpectrum::letters_at(long frequency, const Letters& weights) const {
+  const BallField field(valence_, weights.front().bits());
+  Letters result{field.cosine(1), field.cosine(frequency)};
+  result.insert(result.end(), weights.begin(), weights.end());
+  return result;
+}
+
+std::vector<Ball> LetterSpectrum::values(const Block& block, const Letters& weights, bool mirrored) const {
+  std::vector<Ball> p = block.polynomial.at(letters_at(block.frequency, weights));
   return mirrored ? mirror_of(std::move(p)) : p;
 }
 
-std::optional<LetterZero> LetterSpectrum::largest(long frequency, const Ball& letter) const {
-  const Ball middle(Rational(letter.middle()), letter.bits());
+std::optional<LetterZero> LetterSpectrum::largest(long frequency, const Letters& weights) const {
+  const Letters middle = middles_of(weights);
   std::optional<LetterZero> best;
   std::optional<Ball> start;
   bool best_is_mirrored = false;
@@ -96,35 +111,35 @@ std::optional<LetterZero> LetterSpectrum::largest(long frequency, const Ball& le
     }
   }
   if (!best) return std::nullopt;
-  const auto value = zero_near(values(blocks_[best->block], letter, best_is_mirrored), *start);
-  if (!value || !Ball(0, letter.bits()).is_less(*value)) return std::nullopt;
+  const auto value = zero_near(values(blocks_[best->block], weights, best_is_mirrored), *start);
+  if (!value || !Ball(0, weights.front().bits()).is_less(*value)) return std::nullopt;
   best->value = best_is_mirrored ? -*value : *value;
   return best;
 }
 
-bool LetterSpectrum::others_below(const LetterZero& zero, const Ball& radius, const Ball& letter) const {
+bool LetterSpectrum::others_below(const LetterZero& zero, const Ball& radius, const Letters& weights) const {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const std::vector<Ball> p = values(blocks_[i], letter, false);
+    const std::vector<Ball> p = values(blocks_[i], weights, false);
     if (!has_zeros_below(i == zero.block ? deflated(p, zero.value) : p, radius)) return false;
   }
   return true;
 }
 
-std::optional<LetterZero> LetterSpectrum::leader(long frequency, const Ball& letter) const {
-  auto zero = largest(frequency, letter);
+std::optional<LetterZero> LetterSpectrum::leader(long frequency, const Letters& weights) const {
+  auto zero = largest(frequency, weights);
   if (!zero) return std::nullopt;
   const Ball end = -(-abs(zero->value)).upper_end();
-  return others_below(*zero, end, letter) ? zero : std::nullopt;
+  return others_below(*zero, end, weights) ? zero : std::nullopt;
 }
 
-bool LetterSpectrum::some_beyond(const LetterZero& but, const Ball& radius, const Ball& letter) const {
-  const Ball middle(Rational(letter.middle()), letter.bits());
+bool LetterSpectrum::some_beyond(const LetterZero& but, const Ball& radius, const Letters& weights) const {
+  const Letters middle = middles_of(weights);
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     for (const bool mirrored : {false, true}) {
-      std::vector<Ball> p = values(blocks_[i], letter, false), at = values(blocks_[i], middle, false);
+      std::vector<Ball> p = values(blocks_[i], weights, false), at = values(blocks_[i], middle, false);
       if (i == but.block) {
         p = deflated(p, but.value);
-        const auto near = zero_near(at, Ball(Rational(but.value.middle()), letter.bits()));
+        const auto near = zero_near(at, Ball(Rational(but.value.middle()), weights.front().bits()));
         if (!near) continue;
         at = deflated(at, *near);
       }
@@ -136,20 +151,36 @@ bool LetterSpectrum::some_beyond(const LetterZero& but, const Ball& radius, cons
   return false;
 }
 
+bool LetterSpectrum::some_above_one(const Letters& weights) const {
+  const Ball one(1, weights.front().bits());
+  const Letters middle = middles_of(weights);
+  for (const Block& block : blocks_) {
+    // The product of all zeros of a block, or a real one.
+    if (one.is_less(abs(values(block, weights, false).front()))) return true;
+    for (const bool mirrored : {false, true}) {
+      const auto start = leading_zero(values(block, middle, mirrored));
+      const auto zero = start ? zero_near(values(block, weights, mirrored), *start) : std::nullopt;
+      if (zero && one.is_less(*zero)) return true;
+    }
+  }
+  return false;
+}
+
 std::optional<std::vector<LetterZero>> LetterSpectrum::rivals(const LetterZero& zero, const Ball& radius,
-                                                              const Ball& letter) const {
-  const Ball middle(Rational(letter.middle()), letter.bits()), end = -(-radius).upper_end();
+                                                              const Letters& weights) const {
+  const Letters middle = middles_of(weights);
+  const Ball end = -(-radius).upper_end();
   std::vector<LetterZero> result;
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const std::vector<Ball> p = values(blocks_[i], letter, false);
+    const std::vector<Ball> p = values(blocks_[i], weights, false);
     if (has_zeros_below(i == zero.block ? deflated(p, zero.value) : p, end)) continue;
     if (i == zero.block) return std::nullopt;
     const std::size_t before = result.size();
     for (const bool mirrored : {false, true}) {
       const auto start = leading_zero(values(blocks_[i], middle, mirrored));
-      const std::vector<Ball> q = values(blocks_[i], letter, mirrored);
+      const std::vector<Ball> q = values(blocks_[i], weights, mirrored);
       const auto value = start ? zero_near(q, *start) : std::nullopt;
-      if (!value || !Ball(0, letter.bits()).is_less(*value)) continue;
+      if (!value || !Ball(0, weights.front().bits()).is_less(*value)) continue;
       if (has_zeros_below(deflated(q, *value), min(end, -(-*value).upper_end())))
         result.push_back({blocks_[i].frequency, i, mirrored ? -*value : *value});
     }
@@ -158,8 +189,9 @@ std::optional<std::vector<LetterZero>> LetterSpectrum::rivals(const LetterZero& 
   return result;
 }
 
-LetterSpectrum::Polynomial LetterSpectrum::crossing(const LetterZero& zero, const LetterZero& rival,
-                                                    bool squared) const {
+std::map<std::vector<long>, CosineField::Number> LetterSpectrum::resultant(const LetterZero& zero,
+                                                                           const LetterZero& rival,
+                                                                           bool squared) const {
   const Block &own = blocks_[zero.block], &other = blocks_[rival.block];
   Numbers root = companion(own.polynomial);
   const bool is_negative = rival.value.is_less(Ball(0, rival.value.bits()));
@@ -172,21 +204,34 @@ LetterSpectrum::Polynomial LetterSpectrum::crossing(const LetterZero& zero, cons
   // det q(M), by Horner's rule in matrices.
   const auto& q = other.polynomial.coefficients();
   const std::size_t n = root.size();
-  Numbers value(n, std::vector<MultivariatePolynomial>(n, MultivariatePolynomial(letters)));
+  const LetterRing ring = ring_of(1);
+  Numbers value(n, std::vector<MultivariatePolynomial>(n, ring.number(0)));
   for (std::size_t k = q.size(); k-- > 0;) {
     value = product_of(value, root);
     for (std::size_t j = 0; j < n; ++j) value[j][j] += with_cosine(q[k], other.frequency);
   }
-  std::vector<LaurentPolynomial> powers;
-  for (const Monomial& term : characteristic_polynomial(value, ring_of(1)).front().terms()) {
-    const auto power = static_cast<std::size_t>(term.exponents[letter_share]);
-    powers.resize(std::max(powers.size(), power + 1));
-    powers[power] += LaurentPolynomial::monomial(term.coefficient, term.exponents[letter_c]);
-  }
-  Polynomial result;
-  for (const LaurentPolynomial& power : powers) result.push_back(field_.number(power));
-  while (!result.empty() && result.back().is_zero()) result.pop_back();
+  std::map<std::vector<long>, LaurentPolynomial> sums;
+  for (const Monomial& term : characteristic_polynomial(value, ring).front().terms())
+    sums[{term.exponents.begin() + letter_share, term.exponents.end()}] += LaurentPolynomial::monomial(
+        term.coefficient, term.exponents[letter_c]);
+  std::map<std::vector<long>, CosineField::Number> result;
+  for (const auto& [powers, sum] : sums)
+    if (const CosineField::Number number = field_.number(sum); !number.is_zero()) result.emplace(powers, number);
   return result;
+}
+
+LetterSpectrum::Polynomial LetterSpectrum::crossing(const LetterZero& zero, const LetterZero& rival,
+                                                    bool squared) const {
+  Polynomial result;
+  for (const auto& [powers, number] : resultant(zero, rival, squared)) {
+    result.resize(static_cast<std::size_t>(powers.front()) + 1, field_.number(0));
+    result.back() = number;
+  }
+  return result;
+}
+
+bool LetterSpectrum::coincide(const LetterZero& zero, const LetterZero& rival, bool squared) const {
+  return resultant(zero, rival, squared).empty();
 }
 
 }  // namespace subcert::vertex

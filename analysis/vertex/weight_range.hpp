@@ -35,10 +35,11 @@ struct WeightRange {
   std::vector<WeightEnd> ends;      ///< in order; each in a piece that is unknown
 };
 
-/// Domain: rules with a letter (letter_stride), low < high, width > 0. Neighbouring values are told apart down to
-/// `width`, or, where that is not a matter of eigenvalues, down to a thousandth of the range. Errors: as
+/// Domain: rules with a letter (letter_stride), low < high, width > 0, jobs >= 1. Neighbouring values are told apart
+/// down to `width`, or, where that is not a matter of eigenvalues, down to a thousandth of the range. Errors: as
 /// vertex_smoothness(). Cost: a proof for each interval, which are halved. Proof: docs/vertex-rules.md.
 WeightRange weight_range(const SectorRules& rules, const RegularPart& regular, WeightProperty property,
-                         const Rational& low, const Rational& high, const Rational& width, const Budget& budget);
+                         const Rational& low, const Rational& high, const Rational& width, int jobs,
+                         const Budget& budget);
 
 }  // namespace subcert

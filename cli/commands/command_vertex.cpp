@@ -1,17 +1,20 @@
 // subcert vertex SCHEME|FILE.toml --valence 3..12 | --all-valences [--certificate DIR] [--stencils]
-// [--stencils-header FILE]
+// [--stencils-header FILE] [--plot FILE] [--html FILE]
 // subcert vertex FILE.toml --over b=LOW..HIGH [--property C1|bounded-curvature] [--width 1e-6] [--valence 3..12]
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
+#include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/pages/vertex_pictures.hpp>
 #include <subcert/cli/parameter_range.hpp>
+#include <subcert/cli/vertex_arguments.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
 #include <subcert/proofs-checks/number_list.hpp>
-#include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/reports/facts/vertex_facts.hpp>
 #include <subcert/reports/facts/weight_facts.hpp>
 #include <subcert/schemes/data/runtime/files.hpp>
+#include <subcert/schemes/plain_text.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <fmt/ranges.h>
@@ -29,6 +32,7 @@ struct VertexOptions : SearchOptions {
   bool all = false, stencils = false;
   std::string header;
   std::string certificate;
+  std::string plot, html;
   std::string over;
   std::string property = facts::property_text(WeightProperty::c1);
   std::string width = "1e-6";
@@ -49,49 +53,34 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
     if (const auto& evidence = valences[i].evidence)
       add(valences[i].valence, "vertex", evidence->by_hulls, rules[i], valences[i]);
   if (rest && rest->evidence) add(rest->first, "vertices", true, *family, *rest);
-  return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
-                            "what is not proved, or of all valences not by hulls of differences", json);
-}
-
-/// A scheme by its name, or rules that a file says.
-VertexScheme scheme_of(const std::string& text) {
-  if (text.ends_with(".toml")) return read_vertex_rules(read_input(text), text);
-  const Scheme scheme = make_linear_scheme(text);
-  if (!has_vertex_rules(scheme))
-    fail(ErrorKind::usage, "{}: has no rules at vertices; these have: {}", scheme.specification,
-         fmt::join(schemes_with_vertex_rules(), ", "));
-  return VertexScheme::named(scheme.specification);
-}
-
-WeightProperty property_of(const std::string& text) {
-  for (const WeightProperty property : {WeightProperty::c1, WeightProperty::bounded_curvature})
-    if (text == facts::property_text(property)) return property;
-  fail(ErrorKind::usage, "--property: expected C1 or bounded-curvature, got {}", in_quotes(text));
+  return write_certificates(
+      options.certificate, certificates, {"-vertex", "-vertices"},
+      "what is not proved, or with a Jordan block in front, or of all valences not by hulls of differences", json);
 }
 
 /// For which values of a letter.
 ExitCode run_over(const VertexOptions& options) {
-  if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty())
-    fail(ErrorKind::usage, "--over: need no --all-valences, --stencils, --stencils-header or --certificate beside it");
+  if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty() ||
+      !options.plot.empty() || !options.html.empty())
+    fail(ErrorKind::usage,
+         "--over: need no --all-valences, --stencils, --stencils-header, --certificate, --plot or --html beside it");
   const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
-  const WeightProperty property = property_of(options.property);
+  const WeightProperty property = facts::parse_weight_property(options.property, "--property");
   const auto width = parse_number(options.width);
   if (!width || !(*width > 0))
     fail(ErrorKind::usage, "--width: expected a positive number, as 1e-6, got {}", in_quotes(options.width));
-  const VertexScheme scheme = scheme_of(options.scheme);
-  if (!scheme.written || !scheme.written->letter)
-    fail(ErrorKind::usage, "--over: need rules with a letter, a file with letter = \"b\", got {}",
-         scheme.specification);
-  const auto [low, high] = read_over(options.over, std::string(1, scheme.written->letter->name));
+  const std::string name = plain_text(options.over.substr(0, options.over.find('=')));
+  const VertexScheme scheme = read_free_rules(options.scheme, {name});
+  const auto [low, high] = read_over(options.over, name);
   options.progress("the regular part");
   const Budget budget = options.limits();
   std::vector<SectorRules> rules;
-  for (const int n : numbers) rules.push_back(rules_with_letter(*scheme.written, n));
+  for (const int n : numbers) rules.push_back(rules_with_letters(*scheme.written, n));
   const RegularPart regular = regular_part(rules.front(), budget);
   std::vector<WeightRange> ranges;
   for (const SectorRules& at : rules) {
     options.progress(fmt::format("valence {}", at.valence));
-    ranges.push_back(weight_range(at, regular, property, low, high, *width, budget));
+    ranges.push_back(weight_range(at, regular, property, low, high, *width, options.threads(), budget));
   }
   options.end_progress();
   const Facts list = facts::weight_facts(scheme, regular, property, ranges);
@@ -100,12 +89,24 @@ ExitCode run_over(const VertexOptions& options) {
                    !budget.deadline.expired());
 }
 
+/// Draws what is asked for.
+void draw(const VertexOptions& options, const VertexScheme& scheme, const std::vector<SectorRules>& rules,
+          const RegularPart& regular, const std::vector<VertexSmoothness>& valences, const std::string& facts) {
+  if (options.plot.empty() && options.html.empty()) return;
+  std::vector<VertexPicture> pictures;
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    pictures.push_back({valences[i], vertex_surface(rules[i], regular, valences[i])});
+  if (!options.html.empty()) runtime::write_file(options.html, vertex_html(scheme, facts, pictures));
+  if (!options.plot.empty()) draw_vertices(options.plot, scheme, pictures);
+}
+
 ExitCode run(const VertexOptions& options) {
   if (!options.over.empty()) return run_over(options);
   if (options.all && options.valence != usual_valences)
     fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
+  require_picture_name(options.plot);
   std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
-  const VertexScheme scheme = scheme_of(options.scheme);
+  const VertexScheme scheme = read_vertex_scheme(options.scheme);
   std::optional<SectorRuleFamily> family;
   if (options.all) {
     family = scheme.family();
@@ -132,6 +133,7 @@ ExitCode run(const VertexOptions& options) {
   Json json = page_json(list);
   WrittenCertificates written;
   if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, family, rest, json);
+  draw(options, scheme, rules, regular, valences, page_text(list, 14));
   options.end_progress();
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();
@@ -152,6 +154,10 @@ void add_vertex(Command& app) {
   command.flag("--stencils", options->stencils, "What each datum counts in the limit point and in two tangents");
   command.option("--stencils-header", options->header, "Write them as a header of C");
   command.option("--certificate", options->certificate, "Write certificates for 'subcert verify' into this folder");
+  command.option("--plot", options->plot,
+                 "Draw the surface near the vertex, coloured by curvature, as .svg, .png, .pdf, .tex or .html");
+  command.option("--html", options->html,
+                 "A page with the characteristic map and the surface at each valence, all in one file");
   command.option("--over", options->over, "For which values of the letter of a file: b=LOW..HIGH");
   command.option("--property", options->property, "With --over: C1 or bounded-curvature").with_default();
   command.option("--width", options->width, "With --over: of what is left open about an end")

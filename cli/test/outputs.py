@@ -37,7 +37,8 @@ COMMANDS = [
     ("curve four-point:w --over w=1/20..1/16 --pieces 1", ["--out", "--csv", "--plot.svg", "--certificate/"]),
     ("levels four-point:w --over w=1/20..1/16 --property C1", ["--out", "--plot.svg", "--certificate/"]),
     ("levels four-point:w --over w=1/20..1/16 --property C1 --each-point", ["--out", "--certificate/"]),
-    ("vertex loop --valence 3", ["--out", "--certificate/", "--stencils-header.h"]),
+    ("vertex loop --valence 3", ["--out", "--certificate/", "--stencils-header.h", "--plot.svg", "--html"]),
+    ("map weights.toml --valence 3 --over a=0..1 --over b=0..1 --property C1 --resolution 2", ["--out", "--csv", "--plot.svg"]),
     ("analyze primal:n=1", ["--out", "--plot.svg", "--plot.png"]),
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),
     ("smooth data.csv --scheme primal:n=2", ["--plot.svg"]), ("refine primal:n=2 data.csv", ["--plot.svg"]),
@@ -239,6 +240,8 @@ with tempfile.TemporaryDirectory() as name:
     (work / "data.csv").write_text("x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(12)))
     (work / "pair.json").write_text('{"matrices": [[["1","1"],["0","1"]], [["1","0"],["1","1"]]]}\n')
     (work / "vectors.toml").write_text("mask = 'merrien:lambda=-1/8,mu=1/2'\nHC = '>= 1'\n")
+    (work / "weights.toml").write_text('scheme = "loop"\nletter = ["a", "b"]\n[[rule]]\n'
+                                       'weights = {vertex = "1 - a*b", neighbours = "a*b/n"}\n')
     (work / "properties.toml").write_text("mask = 'dd:n=2'\nreproduces = 3\n")
     for words in ("conjecture 7 --n 1..3 --d 1 --journal journal", "regularity primal:n=1 --certificate s1.cert"):
         assert run(words.split()).returncode in (0, 2)

@@ -24,9 +24,9 @@ MORE = [
     "range corner-cutting:w --over w=0..1 --property convergent",
     "range 'mask:[w,1/2-w,1/2,1/2,1/2-w,w]' --over w=-1..1 --property C1",
     "statements check mustafa-bari-2016", "statements check dyn-2015/conjecture-7-slope", "statements list",
-    "theorem list", "theorem limit-constants --d 1", "analyze loop", "analyze ghm", "analyze l1:points=6,d=1",
+    "theorem list", "theorem limit-constants --d 1 --budget 1", "analyze loop", "analyze ghm", "analyze l1:points=6,d=1",
     "levels four-point:w --over w=1/32..1/8 --property C1 --boxes 2",
-    "regularity primal:n=14", "regularity butterfly:w=1/16", "compare chaikin dd:n=2 dd:n=3 dual:n=3",
+    "regularity primal:n=12", "regularity butterfly:w=1/16", "compare chaikin dd:n=2 dd:n=3 dual:n=3",
     "reproduce dyn-2015 --only table3", "vertex butterfly --valence 3..12", "conjecture 8 --n 1..2 --d 1",
 ]
 FILES = {

@@ -43,11 +43,12 @@ const Numbers& numbers() {
     Numbers result;
     for (int degree : stated_degrees()) {
       result.sums.push_back(limit_ball(degree));
+      next_step(name(degree, " as an integral"));
       result.integrals.push_back(Ball::containing(limit_constant_by_quadrature(degree, quadrature_digits), proof_bits));
     }
     for (int degree = 1; degree <= 19; degree += 2)
       result.order.push_back(less("C0", "C_" + std::to_string(degree) + " < C_" + std::to_string(degree + 2),
-                                  limit_constant(degree, 8), limit_constant(degree + 2, 8)));
+                                  limit_ball(degree).enclosure(), limit_ball(degree + 2).enclosure()));
     return result;
   }();
   return known;
@@ -70,7 +71,10 @@ Observed second_coefficient_at_large() {
 
 const Ball& limit_ball(int degree) {
   static Kept<int, Ball> known;
-  return known(degree, [&] { return Ball::containing(limit_constant(degree, 40), proof_bits); });
+  return known(degree, [&] {
+    next_step("C_" + std::to_string(degree));
+    return Ball::containing(limit_constant(degree, degree <= stated_degrees().back() ? 40 : 8), proof_bits);
+  });
 }
 
 Constants limit_constants_stated() {

@@ -23,7 +23,7 @@ inline Mask primal_mask(int n, int degree) {
   return make_scheme(scheme_family("primal").scheme(n, degree)).mask.curve();
 }
 
-/// C_d to 40 digits, kept for the next call.
+/// C_d to 40 digits for d <= 9, to 8 beyond, kept for the next call. Errors: OutOfTime before it.
 const Ball& limit_ball(int degree);
 
 /// The inequality that makes the stated value of a constant right: the number it stands for lies on the proved side.

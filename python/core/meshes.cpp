@@ -4,12 +4,15 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
+#include <subcert/analysis/vertex/weight_map.hpp>
 #include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/reports/facts/stencil_facts.hpp>
+#include <subcert/reports/facts/weight_facts.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <cmath>
+#include <variant>
 
 namespace subcert::python {
 namespace {
@@ -23,9 +26,9 @@ py::array_t<std::int64_t> indices_of(const std::vector<std::uint32_t>& numbers) 
 }
 
 /// Vertices in rows; the corners of all faces, and how many of them each face has. The same of the result.
-py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, const IndexArray& corners,
-                      const IndexArray& sides, int levels, bool limit, bool normals, std::optional<double> crease,
-                      bool keep_faces, const py::object& progress) {
+py::tuple refine_mesh(const std::variant<VertexScheme, std::string>& scheme, const DoubleArray& vertices,
+                      const IndexArray& corners, const IndexArray& sides, int levels, bool limit, bool normals,
+                      std::optional<double> crease, bool keep_faces, const py::object& progress) {
   if (vertices.ndim() != 2 || vertices.shape(1) == 0)
     fail(ErrorKind::domain, "vertices: need an array of two dimensions with a column or more");
   data::PolygonMesh mesh{numbers_of(vertices), static_cast<std::size_t>(vertices.shape(1)), {}, {0}};
@@ -46,8 +49,12 @@ py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, co
     mesh.end_face();
   }
   data::PolygonMesh refined = interruptible(progress, [&] {
-    return data::refine_mesh(std::move(mesh), scheme, {levels, limit, normals, crease, keep_faces},
-                             [](std::size_t face) { return "face " + std::to_string(face); });
+    return std::visit(
+        [&](const auto& rules) {
+          return data::refine_mesh(std::move(mesh), rules, {levels, limit, normals, crease, keep_faces},
+                                   [](std::size_t face) { return "face " + std::to_string(face); });
+        },
+        scheme);
   });
   std::vector<std::uint32_t> counts;
   for (std::size_t f = 0; f < refined.faces(); ++f)
@@ -122,6 +129,63 @@ py::list stencils_of(const VertexScheme& scheme, long valence, double seconds, c
   return result;
 }
 
+WrittenRules with_free_letters(const VertexScheme& scheme, const std::vector<std::string>& letters) {
+  if (!scheme.written) fail(ErrorKind::usage, "{}: need rules with a letter", scheme.specification);
+  return scheme.written->with_free(letters);
+}
+
+/// (valence, pieces, ends) for each valence.
+py::list vertex_ranges(const VertexScheme& scheme, const std::string& letter, const std::string& property_text,
+                       const Rational& low, const Rational& high, const Rational& width,
+                       const std::vector<int>& valences, double seconds, int jobs, const py::object& progress) {
+  require_valences("vertex_ranges", valences, smallest_valence);
+  const WrittenRules written = with_free_letters(scheme, {letter});
+  const WeightProperty property = facts::parse_weight_property(property_text, "property");
+  const auto found = interruptible(progress, [&] {
+    std::vector<WeightRange> ranges;
+    const Budget budget{Deadline::in(seconds)};
+    std::optional<RegularPart> regular;
+    for (const int n : valences) {
+      const SectorRules rules = rules_with_letters(written, n);
+      if (!regular) regular = regular_part(rules, budget);
+      ranges.push_back(weight_range(rules, *regular, property, low, high, width, jobs, budget));
+    }
+    return ranges;
+  });
+  py::list result;
+  for (const WeightRange& range : found) {
+    py::list pieces, ends;
+    for (const WeightPiece& piece : range.pieces)
+      pieces.append(py::make_tuple(piece.low, piece.high, piece.holds.truth, piece.holds.reason));
+    for (const WeightEnd& end : range.ends)
+      ends.append(py::make_tuple(Enclosure{end.low, end.high},
+                                 end.value ? std::optional(to_text(*end.value, 'c')) : std::nullopt,
+                                 facts::polynomial_text(end, letter.front()), end.holds.truth, end.holds.reason));
+    result.append(py::make_tuple(range.valence, pieces, ends));
+  }
+  return result;
+}
+
+/// (cells, whether all that is not decided is small).
+py::tuple vertex_map(const VertexScheme& scheme, const std::vector<std::string>& letters,
+                     const std::string& property_text, const std::vector<Rational>& low,
+                     const std::vector<Rational>& high, int valence, int resolution, double seconds, int jobs,
+                     const py::object& progress) {
+  require_valences("vertex_map", std::vector<int>{valence}, smallest_valence);
+  const WrittenRules written = with_free_letters(scheme, letters);
+  const WeightProperty property = facts::parse_weight_property(property_text, "property");
+  const auto map = interruptible(progress, [&] {
+    const Budget budget{Deadline::in(seconds)};
+    const SectorRules rules = rules_with_letters(written, valence);
+    return weight_map(rules, regular_part(rules, budget), property, {low, high}, {resolution, jobs, budget});
+  });
+  py::list cells;
+  for (const MapCell& cell : map.cells)
+    cells.append(
+        py::make_tuple(py::tuple(py::cast(cell.box.low)), py::tuple(py::cast(cell.box.high)), cell.holds, cell.reason));
+  return py::make_tuple(cells, map.complete);
+}
+
 }  // namespace
 
 void add_meshes(py::module_& module) {
@@ -134,6 +198,8 @@ void add_meshes(py::module_& module) {
   module.def("vertices", &vertices);
   module.def("every_valence", &every_valence_of);
   module.def("vertex_stencils", &stencils_of);
+  module.def("vertex_ranges", &vertex_ranges);
+  module.def("vertex_map", &vertex_map);
 }
 
 }  // namespace subcert::python

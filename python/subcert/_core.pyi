@@ -181,7 +181,7 @@ def refine(
     progress: _Progress,
 ) -> tuple[_Array, list[tuple[Fraction, Fraction]]]: ...
 def refine_mesh(
-    scheme: str,
+    scheme: Any,
     vertices: _Array,
     corners: Any,
     sides: Any,
@@ -203,6 +203,30 @@ def every_valence(
 def vertex_stencils(
     scheme: Any, valence: int, budget: float, progress: _Progress
 ) -> list[list[tuple[tuple[int, int], int, Any, Optional[str]]]]: ...
+def vertex_ranges(
+    scheme: Any,
+    letter: str,
+    property: str,
+    low: Fraction,
+    high: Fraction,
+    width: Fraction,
+    valences: Sequence[int],
+    budget: float,
+    jobs: int,
+    progress: _Progress,
+) -> list[tuple[int, list[tuple[Any, ...]], list[tuple[Any, ...]]]]: ...
+def vertex_map(
+    scheme: Any,
+    letters: Sequence[str],
+    property: str,
+    low: Sequence[Fraction],
+    high: Sequence[Fraction],
+    valence: int,
+    resolution: int,
+    budget: float,
+    jobs: int,
+    progress: _Progress,
+) -> tuple[list[tuple[Any, ...]], bool]: ...
 def smooth(
     y: _Array,
     x: Optional[_Array],

@@ -8,6 +8,7 @@ from ._errors import UsageError
 
 if TYPE_CHECKING:
     from ._families import ExponentCurve, PropertyRange
+    from ._vertices import WeightMap, WeightRange
 
 _COLOURS = {"yes": "#7fbf7b", "no": "#e0a3a0", "unknown": "#d0d0d0"}
 
@@ -51,7 +52,7 @@ def envelope(ax: Any, curve: ExponentCurve, parameter: str) -> Any:
     return ax
 
 
-def pieces(ax: Any, found: PropertyRange, parameter: str) -> Any:
+def pieces(ax: Any, found: PropertyRange | WeightRange, parameter: str) -> Any:
     """A bar for each piece: proved, refuted, not decided."""
     ax = axes(ax)
     seen = set()
@@ -66,6 +67,19 @@ def pieces(ax: Any, found: PropertyRange, parameter: str) -> Any:
     ax.set_yticks([])
     ax.set_xlabel(parameter)
     ax.legend()
+    return ax
+
+
+def cells(ax: Any, found: WeightMap) -> Any:
+    """A rectangle for each cell: proved, refuted, not decided."""
+    if len(found.parameters) != 2:
+        raise UsageError(f"plot: pictures are of two parameters; got {len(found.parameters)}")
+    ax = axes(ax)
+    for cell in found.cells:
+        (left, low), (right, high) = ([float(value) for value in corner] for corner in (cell.low, cell.high))
+        ax.fill_between([left, right], [low, low], [high, high], color=_COLOURS[cell.holds.value], linewidth=0)
+    ax.set_xlabel(found.parameters[0])
+    ax.set_ylabel(found.parameters[1])
     return ax
 
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import Any, Iterable, Optional, Union
+from fractions import Fraction
+from typing import Any, Iterable, Mapping, Optional, Union
 
+from . import _plots
 from ._calls import core as _core
-from ._exact import Decision, Enclosure, optional_enclosure
+from ._data import _jobs
+from ._exact import Decision, Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
 from ._schemes import MultivariateScheme, Named, scheme
 
@@ -66,6 +69,88 @@ class EveryValence:
     """First and last of the valences where it is not proved; no last one: all that follow."""
     intervals: int
     """Of 1/n, in which it is proved."""
+
+
+@dataclasses.dataclass(frozen=True)
+class WeightPiece:
+    """Values of a weight from low to high, both included, and whether the property holds for all (yes) or none (no)."""
+
+    low: Fraction
+    high: Fraction
+    holds: Truth
+    reason: str
+
+
+@dataclasses.dataclass(frozen=True)
+class WeightEnd:
+    """The one value in an enclosure where what is said on both sides of it meets."""
+
+    value: Enclosure
+    exact: Optional[str]
+    """A polynomial in c = cos(2 pi/n), where the value is one."""
+    polynomial: str
+    """In c and the letter, with the value as its only zero in the enclosure."""
+    holds: Truth
+    """At the value itself."""
+    reason: str
+
+
+@dataclasses.dataclass(frozen=True)
+class WeightRange:
+    """For which values of a weight surfaces are smooth at vertices of one valence."""
+
+    valence: int
+    parameter: str
+    pieces: tuple[WeightPiece, ...]
+    ends: tuple[WeightEnd, ...]
+    """Each in a piece that is not decided."""
+
+    def proved(self) -> tuple[WeightPiece, ...]:
+        """The pieces on which the property holds."""
+        return tuple(piece for piece in self.pieces if piece.holds.is_yes)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the pieces, and returns the axes of matplotlib."""
+        return _plots.pieces(ax, self, self.parameter)
+
+
+@dataclasses.dataclass(frozen=True)
+class WeightCell:
+    """Values of weights from low to high, and whether the property holds for all (yes) or none (no) of them."""
+
+    low: tuple[Fraction, ...]
+    high: tuple[Fraction, ...]
+    holds: Truth
+    reason: str
+    """Why it is not decided."""
+
+    @property
+    def volume(self) -> Fraction:
+        """The product of the sides."""
+        result = Fraction(1)
+        for low, high in zip(self.low, self.high):
+            result *= high - low
+        return result
+
+
+@dataclasses.dataclass(frozen=True)
+class WeightMap:
+    """For which values of several weights surfaces are smooth at vertices of one valence."""
+
+    valence: int
+    parameters: tuple[str, ...]
+    cells: tuple[WeightCell, ...]
+    complete: bool
+    """All cells that are not decided are as small as they may be."""
+
+    def share(self, holds: Truth) -> Fraction:
+        """The share of the area, or volume, with this answer."""
+        found = sum((cell.volume for cell in self.cells if cell.holds is holds), Fraction(0))
+        return found / sum((cell.volume for cell in self.cells), Fraction(0))
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the cells of two weights, and returns the axes of matplotlib."""
+        return _plots.cells(ax, self)
 
 
 class VertexRules:
@@ -179,3 +264,102 @@ def vertex_stencils(
         for stencil in _core.vertex_stencils(_rules(surface), int(valence), budget, progress)
     )
     return VertexStencils(limit, (first, second))
+
+
+def vertex_ranges(
+    surface: Surface,
+    letter: str,
+    low: Exact,
+    high: Exact,
+    valences: Iterable[int] = range(3, 13),
+    *,
+    property: str = "C1",
+    width: Exact = "1e-6",
+    budget: float = 60,
+    jobs: Optional[int] = None,
+    progress: Progress = None,
+) -> list[WeightRange]:
+    """For which values of a letter of rules the surfaces are "C1", or have "bounded-curvature", at vertices of these
+    valences. Other letters of the rules keep their values.
+
+    `width`: values are told apart down to it. Raises UsageError for rules without the letter.
+
+    >>> import subcert
+    >>> rules = subcert.vertex_rules('''
+    ... scheme = "loop"
+    ... letter = "b"
+    ... [[rule]]
+    ... weights = {vertex = "1 - b", neighbours = "b/n"}
+    ... ''')
+    >>> [four] = subcert.vertex_ranges(rules, "b", 0, "4/5", [4])
+    >>> [str(piece.holds) for piece in four.pieces], four.ends[0].exact
+    (['no', 'unknown', 'yes'], '1/4')
+    """
+    found = _core.vertex_ranges(
+        _rules(surface),
+        letter,
+        property,
+        fraction(low),
+        fraction(high),
+        fraction(width),
+        [int(n) for n in valences],
+        budget,
+        _jobs(jobs),
+        progress,
+    )
+    return [
+        WeightRange(
+            valence,
+            letter,
+            tuple(WeightPiece(p[0], p[1], Truth(p[2]), p[3]) for p in pieces),
+            tuple(WeightEnd(Enclosure._of(e[0]), e[1], e[2], Truth(e[3]), e[4]) for e in ends),
+        )
+        for valence, pieces, ends in found
+    ]
+
+
+def vertex_map(
+    surface: Surface,
+    over: Mapping[str, tuple[Exact, Exact]],
+    valence: int,
+    *,
+    property: str = "C1",
+    resolution: int = 64,
+    budget: float = 60,
+    jobs: Optional[int] = None,
+    progress: Progress = None,
+) -> WeightMap:
+    """The same for two or three letters, as a map of cells: `over` has the least and the largest value of each.
+
+    `resolution`: cells along each side, at most. Raises UsageError for rules without these letters.
+
+    >>> import subcert
+    >>> rules = subcert.vertex_rules('''
+    ... scheme = "catmull-clark"
+    ... letter = ["a", "b"]
+    ... [[rule]]
+    ... weights = {vertex = "1 - a - b", neighbours = "a/n", across = "b/n"}
+    ... ''')
+    >>> found = subcert.vertex_map(rules, {"a": (0, 1), "b": (-1, 1)}, 5, resolution=4)
+    >>> found.complete, found.share(subcert.Truth.yes) > 0
+    (True, True)
+    """
+    letters = list(over)
+    cells, complete = _core.vertex_map(
+        _rules(surface),
+        letters,
+        property,
+        [fraction(over[letter][0]) for letter in letters],
+        [fraction(over[letter][1]) for letter in letters],
+        int(valence),
+        int(resolution),
+        budget,
+        _jobs(jobs),
+        progress,
+    )
+    return WeightMap(
+        int(valence),
+        tuple(letters),
+        tuple(WeightCell(c[0], c[1], Truth(c[2]), c[3]) for c in cells),
+        complete,
+    )

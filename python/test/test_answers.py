@@ -260,6 +260,56 @@ def test_stencils_at_vertices():
         subcert.vertex_stencils("loop", 2)
 
 
+LETTERS = """
+scheme = "loop"
+letter = ["a", "b"]
+value = ["1", "0"]
+[[rule]]
+weights = {vertex = "1 - a*b", neighbours = "a*b/n"}
+"""
+
+
+def test_for_which_weights_surfaces_are_smooth_at_vertices():
+    rules = subcert.vertex_rules(LETTERS)
+    three, four = subcert.vertex_ranges(rules, "b", 0, "4/5", [3, 4])
+    assert (three.valence, four.valence, three.parameter) == (3, 4, "b")
+    assert [end.exact for end in (*three.ends, *four.ends)] == ["3/8", "1/4"]
+    assert three.ends[0].value.lower <= Fraction(3, 8) <= three.ends[0].value.upper
+    assert three.pieces[0].low == 0 and three.pieces[-1].high == Fraction(4, 5)
+    assert all(piece.low >= Fraction(3, 8) for piece in three.proved())
+    curved = subcert.vertex_ranges(rules, "b", "3/10", "4/5", [4], property="bounded-curvature")[0]
+    assert [end.exact for end in curved.ends] == ["31/64", "49/64"] and curved.ends[0].holds.is_yes
+    for letter, property in (("x", "C1"), ("b", "C2")):
+        with pytest.raises(subcert.UsageError):
+            subcert.vertex_ranges(rules, letter, 0, 1, [3], property=property)
+    with pytest.raises(subcert.UsageError, match="need rules with a letter"):
+        subcert.vertex_ranges("triangular:L=17/10,d=1,power=1", "b", 0, 1, [3])
+    with pytest.raises(subcert.DomainError, match="low < high"):
+        subcert.vertex_ranges(rules, "b", 1, 0, [3])
+    with pytest.raises(subcert.DomainError, match="valences from 3"):
+        subcert.vertex_ranges(rules, "b", 0, 1, [2])
+
+
+def test_a_map_of_weights_at_vertices():
+    rules = subcert.vertex_rules(LETTERS)
+    found = subcert.vertex_map(rules, {"a": (0, 2), "b": (0, 1)}, 4, resolution=8)
+    assert found.complete and found.parameters == ("a", "b")
+    assert sum(cell.volume for cell in found.cells) == 2
+    assert sum(found.share(holds) for holds in subcert.Truth) == 1
+    for cell in found.cells:  # C1 for 1/4 < a b < 1 (and at the ends, or not)
+        if cell.holds.is_yes:
+            assert cell.low[0] * cell.low[1] > Fraction(1, 4) and cell.high[0] * cell.high[1] < 1
+        if cell.holds.is_no:
+            assert cell.high[0] * cell.high[1] < Fraction(1, 4) or cell.low[0] * cell.low[1] > 1
+    assert found.share(subcert.Truth.yes) > Fraction(1, 10)
+    with pytest.raises(subcert.UsageError):
+        subcert.vertex_map(rules, {"a": (0, 2), "x": (0, 1)}, 4)
+    with pytest.raises(subcert.DomainError):
+        subcert.vertex_map(rules, {"a": (0, 2)}, 4)
+    with pytest.raises(subcert.DomainError):
+        subcert.vertex_map(rules, {"a": (0, 2), "b": (1, 0)}, 4)
+
+
 def test_surfaces_at_vertices_of_every_valence():
     assert subcert.every_valence("loop", 7).c1.is_yes
     butterfly = subcert.every_valence("butterfly:w=1/16")

@@ -4,6 +4,8 @@
 
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/rational_function.hpp>
+#include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/symbol/support/parse_error.hpp>
 
 #include <fmt/format.h>
 
@@ -86,6 +88,14 @@ const char* property_text(WeightProperty property) {
   return property == WeightProperty::c1 ? "C1" : "bounded-curvature";
 }
 
+WeightProperty parse_weight_property(const std::string& text, const std::string& place) {
+  for (const WeightProperty property : {WeightProperty::c1, WeightProperty::bounded_curvature})
+    if (text == property_text(property)) return property;
+  fail(ErrorKind::usage, "{}: expected C1 or bounded-curvature, got '{}'", place, printable(text));
+}
+
+std::string polynomial_text(const WeightEnd& end, char letter) { return in_letter(end.polynomial, letter); }
+
 bool is_decided(const WeightRange& range) {
   return std::ranges::all_of(range.pieces, [&](const WeightPiece& piece) {
     return piece.holds.truth != Truth::unknown || end_of(range, piece) != nullptr;
@@ -94,7 +104,7 @@ bool is_decided(const WeightRange& range) {
 
 Facts weight_facts(const VertexScheme& scheme, const RegularPart& regular, WeightProperty property,
                    const std::vector<WeightRange>& ranges) {
-  const char letter = scheme.written->letter->name;
+  const char letter = scheme.written->letters.front().name;
   Facts list = regular_part_facts(scheme, regular);
   list.push_back(member("letter", std::string(1, letter)));
   list.push_back({"property", "property", property_text(property), {}, property_text(property)});

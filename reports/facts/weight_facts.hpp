@@ -6,6 +6,7 @@
 #include <subcert/analysis/vertex/weight_range.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
+#include <string>
 #include <vector>
 
 namespace subcert::facts {
@@ -19,5 +20,10 @@ bool is_decided(const WeightRange& range);
 
 /// `C1` or `bounded-curvature`.
 const char* property_text(WeightProperty property);
+/// What has that text. Errors: throws a usage Error, which names this place, for any other.
+WeightProperty parse_weight_property(const std::string& text, const std::string& place);
+
+/// The polynomial of an end, in c and this letter.
+std::string polynomial_text(const WeightEnd& end, char letter);
 
 }  // namespace subcert::facts

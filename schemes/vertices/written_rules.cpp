@@ -33,7 +33,7 @@ std::string with_number(const std::string& text, char letter, const Rational& va
   return result;
 }
 
-/// Of an expression the coefficients of the powers of C, each a polynomial in c and, behind it, in a third letter.
+/// Of an expression the coefficients of the powers of C, each a polynomial in c and, behind it, in further letters.
 using Powers = std::vector<MultivariatePolynomial>;
 
 /// The terms by the exponent of C, without it.
@@ -42,22 +42,26 @@ Powers by_powers(const MultivariatePolynomial& p, const std::string& place) {
   for (const Monomial& term : p.terms()) {
     const long power = term.exponents[1];
     if (power < 0) refuse(place, "a quotient by C = cos(2 pi t/n); need a polynomial in it");
-    result.resize(std::max(result.size(), static_cast<std::size_t>(power) + 1), MultivariatePolynomial(2));
-    result[static_cast<std::size_t>(power)] += MultivariatePolynomial(
-        2, {{term.coefficient, {term.exponents[0], term.exponents[2]}}});
+    result.resize(std::max(result.size(), static_cast<std::size_t>(power) + 1),
+                  MultivariatePolynomial(p.variables() - 1));
+    LatticePoint others = term.exponents;
+    others.erase(others.begin() + 1);
+    result[static_cast<std::size_t>(power)] += MultivariatePolynomial(p.variables() - 1, {{term.coefficient, others}});
   }
   return result;
 }
 
-LaurentPolynomial in_c(const MultivariatePolynomial& p, long stride) {
+LaurentPolynomial in_c(const MultivariatePolynomial& p) {
   LaurentPolynomial result;
   for (const Monomial& term : p.terms())
-    result += LaurentPolynomial::monomial(term.coefficient, term.exponents[0] + stride * term.exponents[1]);
+    result += LaurentPolynomial::monomial(term.coefficient, letter_power(term.exponents));
   return result;
 }
 
 bool has_c_alone(const MultivariatePolynomial& p) {
-  return std::ranges::all_of(p.terms(), [](const Monomial& t) { return t.exponents[1] == 0 && t.exponents[2] == 0; });
+  return std::ranges::all_of(p.terms(), [](const Monomial& t) {
+    return std::all_of(t.exponents.begin() + 1, t.exponents.end(), [](long exponent) { return exponent == 0; });
+  });
 }
 
 /// sum of a_k C^k as one of b_k T_k(C): the leading coefficient of T_k is 2^(k-1).
@@ -74,7 +78,7 @@ std::vector<LaurentPolynomial> in_cosines(std::vector<LaurentPolynomial> a) {
 /// Makes the rules of one valence; those of a family where it is that of so many sectors.
 class Reader {
  public:
-  enum class Letter { value, power, share };  ///< a number; a letter with its powers; no letter, and 1/n as one
+  enum class Letter { value, power, share };  ///< numbers; letters with their powers; no letter, and 1/n as one
 
   Reader(const WrittenRules& written, long valence, Letter letter)
       : written_(written), valence_(valence), letter_(letter), field_(letter == Letter::share ? 7 : valence) {}
@@ -90,7 +94,7 @@ class Reader {
   /// The weights as polynomials, C replaced by its frequencies: b_k of cos(2 pi k t/n).
   std::vector<LaurentPolynomial> cosines(const std::string& text, const std::string& place) const {
     std::vector<LaurentPolynomial> powers;
-    for (const MultivariatePolynomial& p : read(text, place)) powers.push_back(in_c(p, letter_stride));
+    for (const MultivariatePolynomial& p : read(text, place)) powers.push_back(in_c(p));
     return in_cosines(powers);
   }
 
@@ -100,10 +104,11 @@ class Reader {
       letters += 'n';
     else
       numbers = with_number(numbers, 'n', Rational(valence_));
-    if (letter_ == Letter::power)
-      letters += written_.letter->name;
-    else if (written_.letter)
-      numbers = with_number(numbers, written_.letter->name, *written_.letter->value);
+    for (const WrittenLetter& letter : written_.letters)
+      if (!letter.value)
+        letters += letter.name;
+      else
+        numbers = with_number(numbers, letter.name, *letter.value);
     try {
       return by_powers(polynomial_of(LetterFunction::parse(numbers, letters), place), place);
     } catch (const ParseError& error) {
@@ -115,30 +120,36 @@ class Reader {
 
   /// With the letters that are numbers now.
   std::string expected(const ParseError& error) const {
-    std::string letters = fmt::format("c, C, n{}", written_.letter ? fmt::format(", {}", written_.letter->name) : "");
+    std::string letters = "c, C, n";
+    for (const WrittenLetter& letter : written_.letters) letters += fmt::format(", {}", letter.name);
     const std::size_t at = error.expected().find("exact numbers, ");
     if (at == std::string::npos) return error.expected();
     return "exact numbers, " + letters + ", +, -, *, /, ^ and parentheses";
   }
 
-  /// In three letters.
+  /// In c, C and one letter at least.
   MultivariatePolynomial polynomial_of(const LetterFunction& f, const std::string& place) const {
-    const MultivariatePolynomial numerator = in_three(f.numerator()), denominator = in_three(f.denominator());
+    const MultivariatePolynomial numerator = in_all(f.numerator()), denominator = in_all(f.denominator());
     const std::vector<Monomial> below = denominator.terms();
-    const LatticePoint& at = below.front().exponents;
-    if (below.size() == 1 && at[0] == 0 && at[1] == 0 && (at[2] == 0 || letter_ == Letter::share))
-      return MultivariatePolynomial(3, Rational(1 / below.front().coefficient)) * numerator.shifted({0, 0, -at[2]});
+    LatticePoint at = below.front().exponents;
+    const bool is_constant = std::ranges::all_of(at, [](long exponent) { return exponent == 0; });
+    if (below.size() == 1 && at[0] == 0 && at[1] == 0 && (is_constant || letter_ == Letter::share)) {
+      for (long& exponent : at) exponent = -exponent;
+      return MultivariatePolynomial(numerator.variables(), Rational(1 / below.front().coefficient)) *
+             numerator.shifted(at);
+    }
     if (letter_ != Letter::value || !has_c_alone(denominator))
       refuse(place, "a quotient by what is no number; need polynomials in the letters but n");
     const CosineField::Number divisor = field_.number(in_c_alone(denominator));
     if (divisor.is_zero()) refuse(place, fmt::format("a quotient by 0 at valence {}", valence_));
-    return numerator * MultivariatePolynomial::in_variable(3, 0, divisor.inverse().polynomial());
+    return numerator * MultivariatePolynomial::in_variable(numerator.variables(), 0, divisor.inverse().polynomial());
   }
 
-  static MultivariatePolynomial in_three(const MultivariatePolynomial& p) {
+  static MultivariatePolynomial in_all(const MultivariatePolynomial& p) {
+    const int letters = std::max(3, p.variables());
     std::vector<Monomial> terms = p.terms();
-    for (Monomial& term : terms) term.exponents.resize(3, 0);
-    return {3, terms};
+    for (Monomial& term : terms) term.exponents.resize(static_cast<std::size_t>(letters), 0);
+    return {letters, terms};
   }
 
   static LaurentPolynomial in_c_alone(const MultivariatePolynomial& p) {
@@ -233,11 +244,11 @@ const WrittenRule* rule_of(const WrittenRules& written, const LatticePoint& poin
 }
 
 void require_value(const WrittenRules& written) {
-  if (written.letter && !written.letter->value)
+  if (const WrittenLetter* letter = written.free_letter())
     fail(ErrorKind::usage,
          "the letter {0} has no value; expected one in the file, as value = \"3/8\", or a range at single valences, "
          "--over {0}=LOW..HIGH",
-         written.letter->name);
+         letter->name);
 }
 
 SectorRules made(const WrittenRules& written, long valence, Reader::Letter letter) {
@@ -269,6 +280,32 @@ std::pair<LaurentPolynomial, LaurentPolynomial> without_and_over_n(const Laurent
 
 }  // namespace
 
+const WrittenLetter* WrittenRules::free_letter() const {
+  const auto found = std::ranges::find_if(letters, [](const WrittenLetter& letter) { return !letter.value; });
+  return found == letters.end() ? nullptr : &*found;
+}
+
+WrittenRules WrittenRules::with_free(const std::vector<std::string>& names) const {
+  std::vector<WrittenLetter> free, others;
+  for (const WrittenLetter& letter : letters)
+    if (std::ranges::find(names, std::string(1, letter.name)) == names.end()) others.push_back(letter);
+  for (const std::string& name : names) free.push_back({name.front()});
+  const bool fit = std::ranges::all_of(names, [](const std::string& name) { return name.size() == 1; }) &&
+                   others.size() + free.size() == letters.size() &&
+                   std::ranges::all_of(others, [](const WrittenLetter& letter) { return letter.value.has_value(); });
+  if (!fit) {
+    std::string known;
+    for (const WrittenLetter& letter : letters)
+      known += fmt::format("{}{}{}", known.empty() ? "" : ", ", letter.name, letter.value ? " (with a value)" : "");
+    fail(ErrorKind::usage, "need a range for each letter without a value, and for no other; letters of the rules: {}",
+         known.empty() ? "none" : known);
+  }
+  WrittenRules result = *this;
+  result.letters = free;
+  result.letters.insert(result.letters.end(), others.begin(), others.end());
+  return result;
+}
+
 LatticeMask mask_in_sectors(const LatticeMask& mask, SectorLattice lattice) {
   if (lattice == SectorLattice::quads) return mask;
   if (lattice == SectorLattice::triangles)
@@ -282,9 +319,8 @@ LatticeMask mask_in_sectors(const LatticeMask& mask, SectorLattice lattice) {
 }
 
 void check_rules(const WrittenRules& written) {
-  const bool is_free = written.letter && !written.letter->value;
   for (const WrittenRule& rule : written.rules)
-    Reader(written, rule.first, is_free ? Reader::Letter::power : Reader::Letter::value).rule(rule);
+    Reader(written, rule.first, written.free_letter() ? Reader::Letter::power : Reader::Letter::value).rule(rule);
 }
 
 SectorRules rules_at(const WrittenRules& written, long valence) {
@@ -292,8 +328,8 @@ SectorRules rules_at(const WrittenRules& written, long valence) {
   return made(written, valence, Reader::Letter::value);
 }
 
-SectorRules rules_with_letter(const WrittenRules& written, long valence) {
-  require(written.letter.has_value(), "rules at a vertex: need a letter");
+SectorRules rules_with_letters(const WrittenRules& written, long valence) {
+  require(written.free_letter() != nullptr, "rules at a vertex: need a letter without a value");
   return made(written, valence, Reader::Letter::power);
 }
 

@@ -41,14 +41,20 @@ struct WrittenRules {
   SectorLattice lattice;
   LatticeMask mask;
   std::vector<WrittenRule> rules = {};
-  std::optional<WrittenLetter> letter = std::nullopt;
+  std::vector<WrittenLetter> letters = {};  ///< different ones
+
+  /// The first letter without a value, if there is one.
+  const WrittenLetter* free_letter() const;
+  /// Such rules with these letters, in this order, as those without values. Errors: throws a usage Error unless these
+  /// are letters, and all others have values.
+  WrittenRules with_free(const std::vector<std::string>& names) const;
 };
 
 /// How a mask is laid into sectors: of triangles with edges along (1,0), (0,1), (1,1), those of a sector; of a dual
 /// scheme new points around the middle of the old ones. Domain: two variables, m times the identity.
 LatticeMask mask_in_sectors(const LatticeMask& mask, SectorLattice lattice);
 
-/// The rules at a vertex of one valence. Domain: 3 <= valence <= 1000; the letter has a value. Errors: throws Error,
+/// The rules at a vertex of one valence. Domain: 3 <= valence <= 1000; all letters have values. Errors: throws Error,
 /// with the place, for what is no such expression, a quotient by 0, a row with more or fewer weights than sectors, a
 /// valence without a rule, and weights that do not sum to 1, which is decided exactly.
 SectorRules rules_at(const WrittenRules& written, long valence);
@@ -56,9 +62,9 @@ SectorRules rules_at(const WrittenRules& written, long valence);
 /// Reads each rule, at the least of its valences. Errors: as rules_at().
 void check_rules(const WrittenRules& written);
 
-/// In the same with a free letter its powers: weights are polynomials in c and, as c^(letter_stride k), in the k-th
-/// power of the letter. Domain: degrees below letter_stride in c.
-SectorRules rules_with_letter(const WrittenRules& written, long valence);
+/// The same with the letters that have no values as such: weights are polynomials in c and in them, see letter_stride.
+/// Domain: one such letter or more. Errors: as above, but that sums of weights are not looked at.
+SectorRules rules_with_letters(const WrittenRules& written, long valence);
 
 /// Those of all valences from a least one on, 7 or more: each point has one rule then. Errors: throws Error where it
 /// has not, and for weights that are not a polynomial in c and, at the point (0, 0) alone, one over n.

@@ -29,6 +29,14 @@ Ball value_of(const LaurentPolynomial& p, const Ball& at) {
   return value;
 }
 
+template <class Rules, class Visit>
+void for_each_weight(Rules& rules, const Visit& visit) {
+  for (auto& [point, rule] : rules.rules) {
+    for (auto& term : rule.terms) visit(term.weight);
+    for (auto& ring : rule.rings) visit(ring.weight);
+  }
+}
+
 }  // namespace
 
 MultivariatePolynomial two_step_symbol(const LatticeMask& mask) {
@@ -75,31 +83,49 @@ SectorRule SectorRules::rule_at(const LatticePoint& point) const {
   return result;
 }
 
-SectorRules with_letter_value(SectorRules rules, const LaurentPolynomial& value) {
-  const auto replace = [&](LaurentPolynomial& weight) {
-    LaurentPolynomial result;
-    for (long k = weight.is_zero() ? 0 : weight.lowest(); !weight.is_zero() && k <= weight.highest(); ++k)
-      if (weight.coefficient(k) != 0)
-        result += LaurentPolynomial::monomial(weight.coefficient(k), k % letter_stride) * value.pow(k / letter_stride);
-    weight = std::move(result);
-  };
-  for (auto& [point, rule] : rules.rules) {
-    for (SectorTerm& term : rule.terms) replace(term.weight);
-    for (RingTerm& ring : rule.rings) replace(ring.weight);
+std::vector<long> letter_exponents(long power, std::size_t letters) {
+  std::vector<long> result{power % letter_stride};
+  long rest = power / letter_stride;
+  for (std::size_t v = 1; v < letters; ++v) {
+    result.push_back(rest % letter_powers);
+    rest /= letter_powers;
   }
+  result.push_back(rest);
+  return result;
+}
+
+long letter_power(const std::vector<long>& exponents) {
+  long result = exponents.back();
+  for (std::size_t v = exponents.size() - 1; v-- > 0;)
+    result = result * (v == 0 ? letter_stride : letter_powers) + exponents[v];
+  return result;
+}
+
+SectorRules with_letter_values(SectorRules rules, const std::vector<LaurentPolynomial>& values) {
+  for_each_weight(rules, [&](LaurentPolynomial& weight) {
+    LaurentPolynomial result;
+    for (long power = weight.is_zero() ? 0 : weight.lowest(); !weight.is_zero() && power <= weight.highest(); ++power) {
+      if (weight.coefficient(power) == 0) continue;
+      const std::vector<long> exponents = letter_exponents(power, values.size());
+      LaurentPolynomial product = LaurentPolynomial::monomial(weight.coefficient(power), exponents[0]);
+      for (std::size_t v = 0; v < values.size(); ++v) product *= values[v].pow(exponents[v + 1]);
+      result += product;
+    }
+    weight = std::move(result);
+  });
   return rules;
 }
 
-long letter_degree(const SectorRules& rules) {
-  long degree = 0;
-  const auto see = [&](const LaurentPolynomial& weight) {
-    if (!weight.is_zero()) degree = std::max(degree, weight.highest() / letter_stride);
-  };
-  for (const auto& [point, rule] : rules.rules) {
-    for (const SectorTerm& term : rule.terms) see(term.weight);
-    for (const RingTerm& ring : rule.rings) see(ring.weight);
-  }
-  return degree;
+std::vector<long> letter_degrees(const SectorRules& rules, std::size_t letters) {
+  std::vector<long> degrees(letters, 0);
+  for_each_weight(rules, [&](const LaurentPolynomial& weight) {
+    for (long power = weight.is_zero() ? 0 : weight.lowest(); !weight.is_zero() && power <= weight.highest(); ++power) {
+      if (weight.coefficient(power) == 0) continue;
+      const std::vector<long> exponents = letter_exponents(power, letters);
+      for (std::size_t v = 0; v < letters; ++v) degrees[v] = std::max(degrees[v], exponents[v + 1]);
+    }
+  });
+  return degrees;
 }
 
 SectorRules SectorRuleFamily::at(long valence) const {

@@ -65,15 +65,21 @@ struct SectorRules {
   SectorRule rule_at(const LatticePoint& point) const;
 };
 
-/// In weights with a letter that powers of c stand for: c^(letter_stride k + i) is c^i times the letter's k-th power.
-/// Domain: degrees in c below it.
-inline constexpr long letter_stride = 64;
+/// In weights with letters powers of c stand for theirs: c^(i + letter_stride (k_1 + letter_powers (k_2 + ...))) is c^i
+/// times the k_1-th power of the first letter, and so on. Domain: degrees in c below letter_stride, and below
+/// letter_powers in all letters but the last.
+inline constexpr long letter_stride = 64, letter_powers = 32;
 
-/// Such rules with a polynomial in c in the place of the letter.
-SectorRules with_letter_value(SectorRules rules, const LaurentPolynomial& value);
+/// i, k_1, k_2, ... of that power of c. Domain: power >= 0, letters >= 1.
+std::vector<long> letter_exponents(long power, std::size_t letters);
+/// That power of c. Domain: as above, one exponent of c and one for each letter.
+long letter_power(const std::vector<long>& exponents);
 
-/// The highest power of the letter in the weights.
-long letter_degree(const SectorRules& rules);
+/// Such rules with a polynomial in c in the place of each letter.
+SectorRules with_letter_values(SectorRules rules, const std::vector<LaurentPolynomial>& values);
+
+/// The highest power of each letter in the weights.
+std::vector<long> letter_degrees(const SectorRules& rules, std::size_t letters);
 
 /// The rules of one scheme at vertices of every valence from a least one on.
 struct SectorRuleFamily {

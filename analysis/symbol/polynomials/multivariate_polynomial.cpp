@@ -12,17 +12,19 @@
 namespace subcert {
 namespace {
 
+constexpr int most_variables = 5;
+
 void require_variables(int variables) {
-  if (variables < 1 || variables > 3)
-    fail(ErrorKind::domain, "multivariate polynomial: need 1, 2 or 3 variables, got {}", variables);
+  if (variables < 1 || variables > most_variables)
+    fail(ErrorKind::domain, "multivariate polynomial: need 1 to {} variables, got {}", most_variables, variables);
 }
 
 /// FLINT contexts live as long as the program; one for each number of variables.
 const fmpq_mpoly_ctx_struct* context(int variables) {
   struct Contexts {
-    fmpq_mpoly_ctx_t ctx[3];
+    fmpq_mpoly_ctx_t ctx[most_variables];
     Contexts() {
-      for (int i = 0; i < 3; ++i) fmpq_mpoly_ctx_init(ctx[i], i + 1, ORD_LEX);
+      for (int i = 0; i < most_variables; ++i) fmpq_mpoly_ctx_init(ctx[i], i + 1, ORD_LEX);
     }
   };
   static const Contexts contexts;

@@ -18,7 +18,7 @@ class MultivariatePolynomial {
   using Monomial = subcert::Monomial;
   struct Division;
 
-  /// Zero. Domain: 1 <= variables <= 3.
+  /// Zero. Domain: 1 <= variables <= 5, up to 3 for texts.
   explicit MultivariatePolynomial(int variables);
   MultivariatePolynomial(int variables, const Rational& constant);
   /// The sum of `terms`; repeated exponents add up. Errors: throws Error where a term has another

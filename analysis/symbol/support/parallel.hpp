@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <functional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace subcert {
 
@@ -26,5 +28,15 @@ void parallel_tasks(std::size_t count, int jobs, const std::function<void(std::s
 /// and on at most `jobs` of them. Domain and errors: as parallel_for_each.
 void parallel_ranges(std::size_t count, std::size_t ranges, int jobs,
                      const std::function<void(std::size_t, std::size_t)>& work);
+
+/// Decides things on several threads, round by round, until `next`, which is given them and their answers, has no more.
+template <class Thing, class Decide, class Next>
+void in_rounds(std::vector<Thing> open, int jobs, Decide decide, Next next) {
+  while (!open.empty()) {
+    std::vector<decltype(decide(open.front()))> decided(open.size());
+    parallel_tasks(open.size(), jobs, [&](std::size_t k) { decided[k] = decide(open[k]); });
+    open = next(open, std::move(decided));
+  }
+}
 
 }  // namespace subcert

@@ -52,6 +52,20 @@ TEST_CASE("ring laws in two and three variables") {
   }
 }
 
+TEST_CASE("ring laws in five variables, which have no text") {
+  Random random;
+  constexpr int variables = 5;
+  for (int i = 0; i < 10; ++i) {
+    const auto p = random_polynomial(random, variables), q = random_polynomial(random, variables);
+    std::vector<Rational> point;
+    for (int v = 0; v < variables; ++v) point.push_back(random.nonzero());
+    CHECK((p * q + p).is_canonical());
+    CHECK((p * q + p)(point) == p(point) * q(point) + p(point));
+    CHECK((p * q).derivative(variables - 1) == p.derivative(variables - 1) * q + p * q.derivative(variables - 1));
+  }
+  CHECK_THROWS_AS(MultivariatePolynomial(variables + 1), Error);
+}
+
 TEST_CASE("division and gcd in several variables") {
   Random random;
   for (const auto i : rounds(60)) {

@@ -122,7 +122,7 @@ ACCEPTED = [
     listed("list-one", "[1,3,3,1]/4", "any", "--lower 2", "sum-rules 2; block 0 norm 1"),
     listed("list-wide", FOUR_SPLINE, "any", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
     listed("list-in-turn", FOUR_SPLINE, "follows=0-1,1-0", "--lower 2", "sum-rules 4; block 0 norm 4"),
-    listed("list-spline-last", FOUR_SPLINE, "follows=0-1,1-1", "--lower 29/10", "sum-rules 4; block 0 norm 10"),
+    listed("list-spline-last", FOUR_SPLINE, "follows=0-1,1-1", "--lower 29/10", "sum-rules 4; block 0 norm 4"),
     listed("list-first-alone", FOUR_SPLINE, "follows=0-0", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
     listed("list-arity-3", THREE, "any", "--lower 1", "sum-rules 2; block 0 norm 1", 3),
     listed("list-arity-3-follows", THREE, "follows=1-0,0-1", "--lower 1", "sum-rules 2; block 0 norm 2", 3),

@@ -17,7 +17,8 @@ let usage =
   \       subcert-check-verified --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (a mask for each level:\n\
   \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
   \       subcert-check-verified --mask '[-w,0,1/2+w,...]@first' --arity A --for w=LOW..HIGH --lower P/Q [--show] FILE\n\
-  \                              (for all these w; <, not <=; --levels w=LOW..HIGH: for all sequences of them, one for each level)\n\
+  \                              (for all these w; <, not <=; --levels w=LOW..HIGH: for all sequences of them, one for each level;\n\
+  \                              with --recurrence '[P]/(Q)' --start LOW..HIGH --from K: where values follow from each other)\n\
   \       subcert-check-verified --refinable MASK --dilation '[A]' [--component C] --lower P/Q [--upper P/Q] [--show] FILE\n\
   \                              (vectors of functions; or --exact '0-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...])\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
@@ -760,38 +761,53 @@ let read_intervals a order lower low high one r =
   in
   intervals low
 
-(* A claim about the values of a parameter in a range, or about all sequences of them. The lines `stability`, `full` and
-   `product` say nothing. *)
-let ranged mask arity range sequences lower file =
+(* A claim about the values of a parameter in a range, about all sequences of them, or about those that follow from each other:
+   texts of the step, the first values and the first level. The lines `stability`, `full` and `product` say nothing. *)
+let ranged mask arity range sequences follows lower file =
   let letter, low, high = Ranges.read_range range in
   let a = Ranges.read_mask letter mask (read_arity arity) in
   let l = bound_of lower and from = bound_of low and till = bound_of high in
+  let recurrence = Option.map (fun (step, start, first) -> Ranges.read_recurrence letter step start first) follows in
+  let named = Option.fold ~none:"" ~some:(fun (step, start, first) -> Printf.sprintf " recurrence=%s start=%s from=%s" step start first) follows in
   let theorem =
     read file 1 (fun r ->
         let kind = if sequences then "levels" else "exponent" in
-        let number = read_head ~exponent:true r (Printf.sprintf "%s %s %s %s" kind mask arity range) None in
+        let number = read_head ~exponent:true r (Printf.sprintf "%s %s %s %s%s" kind mask arity range named) None in
         require (number = None) "exact numbers are those of one mask or family";
+        let way = Option.map (fun (step, start, last, level) -> Ranges.read_way r step start last level low high) recurrence in
         let order, _ = read_sum_rules r in
         if at r "stability" then line r "stability";
         require (Q.sign lower >= 0) "the lower end of an exponent must be positive";
         require (Q.lt lower (Q.of_int order)) "the order of the sum rules does not prove the claim";
         let intervals = read_intervals a order lower low high sequences r in
         read_end r;
-        match intervals with
-        | [ (_, (common, proof)) ] when sequences ->
+        match (intervals, recurrence, way) with
+        | [ (_, (common, proof)) ], Some (step, start, last, level), Some way ->
+            let start = bound_of start and last = Option.map bound_of last in
+            require (check_follow a step start last level from till l common proof way) unproved;
+            fun name -> Theorem.print_follow name a step start last level from till l common proof way
+        | [ (_, (common, proof)) ], _, _ when sequences ->
             require (check_range_levels a from till l common proof) unproved;
             fun name -> Theorem.print_range_levels name a from till l common proof
         | _ ->
             require (check_range a from till l intervals) unproved;
             fun name -> Theorem.print_range name a from till l intervals)
   in
-  ( Printf.sprintf "%s < Hoelder exponent of %s with arity %s for all %s%s" (Q.to_string lower) mask arity
-      (if sequences then "sequences of levels with " else "") range,
+  let of_which =
+    match follows with
+    | Some (step, start, first) ->
+        let level = if first = "some" then "some level" else "level " ^ first in
+        Printf.sprintf " from %s on of %c -> %s with %c=%s at level 0, all in %s" level letter step letter start range
+    | None -> Printf.sprintf " for all %s%s" (if sequences then "sequences of levels with " else "") range
+  in
+  ( Printf.sprintf "%s < Hoelder exponent of %s with arity %s%s" (Q.to_string lower) mask arity of_which,
     theorem,
     fun () ->
-      Printf.printf "the Hoelder exponents are above %s for all %sx from %s to %s\n" (Q.to_string lower)
-        (if sequences then "sequences of levels with " else "") (Q.to_string low) (Q.to_string high);
-      Ranges.show a )
+      Printf.printf "the Hoelder exponents are above %s for %sx from %s to %s\n" (Q.to_string lower)
+        (if follows <> None then "levels that follow from each other and have "
+         else if sequences then "all sequences of levels with " else "all ") (Q.to_string low) (Q.to_string high);
+      Ranges.show a;
+      Option.iter (fun (step, start, last, _) -> Ranges.show_recurrence step start last) recurrence )
 
 (* arity^(-upper), rounded up, and above arity^(-order): a radius that proves an upper end of functions *)
 let least_radius arity order upper =
@@ -968,7 +984,13 @@ let check arguments =
       refinable (get "--refinable") (get "--dilation") (find "--component") (bound "--lower") (bound "--upper")
         (Option.map (read_exact true) (find "--exact")) (get "FILE")
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
-      ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels")
+      ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels") None
+        (Option.get (bound "--lower")) (get "FILE")
+    else if
+      List.for_all has [ "--mask"; "--arity"; "--levels"; "--recurrence"; "--start"; "--from"; "--lower" ]
+      && only [ "--mask"; "--arity"; "--levels"; "--recurrence"; "--start"; "--from" ]
+    then
+      ranged (get "--mask") (get "--arity") (get "--levels") true (Some (get "--recurrence", get "--start", get "--from"))
         (Option.get (bound "--lower")) (get "FILE")
     else if has "--masks" || (has "--order" && not (has "--vectors" || has "--hermite")) then begin
       require (has "--masks" && has "--order" && has "--arity") usage;

@@ -105,8 +105,98 @@ let control_family a low high common order =
   require (List.length entries * Z.numbits least <= 1 lsl 32) "matrices too large";
   family
 
+let polynomial p = String.concat " + " (List.mapi (fun k c -> Printf.sprintf "%s x^%d" (Z.to_string c) k) p)
+
 let show a =
-  let polynomial p = String.concat " + " (List.mapi (fun k c -> Printf.sprintf "%s x^%d" (Z.to_string c) k) p) in
   let coefficient k p = Printf.printf "coefficient %s is (%s) / q\n" (Z.to_string (Z.add a.ranged_first (Z.of_int k))) (polynomial p) in
   List.iteri coefficient a.numerators;
   Printf.printf "q is %s\n" (polynomial a.ranged_divisor)
+
+(* ---- a value that follows from the one before ---- *)
+
+(* [P]/D, [P]/(Q) or sqrt before them; LOW..HIGH or LOW..inf; a number or `some` *)
+let read_recurrence letter step start from =
+  let of_root = String.starts_with ~prefix:"sqrt" step in
+  let step = if of_root then String.sub step 4 (String.length step - 4) else step in
+  let { numerators; ranged_divisor; _ } = read_mask letter step 2 in
+  require (List.length numerators = 1) "a recurrence is [P]/D, [P]/(Q) or sqrt[P]/(Q)";
+  let expected = "the first values are LOW..HIGH or LOW..inf" in
+  let rec dots k = if k + 1 >= String.length start then reject expected else if start.[k] = '.' && start.[k + 1] = '.' then k else dots (k + 1) in
+  let dots = dots 0 in
+  let first = rational (String.sub start 0 dots) and last = String.sub start (dots + 2) (String.length start - dots - 2) in
+  let last = if last = "inf" then None else Some (rational last) in
+  require (Option.fold ~none:true ~some:(Q.leq first) last) expected;
+  require ((last = None) = (from = "some")) "a start has a level if it is bounded, else 'some'";
+  let from = if from = "some" then None else Some (size from 0 1000) in
+  ({ above_bar = List.hd numerators; below_bar = ranged_divisor; of_root }, first, last, from)
+
+let ratio_of q = { qnum = Q.num q; qden = Q.den q }
+let pair_of (x, y) = (ratio_of x, ratio_of y)
+
+(* The sign of a polynomial that is not 0 at a place *)
+let sign_at p x =
+  let value = List.fold_left (fun v c -> Q.add (Q.mul v x) (Q.of_bigint c)) Q.zero (List.rev p) in
+  Z.of_int (if Q.sign value < 0 then -1 else 1)
+
+let steps_of r = (List.length r.above_bar + List.length r.below_bar) * 100_000
+let not_signed = "the denominator of the recurrence is not shown to be positive"
+let beyond side = "what keeps the recurrence from being " ^ side ^ " the next values is not shown to be positive"
+
+(* The sign of the denominator where all values of an interval lead to the next one *)
+let step r (low, high) (next_low, next_high) =
+  spend (steps_of r);
+  let sign = sign_at r.below_bar low in
+  let test strict p = signed_between strict (ratio_of low) (ratio_of high) p in
+  require (denominator_signed r sign test) not_signed;
+  require (next_at_least r sign test (ratio_of next_low)) (beyond "below");
+  require (next_at_most r sign test (ratio_of next_high)) (beyond "above");
+  sign
+
+(* How far a start without an end is looked at in pieces *)
+let descent_of r low high =
+  require (Q.sign high > 0) "an unbounded start needs a range with a positive upper end";
+  let sign = sign_at r.below_bar high in
+  let rec far k =
+    spend (steps_of r);
+    let far_off = Q.add high (Q.of_bigint (Z.pred (Z.shift_left Z.one k))) in
+    let test strict p = signed_beyond strict (ratio_of high) (ratio_of far_off) p in
+    if descends r sign (ratio_of low) (ratio_of high) (ratio_of far_off) then (sign, ratio_of far_off)
+    else if k < 24 then far (k + 1)
+    else begin
+      require (denominator_signed r sign test) not_signed;
+      require (next_at_least r sign test (ratio_of low)) (beyond "below");
+      reject (beyond "above nine tenths of")
+    end
+  in
+  far 0
+
+(* The lines `level`: intervals to which the first values lead, one after another, the last one in the range *)
+let read_way r recurrence first last from low high =
+  let range_sign = step recurrence (low, high) (low, high) in
+  let descent = if last = None then begin
+      require (Q.leq first high) "an unbounded start begins above the range";
+      Some (descent_of recurrence low high)
+    end else None
+  in
+  let rec levels count at_ =
+    if not (at r "level") then begin
+      require (Option.fold ~none:true ~some:(fun from -> count <= from) from) "the values come into the range at a later level";
+      require (Q.leq low (fst at_) && Q.leq (snd at_) high) "the values do not come into the range";
+      []
+    end
+    else
+      match List.map rational (take r "level" 2 2) with
+      | [ next_low; next_high ] ->
+          require (count < 1000) "more levels than this checker allows";
+          require (Q.leq next_low next_high) "the values of a level are an interval";
+          let sign = step recurrence at_ (next_low, next_high) in
+          (sign, pair_of (next_low, next_high)) :: levels (count + 1) (next_low, next_high)
+      | _ -> assert false
+  in
+  { range_sign; way_levels = levels 0 (first, Option.value last ~default:high); descent }
+
+let show_recurrence r first last =
+  Printf.printf "each x is followed by the %s (%s) / (%s)\n" (if r.of_root then "root of" else "value") (polynomial r.above_bar)
+    (polynomial r.below_bar);
+  Printf.printf "the first x is from %s on%s\n" (Q.to_string first)
+    (Option.fold ~none:"" ~some:(fun x -> ", at most " ^ Q.to_string x) last)

@@ -306,6 +306,22 @@ let print_range name a low high l intervals =
     (Printf.sprintf "apply (check_range_sound _ _ %s_certificate)" name)
     (list interval intervals)
 
+(* Values that follow from each other *)
+let print_follow name a r first last from low high l common c way =
+  let step (sign, (x, y)) = Printf.sprintf "(%s, (%s, %s))" (integer sign) (fraction x) (fraction y) in
+  let path =
+    Printf.sprintf "(Follows_by %s %s %s)" (integer way.range_sign) (list step way.way_levels)
+      (option (fun (sign, far) -> Printf.sprintf "(%s, %s)" (integer sign) (fraction far)) way.descent)
+  in
+  let mask =
+    Printf.sprintf "mask : ranged := Ranged %s %s\n%s\n%s.\n\nDefinition %s_step : rule := Rule %s %s %b"
+      (natural a.ranged_arity) (integer a.ranged_first) (list vector a.numerators) (vector a.ranged_divisor) name
+      (vector r.above_bar) (vector r.below_bar) r.of_root
+  in
+  print name " Subdivision Exponent Levels Ranges Follow" mask (lower_end c)
+    (Printf.sprintf "follow_hold : follow_hold %s_mask %s_step %s %s %s %s.\nProof. apply (check_follow_sound _ _ _ _ _ _ _ _ %s %s_certificate %s). %s"
+       name name (fraction first) (option fraction last) (option natural from) (ends low high l) (integer common) name path by_computation)
+
 (* Vectors of functions *)
 let vector_mask a =
   Printf.sprintf "vector_mask : vector_mask := VectorMask %s %s %s\n%s %s" (natural a.vector_arity) (natural a.functions)

@@ -4150,6 +4150,235 @@ let rec check_range a low0 high0 l = function
      (&&) (check_interval a low0 next l common0 cert)
        (check_range a next high0 l pieces'))
 
+type rule = { above_bar : Number.t list; below_bar : Number.t list;
+              of_root : bool }
+
+(** val fits : bool -> Number.t -> bool **)
+
+let fits strict c =
+  if strict
+  then Number.less Number.zero c
+  else Number.less_equal Number.zero c
+
+(** val signed_on :
+    int -> bool -> Number.t -> Number.t -> Number.t -> Number.t list -> bool **)
+
+let rec signed_on fuel strict a b e l =
+  let f = polynomial_form a b e l in
+  if negb
+       ((&&) (fits strict (hd Number.zero f))
+         (fits strict (last f Number.zero)))
+  then false
+  else if forallb (fits strict) f
+       then true
+       else ((fun zero next n -> if n = 0 then zero () else next (n - 1))
+               (fun _ -> false)
+               (fun k ->
+               if signed_on k strict (Number.mul (Number.twice Number.one) a)
+                    (Number.add a b) (Number.mul (Number.twice Number.one) e)
+                    l
+               then signed_on k strict (Number.add a b)
+                      (Number.mul (Number.twice Number.one) b)
+                      (Number.mul (Number.twice Number.one) e) l
+               else false)
+               fuel)
+
+(** val signed_between : bool -> q -> q -> Number.t list -> bool **)
+
+let signed_between strict low0 high0 l =
+  (&&) (Nat.leb (Stdlib.succ 0) (length l))
+    (signed_on (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ (Stdlib.succ
+      (Stdlib.succ
+      0)))))))))))))))))))))))))))))))))))))))))))))))))))))))))))) strict
+      (Number.mul low0.qnum high0.qden) (Number.mul high0.qnum low0.qden)
+      (Number.mul low0.qden high0.qden) l)
+
+(** val shifted : Number.t -> Number.t -> Number.t list -> Number.t list **)
+
+let rec shifted a e = function
+| [] -> []
+| c::rest ->
+  let s = shifted a e rest in
+  addmul (Number.mul c (Number.power e (Number.of_natural (length rest))))
+    (Number.one::[]) (addmul a s (Number.zero::(map (Number.mul e) s)))
+
+(** val signed_beyond : bool -> q -> q -> Number.t list -> bool **)
+
+let signed_beyond strict low0 far l =
+  let s = shifted far.qnum far.qden l in
+  (&&)
+    ((&&)
+      ((&&)
+        (Number.less_equal (Number.mul low0.qnum far.qden)
+          (Number.mul far.qnum low0.qden)) (signed_between strict low0 far l))
+      (fits strict (hd Number.zero s)))
+    (forallb (Number.less_equal Number.zero) s)
+
+(** val bounded_below :
+    Number.t -> q -> Number.t list -> Number.t list -> Number.t list **)
+
+let bounded_below sign c p q0 =
+  addmul (Number.opposite (Number.mul sign c.qnum)) q0
+    (map (Number.mul (Number.mul sign c.qden)) p)
+
+(** val bounded_above :
+    Number.t -> q -> Number.t list -> Number.t list -> Number.t list **)
+
+let bounded_above sign d p q0 =
+  addmul (Number.opposite (Number.mul sign d.qden)) p
+    (map (Number.mul (Number.mul sign d.qnum)) q0)
+
+(** val squared : q -> q **)
+
+let squared c =
+  { qnum = (Number.mul c.qnum c.qnum); qden = (Coq_Pos.mul c.qden c.qden) }
+
+(** val not_negative : q -> q **)
+
+let not_negative c =
+  if Number.less c.qnum Number.zero
+  then { qnum = Number.zero; qden = Number.one }
+  else c
+
+(** val denominator_signed :
+    rule -> Number.t -> (bool -> Number.t list -> bool) -> bool **)
+
+let denominator_signed r sign test =
+  let q0 = r.below_bar in
+  (&&)
+    ((||) (Number.equal sign Number.one)
+      (Number.equal sign (Number.opposite Number.one)))
+    (test true (map (Number.mul sign) q0))
+
+(** val next_at_least :
+    rule -> Number.t -> (bool -> Number.t list -> bool) -> q -> bool **)
+
+let next_at_least r sign test =
+  let p = r.above_bar in
+  let q0 = r.below_bar in
+  (fun c ->
+  test false
+    (bounded_below sign (if r.of_root then squared (not_negative c) else c) p
+      q0))
+
+(** val next_at_most :
+    rule -> Number.t -> (bool -> Number.t list -> bool) -> q -> bool **)
+
+let next_at_most r sign test =
+  let p = r.above_bar in
+  let q0 = r.below_bar in
+  (fun d ->
+  if r.of_root
+  then (&&) (Number.less_equal Number.zero d.qnum)
+         (test false (bounded_above sign (squared d) p q0))
+  else test false (bounded_above sign d p q0))
+
+(** val next_smaller :
+    rule -> Number.t -> (bool -> Number.t list -> bool) -> bool **)
+
+let next_smaller r sign test =
+  let p = r.above_bar in
+  let q0 = r.below_bar in
+  if r.of_root
+  then test false
+         (addmul
+           (Number.opposite
+             (Number.mul sign (Number.twice (Number.twice
+               (Number.twice_plus_one (Number.twice (Number.twice
+               (Number.twice_plus_one Number.one)))))))) p
+           (Number.zero::(Number.zero::(map
+                                         (Number.mul
+                                           (Number.mul sign
+                                             (Number.twice_plus_one
+                                             (Number.twice (Number.twice
+                                             (Number.twice
+                                             (Number.twice_plus_one
+                                             (Number.twice Number.one))))))))
+                                         q0))))
+  else test false
+         (addmul
+           (Number.opposite
+             (Number.mul sign (Number.twice (Number.twice_plus_one
+               (Number.twice Number.one))))) p
+           (Number.zero::(map
+                           (Number.mul
+                             (Number.mul sign (Number.twice_plus_one
+                               (Number.twice (Number.twice Number.one))))) q0)))
+
+(** val leads : rule -> Number.t -> (q*q) -> (q*q) -> bool **)
+
+let leads r sign from0 to0 =
+  let test = fun strict l -> signed_between strict (fst from0) (snd from0) l
+  in
+  (&&)
+    ((&&) (denominator_signed r sign test)
+      (next_at_least r sign test (fst to0)))
+    (next_at_most r sign test (snd to0))
+
+(** val descends : rule -> Number.t -> q -> q -> q -> bool **)
+
+let descends r sign low0 high0 far =
+  let test = fun strict l -> signed_beyond strict high0 far l in
+  (&&)
+    ((&&)
+      ((&&) (Number.less Number.zero high0.qnum)
+        (denominator_signed r sign test)) (next_at_least r sign test low0))
+    (next_smaller r sign test)
+
+(** val less_or_equal : q -> q -> bool **)
+
+let less_or_equal x y =
+  Number.less_equal (Number.mul x.qnum y.qden) (Number.mul y.qnum x.qden)
+
+(** val way0 : rule -> (q*q) -> (Number.t*(q*q)) list -> q -> q -> bool **)
+
+let rec way0 r at_ levels low0 high0 =
+  match levels with
+  | [] -> (&&) (less_or_equal low0 (fst at_)) (less_or_equal (snd at_) high0)
+  | p::rest ->
+    let sign,next = p in
+    (&&) (leads r sign at_ next) (way0 r next rest low0 high0)
+
+type follow_certificate = { range_sign : Number.t;
+                            way_levels : (Number.t*(q*q)) list;
+                            descent : (Number.t*q) option }
+
+(** val check_follow :
+    ranged -> rule -> q -> q option -> int option -> q -> q -> q -> Number.t
+    -> exponent_certificate -> follow_certificate -> bool **)
+
+let check_follow a r first0 last0 from0 low0 high0 l common0 cert c =
+  (&&)
+    ((&&)
+      ((&&) (check_range_levels a low0 high0 l common0 cert)
+        (leads r c.range_sign (low0,high0) (low0,high0)))
+      (way0 r (first0,(match last0 with
+                       | Some u -> u
+                       | None -> high0)) c.way_levels low0 high0))
+    (match last0 with
+     | Some _ ->
+       (match from0 with
+        | Some n -> Nat.leb (length c.way_levels) n
+        | None -> true)
+     | None ->
+       (match from0 with
+        | Some _ -> false
+        | None ->
+          (match c.descent with
+           | Some p -> let sign,far = p in descends r sign low0 high0 far
+           | None -> false)))
+
 (** val spread_times :
     int -> Number.t list -> Number.t list -> Number.t list **)
 

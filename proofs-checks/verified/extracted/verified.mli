@@ -943,6 +943,57 @@ val check_range_levels :
 val check_range :
   ranged -> q -> q -> q -> (q*(Number.t*exponent_certificate)) list -> bool
 
+type rule = { above_bar : Number.t list; below_bar : Number.t list;
+              of_root : bool }
+
+val fits : bool -> Number.t -> bool
+
+val signed_on :
+  int -> bool -> Number.t -> Number.t -> Number.t -> Number.t list -> bool
+
+val signed_between : bool -> q -> q -> Number.t list -> bool
+
+val shifted : Number.t -> Number.t -> Number.t list -> Number.t list
+
+val signed_beyond : bool -> q -> q -> Number.t list -> bool
+
+val bounded_below :
+  Number.t -> q -> Number.t list -> Number.t list -> Number.t list
+
+val bounded_above :
+  Number.t -> q -> Number.t list -> Number.t list -> Number.t list
+
+val squared : q -> q
+
+val not_negative : q -> q
+
+val denominator_signed :
+  rule -> Number.t -> (bool -> Number.t list -> bool) -> bool
+
+val next_at_least :
+  rule -> Number.t -> (bool -> Number.t list -> bool) -> q -> bool
+
+val next_at_most :
+  rule -> Number.t -> (bool -> Number.t list -> bool) -> q -> bool
+
+val next_smaller : rule -> Number.t -> (bool -> Number.t list -> bool) -> bool
+
+val leads : rule -> Number.t -> (q*q) -> (q*q) -> bool
+
+val descends : rule -> Number.t -> q -> q -> q -> bool
+
+val less_or_equal : q -> q -> bool
+
+val way0 : rule -> (q*q) -> (Number.t*(q*q)) list -> q -> q -> bool
+
+type follow_certificate = { range_sign : Number.t;
+                            way_levels : (Number.t*(q*q)) list;
+                            descent : (Number.t*q) option }
+
+val check_follow :
+  ranged -> rule -> q -> q option -> int option -> q -> q -> q -> Number.t ->
+  exponent_certificate -> follow_certificate -> bool
+
 val spread_times : int -> Number.t list -> Number.t list -> Number.t list
 
 val then_mask : masks -> scheme -> (Number.t*Number.t list) -> scheme

@@ -171,6 +171,30 @@ done
 expect 64 --mask "$tension" --arity 17 --levels w=1/50..1/10 --lower 1 four-point-levels.cert
 expect 2 --mask "$tension" --arity 2 --levels w=1/50..1/10 --for w=1/50..1/10 --lower 1 four-point-levels.cert
 expect 66 --mask "$tension" --arity 2 --levels w=1/50..1/10 --lower 1 none.cert
+# values that follow from each other
+corner='[w,1-w,1-w,w]'
+rooted() {
+  code=$1
+  shift
+  expect "$code" --mask "$corner" --arity 2 --levels w=1/100..49/100 --lower 0 "$@" follow-root-open.cert
+}
+step='sqrt[1/20+1/10*w]'
+rooted 0 --recurrence "$step" --start 0..inf --from some --show
+echo "$output" | grep -qx 'each x is followed by the root of (1 x^0 + 2 x^1) / (20 x^0 + 0 x^1)'
+echo "$output" | grep -qx 'the first x is from 0 on'
+rooted 1 --recurrence "$step" --start 1/5..inf --from some
+rooted 1 --recurrence '[1/20+1/10*w]' --start 0..inf --from some
+rooted 2 --recurrence "$step" --start 0..inf
+rooted 2 --recurrence "$step" --start 0..inf --from some --limit 1/4
+for start in '' 0 0..inf 1..0 inf..1; do
+  rooted 64 --recurrence "$step" --start "$start" --from 1
+done
+for from in '' -1 1001 all; do
+  rooted 64 --recurrence "$step" --start 0..1 --from "$from"
+done
+for other in '' sqrt '[w' '[1,w]' '[v]' '[1]/(0*w'; do
+  rooted 64 --recurrence "$other" --start 0..inf --from some
+done
 # vectors of functions
 hats='[[[2,0],[0,0]],[[4,0],[0,1]],[[2,0],[4,1]]]/4@-1'
 functions() {

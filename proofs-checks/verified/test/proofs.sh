@@ -70,6 +70,11 @@ theorem SequencesOfValues --mask '[-w,0,1/2+w,1,1/2+w,0,-w]@-3' --arity 2 --leve
   four-point-levels.cert
 theorem QuotientOfValues --mask '[1,v,v,1]/(1+v)' --arity 2 --for v=3/2..9 --lower 0 quotient-converges.cert
 theorem SquareOfValues --mask '[w^2,1/2,1-2*w^2,1/2,w^2]@-2' --arity 2 --for w=1/5..2/5 --lower 1 square-range.cert
+corner="--mask [w,1-w,1-w,w] --arity 2 --levels w=1/100..49/100 --lower 0"
+# shellcheck disable=SC2086
+theorem FollowRoot $corner --recurrence 'sqrt[1/20+1/10*w]' --start 0..inf --from some follow-root-open.cert
+# shellcheck disable=SC2086
+theorem FollowQuotient $corner --recurrence '[1]/(3+w)' --start 1/5..1/5 --from 0 follow-quotient.cert
 theorem PeriodBoth --masks "$pair" --arity 2 --order period=0,1 --lower 2 --upper 5/2 period.cert
 theorem PeriodExact --masks "$pair" --arity 2 --order period=0,1 --exact '4-log|[-8,1]@8,0,1/1000|^1/1' --logarithm 0 \
   period-exact.cert

@@ -1,7 +1,7 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
-  SubradiusExact Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact VectorsComponent.
+  SubradiusExact Rough Reduced Levels Ranges Follow Period Vectors VectorsAbove VectorsExact VectorsComponent.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -39,6 +39,7 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   check_reduced check_factor check_rough check_full class_sum
   check_subradius check_product factor_below image_above check_exact_subradius equal_at
   check_levels levels_family level_size states scheme_of
+  check_follow leads descends denominator_signed next_at_least next_at_most next_smaller signed_between signed_beyond
   check_range check_range_levels control_masks has_control_masks range_family form_between
   in_period period_scheme
   check_vectors checks_space checks_start checks_kernel unfixed move vector_family

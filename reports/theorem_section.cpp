@@ -3,6 +3,7 @@
 #include "story_sentences.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include <subcert/proofs-checks/theorems/degree_one.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
@@ -75,6 +76,18 @@ formats::Figure mean_and_ripple() {
           {means, ripples}};
 }
 
+/// Side by side, as each has parts that one thread does alone; they are kept for those who ask again.
+void prove_all(const ReportOptions& options) {
+  std::vector<std::pair<std::string, int>> asked;
+  for (const TheoremCase& one : theorem_cases())
+    for (const int degree : one.degrees) asked.emplace_back(one.id, degree);
+  parallel_tasks(asked.size(), options.jobs, [&](std::size_t i) {
+    const auto& [id, degree] = asked[i];
+    if (options.progress) options.progress("theorem " + id + ", d = " + std::to_string(degree));
+    theorems::proved(id, degree, "primal", options.jobs);
+  });
+}
+
 }  // namespace
 
 formats::Section theorem_section(const ReportOptions& options) {
@@ -85,9 +98,9 @@ formats::Section theorem_section(const ReportOptions& options) {
                             {}};
   std::vector<std::pair<std::string, Truth>> decided;
   std::vector<std::string> statements;
+  prove_all(options);
   for (const TheoremCase& one : theorem_cases())
     for (int degree : one.degrees) {
-      if (options.progress) options.progress(std::string("theorem ") + one.id + ", d = " + std::to_string(degree));
       const theorems::Theorem& theorem = theorems::proved(one.id, degree, "primal", options.jobs);
       table.rows.push_back({one.id, fmt::format("{}", fmt::join(theorem.degrees, ", ")), range(one.id),
                             std::to_string(theorem.checks.size()), verdict_word(theorem.decision.truth)});

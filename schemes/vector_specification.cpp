@@ -20,20 +20,24 @@ LatticeMask transposed(const LatticeMask& mask) {
   return matrix_mask(terms, mask.components(), mask.dilation());
 }
 
-/// The key integral, one number for each component.
-std::optional<std::vector<Rational>> read_integral(Fields& fields, std::size_t components) {
+/// The key integral, one number for each component, none where it is absent. `root`: that of the mask, or 0; made that
+/// of the numbers.
+std::vector<QuadraticNumber> read_integral(Fields& fields, std::size_t components, long& root) {
   const auto piece = fields.optional("integral");
-  if (!piece) return std::nullopt;
-  std::vector<Rational> result;
-  for (const Piece& number : read_list(*piece, ',')) result.push_back(read_rational(number));
-  if (result.size() != components || std::ranges::all_of(result, [](const Rational& x) { return x == 0; }))
+  if (!piece) return {};
+  std::vector<QuadraticNumber> result;
+  for (const Piece& number : read_list(*piece, ',')) {
+    result.push_back(placed(number, [&] { return QuadraticNumber::parse(number.text, root); }));
+    root = std::max(root, result.back().root);
+  }
+  if (result.size() != components || std::ranges::all_of(result, &QuadraticNumber::is_zero))
     fail(*piece, fmt::format("{} numbers in brackets, not all 0, the integrals of the functions", components));
   return result;
 }
 
-std::string integral_text(const std::vector<Rational>& integral) {
+std::string integral_text(const std::vector<QuadraticNumber>& integral) {
   std::vector<std::string> numbers;
-  for (const Rational& number : integral) numbers.push_back(to_text(number));
+  for (const QuadraticNumber& number : integral) numbers.push_back(number.to_text());
   return fmt::format(",integral=[{}]", fmt::join(numbers, ","));
 }
 
@@ -86,19 +90,21 @@ Scheme make_matrices(VectorForm form, const Piece& family, const Piece& body, co
       mask, [&mask = mask, variables] { return text::parse_quadratic_mask_text(mask.text, variables); });
   const std::size_t components = read_components(parts, mask);
   const Dilation dilation = read_dilation(fields, static_cast<std::size_t>(variables));
-  const auto integral = read_integral(fields, components);
+  long root = std::ranges::max_element(parts.coefficients, {}, &QuadraticNumber::root)->root;
+  const std::vector<QuadraticNumber> integral = read_integral(fields, components, root);
   fields.finish();
-  const auto root = std::ranges::max_element(parts.coefficients, {}, &QuadraticNumber::root);
   Scheme scheme = checked(mask, [&, &mask = mask] {
-    if (root->root > 0) return with_root(form, parts, root->root, components, dilation);
+    if (root > 0) return with_root(form, parts, root, components, dilation);
     const LatticeMask given = matrix_mask(terms_of(part_of(parts, &QuadraticNumber::rational), text::Entries::matrices),
                                           components, dilation);
     return vector_scheme(form, title_of(form), form == VectorForm::refinable ? given : transposed(given));
   });
-  if (!integral) return scheme;
-  scheme.specification += integral_text(*integral);
-  scheme.integral = integral;
-  if (scheme.quadratic) scheme.integral->resize(2 * components, 0);  // multiples of the root
+  if (integral.empty()) return scheme;
+  scheme.specification += integral_text(integral);
+  scheme.integral.emplace();
+  for (const QuadraticNumber& number : integral) scheme.integral->push_back(number.rational);
+  if (root > 0)
+    for (const QuadraticNumber& number : integral) scheme.integral->push_back(number.multiple);
   return scheme;
 }
 

@@ -85,22 +85,31 @@ Shrinking shrinking(const Parts& parts, const std::vector<LatticeSequence>& star
   }
 }
 
-/// Whether a vector y != 0 has the sums of P_k y over every class equal to y, so that the data y, y, ... are kept.
-bool keeps_constants(const LatticeMask& mask) {
+/// A basis of the y for which the sums of P_k y over every class are y, so that the data y, y, ... are kept.
+std::vector<std::vector<Rational>> kept_constants(const Parts& parts) {
+  const LatticeMask& mask = parts.mask;
   const std::size_t size = mask.components();
   RationalMatrix equations(size * static_cast<std::size_t>(mask.dilation().classes()), size);
   for (const LatticeMask::Term& term : mask.terms())
     equations(mask.dilation().divide(term.exponents).digit * size + term.column, term.row) += term.coefficient;
   for (std::size_t i = 0; i < equations.rows(); ++i) equations(i, i % size) -= 1;
-  return !kernel(equations).empty();
+  std::vector<std::vector<Rational>> kept = kernel(equations);
+  if (kept.empty() || parts.root == 0) return kept;
+  for (std::vector<Rational>& y : kept)  // of the transposed doubled matrices, q and then p
+    std::rotate(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(size / 2), y.end());
+  return basis_over_field(kept, parts.root);
+}
+
+std::vector<LatticeSequence> all_differences(const LatticeMask& mask) {
+  std::vector<LatticeSequence> result;
+  for (std::size_t c = 0; c < mask.components(); ++c) add_differences(result, mask, c, 1);
+  return result;
 }
 
 Decision parts_converge(const Parts& parts, const Budget& budget) {
-  if (!keeps_constants(parts.mask))
+  if (kept_constants(parts).empty())
     return {Truth::no, "no vector but 0 is kept by the sums of the P_k over all classes, so limits could only be 0"};
-  std::vector<LatticeSequence> starts;
-  for (std::size_t c = 0; c < parts.mask.components(); ++c) add_differences(starts, parts.mask, c, 1);
-  Decision found = shrinking(parts, starts, 1, budget).contract;
+  Decision found = shrinking(parts, all_differences(parts.mask), 1, budget).contract;
   if (found.is_yes()) return {Truth::yes, "the differences of its data shrink: " + found.reason};
   if (found.is_no()) return {Truth::no, "the differences of its data do not shrink: " + found.reason};
   return found;
@@ -193,6 +202,33 @@ Decision vector_scheme_converges(const LatticeMask& mask, const Budget& budget) 
 
 Decision vector_scheme_converges(const QuadraticMask& mask, const Budget& budget) {
   return parts_converge({mask.doubled, mask.root}, budget);
+}
+
+namespace {
+
+SchemeDifferences differences_of_parts(const Parts& parts, const Budget& budget) {
+  SchemeDifferences result{kept_constants(parts)};
+  if (result.kept.empty()) return result;
+  result.space = space_of_long_words(parts.mask, all_differences(parts.mask), 1);
+  const std::size_t size = result.space ? result.space->family.size() : 0;
+  require(size > 0 && size <= largest_space,
+          "scheme: need differences that span a space of dimension 1 to {}, got {} (0 where none is found)",
+          largest_space, size);
+  const Operators operators = operators_of(*result.space, parts);
+  const NormProof norms = norms_of(on_functions(operators, parts.root),
+                                   {budget.deadline.after(schedule::vector::norms), budget.memory});
+  result.radius = radius_of(operators, parts.root, budget, norms, 1 - power(Rational(2), -20));
+  return result;
+}
+
+}  // namespace
+
+SchemeDifferences scheme_differences(const LatticeMask& mask, const Budget& budget) {
+  return differences_of_parts({mask}, budget);
+}
+
+SchemeDifferences scheme_differences(const QuadraticMask& mask, const Budget& budget) {
+  return differences_of_parts({mask.doubled, mask.root}, budget);
 }
 
 namespace {

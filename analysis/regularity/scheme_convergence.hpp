@@ -12,6 +12,19 @@ namespace subcert {
 Decision vector_scheme_converges(const LatticeMask& mask, const Budget& budget);
 Decision vector_scheme_converges(const QuadraticMask& mask, const Budget& budget);
 
+/// What tells whether such a scheme converges: the vectors y that the sums of the P_k over all classes keep, and the
+/// space of all long words T_w on the first differences of the data and on how they differ from the next ones.
+struct SchemeDifferences {
+  /// A basis; over a field the parts p, and then q, of p + sqrt(root) q. Where there is none it does not converge.
+  std::vector<std::vector<Rational>> kept;
+  std::optional<DifferenceSpace> space = std::nullopt;  ///< where something is kept
+  /// Of the operators there, at least until it is known on which side of 1 it is: below 1 if it converges.
+  JointSpectralRadius radius = {};
+};
+/// Domain: as above. Errors: throws Error where no space of at most 256 dimensions is found, 128 over a field.
+SchemeDifferences scheme_differences(const LatticeMask& mask, const Budget& budget);
+SchemeDifferences scheme_differences(const QuadraticMask& mask, const Budget& budget);
+
 /// Whether the Hermite scheme D^(n+1) f'_i = sum over j of P_{i-aj} D^n f_j, D = diag(1, 1/a, ..., a^(1-r)), converges
 /// with its derivatives, HC^(r-1): f^n_i - F(a^-n i) -> 0 uniformly with F = (phi, phi', ..., phi^(r-1)) continuous for
 /// all bounded data, and phi is not always 0. No polynomials have to be kept. Domain: one variable. Errors: throws

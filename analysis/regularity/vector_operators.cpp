@@ -1,5 +1,6 @@
 #include "vector_operators.hpp"
 
+#include <subcert/analysis/radii/joint/congruences.hpp>
 #include <subcert/analysis/radii/joint/one_block.hpp>
 #include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/radii/joint/rounded_family.hpp>
@@ -35,6 +36,26 @@ Operators operators_of(const std::vector<LatticeSequence>& basis, const std::vec
         root(k, c) = is_first ? Rational(parts.root * found->second) : found->second;
   }
   return {family, std::move(root)};
+}
+
+std::vector<std::vector<Rational>> basis_over_field(const std::vector<std::vector<Rational>>& rows, long root) {
+  const std::size_t size = rows.front().size(), half = root > 0 ? size / 2 : size;
+  const auto column = [&](std::size_t c) { return root > 0 ? c % half * 2 + c / half : c; };
+  RationalMatrix matrix(rows.size(), size), conditions(size, size);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < size; ++c) matrix(r, column(c)) = rows[r][c];
+  const auto annihilators = kernel(matrix);
+  for (std::size_t r = 0; r < annihilators.size(); ++r)
+    for (std::size_t c = 0; c < size; ++c) conditions(r, c) = annihilators[r][c];
+  const auto basis = kernel(conditions);
+  const std::vector<std::size_t> places = free_columns(basis);
+  std::vector<std::vector<Rational>> result;
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    if (root > 0 && places[k] % 2 == 1) continue;
+    std::vector<Rational>& row = result.emplace_back();
+    for (std::size_t c = 0; c < size; ++c) row.push_back(basis[k][column(c)]);
+  }
+  return result;
 }
 
 RealFamily on_functions(const Operators& operators, long number, long root_bits) {
@@ -165,24 +186,20 @@ JointSpectralRadius radius_over_field(const Operators& operators, long number, c
   return result;
 }
 
-/// The number is at most 2^this, and above 2^(this - 2). Domain: above 0.
-long power_above(const Rational& number) {
-  return static_cast<long>(msb(numerator(number))) + 1 - static_cast<long>(msb(denominator(number)));
-}
-
-/// The sum over t of |T_t x|^2 as an operator on forms: how far its spectral radius may be from that of the rounded
-/// matrices.
-Rational change_of_forms(const RealFamily& family) {
-  if (family.distance == 0) return 0;
-  const auto n = static_cast<long>(family.matrices.size() * (family.matrices.size() + 1) / 2);
-  Rational largest = 0;
-  for (const RationalMatrix& matrix : family.matrices)
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
-      for (std::size_t k = 0; k < matrix.columns(); ++k) largest = std::max(largest, abs(matrix(i, k)));
-  // An entry is a sum of two products of entries for each matrix, a norm at most n times the largest.
-  const Rational products(2 * n * static_cast<long>(family.matrices.count())), near = largest + family.distance;
-  const Rational norms = 2 * products * near * near, moved = products * family.distance * (largest + near);
-  return power(Rational(2), ((n - 1) * power_above(norms) + power_above(moved)) / n + 1);
+/// The balls of the matrices of a block over the field.
+std::vector<radius::BallMatrix> balls_of(const Operators& block, long number, slong bits) {
+  const RationalMatrix basis = basis_of_pairs(RationalMatrix::identity(block.family.size()), *block.root);
+  const std::size_t size = basis.rows() / 2;
+  const Ball root = sqrt(Ball(number, bits));
+  std::vector<radius::BallMatrix> result;
+  for (const RationalMatrix& matrix : block.family) {
+    const RationalMatrix x = solve(basis, matrix * basis);
+    radius::BallMatrix& balls = result.emplace_back(size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k)
+        balls[i].push_back(Ball(x(2 * i, 2 * k), bits) + root * Ball(x(2 * i + 1, 2 * k), bits));
+  }
+  return result;
 }
 
 }  // namespace
@@ -193,25 +210,17 @@ std::optional<Enclosure> mean_square_radius(const Operators& operators, long num
     const auto found = p_radius(operators.family, 2, bits, deadline);
     return found ? std::optional(found->radius) : std::nullopt;
   }
-  constexpr long spare = 32, most_forms = 36;
-  Enclosure result = Enclosure::exactly(0);
+  Enclosure most = Enclosure::exactly(0);
+  const Rational count(static_cast<long>(operators.family.count()));
   for (const Operators& block : FieldBlocks(operators, deadline.after(schedule::vector::blocks)).blocks) {
-    const auto size = static_cast<long>(block.family.size() / 2);
-    const long forms = size * (size + 1) / 2;
-    if (forms > most_forms)
-      fail(ErrorKind::size, "mean_square_radius: need at most {} forms of degree 2 over a field, got {}", most_forms,
-           forms);
-    const RealFamily family = on_functions(block, number, forms * (bits + spare) + spare);
-    const auto found = p_radius(family.matrices, 2, bits, deadline);
+    const int wanted = bits + 8;
+    const auto found = radius::radius_of_congruences(balls_of(block, number, radius::bits_for_congruences(wanted)),
+                                                     wanted, deadline);
     if (!found) return std::nullopt;
-    const Rational change = change_of_forms(family) / Rational(static_cast<long>(family.matrices.count()));
-    const Rational& low = *found->radius.lower;
-    const Rational& high = *found->radius.upper;
-    const Rational below = std::max(Rational(0), Rational(low * low - change)), above = high * high + change;
-    result = {std::max(*result.lower, *root_enclosure(below, 2, bits).lower),
-              std::max(*result.upper, *root_enclosure(above, 2, bits).upper)};
+    most = {std::max(*most.lower, *found->lower), std::max(*most.upper, *found->upper)};
   }
-  return result;
+  return Enclosure{root_enclosure(*most.lower / count, 2, bits).lower,
+                   root_enclosure(*most.upper / count, 2, bits).upper};
 }
 
 JointSpectralRadius radius_of(const Operators& operators, long number, const Budget& budget, const NormProof& norms,

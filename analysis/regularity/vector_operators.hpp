@@ -42,6 +42,11 @@ Operators operators_of(const DifferenceSpace& space, const Parts& parts);
 Operators operators_of(const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots,
                        const MatrixFamily& family, const Parts& parts);
 
+/// A basis of the span of the rows over the field of the root, or with 0 over the rationals: each is 1 at a column
+/// where the others are 0. The columns hold all x_c and then all y_c of x + sqrt(root) y; of a row and its multiple by
+/// the root that with 1 in a column of x_c is kept. Domain: rows; the rational span holds all multiples by the root.
+std::vector<std::vector<Rational>> basis_over_field(const std::vector<std::vector<Rational>>& rows, long root);
+
 /// The columns, one after the other, that are no combinations over the field of the root of those before them, each
 /// with its image under the root behind it. Domain: the root times itself is a number that is no square.
 RationalMatrix basis_of_pairs(const RationalMatrix& columns, const RationalMatrix& root);
@@ -74,9 +79,8 @@ struct RealFamily {
 RealFamily on_functions(const Operators& operators, long number, long root_bits = 512);
 
 /// The 2-radius on the functions: the limit of (mean of |T_w|^2 over the words of k digits)^(1/(2k)). Error and cost:
-/// as p_radius of each block, with roots of so many bits that the zeros of its characteristic polynomial move by less
-/// than 2^-bits. Errors: as p_radius; of kind size for a block of more than 8 functions over a field. Nothing where the
-/// deadline comes first. Ref: [Els85]; docs/vectors.md, section 8.
+/// as p_radius; over a field as radius_of_congruences of each block. Errors: as these. Nothing where the deadline comes
+/// first. Proof: docs/vectors.md, section 8.
 std::optional<Enclosure> mean_square_radius(const Operators& operators, long number, int bits,
                                             const Deadline& deadline);
 

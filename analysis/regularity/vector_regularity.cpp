@@ -302,28 +302,6 @@ Decision are_continuous(const Enclosure& exponent, std::size_t solutions) {
   return {Truth::unknown, "not decided within the budget"};
 }
 
-/// A basis of the span of the rows: each is 1 at a column where the others are 0. The columns of x_c and y_c of
-/// x + sqrt(root) y are two that follow each other, and of the rows with 1 there that of x_c is kept.
-std::vector<std::vector<Rational>> basis_over_field(const std::vector<std::vector<Rational>>& rows, long root) {
-  const std::size_t size = rows.front().size(), half = root > 0 ? size / 2 : size;
-  const auto column = [&](std::size_t c) { return root > 0 ? c % half * 2 + c / half : c; };
-  RationalMatrix matrix(rows.size(), size), conditions(size, size);
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (std::size_t c = 0; c < size; ++c) matrix(r, column(c)) = rows[r][c];
-  const auto annihilators = kernel(matrix);
-  for (std::size_t r = 0; r < annihilators.size(); ++r)
-    for (std::size_t c = 0; c < size; ++c) conditions(r, c) = annihilators[r][c];
-  const auto basis = kernel(conditions);
-  const std::vector<std::size_t> places = free_columns(basis);
-  std::vector<std::vector<Rational>> result;
-  for (std::size_t k = 0; k < basis.size(); ++k) {
-    if (root > 0 && places[k] % 2 == 1) continue;
-    std::vector<Rational>& row = result.emplace_back();
-    for (std::size_t c = 0; c < size; ++c) row.push_back(basis[k][column(c)]);
-  }
-  return result;
-}
-
 /// Those of the solutions that are meant.
 std::vector<LatticeSequence> asked_for(const Parts& parts, std::vector<LatticeSequence> solutions,
                                        const std::optional<std::vector<Rational>>& integral) {

@@ -1,5 +1,7 @@
 // Operators over a quadratic field: mirrors, and which product attains the radius of all blocks.
 
+#include <subcert/analysis/radii/joint/congruences.hpp>
+#include <subcert/analysis/radii/joint/p_radius.hpp>
 #include <subcert/analysis/regularity/vector_operators.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/random.hpp>
@@ -145,6 +147,63 @@ TEST_CASE("Radii of blocks over a field are equal where that is proved") {
   CHECK(exact({half, {}}, {{}, {0, Rational(-1, 2)}}) == Truth::unknown);  // equal, but by no map
   CHECK(exact({half}, {{0, Rational(-1, 2)}}) == Truth::yes);              // of one block, up to the sign
   CHECK(exact({half}, {more}) == Truth::unknown);
+}
+
+/// Rows of integers as balls, each entry `width` away from the integer at most.
+radius::BallMatrix balls(const std::vector<std::vector<long>>& rows, int bits, const Rational& width = 0) {
+  const slong precision = radius::bits_for_congruences(bits);
+  radius::BallMatrix result;
+  for (const std::vector<long>& row : rows) {
+    auto& entries = result.emplace_back();
+    for (const long entry : row) entries.push_back(Ball(entry, precision).widened(Ball(width, precision)));
+  }
+  return result;
+}
+
+TEST_CASE("the mean of squares over a field is that of the real matrices near by") {
+  constexpr int bits = 60;
+  const Rational near = power(Rational(2), -bits + 8);
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(12)) {
+    const long root = std::vector<long>{2, 7, 15199}[static_cast<std::size_t>(random.integer(0, 2))];
+    const auto size = static_cast<std::size_t>(random.integer(1, 4));
+    std::vector<FieldMatrix> matrices;
+    for (long k = random.integer(1, 3); k > 0; --k) matrices.push_back(random_matrix(random, size));
+    if (random.chance(20))
+      for (auto& row : matrices.front())
+        for (Number& entry : row) entry = {};
+    const Operators given = operators(matrices, root);
+    const auto found = mean_square_radius(given, root, bits, Deadline::never());
+    const auto rounded = p_radius(on_functions(given, root).matrices, 2, bits, Deadline::never());
+    REQUIRE(found);
+    REQUIRE(rounded);
+    CHECK(abs(*found->upper - *rounded->radius.upper) <= near * *found->upper);
+    CHECK(*found->lower >= *found->upper * (1 - near));
+  }
+}
+
+TEST_CASE("sums of congruences: what they leave open, and what they never say") {
+  constexpr int bits = 40;
+  const auto of = [](const std::vector<radius::BallMatrix>& matrices) {
+    return radius::radius_of_congruences(matrices, bits, Deadline::never());
+  };
+  CHECK(*of({balls({{0}}, bits)})->upper == 0);
+  CHECK(*of({balls({{-3}}, bits), balls({{4}}, bits)})->lower <= 25);
+  CHECK_FALSE(of({balls({{0, 1}, {0, 0}}, bits)}));  // nilpotent
+  CHECK_FALSE(of({balls({{1, 2}, {3, 4}}, bits, Rational(1, 2))}));
+  const auto is_near = [&](const std::vector<radius::BallMatrix>& matrices, const Rational& value) {
+    const auto found = of(matrices);
+    return found && *found->lower <= value && value <= *found->upper &&
+           *found->upper - *found->lower < value * power(Rational(2), -20);
+  };
+  CHECK(is_near({balls({{0, -1}, {1, 0}}, bits)}, 1));                                // a turn
+  CHECK(is_near({balls({{2, 0}, {0, 2}}, bits), balls({{0, 1}, {1, 0}}, bits)}, 5));  // equal parts
+  CHECK(is_near({balls({{3, 1, 7}, {0, 2, 5}, {0, 0, 1}}, bits)}, 9));                // triangular
+  const auto jordan = of({balls({{1, 1}, {0, 1}}, bits)});  // a zero of higher order is slow, and may stay open
+  CHECK((!jordan || (*jordan->lower <= 1 && *jordan->upper >= 1)));
+  CHECK_THROWS_WITH(of({radius::BallMatrix(23, std::vector<Ball>(23, Ball(1L, 64)))}),
+                    Catch::Contains("need at most 22 rows, got 23"));
+  CHECK_FALSE(radius::radius_of_congruences({balls({{1, 2}, {3, 4}}, bits)}, bits, Deadline::in(0)));
 }
 
 }  // namespace

@@ -61,8 +61,14 @@ std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rule
   for (std::size_t i = 0; i < shifted.size(); ++i) shifted[i][i] = shifted[i][i] - lambda;
   const auto vector = kernel_vector(shifted, field);
   if (!vector) return std::nullopt;
+  return of_vector(rules, set, forms, frequency, lambda, *vector, field);
+}
+
+CharacteristicMap CharacteristicMap::of_vector(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
+                                               long frequency, const Ball& lambda, const std::vector<Ball>& vector,
+                                               const BallField& field) {
   CharacteristicMap result(rules, forms, frequency, lambda, field);
-  result.known_ = block.data(*vector);
+  result.known_ = SectorBlock<BallField>(rules, set, frequency, field).data(vector);
   // In the half plane of its sector, where it is in one.
   const long far = result.radius();
   const Point middle = result.data_at({far, far});

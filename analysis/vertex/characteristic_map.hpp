@@ -60,6 +60,11 @@ class CharacteristicMap {
   static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
                                                long frequency, const Ball& lambda, const BallField& field);
 
+  /// The same from an eigenvector, one of several. Domain: as many numbers as the frequency has unknowns.
+  static CharacteristicMap of_vector(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
+                                     long frequency, const Ball& lambda, const std::vector<Ball>& vector,
+                                     const BallField& field);
+
   /// The same for a frequency 1 and 1/n in an interval from 0 on, where lambda = 1 - decay delta, delta = 2 - 2 cos(2
   /// pi/n), so that for n -> infinity z is constant: the data are x = rho and y = s of z = 1 + delta rho + s (w - 1).
   /// Domain: a dual lattice.

@@ -2,9 +2,58 @@
 
 #include <subcert/analysis/symbol/matrices/ball_solvers.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace subcert::vertex {
+namespace {
+
+using Vector = std::vector<CosineField::Number>;
+using Matrix = std::vector<Vector>;
+
+bool is_zero(const Vector& vector) {
+  return std::ranges::all_of(vector, [](const CosineField::Number& entry) { return entry.is_zero(); });
+}
+
+/// Its first entry that is not 0 is 1. Domain: not 0.
+Vector normed(Vector vector) {
+  std::size_t first = 0;
+  while (vector[first].is_zero()) ++first;
+  const CosineField::Number inverse = vector[first].inverse();
+  for (CosineField::Number& entry : vector) entry = inverse * entry;
+  return vector;
+}
+
+Vector product(const Vector& row, const Matrix& matrix, const CosineField& field) {
+  Vector result(matrix.size(), field.number(0));
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (!row[i].is_zero())
+      for (std::size_t j = 0; j < result.size(); ++j) result[j] = result[j] + row[i] * matrix[i][j];
+  return result;
+}
+
+Vector product(const Matrix& matrix, const Vector& column, const CosineField& field) {
+  Vector result(matrix.size(), field.number(0));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (std::size_t j = 0; j < column.size(); ++j) result[i] = result[i] + matrix[i][j] * column[j];
+  return result;
+}
+
+/// A basis of the kernel.
+std::vector<Vector> kernel(Matrix matrix, const CosineField& field) {
+  const std::size_t n = matrix.size();
+  const std::vector<std::size_t> pivots = reduce(matrix);
+  std::vector<Vector> basis;
+  for (std::size_t free = 0; free < n; ++free) {
+    if (std::ranges::find(pivots, free) != pivots.end()) continue;
+    basis.emplace_back(n, field.number(0));
+    basis.back()[free] = field.number(1);
+    for (std::size_t row = 0; row < pivots.size(); ++row) basis.back()[pivots[row]] = -matrix[row][free];
+  }
+  return basis;
+}
+
+}  // namespace
 
 std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Ball>>& matrix, const BallField& field) {
   const std::size_t n = matrix.size();
@@ -29,20 +78,29 @@ std::optional<std::vector<Ball>> kernel_vector(const std::vector<std::vector<Bal
   return std::nullopt;
 }
 
-std::optional<std::vector<CosineField::Number>> kernel_vector(std::vector<std::vector<CosineField::Number>> matrix,
-                                                              const CosineField& field) {
+std::optional<std::vector<CosineField::Number>> kernel_vector(Matrix matrix, const CosineField& field) {
+  std::vector<Vector> basis = kernel(std::move(matrix), field);
+  if (basis.size() != 1) return std::nullopt;
+  return normed(std::move(basis.front()));
+}
+
+NilpotentPart nilpotent_part(const Matrix& matrix, const CosineField& field) {
   const std::size_t n = matrix.size();
-  const std::vector<std::size_t> pivots = reduce(matrix);
-  if (pivots.size() + 1 != n) return std::nullopt;
-  std::size_t free = 0;
-  while (free < pivots.size() && pivots[free] == free) ++free;
-  std::vector<CosineField::Number> result(n, field.number(0));
-  result[free] = field.number(1);
-  for (std::size_t row = 0; row < pivots.size(); ++row) result[pivots[row]] = -matrix[row][free];
-  std::size_t first = 0;
-  while (result[first].is_zero()) ++first;
-  const CosineField::Number inverse = result[first].inverse();
-  for (CosineField::Number& entry : result) entry = inverse * entry;
+  Matrix power(n, Vector(n, field.number(0)));
+  for (std::size_t i = 0; i < n; ++i) power[i][i] = field.number(1);
+  NilpotentPart result{0, {}};
+  for (std::size_t defect = 0; result.size <= n; ++result.size) {
+    Matrix next;
+    for (const Vector& row : power) next.push_back(product(row, matrix, field));
+    const std::vector<Vector> ends = kernel(next, field);
+    if (ends.size() == defect) break;
+    result.last.clear();
+    if (ends.size() == defect + 1)
+      for (const Vector& end : ends)
+        if (Vector image = product(power, end, field); !is_zero(image)) result.last = normed(std::move(image));
+    defect = ends.size();
+    power = std::move(next);
+  }
   return result;
 }
 

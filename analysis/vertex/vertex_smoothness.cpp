@@ -102,28 +102,33 @@ class VertexProof {
                                       about(spectrum_->groups.front()));
       return result_;
     }
-    const std::vector<long> frequencies = leader->frequencies();
-    result_.frequency = frequencies.front();
+    const std::vector<Leader::Share> largest = leader->largest();
+    result_.frequency = largest.front().frequency;
     result_.subdominant = leader->value.enclosure();
     if (!regular_.c1.is_yes())
       result_.c1.reason = "the regular part is not proved to be C1: " + regular_.c1.reason;
     else if (!Ball(1, bits_).is_less(1 / leader->value))
       result_.c1.reason = "the subdominant eigenvalue is not below 1";
-    else if (frequencies.size() > 1)
-      refute_by_several(frequencies, leader->value);
+    else if (largest.size() > 1)
+      refute_by_several(largest, leader->value);
     else
-      frequencies.front() == 1 ? prove(leader->value) : refute(frequencies.front(), leader->value);
+      result_.frequency == 1 ? prove(largest.front(), leader->value) : refute(largest.front(), leader->value);
     return result_;
   }
 
  private:
-  std::optional<CharacteristicMap> map_of(long frequency, const Ball& value) {
-    if (2 * frequency >= rules_.valence) return std::nullopt;
-    return CharacteristicMap::find(rules_, set_, *regular_.forms, frequency, value, BallField(rules_.valence, bits_));
+  std::optional<CharacteristicMap> map_of(const Leader::Share& share, const Ball& value) {
+    if (2 * share.frequency >= rules_.valence) return std::nullopt;
+    const BallField field(rules_.valence, bits_);
+    if (share.vector.empty())
+      return CharacteristicMap::find(rules_, set_, *regular_.forms, share.frequency, value, field);
+    std::vector<Ball> vector;
+    for (const CosineField::Number& entry : share.vector) vector.push_back(field.number(entry.polynomial()));
+    return CharacteristicMap::of_vector(rules_, set_, *regular_.forms, share.frequency, value, vector, field);
   }
 
-  void prove(const Ball& value) {
-    const auto map = map_of(1, value);
+  void prove(const Leader::Share& share, const Ball& value) {
+    const auto map = map_of(share, value);
     if (!map) {
       result_.c1.reason = "no eigenvector of the subdominant eigenvalue is found";
       return;
@@ -140,9 +145,9 @@ class VertexProof {
                                    regular_.forms->are_hulls());
   }
 
-  void refute(long frequency, const Ball& value) {
-    const auto map = map_of(frequency, value);
-    const std::string what = fmt::format("the subdominant eigenvalue has frequency {}", frequency);
+  void refute(const Leader::Share& share, const Ball& value) {
+    const auto map = map_of(share, value);
+    const std::string what = fmt::format("the subdominant eigenvalue has frequency {}", share.frequency);
     if (map && map->winds(most_levels))
       result_.c1 = {Truth::no, what};
     else
@@ -150,10 +155,12 @@ class VertexProof {
   }
 
   /// Three functions or more that lead are those of no graph.
-  void refute_by_several(const std::vector<long>& frequencies, const Ball& value) {
+  void refute_by_several(const std::vector<Leader::Share>& shares, const Ball& value) {
+    std::vector<long> frequencies;
+    for (const Leader::Share& share : shares) frequencies.push_back(share.frequency);
     const std::string what = fmt::format("the subdominant eigenvalue has frequencies {}", fmt::join(frequencies, ", "));
-    const bool known = std::ranges::all_of(frequencies, [&](long frequency) {
-      const auto map = map_of(frequency, value);
+    const bool known = std::ranges::all_of(shares, [&](const Leader::Share& share) {
+      const auto map = map_of(share, value);
       return map && map->has_values();
     });
     if (known)

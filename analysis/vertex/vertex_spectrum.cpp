@@ -1,9 +1,12 @@
 #include "vertex_spectrum.hpp"
 
 #include "diagonal_blocks.hpp"
+#include "kernel_vector.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace subcert::vertex {
@@ -47,6 +50,15 @@ std::size_t take_out(FieldPolynomial& p, const CosineField::Number& zero, const 
   for (; count < most && p.size() > 1 && value_at(p, zero, field).is_zero(); ++count)
     p = quotient(p, {-zero, field.number(1)}, field);
   return count;
+}
+
+/// The zero in a ball, where it is the only one or the simplest rational number there.
+std::optional<CosineField::Number> zero_in(const FieldPolynomial& p, const Ball& ball, const CosineField& field) {
+  if (p.size() == 2) return -p[0];
+  const Enclosure place = ball.enclosure();
+  if (!place.is_bounded()) return std::nullopt;
+  const CosineField::Number number = field.number(simplest_between(*place.lower, *place.upper));
+  return value_at(p, number, field).is_zero() ? std::optional(number) : std::nullopt;
 }
 
 bool are_all_less(const FieldPolynomial& p, const Ball& bound, const CosineField& field, const BallField& balls) {
@@ -97,12 +109,11 @@ std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const Cl
   return result;
 }
 
-std::vector<long> Leader::frequencies() const {
-  std::size_t largest = 0;
-  for (const Share& share : shares) largest = std::max(largest, share.size);
-  std::vector<long> result;
-  for (const Share& share : shares)
-    if (share.size == largest) result.push_back(share.frequency);
+std::vector<Leader::Share> Leader::largest() const {
+  std::size_t size = 0;
+  for (const Share& share : shares) size = std::max(size, share.size);
+  std::vector<Share> result;
+  std::ranges::copy_if(shares, std::back_inserter(result), [&](const Share& share) { return share.size == size; });
   return result;
 }
 
@@ -122,26 +133,28 @@ std::optional<Leader> leader_of(const VertexSpectrum& spectrum, const SectorRule
     // Zeros that this eigenvalue is one of.
     common = gcd(squarefree(group.count > 1 ? gcd(p, derivative(p, field)) : p, field), common);
   }
-  if (common.size() != 2) return std::nullopt;
-  const CosineField::Number value = -common[0];
+  const auto known = zero_in(common, first.value.real(), field);
+  if (!known) return std::nullopt;
+  const CosineField::Number& value = *known;
   Leader result{balls.number(value.polynomial()), {}};
   if (!Ball(0, balls.bits()).is_less(result.value)) return std::nullopt;
   for (const FrequencyGroup& group : spectrum.groups)
     if (rivals.count({group.frequency, group.block}) == 0 && !abs(group.value).is_less(result.value))
       return std::nullopt;
-  std::map<long, std::size_t> multiplicities;
+  std::set<long> frequencies;
   for (auto& [key, p] : rivals) {
     if (key.first == 0) take_out(p, field.number(1), field, 1);
-    multiplicities[key.first] += take_out(p, value, field, p.size());
+    if (take_out(p, value, field, p.size()) > 0) frequencies.insert(key.first);
     if (!are_all_less(p, result.value, field, balls)) return std::nullopt;
   }
-  for (const auto& [frequency, multiplicity] : multiplicities) {
+  for (const long frequency : frequencies) {
     auto matrix = SectorBlock<CosineField>(rules, set, frequency, field).matrix();
     for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i][i] = matrix[i][i] - value;
-    if (reduce(matrix).size() + 1 != matrix.size()) return std::nullopt;
-    result.shares.push_back({frequency, multiplicity});
+    NilpotentPart part = nilpotent_part(matrix, field);
+    result.shares.push_back({frequency, part.size, std::move(part.last)});
   }
-  return result;
+  const auto is_alone = [](const Leader::Share& share) { return !share.vector.empty(); };
+  return std::ranges::all_of(result.largest(), is_alone) ? std::optional(std::move(result)) : std::nullopt;
 }
 
 SquareTest::SquareTest(FrequencyGroup root, const SectorRules& rules, const ClosedSet& set)

@@ -34,17 +34,20 @@ std::optional<VertexSpectrum> vertex_spectrum(const SectorRules& rules, const Cl
 struct Leader {
   struct Share {
     long frequency;
-    std::size_t size;  ///< of its one Jordan block
+    std::size_t size;  ///< of its largest Jordan block
+    /// The eigenvector of that block, where no other is as large; empty where it is not computed, as the number is
+    /// simple.
+    std::vector<CosineField::Number> vector = {};
   };
   Ball value;  ///< real and positive
   std::vector<Share> shares;
 
-  /// The frequencies with the largest blocks.
-  std::vector<long> frequencies() const;
+  /// Those of the frequencies with the largest blocks.
+  std::vector<Share> largest() const;
 };
 
-/// Exact. Nothing where it is not simple and not found in Q(c), where a frequency has several blocks with it, or where
-/// other eigenvalues may be as large. Domain: a spectrum of these. Cost: where it is not simple, characteristic
+/// Exact. Nothing where it is not simple and not found in Q(c), where a frequency has several of the largest blocks, or
+/// where other eigenvalues may be as large. Domain: a spectrum of these. Cost: where it is not simple, characteristic
 /// polynomials over Q(c).
 std::optional<Leader> leader_of(const VertexSpectrum& spectrum, const SectorRules& rules, const ClosedSet& set);
 

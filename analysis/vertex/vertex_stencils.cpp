@@ -9,6 +9,8 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <type_traits>
 
 namespace subcert {
 namespace {
@@ -142,18 +144,23 @@ std::vector<std::size_t> reached(const Matrix& matrix, std::size_t from) {
   return result;
 }
 
+/// The transposed matrix, less a multiple of the identity.
+template <class Matrix, class Number>
+Matrix transposed_less(Matrix matrix, const Number& value) {
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) std::swap(matrix[i][j], matrix[j][i]);
+    matrix[i][i] = matrix[i][i] - value;
+  }
+  return matrix;
+}
+
 /// m with m M = value m on the unknowns, the first entry that is not 0 being 1.
 template <class Field>
 std::optional<std::vector<typename Field::Number>> left_vector(const SectorBlock<Field>& block,
                                                                const std::vector<std::size_t>& unknowns,
                                                                const typename Field::Number& value,
                                                                const Field& field) {
-  auto matrix = restricted(block.matrix(), unknowns);
-  for (std::size_t i = 0; i < matrix.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) std::swap(matrix[i][j], matrix[j][i]);
-    matrix[i][i] = matrix[i][i] - value;
-  }
-  return kernel_vector(matrix, field);
+  return kernel_vector(transposed_less(restricted(block.matrix(), unknowns), value), field);
 }
 
 class Stencils {
@@ -177,7 +184,7 @@ class Stencils {
         result.tangents = tangents(*exact_, *value);
         return result;
       }
-    result.tangents = tangents(balls_, lambda());
+    if (leader_blocks().size() == 1) result.tangents = tangents(balls_, lambda());
     return result;
   }
 
@@ -200,34 +207,38 @@ class Stencils {
   template <class Field>
   std::array<VertexStencils::Stencil, 2> tangents(const Field& field, const typename Field::Number& value) {
     const SectorBlock<Field> block(rules_, set_, 1, field);
-    const auto of_leader = leader_block();
-    if (!of_leader) return {};
-    const auto unknowns = reached(block.matrix(), of_leader->front());
-    const auto form = left_vector(block, unknowns, value, field);
-    if (!form) return {};
+    const std::vector<Unknowns> of_leader = leader_blocks();
+    if (of_leader.empty()) return {};
+    auto unknowns = reached(block.matrix(), of_leader.front().front());
+    auto form = left_vector(block, unknowns, value, field);
+    if constexpr (std::is_same_v<Field, CosineField>)
+      if (of_leader.size() > 1) {
+        unknowns = Unknowns(block.size());
+        std::iota(unknowns.begin(), unknowns.end(), std::size_t{0});
+        form = nilpotent_part(transposed_less(block.matrix(), value), field).last;
+      }
+    if (!form || form->empty()) return {};
     const auto weights = Weights<Field>(rules_, block, field).of_waves(unknowns, *form);
     return {listed(weights, Column::first), listed(weights, Column::second)};
   }
 
-  /// The diagonal block that has the leader among its eigenvalues.
-  std::optional<Unknowns> leader_block() const {
+  /// The diagonal blocks that have the leader among their eigenvalues.
+  std::vector<Unknowns> leader_blocks() const {
     const auto matrix = SectorBlock<BallField>(rules_, set_, 1, balls_).matrix();
-    std::optional<Unknowns> result;
+    std::vector<Unknowns> result;
     for (const Unknowns& block : diagonal_blocks(matrix, [](const Ball& entry) { return is_exactly_zero(entry); })) {
       auto own = restricted(matrix, block);
       for (std::size_t i = 0; i < own.size(); ++i) own[i][i] = own[i][i] - lambda();
-      if (arb_contains_zero(determinant(own, balls_.bits()).get()) == 0) continue;
-      if (result) return std::nullopt;
-      result = block;
+      if (arb_contains_zero(determinant(own, balls_.bits()).get()) != 0) result.push_back(block);
     }
     return result;
   }
 
   /// Where it is the only entry of its block, or a rational number of a small denominator.
   std::optional<CosineField::Number> exact_leader() const {
-    const auto block = leader_block();
-    if (!block) return std::nullopt;
-    const auto own = restricted(SectorBlock<CosineField>(rules_, set_, 1, *exact_).matrix(), *block);
+    const std::vector<Unknowns> blocks = leader_blocks();
+    if (blocks.empty()) return std::nullopt;
+    const auto own = restricted(SectorBlock<CosineField>(rules_, set_, 1, *exact_).matrix(), blocks.front());
     if (own.size() == 1) return own[0][0];
     const auto p = characteristic_polynomial(own, *exact_);
     for (long d = 1; d <= most_denominator; ++d) {

@@ -23,9 +23,9 @@ struct VertexStencils {
   /// The point of the surface at the vertex, of dual schemes in the middle of the face. The weights sum to 1.
   Stencil limit;
   /// Two vectors t, u: the data are limit + lambda^k (t Re z + u Im z) + o(lambda^k) on level k, z the data of the
-  /// characteristic map, in some scale. For almost all initial data they span the tangent plane, t x u the normal on
-  /// the side from which the sectors turn counter-clockwise. Empty where the leader is not proved to be one of
-  /// frequency 1.
+  /// characteristic map, in some scale; with a Jordan block in front a power of k more. For almost all initial data
+  /// they span the tangent plane, t x u the normal on the side from which the sectors turn counter-clockwise. Empty
+  /// where the leader is not proved to be one of frequency 1.
   std::array<Stencil, 2> tangents;
 };
 

@@ -1,4 +1,4 @@
-// subcert refine SCHEME DATA
+// subcert refine SCHEME|FILE.toml DATA
 
 #include <subcert/analysis/difference/convergence.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
@@ -7,6 +7,7 @@
 #include <subcert/cli/commands/level_values.hpp>
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
 #include <subcert/schemes/data/refine/slab_refinement.hpp>
@@ -148,6 +149,21 @@ bool is_mesh_scheme(const RefineCommand& options, const AnyScheme& scheme) {
          data::has_mesh_rules(specification_of(scheme));
 }
 
+/// Rules of a file, which are of meshes.
+VertexScheme written_rules(const RefineCommand& options) {
+  if (!data::mesh_format(options.data))
+    fail(ErrorKind::usage, "{}: rules at vertices refine meshes, .obj, .ply, .off, .stl; got {}", options.scheme,
+         input_name(options.data));
+  const LevelOptions& levels = options.level_options;
+  if (!levels.recurrence.empty() || !levels.start.empty() || !levels.values.empty())
+    fail(ErrorKind::usage, "{}: rules at vertices are the same on all levels", options.scheme);
+  VertexScheme scheme = read_vertex_rules(read_input(options.scheme), options.scheme);
+  if (const WrittenLetter* letter = scheme.written->free_letter())
+    fail(ErrorKind::usage, "{}: the letter {} has no value; to refine it needs one in the file, as value = \"3/8\"",
+         options.scheme, letter->name);
+  return scheme;
+}
+
 void require_mesh_options(const RefineCommand& options, const std::string& scheme) {
   const auto refuse = [&](const char* option, const char* why) {
     fail(ErrorKind::usage, "{}: {}: {}", option, scheme, why);
@@ -160,13 +176,14 @@ void require_mesh_options(const RefineCommand& options, const std::string& schem
     refuse("--plot", "meshes that are no grids are not drawn; --out writes .obj, .ply, .off, .stl");
 }
 
-ExitCode run_mesh(const RefineCommand& options, const std::string& scheme) {
+ExitCode run_mesh(const RefineCommand& options, const VertexScheme& rules) {
+  const std::string& scheme = rules.specification;
   require_mesh_options(options, scheme);
   data::MeshFile file = read_mesh_file(options.data, options.out, options.join);
   if (file.format == data::MeshFormat::stl && options.normals)
     fail(ErrorKind::usage, "--normals: an STL file has none at vertices; write .obj, .ply or .off");
   for (const std::string& line : file.remarks) options.remark(input_name(options.data) + ": " + line);
-  const data::PolygonMesh refined = refine_mesh(std::exchange(file.mesh, {}), scheme,
+  const data::PolygonMesh refined = refine_mesh(std::exchange(file.mesh, {}), rules,
                                                 {options.levels, options.limit, options.normals,
                                                  options.crease < 180 ? std::optional(options.crease) : std::nullopt},
                                                 [&](std::size_t face) { return file.place(face); });
@@ -219,10 +236,11 @@ std::vector<NamedGrid> refined_beside(const RefineCommand& options, const DataFi
 }
 
 ExitCode run(const RefineCommand& options) {
+  if (options.scheme.ends_with(".toml")) return run_mesh(options, written_rules(options));
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const AnyScheme scheme = make_scheme_for_data(options);
   const std::string& name = specification_of(scheme);
-  if (is_mesh_scheme(options, scheme)) return run_mesh(options, name);
+  if (is_mesh_scheme(options, scheme)) return run_mesh(options, VertexScheme::named(name));
   if (options.normals || options.join || options.crease < 180)
     fail(ErrorKind::usage, "{}: of a mesh and one of {}; {} refines grids",
          options.normals ? "--normals"

@@ -1,10 +1,12 @@
 // subcert vertex SCHEME|FILE.toml --valence 3..12 | --all-valences [--certificate DIR] [--stencils]
-// [--stencils-header FILE]
+// [--stencils-header FILE] [--plot FILE] [--html FILE]
 // subcert vertex FILE.toml --over b=LOW..HIGH [--property C1|bounded-curvature] [--width 1e-6] [--valence 3..12]
 
 #include <subcert/analysis/regularity/regularity.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/analysis/vertex/every_valence.hpp>
+#include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/pages/vertex_pictures.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/vertex_arguments.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
@@ -30,6 +32,7 @@ struct VertexOptions : SearchOptions {
   bool all = false, stencils = false;
   std::string header;
   std::string certificate;
+  std::string plot, html;
   std::string over;
   std::string property = facts::property_text(WeightProperty::c1);
   std::string width = "1e-6";
@@ -50,14 +53,17 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
     if (const auto& evidence = valences[i].evidence)
       add(valences[i].valence, "vertex", evidence->by_hulls, rules[i], valences[i]);
   if (rest && rest->evidence) add(rest->first, "vertices", true, *family, *rest);
-  return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
-                            "what is not proved, or of all valences not by hulls of differences", json);
+  return write_certificates(
+      options.certificate, certificates, {"-vertex", "-vertices"},
+      "what is not proved, or with a Jordan block in front, or of all valences not by hulls of differences", json);
 }
 
 /// For which values of a letter.
 ExitCode run_over(const VertexOptions& options) {
-  if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty())
-    fail(ErrorKind::usage, "--over: need no --all-valences, --stencils, --stencils-header or --certificate beside it");
+  if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty() ||
+      !options.plot.empty() || !options.html.empty())
+    fail(ErrorKind::usage,
+         "--over: need no --all-valences, --stencils, --stencils-header, --certificate, --plot or --html beside it");
   const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
   const WeightProperty property = facts::parse_weight_property(options.property, "--property");
   const auto width = parse_number(options.width);
@@ -83,10 +89,22 @@ ExitCode run_over(const VertexOptions& options) {
                    !budget.deadline.expired());
 }
 
+/// Draws what is asked for.
+void draw(const VertexOptions& options, const VertexScheme& scheme, const std::vector<SectorRules>& rules,
+          const RegularPart& regular, const std::vector<VertexSmoothness>& valences, const std::string& facts) {
+  if (options.plot.empty() && options.html.empty()) return;
+  std::vector<VertexPicture> pictures;
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    pictures.push_back({valences[i], vertex_surface(rules[i], regular, valences[i])});
+  if (!options.html.empty()) runtime::write_file(options.html, vertex_html(scheme, facts, pictures));
+  if (!options.plot.empty()) draw_vertices(options.plot, scheme, pictures);
+}
+
 ExitCode run(const VertexOptions& options) {
   if (!options.over.empty()) return run_over(options);
   if (options.all && options.valence != usual_valences)
     fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
+  require_picture_name(options.plot);
   std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
   const VertexScheme scheme = read_vertex_scheme(options.scheme);
   std::optional<SectorRuleFamily> family;
@@ -115,6 +133,7 @@ ExitCode run(const VertexOptions& options) {
   Json json = page_json(list);
   WrittenCertificates written;
   if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, family, rest, json);
+  draw(options, scheme, rules, regular, valences, page_text(list, 14));
   options.end_progress();
   options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();
@@ -135,6 +154,10 @@ void add_vertex(Command& app) {
   command.flag("--stencils", options->stencils, "What each datum counts in the limit point and in two tangents");
   command.option("--stencils-header", options->header, "Write them as a header of C");
   command.option("--certificate", options->certificate, "Write certificates for 'subcert verify' into this folder");
+  command.option("--plot", options->plot,
+                 "Draw the surface near the vertex, coloured by curvature, as .svg, .png, .pdf, .tex or .html");
+  command.option("--html", options->html,
+                 "A page with the characteristic map and the surface at each valence, all in one file");
   command.option("--over", options->over, "For which values of the letter of a file: b=LOW..HIGH");
   command.option("--property", options->property, "With --over: C1 or bounded-curvature").with_default();
   command.option("--width", options->width, "With --over: of what is left open about an end")

@@ -135,14 +135,16 @@ TEST_CASE("properties of vectors of functions and Hermite schemes") {
   folder.write("file.toml",
                "[[scheme]]\nmask = 'cl:2'\nconvergent = true\n[[scheme]]\nmask = 'dd:n=2'\nconvergent = "
                "true\n[[scheme]]\nmask = 'merrien:lambda=-1/8,mu=1'\nHC = '>= 1'\n"
-               "[[scheme]]\nmask = 'tensor:(ghm)x(ghm)'\nconvergent = true\n");
+               "[[scheme]]\nmask = 'tensor:(ghm)x(ghm)'\nconvergent = true\n"
+               "[[scheme]]\nmask = 'hermite:[[[1,0],[0,1]],[[2,0],[0,1]],[[1,0],[0,1]]]/2@-1'\nHC = '>= 1'\n");
   const auto json = run_json("check " + file + " --certificate " + proofs, 1);
-  CHECK(json.at("certificates") == 2);
+  CHECK(json.at("certificates") == 3);
   CHECK(run("verify " + proofs + "/00001-scheme.cert --claim '0 <= scheme of cl:2'").code == 0);
   CHECK(run("verify " + proofs + "/00002-scheme.cert --claim 'HC of merrien:lambda=-1/8,mu=1 <= 1'").code == 0);
-  CHECK_FALSE(std::filesystem::exists(proofs + "/00003-scheme.cert"));
-  CHECK(
-      contains(run("check " + file + " --certificate " + proofs).out, "no certificate of tensor:(ghm)x(ghm): need a "));
+  CHECK(run("verify " + proofs + "/00003-scheme.cert --claim '0 <= scheme of tensor:(ghm)x(ghm)'").code == 0);
+  CHECK_FALSE(std::filesystem::exists(proofs + "/00004-scheme.cert"));
+  CHECK(contains(run("check " + file + " --certificate " + proofs).out,
+                 "no certificate of hermite:[[[1,0],[0,1]],[[2,0],[0,1]],[[1...: need a Hermite scheme that keeps"));
   folder.write(
       "file.toml",
       "[[scheme]]\nmask = 'hermite-dd:points=4,order=2'\nHC = '>= 3'\nsmoothness = '>= 3'\nholder = '> 3'\n"

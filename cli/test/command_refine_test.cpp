@@ -126,6 +126,37 @@ TEST_CASE("surfaces and volumes are refined") {
   CHECK(code("grid:points=2x2 " + matrix + " --levels 90") == 64);
 }
 
+TEST_CASE("rules of a file refine meshes") {
+  const Folder folder;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name, std::ios::binary) << text;
+    return folder / name;
+  };
+  const std::string tetrahedron = file("t.obj",
+                                       "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\n"
+                                       "f 2 4 3\n");
+  const std::string half = file("half.toml",
+                                "scheme = \"loop\"\n[[rule]]\nvalence = 3\n"
+                                "weights = {vertex = \"1/2\", neighbours = \"1/(2*n)\"}\n");
+  const auto json = run_json("refine " + half + " " + tetrahedron + " --levels 1");
+  CHECK(json.at("scheme") == half);
+  CHECK(json.at("points").at(0).at(0).get<double>() == Approx(1.0 / 3));  // 1/2 - 1/2 1/3
+  CHECK(run("refine " + half + " " + tetrahedron + " --levels 2 --limit --normals --out " + folder / "o.ply").code ==
+        0);
+  const std::string star = file("s.obj",
+                                "v 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n");
+  check_fails(run("refine " + half + " " + star + " --levels 1"), 65,
+              half + ", line 4, column 11, 'weights': no rule of the point (0,0) is one for valence 4");
+  check_fails(run("refine " + half + " samples.csv"), 64,
+              half + ": rules at vertices refine meshes, .obj, .ply, .off, .stl; got samples.csv");
+  check_fails(run("refine " + half + " " + star + " --start v0=1"), 64,
+              half + ": rules at vertices are the same on all levels");
+  const std::string loose = std::string(SUBCERT_DOCS) + "/examples/vertices/loop-weight.toml";
+  check_fails(run("refine " + loose + " " + star), 64,
+              loose + ": the letter b has no value; to refine it needs one in the file, as value = \"3/8\"");
+  check_fails(run("refine " + folder / "none.toml" + " " + star), 66, folder / "none.toml" + ": no such file");
+}
+
 TEST_CASE("meshes of any topology are refined") {
   const Folder folder;
   const auto file = [&](const char* name, const std::string& content) { return folder.write(name, content); };

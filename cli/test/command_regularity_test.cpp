@@ -229,6 +229,16 @@ TEST_CASE("regularity: whether a vector scheme converges has a certificate of it
   CHECK(asked("scheme of vector:[[[1,0],[0,2]],[[2,0],[0,0]],[[1,0],[0,0]]]/2@-1 <= 0") == 0);
   CHECK(run("verify --print-claim " + file).out.starts_with("--vectors '"));
   CHECK(contains(written("dd:n=2"), "not written: need a scheme of matrices, got dd:n=2"));
+  const std::string plane = "tensor:(ghm)x(bspline:degree=1)";
+  CHECK(contains(written(plane), "verified: that the scheme converges"));
+  CHECK(asked("0 <= scheme of " + plane) == 0);
+  CHECK(asked("scheme of " + plane + " <= 0") == 1);
+  CHECK(asked("0 <= scheme of tensor:(ghm)x(ghm)") == 1);
+  CHECK(asked("1 <= scheme of " + plane) != 0);
+  CHECK(asked("0 <= HC of " + plane) == 64);
+  const std::string two = "vector:[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1";
+  CHECK(contains(written(two), "verified: that the scheme converges"));
+  CHECK(asked("0 <= scheme of " + two) == 0);
   CHECK(contains(written("cl:2"), "verified: that the scheme converges"));
   CHECK(asked("0 <= scheme of cl:2") == 0);
   CHECK(asked("0 <= scheme of cl:3") == 1);

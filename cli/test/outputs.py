@@ -37,7 +37,7 @@ COMMANDS = [
     ("curve four-point:w --over w=1/20..1/16 --pieces 1", ["--out", "--csv", "--plot.svg", "--certificate/"]),
     ("levels four-point:w --over w=1/20..1/16 --property C1", ["--out", "--plot.svg", "--certificate/"]),
     ("levels four-point:w --over w=1/20..1/16 --property C1 --each-point", ["--out", "--certificate/"]),
-    ("vertex loop --valence 3", ["--out", "--certificate/", "--stencils-header.h"]),
+    ("vertex loop --valence 3", ["--out", "--certificate/", "--stencils-header.h", "--plot.svg", "--html"]),
     ("map weights.toml --valence 3 --over a=0..1 --over b=0..1 --property C1 --resolution 2", ["--out", "--csv", "--plot.svg"]),
     ("analyze primal:n=1", ["--out", "--plot.svg", "--plot.png"]),
     ("analyze loop", ["--plot.svg"]), (MAP.replace("w]", "w+t-t]"), ["--out", "--csv", "--plot.png"]),

@@ -60,12 +60,19 @@ Certificate surface_certificate(const LatticeMask& mask, const MultivariateRegul
 Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget);
 /// The same of matrices with a square root: SPEC.md, section 6.9.
 Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, const Budget& budget);
+/// That f'_i = sum over j of A_{i-Mj}^T f_j converges, or that it does not, for any isotropic dilation and whatever
+/// constants it keeps. Errors: throws Error where nothing is decided. Cost: a joint spectral radius until it is known
+/// on which side of 1 it is. Proof: SPEC.md, theorem 72.
+Certificate convergence_certificate(const LatticeMask& mask, const Budget& budget);
+Certificate convergence_certificate(const QuadraticMask& mask, const Budget& budget);
+/// Whether vector_scheme_certificate is the one about a scheme of matrices: of a Hermite scheme, and of one variable
+/// where one vector of constants up to a factor is kept. Otherwise it is convergence_certificate.
+bool is_told_by_polynomials(const Scheme& scheme);
 /// The one of these that is about the scheme. Errors: also throws Error for schemes of numbers.
 Certificate scheme_certificate(const Scheme& scheme, const Budget& budget);
 
 /// The same of matrices with a square root. Domain: `regularity` is that of the mask. Errors: throws Error where
-/// nothing positive is proved from below, and for an integral with multiples of the root. Proof: SPEC.md, theorems 60,
-/// 61 and 63.
+/// nothing positive is proved from below. Proof: SPEC.md, theorems 60, 61 and 63.
 Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegularity& regularity);
 
 /// The one or the other. `quadratic`: what is meant where `mask` is rounded. Errors: of a tensor product, whose

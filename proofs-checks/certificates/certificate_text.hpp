@@ -4,6 +4,7 @@
 #include "certificate.hpp"
 
 #include <subcert/analysis/family/parametric_family.hpp>
+#include <subcert/analysis/regularity/scheme_convergence.hpp>
 
 #include <string>
 #include <vector>
@@ -15,9 +16,6 @@ std::string outward(const Rational& value, Rounding rounding);
 
 /// As to_mask_text(), with numbers 1/2-3/4*sqrt(7).
 std::string mask_text(const QuadraticMask& mask);
-
-/// Of the multiples of 1 and then those of a square root the first ones. Errors: throws Error unless the others are 0.
-std::optional<std::vector<Rational>> rational_integral(const std::optional<std::vector<Rational>>& integral);
 
 /// Each after a blank.
 std::string numbers_text(const std::vector<Integer>& numbers);
@@ -36,6 +34,13 @@ std::string vectors_text(const std::vector<LatticeSequence>& basis, const std::v
 /// Of a mask of matrices of one variable, the lines up to the vectors of the space of what annihilates the polynomials
 /// that it keeps. Domain: with `hermite` these are values and derivatives.
 std::string space_of_vectors_text(const AnnihilatingSpace& space, int arity, bool hermite);
+
+/// The lines `digits` and `fixed` of a scheme on vectors of any number of variables, and its space, absent where it
+/// keeps nothing. `space`: the vectors and their pivots that are to be printed.
+std::string space_of_constants_text(const Dilation& dilation, const SchemeDifferences& differences,
+                                    const std::vector<LatticeSequence>& basis, const std::vector<LatticePoint>& pivots);
+/// Convergence, or that there is none. Errors: throws Error where neither is proved.
+ClaimedEnds ends_of_differences(const SchemeDifferences& differences);
 
 /// Throws Error unless the mask may be one of a certificate of a scheme on vectors.
 void require_vector_scheme(const LatticeMask& mask, bool hermite);

@@ -1,6 +1,7 @@
 #include "claim.hpp"
 
 #include <subcert/analysis/symbol/numbers/numbers.hpp>
+#include <subcert/analysis/symbol/polynomials/quadratic_number.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 
 #include <fmt/format.h>
@@ -104,8 +105,8 @@ struct SubjectArguments {
   const std::string& file;
 
   std::vector<std::string> operator()(const MaskSubject& of) const {
-    std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask, "--arity",
-                                       of.arity};
+    std::vector<std::string> arguments{of.of_matrices.empty() ? "--mask" : "--" + of.of_matrices, of.mask,
+                                       of.arity.starts_with('[') ? "--dilation" : "--arity", of.arity};
     if (!of.within.empty()) arguments.insert(arguments.end(), {"--within", of.within});
     if (!of.range.empty())
       arguments.insert(arguments.end(), {of.is_levels       ? "--levels"
@@ -146,10 +147,15 @@ std::optional<int> whole_number(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-std::string integral_text(const std::optional<std::vector<Rational>>& numbers) {
+std::string integral_text(const std::optional<std::vector<Rational>>& numbers, long root) {
+  if (!numbers) return "";
+  const std::size_t functions = root > 0 ? numbers->size() / 2 : numbers->size();
   std::string text;
-  for (const Rational& number : numbers.value_or(std::vector<Rational>{}))
-    text += (text.empty() ? "" : ",") + to_text(number);
+  for (std::size_t c = 0; c < functions; ++c) {
+    QuadraticNumber number{(*numbers)[c]};
+    if (root > 0 && (*numbers)[functions + c] != 0) number = {number.rational, (*numbers)[functions + c], root};
+    text += (c == 0 ? "" : ",") + number.to_text();
+  }
   return text;
 }
 

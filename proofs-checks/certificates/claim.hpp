@@ -71,8 +71,8 @@ struct CertificateClaim : ClaimedEnds {
 /// A power of a logarithm, or the number of a component; nothing for another text.
 std::optional<int> whole_number(std::string_view text);
 
-/// As SurfaceSubject::integral.
-std::string integral_text(const std::optional<std::vector<Rational>>& numbers);
+/// As SurfaceSubject::integral. `root`: where it is not 0 the multiples of 1, and then as many of its square root.
+std::string integral_text(const std::optional<std::vector<Rational>>& numbers, long root = 0);
 
 /// The first lines of a certificate, up to what the number is, or the contraction.
 std::string head_text(const CertificateClaim& claim);

@@ -228,15 +228,6 @@ std::string product_over_field(const JointSpectralRadius& radius, const FieldBlo
 
 }  // namespace
 
-std::optional<std::vector<Rational>> certificate_text::rational_integral(
-    const std::optional<std::vector<Rational>>& integral) {
-  if (!integral) return std::nullopt;
-  const auto half = integral->begin() + static_cast<std::ptrdiff_t>(integral->size() / 2);
-  require(std::all_of(half, integral->end(), [](const Rational& x) { return x == 0; }),
-          "certificate: need an integral of rational numbers, got multiples of a square root");
-  return std::vector<Rational>(integral->begin(), half);
-}
-
 std::string certificate_text::mask_text(const QuadraticMask& mask) {
   const text::MaskText doubled = mask_text_parts(mask.doubled);
   const std::size_t r = mask.components();
@@ -278,7 +269,7 @@ Certificate field_certificate(const QuadraticMask& mask, const MultivariateRegul
   Certificate certificate{{{},
                            SurfaceSubject{mask_text(mask), dilation.to_text(), true,
                                           component ? std::to_string(vector.components.front().component) : "",
-                                          integral_text(rational_integral(vector.integral))}},
+                                          integral_text(vector.integral, mask.root)}},
                           {}};
   certificate.claim.lower = outward(*exponent(exact).lower, Rounding::down);
   if (tells_upper_end) certificate.claim.upper = outward(*ends.upper, Rounding::up);
@@ -322,6 +313,34 @@ Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, c
                                mask.root);
   certificate.sections.push_back({std::move(text)});
   if (!ends.upper) add_sections(certificate, radius.proof, scheme.family.count());
+  return certificate;
+}
+
+Certificate convergence_certificate(const QuadraticMask& mask, const Budget& budget) {
+  const Dilation& dilation = mask.doubled.dilation();
+  require(
+      dilation.is_isotropic(),
+      "certificate: need a vector scheme with a dilation that is similar to a multiple of an orthogonal matrix, got "
+      "{}",
+      dilation.to_text());
+  const SchemeDifferences differences = scheme_differences(mask, budget);
+  const ClaimedEnds ends = ends_of_differences(differences);
+  Certificate certificate{{ends, MaskSubject{mask_text(mask), dilation.to_text(), {}, false, {}, "vectors"}}, {}, ends};
+  if (!differences.space) {
+    certificate.sections.push_back({space_of_constants_text(dilation, differences, {}, {})});
+    return certificate;
+  }
+  const DifferenceSpace& space = *differences.space;
+  const JointSpectralRadius& radius = differences.radius;
+  const FieldSpace own = space_over_field(space.basis, mask.components());
+  const BlockProof& proof = *radius.by_blocks();
+  std::string text = space_of_constants_text(space.dilation, differences, own.basis, own.pivots) +
+                     blocks_over_field(own, proof.triangular);
+  if (ends.upper)
+    text += product_over_field(radius, blocks_of(space.family, proof.triangular)[proof.leading], proof.leading,
+                               mask.root);
+  certificate.sections.push_back({std::move(text)});
+  if (!ends.upper) add_sections(certificate, radius.proof, space.family.count());
   return certificate;
 }
 

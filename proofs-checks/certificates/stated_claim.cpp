@@ -162,9 +162,15 @@ MaskSubject family_subject(const ParametricScheme& family, const ForClause& clau
 /// A vector scheme itself, of whose refinable functions claims are made otherwise.
 MaskSubject vector_scheme_subject(const std::string& specification, bool hermite) {
   const Scheme scheme = make_refinable_scheme(specification);
-  if (scheme.mask.components() == 1 || scheme.mask.dimension() > 1 || (hermite && scheme.form != VectorForm::hermite))
-    fail(ErrorKind::usage, "--claim: need a {} of one variable, got {}", hermite ? "Hermite scheme" : "vector scheme",
-         specification);
+  if (scheme.mask.components() == 1 || (hermite && scheme.form != VectorForm::hermite))
+    fail(ErrorKind::usage, "--claim: need a {}, got {}", hermite ? "Hermite scheme" : "vector scheme", specification);
+  if (!hermite && !is_told_by_polynomials(scheme))
+    return {scheme.quadratic ? certificate_text::mask_text(*scheme.quadratic) : to_mask_text(scheme.mask),
+            scheme.mask.dilation().to_text(),
+            {},
+            false,
+            {},
+            "vectors"};
   return {scheme.quadratic ? certificate_text::mask_text(*scheme.quadratic) : without_letters(scheme.mask).to_text('w'),
           std::to_string(scheme.mask.arity()),
           {},
@@ -194,10 +200,9 @@ ClaimSubject stated_subject(const std::string& subject, const ReadList& read_lis
     fail(ErrorKind::usage, "--claim: {}: need a mask of matrices and one of its components, counted from 1", subject);
   const bool is_refinable = scheme.mask.components() > 1;
   if (scheme.mask.dimension() > 1 || is_refinable)
-    return SurfaceSubject{
-        scheme.quadratic ? certificate_text::mask_text(*scheme.quadratic) : to_mask_text(scheme.mask),
-        scheme.mask.dilation().to_text(), is_refinable, number ? std::to_string(*number - 1) : "",
-        integral_text(scheme.quadratic ? certificate_text::rational_integral(scheme.integral) : scheme.integral)};
+    return SurfaceSubject{scheme.quadratic ? certificate_text::mask_text(*scheme.quadratic) : to_mask_text(scheme.mask),
+                          scheme.mask.dilation().to_text(), is_refinable, number ? std::to_string(*number - 1) : "",
+                          integral_text(scheme.integral, scheme.quadratic ? scheme.quadratic->root : 0)};
   if (scheme.rounding)
     fail(ErrorKind::usage, "--claim: {} has rounded coefficients; state it to subcert-check, with --within", subject);
   return MaskSubject{to_mask_text(scheme.mask), std::to_string(scheme.mask.arity())};

@@ -6,6 +6,7 @@
 #include <subcert/schemes/specification.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -73,6 +74,59 @@ ClaimedEnds certificate_text::ends_of_scheme(const PolynomialData& kept, bool he
   return ends;
 }
 
+std::string certificate_text::space_of_constants_text(const Dilation& dilation, const SchemeDifferences& differences,
+                                                      const std::vector<LatticeSequence>& basis,
+                                                      const std::vector<LatticePoint>& pivots) {
+  std::string text = "digits";
+  for (const LatticePoint& digit : dilation.digits()) text += fmt::format(" {}", fmt::join(digit, ","));
+  text += "\n";
+  for (const Values& y : differences.kept) {
+    text += "fixed";
+    for (const Rational& number : y) text += " " + to_text(number);
+    text += "\n";
+  }
+  return text + (differences.space ? vectors_text(basis, pivots, dilation.variables()) : "");
+}
+
+ClaimedEnds certificate_text::ends_of_differences(const SchemeDifferences& differences) {
+  const bool converges = differences.space && differences.radius.proved_upper() < 1,
+             diverges = !differences.space || proved_lower(differences.radius.product) >= 1;
+  require(converges || diverges, "certificate: convergence of the vector scheme is not decided");
+  ClaimedEnds ends;
+  (converges ? ends.lower : ends.upper) = "0";
+  return ends;
+}
+
+Certificate convergence_certificate(const LatticeMask& mask, const Budget& budget) {
+  require(
+      mask.components() > 1 && mask.dilation().is_isotropic(),
+      "certificate: need a vector scheme with a dilation that is similar to a multiple of an orthogonal matrix, got "
+      "{}",
+      mask.dilation().to_text());
+  const SchemeDifferences differences = scheme_differences(mask, budget);
+  const ClaimedEnds ends = ends_of_differences(differences);
+  Certificate certificate{
+      {ends, MaskSubject{to_mask_text(mask), mask.dilation().to_text(), {}, false, {}, "vectors"}}, {}, ends};
+  if (!differences.space) {
+    certificate.sections.push_back({space_of_constants_text(mask.dilation(), differences, {}, {})});
+    return certificate;
+  }
+  const DifferenceSpace& space = *differences.space;
+  const JointSpectralRadius& radius = differences.radius;
+  certificate.sections.push_back({space_of_constants_text(space.dilation, differences, space.basis, space.pivots) +
+                                  blocks_text(radius) + (ends.upper ? product_text(space.family, radius) : "")});
+  if (!ends.upper) add_sections(certificate, radius.proof, space.family.count());
+  return certificate;
+}
+
+bool is_told_by_polynomials(const Scheme& scheme) {
+  if (scheme.form == VectorForm::hermite) return true;
+  if (scheme.mask.dimension() > 1 || scheme.mask.dilation().factor().value_or(0) < 2) return false;
+  return !(scheme.quadratic ? kept_polynomials(without_letters(scheme.quadratic->doubled), scheme.quadratic->root)
+                            : kept_polynomials(without_letters(scheme.mask)))
+              .data.empty();
+}
+
 Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, const Budget& budget) {
   require_vector_scheme(mask, hermite);
   const ParametricMask one = without_letters(mask);
@@ -96,6 +150,9 @@ Certificate vector_scheme_certificate(const LatticeMask& mask, bool hermite, con
 Certificate scheme_certificate(const Scheme& scheme, const Budget& budget) {
   require(scheme.form.has_value(), "certificate: need a scheme of matrices, got {}", scheme.specification);
   const bool hermite = scheme.form == VectorForm::hermite;
+  if (!is_told_by_polynomials(scheme))
+    return scheme.quadratic ? convergence_certificate(*scheme.quadratic, budget)
+                            : convergence_certificate(scheme.mask, budget);
   return scheme.quadratic ? vector_scheme_certificate(*scheme.quadratic, hermite, budget)
                           : vector_scheme_certificate(scheme.mask, hermite, budget);
 }

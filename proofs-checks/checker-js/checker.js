@@ -2322,21 +2322,31 @@ var check_certificate = (() => {
   }
   // 5.13: matrices P + sqrt(R) Q as [P, R Q; Q, P]
   const root_form = 'square roots in a mask are sqrt(R) with one number R, 2 <= R <= 10^9, no square';
-  function read_over_field(text) {
-    const [, token] = /sqrt\(([^()]*)\)/.exec(text) || [], name = `sqrt(${token})`, two = [fraction(0n), fraction(0n)];
+  function read_root_in(text) {
+    const [, token] = /sqrt\(([^()]*)\)/.exec(text) || [];
     demand(token !== undefined, root_form);
-    const of_root = integer(token), pairs = [], one = c => {
-      const value = two.slice();
+    const of_root = integer(token);
+    demand(of_root >= 2n && of_root <= 10n ** 9n && root(of_root) ** 2n !== of_root, root_form);
+    return of_root;
+  }
+  function number_over_field(of_root) {  // p and q of a sum of terms
+    const name = `sqrt(${of_root})`;
+    return c => {
+      const value = [fraction(0n), fraction(0n)];
       for (const [, signs, term] of c.replace(/^-?/, s => s || '+').matchAll(/([+-])([^+-]*)/g)) {
         const at = term.endsWith(name) ? 1 : 0, factor = at ? term.slice(0, -name.length) : term;
         demand(!at || !factor || factor.endsWith('*'), root_form);
         const x = at ? (factor ? rational(factor.slice(0, -1)) : 1n) : rational(factor);
         value[at] = reduced((signs === '-' ? minus : plus)(value[at], x));
       }
-      pairs.push(value);
+      return value;
+    };
+  }
+  function read_over_field(text, of_root) {
+    const pairs = [], parts = number_over_field(of_root), one = c => {
+      pairs.push(parts(c));
       return 0n;
     };
-    demand(of_root >= 2n && of_root <= 10n ** 9n && root(of_root) ** 2n !== of_root, root_form);
     const surface = read_surface(text, true, one), r = surface.components, half = pairs.length;
     demand(half <= 2500, 'a mask with too many coefficients');
     const {den, numbers} = common(pairs.flat().map(x => reduced(over(x, surface.divisor))));
@@ -2348,7 +2358,7 @@ var check_certificate = (() => {
     return {...surface, components: 2 * r, den, numbers: all, root: of_root};
   }
   function read_field_curve(text, arity) {
-    const {sizes, den, numbers, components, first, root: of_root} = read_over_field(text);
+    const {sizes, den, numbers, components, first, root: of_root} = read_over_field(text, read_root_in(text));
     demand(sizes.length === 1 && numbers.length <= 4000, 'a mask has 1 to 1000 coefficients, the first and the last not zero');
     return {arity, degree: 0, q: [den], a: numbers.map(x => [x]), components, first: first[0], root: of_root};
   }
@@ -2730,7 +2740,7 @@ var check_certificate = (() => {
   // 5.9: what tells the integral of a solution from the sums of its values; that of these values is a multiple of `integral`
   // of_root: of a doubled mask, 5.13, whose functionals come with their multiples by the root
   function read_functionals(reader, {mask, det}, den, size, values, integral, of_root) {
-    const numbers = common(integral).numbers, goal = range_of(size).map(c => [numbers[c] || 0n]);
+    const numbers = common(integral).numbers, goal = numbers.map(x => [x]);
     const rest = scaled(identity(size), -den * abs(BigInt(det)));  // q |det M| (B - 1), q the denominator of the mask
     for (const [p, value] of mask.values()) rest[p[p.length - 2]][p[p.length - 1]] += value;
     demand(multiply(rest, goal).every(([x]) => !x), 'the integral is none of a solution');
@@ -2882,6 +2892,68 @@ var check_certificate = (() => {
     const symbol = {arity, degree, q, den: by_power[0].den, matrices};
     if (interval) check_intervals(reader, symbol, goal, {levels, interval});
     else prove(reader, control_family(symbol, null), goal);
+  }
+  // 6.11: of any number of variables, by the constant data that the scheme keeps and what annihilates them
+  function check_vectors_of_dilation(reader, {lower, upper, surface, dilation}) {
+    const {den, dimension, components: r, root: of_root} = surface, functions = of_root ? r / 2 : r;
+    check_isotropic(dilation);
+    const D = Math.abs(small_determinant(dilation));
+    demand(D <= 64, 'a dilation with too large a determinant');
+    const digits = reader.read('digits', D).map(token => read_point(token, dimension));
+    const transition = new Transition(mask_sequence(surface), dilation, digits);
+    const index = new Map(digits.map((t, i) => [transition.class_of(t), i]));
+    demand(index.size === D, 'two digits of one class');
+    const turned = y => [...y.slice(functions), ...y.slice(0, functions)], kept = [];
+    while (reader.peek() === 'fixed') {
+      demand(kept.length < r, "more lines 'fixed' than components");
+      const {numbers: y} = common(reader.read('fixed', r).map(rational));
+      kept.push(of_root ? turned(y) : y);
+      if (of_root) kept.push(y.map((x, c) => c < functions ? x : x * of_root));
+    }
+    check_all_kept(transition, den, kept, index, r);
+    if (!kept.length) {
+      demand(upper, 'a scheme that keeps no constant data does not converge');
+      return;
+    }
+    const start = range_of(functions).flatMap(c => {
+      const place = [...Array(dimension).fill(0), c], one = new Map();
+      add(one, place, 1n);
+      return [...differences(one, 1, dimension), ...digits.map(t => {
+        const image = transition.apply(t, one);
+        add(image, place, -den);
+        return image;
+      })];
+    });
+    const vectors = read_space(reader, dimension, r, of_root), count = of_root ? vectors.length / 2 : vectors.length;
+    for (const v of vectors) {
+      const sums = range_of(r).map(() => 0n);
+      for (const [p, value] of v.values()) sums[p[dimension]] += value;
+      demand(kept.every(y => !sum(y.map((x, c) => x * sums[c]))), 'a vector does not annihilate the data');
+    }
+    const family = space_family(vectors, transition, den, count);
+    lead_into(vectors, of_root ? [...start, ...start.map(x => times_root(x, of_root, r))] : start, transition);
+    const goal = {below: lower && at_most(fraction(1n), true), above: upper && at_least(fraction(1n))};
+    const halves = of_root && family.matrices.map(m => on_halves(m.slice(0, count), m.slice(count), of_root));
+    prove(reader, of_root ? near_family({root: of_root, size: count, den: family.den, halves}) : family, goal);
+  }
+  function check_all_kept(transition, den, kept, index, r) {  // these are a basis of all that the sums of the classes keep
+    const rank = rows => {
+      const span = new Span([], 2n ** 32n - 5n);
+      for (const row of rows) {
+        const one = new Map();
+        row.forEach((x, c) => x && add(one, [c], x));
+        span.extend(one);
+      }
+      return span.rows.length;
+    };
+    const equations = range_of(index.size * r).map(i => range_of(r).map(c => c === i % r ? -den : 0n));
+    for (const [p, value] of transition.mask.values()) {
+      const [row, column] = p.slice(-2);
+      equations[index.get(transition.class_of(p.slice(0, -2))) * r + column][row] += value;
+    }
+    demand(kept.every(y => equations.every(row => !sum(row.map((x, c) => x * y[c])))), "the scheme does not keep a line 'fixed'");
+    demand(rank(kept) === kept.length, "the lines 'fixed' are not independent");
+    demand(rank(equations) + kept.length >= r, 'the scheme may keep more constant data');
   }
   function check_surface(reader, {lower, upper, surface, dilation, integral, component, exact}) {
     const {den, dimension, components} = surface, by_values = components > 0 || reader.peek() === 'differences';
@@ -3966,6 +4038,8 @@ var check_certificate = (() => {
        subcert-check --vectors '[[[a,b],[c,d]],...]@first' --arity A [--for 'w=LOW..HIGH'] --lower P/Q FILE
                      (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it diverges;
                      --levels and what belongs to it in place of --for, as above)
+       subcert-check --vectors MASK --dilation '[2,0;0,2]' --lower 0 FILE    (this scheme converges; --upper 0: it does
+                     not)
        subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)
        subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)
        subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)
@@ -4011,15 +4085,17 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
+    const in_variables = has('vectors', 'dilation') && some('lower', 'upper') && ['lower', 'upper'].every(end => !has(end) || !sign(rational(options[end])));
+    const of_dilation = in_variables && !has('lower', 'upper') && none(...names.filter(name => !['vectors', 'dilation', 'lower', 'upper'].includes(name)));
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
       (!has('vectors', 'upper') || !sign(rational(options.upper))) &&
       none(...names.filter(name => !['vectors', 'hermite', 'arity', 'for', 'levels', 'recurrence', 'start', 'from', 'lower', 'upper'].includes(name)));
     const l1 = has('l1') && some('contraction', 'lower') && (has('lower') || none('upper')) && !rough &&
       none(...names.filter(name => !['l1', 'contraction', 'lower', 'upper'].includes(name)));
     const others = none('l1', 'contraction', 'vectors', 'hermite');
-    demand(has('FILE') && (l1 || of_vectors || ((curve || surface || family) && others)), usage);
+    demand(has('FILE') && (l1 || of_vectors || of_dilation || ((curve || surface || family) && others)), usage);
     const of_family = has('subradius') ? check_subradius : check_radius;
-    return {options, rough, kind: l1 ? check_l1 : of_vectors ? check_vectors : curve ? (follow || has('each-point') ? check_choices : check_curve) : surface ? check_surface : of_family};
+    return {options, rough, kind: l1 ? check_l1 : of_dilation ? check_vectors_of_dilation : of_vectors ? check_vectors : curve ? (follow || has('each-point') ? check_choices : check_curve) : surface ? check_surface : of_family};
   }
   // The claim: what the checks need, the second line of its certificate, and the text of what is proved
   function read_claim(words) {
@@ -4034,8 +4110,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     else if (options.upper !== undefined) claim.upper = rational(options.upper);
     if (kind === check_surface) {
       const kind_of = options.surface === undefined ? 'refinable' : 'surface', text = options[kind_of];
-      const of_matrices = kind_of === 'refinable', read = of_matrices && text.includes('sqrt(') ? read_over_field : read_surface;
-      [claim.surface, claim.dilation] = [read(text, of_matrices), read_dilation(options.dilation)];
+      const of_matrices = kind_of === 'refinable', of_root = [text, options.integral || ''].find(x => of_matrices && x.includes('sqrt('));
+      claim.surface = of_root === undefined ? read_surface(text, of_matrices) : read_over_field(text, read_root_in(of_root));
+      claim.dilation = read_dilation(options.dilation);
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
       if (options.vertex !== undefined) {
@@ -4045,8 +4122,9 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       }
       const functions = claim.surface.components / (claim.surface.root ? 2 : 1);
       if (options.integral !== undefined) {
-        claim.integral = options.integral.split(',').map(rational);
-        demand(claim.integral.length === functions && claim.integral.some(x => sign(x)),
+        const numbers = options.integral.split(','), parts = claim.surface.root && numbers.map(number_over_field(claim.surface.root));
+        claim.integral = parts ? [0, 1].flatMap(k => parts.map(x => x[k])) : numbers.map(rational);
+        demand(numbers.length === functions && claim.integral.some(x => sign(x)),
                'an integral is a list of a number for each component, not all 0');
         claim.head += ` integral=${options.integral}`;
       }
@@ -4054,6 +4132,11 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
         claim.component = small(options.component, 0, functions - 1);
         claim.head += ` component=${options.component}`;
       }
+    } else if (kind === check_vectors_of_dilation) {
+      claim.surface = options.vectors.includes('sqrt(') ? read_over_field(options.vectors, read_root_in(options.vectors)) : read_surface(options.vectors, true);
+      claim.dilation = read_dilation(options.dilation);
+      demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
+      claim.head = `vectors ${options.vectors} ${options.dilation}`;
     } else if (kind === check_vectors) {
       claim.hermite = options.hermite !== undefined;
       const kind_of = claim.hermite ? 'hermite' : 'vectors', letter = read_range_of(options, claim);
@@ -4127,8 +4210,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function text_of_vectors({options, hermite, lower, upper, levels, interval}) {
     const what = hermite ? `${upper ? 'no ' : ''}HC^${number(lower || upper)}`
       : upper ? 'no convergence' : `${number(lower)} < Hoelder exponent`;
-    return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with arity ` +
-      options.arity + text_of_values(options, levels, interval);
+    return `${what} of the ${hermite ? 'Hermite' : 'vector'} scheme of ${options.hermite || options.vectors} with ` +
+      (options.dilation === undefined ? `arity ${options.arity}` : `dilation ${options.dilation}`) + text_of_values(options, levels, interval);
   }
   function text_of_levels({recurrence, start, from, limit, levels: range}) {
     const letter = range[0], level = from === 'some' ? 'some level' : `level ${from}`;
@@ -4181,7 +4264,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const is_subradius = claim.kind === check_subradius;
     demand(!is_subradius || claim.family.matrices.flat(2).every(x => x >= 0n), 'a matrix is not non-negative');
     read_bounds(reader);
-    const one = !claim.interval && !claim.within && claim.kind !== check_vectors;
+    const one = !claim.interval && !claim.within && ![check_vectors, check_vectors_of_dilation].includes(claim.kind);
     demand(one || reader.peek() !== 'exact', 'exact numbers are those of one mask or family');
     claim.exact = claim.l1 ? null : claim.within ? read_attains(reader, claim) : read_root(reader, claim);
     claim.kind(reader, claim);
@@ -4227,7 +4310,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     } catch (error) {
       return {exit: 1, line: `REJECTED ${reason(error)}, line ${reader.line}`};
     }
-    const words_of = claim.l1 ? text_of_l1 : claim.kind === check_vectors ? text_of_vectors : text_of;
+    const words_of = claim.l1 ? text_of_l1 : [check_vectors, check_vectors_of_dilation].includes(claim.kind) ? text_of_vectors : text_of;
     return {exit: 0, line: `VERIFIED ${words_of(claim)}`};
   };
 })();

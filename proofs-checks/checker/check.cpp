@@ -66,8 +66,8 @@ class Checker {
       read_reduced();
     else if (const Family family = claim_.mask ? read_scheme(*claim_.mask) : claim_.family; claim_.range)
       read_intervals(family);
-    else {
-      read_bounds(family, claim_.arity != 0 && !claim_.is_vector_scheme());
+    else if (over_field_ || !family.entries.empty()) {
+      read_bounds(family, claim_.arity != 0 && !claim_.on_vectors);
       show_attained(claim_.mask);
       if (of_scheme_) show_convergence(of_scheme_(), 1, false);
     }
@@ -106,11 +106,7 @@ class Checker {
   void read_product_of_claim() {
     const Fields fields = reader_.take("attains", 3, 3);
     require(!claim_.exact || fields[0] == claim_.exact_text, "the claim is about another product");
-    exact_.emplace();
-    exact_->letters = parse_letters(fields[0]);
-    exact_->low = parse_rational(fields[1]);
-    exact_->high = parse_rational(fields[2]);
-    require(exact_->low > 0 && exact_->high > 0, "the bounds of the radius are not positive");
+    exact_ = parse_attained(fields);
     exact_order_ = claim_.rounding->sum_rules;
   }
 
@@ -255,9 +251,20 @@ class Checker {
     return std::move(found.family);
   }
 
+  /// Section 6.11: the same with a dilation.
+  Family read_vectors_of_dilation(const Mask& mask) {
+    SurfaceFamily found = read_vector_scheme(mask, claim_.root, *claim_.dilation, reader_, arithmetic_);
+    over_field_ = std::move(found.over_field);
+    require(over_field_ || !found.family.entries.empty() || claim_.upper,
+            "a scheme that keeps no constant data does not converge");
+    (claim_.lower ? upper_ : lower_) = 1;
+    (claim_.lower ? lower_ : upper_).reset();
+    return std::move(found.family);
+  }
+
   /// The transition matrices of the mask, and what is to be shown of them.
   Family read_scheme(const Mask& mask) {
-    if (claim_.is_vector_scheme()) return read_vectors(mask);
+    if (claim_.on_vectors) return claim_.dilation ? read_vectors_of_dilation(mask) : read_vectors(mask);
     const bool of_values = claim_.dilation && (mask.components > 0 || reader_.at("differences"));
     const Fields order = reader_.take(of_values ? "differences" : "sum-rules", 1, claim_.arity != 0 ? 2 : 1);
     const std::size_t sum_rules = sum_rules_ = parse_size(order[0], 1, 500);

@@ -39,6 +39,10 @@ const char* const usage =
     "                     (the limits of f'_i = sum_j A_(i-aj)^T f_j, for all these w; <, not <=; --upper 0: it "
     "diverges;\n"
     "                     --levels and what belongs to it in place of --for, as above)\n"
+    "       subcert-check --vectors MASK --dilation '[2,0;0,2]' --lower 0 FILE    (this scheme converges; --upper 0: "
+    "it "
+    "does\n"
+    "                     not)\n"
     "       subcert-check --hermite MASK --arity A [--for RANGE] --lower K FILE    (it is HC^K; --upper K: it is not)\n"
     "       subcert-check --matrices MATRICES [--lower P/Q] [--upper P/Q] FILE    (at least one bound)\n"
     "       subcert-check --subradius MATRICES [--lower P/Q] [--upper P/Q] FILE    (the joint spectral subradius)\n"
@@ -80,12 +84,12 @@ Options read_options(const std::vector<std::string>& arguments) {
   return given;
 }
 
-/// The mask, of numbers or of matrices, and its arity or its dilation.
+/// The mask, of numbers or of matrices, and its arity or its dilation. `numbers`: others that may hold the root.
 void read_scheme_claim(const std::string& kind, const std::string& mask, const std::string& scale, Claim& claim,
-                       bool of_matrices = false) {
+                       bool of_matrices = false, const std::string& numbers = {}) {
   const char letter = claim.range ? claim.range->letter : '\0';
-  if (of_matrices && !claim.range && has_root(mask)) {
-    FieldMask over_field = parse_field_mask(mask);
+  if (of_matrices && !claim.range && (has_root(mask) || has_root(numbers))) {
+    FieldMask over_field = parse_field_mask(mask, parse_root(has_root(mask) ? mask : numbers));
     claim.mask = std::move(over_field.doubled);
     claim.root = over_field.root;
   } else {
@@ -102,18 +106,17 @@ void read_scheme_claim(const std::string& kind, const std::string& mask, const s
     require(claim.dilation->variables == claim.mask->sizes.size(),
             "mask and dilation have different numbers of variables");
   }
-  const bool curve = kind == "arity";
-  const std::string of_numbers = !curve             ? "surface "
+  const std::string of_numbers = kind != "arity"    ? "surface "
                                  : claim.levels     ? "levels "
                                  : claim.each_point ? "each-point "
                                                     : "exponent ";
   const std::string vectors = claim.hermite ? "hermite " : "vectors ";
-  claim.head = (!of_matrices ? of_numbers : curve ? vectors : "refinable ") + mask + " " + scale;
+  claim.head = (!of_matrices ? of_numbers : claim.on_vectors ? vectors : "refinable ") + mask + " " + scale;
   claim.text = "Hoelder exponent";
-  claim.subject = std::string(!of_matrices    ? ""
-                              : claim.hermite ? "the Hermite scheme of "
-                              : curve         ? "the vector scheme of "
-                                              : "the refinable functions of ") +
+  claim.subject = std::string(!of_matrices       ? ""
+                              : claim.hermite    ? "the Hermite scheme of "
+                              : claim.on_vectors ? "the vector scheme of "
+                                                 : "the refinable functions of ") +
                   mask + " with " + kind + " " + scale;
 }
 
@@ -212,9 +215,10 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   const bool in_period = order && order->starts_with("period"), follow_each_other = masks && !in_period;
   const int subjects = one.has_value() + scheme.has_value() + refinable.has_value() + radius.has_value() +
                        subradius.has_value() + vectors.has_value() + hermite.has_value();
-  require(file && subjects == 1 && curve.has_value() == arity.has_value() &&
-              surface.has_value() == dilation.has_value() && (mask || of_matrices || !range) && (mask || !rounding) &&
-              !(mask && masks) && masks.has_value() == order.has_value() &&
+  const bool in_variables = vectors && dilation && !range;  // section 6.11
+  require(file && subjects == 1 && (curve.has_value() && !in_variables) == arity.has_value() &&
+              (surface.has_value() || in_variables) == dilation.has_value() && (mask || of_matrices || !range) &&
+              (mask || !rounding) && !(mask && masks) && masks.has_value() == order.has_value() &&
               recurrence.has_value() == start.has_value() && start.has_value() == from.has_value() &&
               (levels || !from) && (!limit || (mask && from && !rough && !logarithm)) && (mask || !each) &&
               !(range && rounding) && (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
@@ -229,6 +233,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   claim.file = *file;
   if (lower) claim.lower = parse_rational(*lower);
   require(!vectors || !upper || parse_rational(*upper) == 0, usage);
+  require(!in_variables || !lower || parse_rational(*lower) == 0, usage);
   if (rough) claim.rough = parse_size(upper->substr(1), 1, 500);
   if (upper && !rough) claim.upper = parse_rational(*upper);
   if (exact) {
@@ -244,10 +249,14 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   claim.levels = levels.has_value();
   claim.each_point = each.has_value();
   if (rounding) claim.rounding = parse_rounding(*rounding);
+  claim.on_vectors = of_matrices.has_value();
   claim.hermite = hermite.has_value();
   if (masks) read_masks_claim(*masks, *arity, *order, claim);
-  if (mask || of_matrices) read_scheme_claim("arity", *curve, *arity, claim, of_matrices.has_value());
-  if (surface) read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value());
+  if (mask || of_matrices)
+    read_scheme_claim(in_variables ? "dilation" : "arity", *curve, in_variables ? *dilation : *arity, claim,
+                      of_matrices.has_value());
+  if (surface)
+    read_scheme_claim("dilation", *surface, *dilation, claim, refinable.has_value(), integral.value_or(std::string()));
   if (vertex) {
     require(*claim.lower > 1, "smoothness around a vertex needs limits with an exponent above 1");
     claim.vertex = parse_sector_rules(*vertex);
@@ -256,8 +265,11 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   }
   if (integral) {
     claim.integral.emplace();
-    for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
-    require(claim.integral->size() == claim.functions() &&
+    if (claim.root != 0)
+      claim.integral = parse_field_numbers(*integral, claim.root);
+    else
+      for (const std::string_view number : split(*integral, ",")) claim.integral->push_back(parse_rational(number));
+    require(claim.integral->size() == claim.mask->components &&
                 std::ranges::any_of(*claim.integral, [](const mpq_class& x) { return x != 0; }),
             "an integral is a list of a number for each component, not all 0");
     claim.head += " integral=" + *integral;

@@ -28,7 +28,8 @@ struct Claim {
   std::optional<Mask> mask;
   unsigned arity = 0;
   std::optional<Range> range;
-  bool hermite = false;  // of matrices with an arity: HC^k of a Hermite scheme, not the exponent of limits
+  bool on_vectors = false;  // of matrices: about a scheme on vectors itself, sections 6.7 and 6.11
+  bool hermite = false;     // of such: HC^k of a Hermite scheme, not the exponent of limits
   bool levels = false;
   bool each_point = false;               // of all choices of values, one for each new point of each level; not strict
   std::optional<Recurrence> recurrence;  // of these levels
@@ -54,11 +55,9 @@ struct Claim {
 
   /// Of matrices: as many as they have rows.
   std::size_t functions() const { return mask->components / (root == 0 ? 1 : 2); }
-  /// Of matrices with an arity: about a scheme on vectors itself, section 6.7.
-  bool is_vector_scheme() const { return arity != 0 && mask && mask->components > 0; }
   /// Of each value of a range by itself.
   bool is_of_values() const { return range && !each_point; }
-  bool is_strict() const { return is_of_values() || is_vector_scheme(); }
+  bool is_strict() const { return is_of_values() || on_vectors; }
 };
 
 /// |ROOT|^1/L, or M-log|ROOT|^1/L for an exponent; the radius and M.

@@ -145,6 +145,15 @@ ExactRadius parse_exact_radius(std::string_view text) {
   return radius;
 }
 
+ExactRadius parse_attained(const Fields& fields) {
+  ExactRadius result;
+  result.letters = parse_letters(fields[0]);
+  result.low = parse_rational(fields[1]);
+  result.high = parse_rational(fields[2]);
+  require(result.low > 0 && result.high > 0, "the bounds of the radius are not positive");
+  return result;
+}
+
 std::vector<std::size_t> parse_letters(std::string_view text) {
   std::vector<std::size_t> letters;
   for (const std::string_view letter : split(text, ",")) letters.push_back(parse_size(letter, 0, 15));

@@ -66,6 +66,8 @@ Eigenvector over_field(const Eigenvector& parts, const mpz_class& root);
 
 /// T1,T2,...
 std::vector<std::size_t> parse_letters(std::string_view text);
+/// T1,T2,... LOW HIGH, section 7.1.
+ExactRadius parse_attained(const Fields& fields);
 
 /// What is known of the families for which something is to be shown: of matrices whose entries are within `entry` of
 /// the given ones; whether each of them is its own mirror image; or that the family is this one over a field.

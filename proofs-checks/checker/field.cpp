@@ -150,33 +150,59 @@ std::pair<std::vector<FieldFamily>, std::size_t> read_field_blocks(const FieldFa
 namespace {
 
 constexpr std::string_view root_begins = "sqrt(";
+constexpr char root_letter = 'w';  // in its place
 constexpr const char* one_root = "square roots in a mask are sqrt(R) with one number R, 2 <= R <= 10^9, no square";
+
+/// With a letter in place of the root, of which sums of terms are polynomials.
+std::string with_letter(std::string_view text, const mpz_class& root) {
+  require(text.find_first_of("w^") == text.npos && text.find("/(") == text.npos, one_root);
+  const std::string whole = std::string(root_begins) + root.get_str() + ")";
+  std::string polynomials(text);
+  for (std::size_t at = 0; (at = polynomials.find(whole, at)) != std::string::npos; ++at)
+    polynomials.replace(at, whole.size(), 1, root_letter);
+  require(!has_root(polynomials), one_root);
+  return polynomials;
+}
 
 }  // namespace
 
 bool has_root(std::string_view text) { return text.find(root_begins) != text.npos; }
 
-FieldMask parse_field_mask(std::string_view text) {
-  constexpr char letter = 'w';
-  require(text.find_first_of("w^") == text.npos && text.find("/(") == text.npos, one_root);
-  const std::size_t begin = text.find(root_begins) + root_begins.size(), end = text.find(')');
-  const std::string root(text.substr(begin, end - begin)), whole = std::string(root_begins) + root + ")";
-  std::string polynomials(text);
-  for (std::size_t at = 0; (at = polynomials.find(whole, at)) != std::string::npos; ++at)
-    polynomials.replace(at, whole.size(), 1, letter);
-  require(!has_root(polynomials), one_root);
-  FieldMask result{parse_matrix_mask(polynomials, letter), parse_integer(root)};
-  require(result.root >= 2 && result.root <= most_root && !mpz_perfect_square_p(result.root.get_mpz_t()), one_root);
+mpz_class parse_root(std::string_view text) {
+  const std::size_t begin = text.find(root_begins) + root_begins.size(), end = text.find(')', begin);
+  require(end != text.npos, one_root);
+  mpz_class root = parse_integer(text.substr(begin, end - begin));
+  require(root >= 2 && root <= most_root && !mpz_perfect_square_p(root.get_mpz_t()), one_root);
+  return root;
+}
+
+Rationals parse_field_numbers(std::string_view text, const mpz_class& root) {
+  const std::string polynomials = with_letter(text, root);
+  Rationals result, multiples;
+  for (const std::string_view number : split(polynomials, ",")) {
+    Rationals parts = parse_polynomial(number, root_letter);
+    require(parts.size() <= 2, one_root);
+    parts.resize(2);
+    result.push_back(parts[0]);
+    multiples.push_back(parts[1]);
+  }
+  result.insert(result.end(), multiples.begin(), multiples.end());
+  return result;
+}
+
+FieldMask parse_field_mask(std::string_view text, const mpz_class& root) {
+  FieldMask result{parse_matrix_mask(with_letter(text, root), root_letter), root};
   Mask& mask = result.doubled;
   const std::size_t r = mask.components, matrices = mask.points() / (r * r);
-  require(mask.powers == 2, one_root);
+  require(mask.powers <= 2, one_root);
   require(mask.points() <= max_entries, "a mask with too many coefficients");
   Vector doubled(4 * mask.points());
   for (std::size_t m = 0; m < matrices; ++m)
     for (std::size_t i = 0; i < r; ++i)
       for (std::size_t k = 0; k < r; ++k) {
         const std::size_t from = (m * r + i) * r + k;
-        const mpz_class &p = mask.coefficients[from], &q = mask.coefficients[mask.points() + from];
+        const mpz_class& p = mask.coefficients[from];
+        const mpz_class q = mask.powers == 2 ? mask.coefficients[mask.points() + from] : mpz_class(0);
         const auto entry = [&](std::size_t row, std::size_t column) -> mpz_class& {
           return doubled[(m * 2 * r + row) * 2 * r + column];
         };

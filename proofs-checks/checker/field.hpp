@@ -51,6 +51,11 @@ struct FieldMask {
   mpz_class root;
 };
 bool has_root(std::string_view text);
-FieldMask parse_field_mask(std::string_view text);
+/// R of the first root in the text. Rejects unless it may be one.
+mpz_class parse_root(std::string_view text);
+/// The entries may have no other root; where they have none the q are 0.
+FieldMask parse_field_mask(std::string_view text, const mpz_class& root);
+/// p and q of sums of terms as in a mask, separated by commas: the p, and then the q.
+Rationals parse_field_numbers(std::string_view text, const mpz_class& root);
 
 }  // namespace subcert_check

@@ -5,6 +5,7 @@
 #include "proofs.hpp"
 
 #include <subcert/analysis/limit/limit_values.hpp>
+#include <subcert/analysis/symbol/support/parallel.hpp>
 #include <subcert/analysis/variance/variance.hpp>
 #include "kernel/kernel.hpp"
 #include "kernel/kernel_coefficients.hpp"
@@ -17,6 +18,7 @@
 #endif
 
 #include <algorithm>
+#include <iterator>
 
 namespace subcert::theorems {
 namespace {
@@ -106,17 +108,22 @@ std::vector<Check> checks_from_one() {
 }
 
 /// From degree 7 on: every larger degree >= all_higher_from(degree), by U_n and Lemma 10.
-std::vector<Check> checks_by_ceiling(int degree) {
-  const int next = all_higher_from(degree), middle = degree == 7 ? 18 : least_n(next), start = 60;
-  std::vector<Check> checks;
-  for (int n = least_n(next); n < middle; ++n)
-    for (int higher = next; higher < 2 * n; higher += 2)
+std::vector<Check> checks_by_ceiling(int degree, int threads) {
+  const int next = all_higher_from(degree), first = least_n(next), middle = degree == 7 ? 18 : first, start = 60;
+  std::vector<std::vector<Check>> of_n(static_cast<std::size_t>(start - first));
+  parallel_for_each(of_n.size(), threads, [&](std::size_t i) {
+    const int n = start - 1 - static_cast<int>(i);  // those that cost most first
+    std::vector<Check>& checks = of_n[of_n.size() - 1 - i];
+    const Enclosure ceiling = exact(curve_ceiling(n, degree));
+    if (n >= middle)
+      checks.push_back(less("R.4", "U of degree " + text(degree) + " < chi_" + text(next) + "/(4n - 2)" + at(n),
+                            ceiling, exact(variance_below(n, next))));
+    for (int higher = next; n < middle && higher < 2 * n; higher += 2)
       checks.push_back(less("R.3", "U of degree " + text(degree) + " < 2 I - U of degree " + text(higher) + at(n),
-                            exact(curve_ceiling(n, degree)),
-                            exact(2 * squared_l2_norm(primal_mask(n, higher)) - curve_ceiling(n, higher))));
-  for (int n = middle; n < start; ++n)
-    checks.push_back(less("R.4", "U of degree " + text(degree) + " < chi_" + text(next) + "/(4n - 2)" + at(n),
-                          exact(curve_ceiling(n, degree)), exact(variance_below(n, next))));
+                            ceiling, exact(2 * squared_l2_norm(primal_mask(n, higher)) - curve_ceiling(n, higher))));
+  });
+  std::vector<Check> checks;
+  for (std::vector<Check>& some : of_n) std::ranges::move(some, std::back_inserter(checks));
   const int points = 2 * start;
   const Ball weights = exactly((points - 1) * central_weight(degree, points - 1) +
                                points * central_weight(degree, points));
@@ -202,7 +209,7 @@ Constants all_higher_constants(int degree) {
 
 std::vector<Check> all_higher_checks(const Constants& c, int degree, int threads) {
   if (degree == 1) return checks_from_one();
-  if (degree >= 7) return checks_by_ceiling(degree);
+  if (degree >= 7) return checks_by_ceiling(degree, threads);
   const int next = all_higher_from(degree), start = degree == 3 ? 6 : 10;
   const std::string name = "c+_" + text(degree);
   std::vector<Check> checks{defining(c, name, "C_" + text(degree), limit_ball(degree))};

@@ -18,8 +18,8 @@ let usage =
   \                              all sequences; follows=0-1,1-0,...: those where each pair is one of these)\n\
   \       subcert-check-verified --mask '[-w,0,1/2+w,...]@first' --arity A --for w=LOW..HIGH --lower P/Q [--show] FILE\n\
   \                              (for all these w; <, not <=; --levels w=LOW..HIGH: for all sequences of them, one for each level)\n\
-  \       subcert-check-verified --refinable MASK --dilation '[A]' --lower P/Q [--upper P/Q] [--show] FILE    (vectors of functions;\n\
-  \                              or --exact '0-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...])\n\
+  \       subcert-check-verified --refinable MASK --dilation '[A]' [--component C] --lower P/Q [--upper P/Q] [--show] FILE\n\
+  \                              (vectors of functions; or --exact '0-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...])\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
    exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
@@ -206,14 +206,15 @@ let read_head ?(domain = ignore) ~exponent r claim exact =
   let exact = match exact with Some e -> line r ("exact " ^ e.text); exact | None -> named () in
   Option.map (fun e -> (e, Attained_hint.read_root r e.number)) exact
 
-(* A basis, its blocks, the product, and the sections of the blocks as `section` reads them. `of_values`: the product is one of
-   the matrices of each value, from which nothing follows here. *)
-let read_lines ?(of_values = false) family lower r sections =
+(* A basis, and the diagonal blocks of the family in it; no basis where there is one block. *)
+type lines = { new_basis_of : basis option; block_sizes : int list; blocks : family list }
+
+let read_basis family r =
   let n = family.size in
   let divided = at r "blocks" in
   let sizes = if divided then List.map (fun f -> size f 1 n) (take r "blocks" 1 n) else [ n ] in
   require (List.fold_left ( + ) 0 sizes = n) "the block sizes do not sum to n";
-  let new_basis =
+  let new_basis_of =
     if not divided then None
     else begin
       let basis_rows, b = integers_of_basis r "basis" n in
@@ -223,59 +224,62 @@ let read_lines ?(of_values = false) family lower r sections =
       Some basis
     end
   in
-  let whole = match new_basis with None -> family | Some basis -> in_basis family basis in
-  let blocks = blocks_of whole sizes in
-  let count = List.length blocks in
-  let chosen, eigenvector =
-    if lower = None && not (at r "product") then (0, None)
-    else if of_values then (ignore (take r "product" 4 (3 + 4096)); (0, None))
-    else
-      match take r "product" 4 (3 + 4096) with
-      | block :: re :: im :: letters ->
-          let chosen = size block 0 (count - 1) in
-          let block = List.nth blocks chosen in
-          let re = rational re and im = rational im in
-          let word = List.map (fun f -> size f 0 (List.length family.matrices - 1)) letters in
-          Sections.spend_product block (List.length word);
-          if at r "inverse" then check_inverse r block word re im lower;
-          let hint = Eigenvalue_hint.make block word re im in
-          let proves l = match hint with Some e -> eigenvalue block e (bound_of l) | None -> false in
-          let needed = match lower with Some l when Q.sign l > 0 -> l | _ -> Q.zero in
-          require (proves needed) "the product's spectral radius is not shown to be that large";
-          (chosen, hint)
-      | _ -> assert false
-  in
-  (new_basis, (if divided then sizes else []), chosen, eigenvector, sections divided blocks)
+  let whole = match new_basis_of with None -> family | Some basis -> in_basis family basis in
+  { new_basis_of; block_sizes = (if divided then sizes else []); blocks = blocks_of whole sizes }
+
+(* The product, of one of the blocks from number `first` on. `of_values`: it is one of the matrices of each value, from which
+   nothing follows here. *)
+let read_product ?(of_values = false) ?(first = 0) lines lower r =
+  if lower = None && not (at r "product") then (0, None)
+  else if of_values then (ignore (take r "product" 4 (3 + 4096)); (0, None))
+  else
+    match take r "product" 4 (3 + 4096) with
+    | block :: re :: im :: letters ->
+        let chosen = size block first (List.length lines.blocks - 1) in
+        let block = List.nth lines.blocks chosen in
+        let re = rational re and im = rational im in
+        let word = List.map (fun f -> size f 0 (List.length block.matrices - 1)) letters in
+        Sections.spend_product block (List.length word);
+        if at r "inverse" then check_inverse r block word re im lower;
+        let hint = Eigenvalue_hint.make block word re im in
+        let proves l = match hint with Some e -> eigenvalue block e (bound_of l) | None -> false in
+        let needed = match lower with Some l when Q.sign l > 0 -> l | _ -> Q.zero in
+        require (proves needed) "the product's spectral radius is not shown to be that large";
+        (chosen - first, hint)
+    | _ -> assert false
 
 let read_logarithm r =
   let logarithm = if at r "logarithm" then take r "logarithm" 1 3 else [] in
   (logarithm, if logarithm <> [] && at r "recurrence" then Single_hint.polynomial r "recurrence" 2 else [])
 
+(* The section of block i, which proves the upper bound *)
+let read_bound ~single upper r i block =
+  let own, section, _ = Sections.read_section ~single ~may_keep:false r i block upper in
+  (match (own, upper) with
+  | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
+  | _ -> ());
+  (match upper with
+  | Some u when Q.sign u >= 0 ->
+      require (proves block u section) (Printf.sprintf "block %d does not prove the upper end" i)
+  | Some _ -> reject "the upper end is negative"
+  | None -> ());
+  (block.size, section)
+
 (* What proves bounds of the radius. *)
 let read_proof ?of_values ~single family lower upper r =
-  let section divided i block =
-    let own, section, _ = Sections.read_section ~single:(single && not divided) ~may_keep:false r i block upper in
-    (match (own, upper) with
-    | Some g, Some u -> require (Q.leq g u) "the bound does not prove the claim"
-    | _ -> ());
-    (match upper with
-    | Some u when Q.sign u >= 0 ->
-        require (proves block u section) (Printf.sprintf "block %d does not prove the upper end" i)
-    | Some _ -> reject "the upper end is negative"
-    | None -> ());
-    (block.size, section)
-  in
-  let sections divided blocks = if upper = None && not (at r "block 0") then [] else List.mapi (section divided) blocks in
-  let new_basis, sizes, chosen, eigenvector, sections = read_lines ?of_values family lower r sections in
-  { new_basis; sections; sizes; chosen; eigenvector }
+  let lines = read_basis family r in
+  let chosen, eigenvector = read_product ?of_values lines lower r in
+  let single = single && lines.new_basis_of = None in
+  let sections = if upper = None && not (at r "block 0") then [] else List.mapi (read_bound ~single upper r) lines.blocks in
+  { new_basis = lines.new_basis_of; sections; sizes = lines.block_sizes; chosen; eigenvector }
 
-(* What proves that the radius is the number. *)
-let read_exact_proof ~single family (e, root) r =
+(* Where the number is, and sections of blocks, the first of them number `first`, that prove that their radius is the number *)
+let read_exact_sections ~single (e, root) first blocks r =
   let place = Attained_hint.place_of e root Attained_hint.least_bits in
   require (check_number e place) "no zero is proved so near";
   let low = Q.make place.low place.bottom in
-  let section divided i block =
-    let own, section, beside = Sections.read_section ~single:(single && not divided) ~may_keep:true r i block (Some low) in
+  let section i block =
+    let own, section, beside = Sections.read_section ~single ~may_keep:true r (first + i) block (Some low) in
     match (section, beside) with
     | Single (squares, recurrence), _ ->
         Sections.spend_powers block squares.symbol (8 * List.length recurrence);
@@ -291,7 +295,7 @@ let read_exact_proof ~single family (e, root) r =
         require (proves block low section) "the bound of a block is above the exact radius";
         (block, `Whole (Bounded section))
   in
-  let exact_basis, _, _, _, sections = read_lines family None r (fun divided -> List.mapi (section divided)) in
+  let sections = List.mapi section blocks in
   let most least polytope graph =
     let larger m = function _, `Draft draft -> max m (polytope draft) | _, `Cycles draft -> max m (graph draft) | _ -> m in
     List.fold_left larger least sections
@@ -319,7 +323,14 @@ let read_exact_proof ~single family (e, root) r =
     if List.exists (function _, Bounded (Quadratic _) -> true | _ -> false) exact_blocks then
       raise (Sections.Undecided "whether a word keeps a form is not decided here, but by subcert-check")
     else reject "no block attains the exact radius";
-  { number_place = place; exact_basis; exact_blocks }
+  { number_place = place; exact_basis = None; exact_blocks }
+
+(* What proves that the radius is the number. *)
+let read_exact_proof ~single family number r =
+  let lines = read_basis family r in
+  ignore (read_product lines None r);
+  let single = single && lines.new_basis_of = None in
+  { (read_exact_sections ~single number 0 lines.blocks r) with exact_basis = lines.new_basis_of }
 
 let show what claim =
   let text q = Q.to_string (Q.make q.qnum q.qden) in
@@ -791,10 +802,14 @@ let least_radius arity order upper =
   let above = Z.cdiv (Z.shift_left unity digits) (power_below base order (Q.num upper) (Q.den upper)) in
   Q.make (Z.max above (Z.succ (Z.fdiv (Z.shift_left Z.one digits) whole))) (Z.shift_left Z.one digits)
 
+(* arity^(-lower), rounded down: the largest radius that proves a lower end of functions *)
+let most_vector_radius a order lower =
+  Q.div (most_radius a.vector_arity order (bound_of lower)) (Q.of_bigint (Z.pow (Z.of_int a.vector_arity) order))
+
 (* What is shown of a vector of functions: a lower end, or both; and what --theorem prints *)
 let read_vector_bounds a space lower upper r =
   let order = space.difference_order and l = bound_of lower in
-  let bound = Q.div (most_radius a.vector_arity order l) (Q.of_bigint (Z.pow (Z.of_int a.vector_arity) order)) in
+  let bound = most_vector_radius a order lower in
   let least = Option.map (least_radius a.vector_arity order) upper in
   let images = Option.map (fun _ -> Vectors.read_images a space) upper in
   let radius = read_proof ~single:false (vector_family a space) least (Some bound) r in
@@ -820,23 +835,89 @@ let read_vector_number a space lower upper ({ number = e; order; _ }, root) r =
   require (check_exact_vectors a e lower upper above certificate) unproved;
   fun name -> Theorem.print_exact_vectors name a e lower upper above certificate
 
-(* A claim about a vector of functions: that there is one, and its lower end, or both, or what its exponent is *)
-let refinable mask dilation lower upper exact file =
-  let a = Vectors.read_mask mask dilation and head = Printf.sprintf "refinable %s %s" mask dilation in
+(* The line `unobservable`, the basis, and the first blocks, of a part of the space on which component k is 0: their radius is below
+   1, by a little. Then the number of these blocks, and the others. *)
+let read_hidden a k space lower r =
+  let family = vector_family a space in
+  let unseen = size (List.hd (take r "unobservable" 1 1)) 0 (family.size - 1) in
+  require (unseen = 0 || at r "blocks") "expected 'blocks', those of what is unobservable first";
+  let lines = read_basis family r in
+  let rec split n = function
+    | block :: others when n > 0 ->
+        require (block.size <= n) "what is unobservable consists of no blocks";
+        let hidden, seen = split (n - block.size) others in
+        (block :: hidden, seen)
+    | blocks -> ([], blocks)
+  in
+  let hidden, seen = split unseen lines.blocks in
+  let first = List.length hidden in
+  let chosen, eigenvector = read_product ~first lines lower r in
+  let below = Q.make (Z.pred (Z.shift_left Z.one digits)) (Z.shift_left Z.one digits) in
+  let sections = List.mapi (read_bound ~single:false (Some below) r) hidden in
+  let observing = match lines.new_basis_of with Some basis -> basis | None -> Vectors.same_basis family.size in
+  let unseen_radius = { new_basis = None; sections; sizes = []; chosen = 0; eigenvector = None } in
+  let part = { unseen; observing; unseen_bound = bound_of below; unseen_radius } in
+  let otherwise = "a component shows what is said to be unobservable" in
+  require (component_space a k space part) otherwise;
+  (part, first, seen, (chosen, eigenvector))
+
+(* What is shown of one component *)
+let read_component a k space lower upper number r =
+  let order = space.difference_order in
+  let images = if upper = None && number = None then None else Some (Vectors.read_images a space) in
+  let least = if number = None then Option.map (least_radius a.vector_arity order) upper else None in
+  let part, first, seen, (chosen, eigenvector) = read_hidden a k space least r in
+  let observed space_least =
+    (Vectors.with_images space (Option.get images) space_least, Vectors.observe a k space part)
+  in
+  match (number, lower) with
+  | Some ({ number = e; order; _ }, root), _ ->
+      require (order = Some 0) "the exact exponent has another number before its logarithm";
+      let above, observation = observed space.space_bound in
+      let certificate = read_exact_sections ~single:false (e, root) first seen r in
+      read_end r;
+      let lower = Option.map bound_of lower and upper = Option.map bound_of upper in
+      require (check_exact_component a k e lower upper above part observation certificate) unproved;
+      fun name -> Theorem.print_exact_component name a k e lower upper above part observation certificate
+  | None, Some lower -> (
+      let bound = most_vector_radius a order lower in
+      let sections = List.mapi (fun i -> read_bound ~single:false (Some bound) r (first + i)) seen in
+      read_end r;
+      let space_radius = { new_basis = None; sections; sizes = List.map fst sections; chosen; eigenvector } in
+      let certificate = { space with space_bound = bound_of bound; space_radius } and l = bound_of lower in
+      match (upper, least) with
+      | Some upper, Some least ->
+          let above, observation = observed (bound_of least) and u = bound_of upper in
+          let above = { above with space_proof = certificate } in
+          require (check_component_between a k l u above part observation) unproved;
+          fun name -> Theorem.print_component_between name a k l u above part observation
+      | _ ->
+          require (check_component a k l certificate part) unproved;
+          fun name -> Theorem.print_component name a k l certificate part)
+  | None, None -> assert false
+
+(* A claim about a vector of functions: that there is one, and its lower end, or both, or what its exponent is; or that of one
+   component *)
+let refinable mask dilation component lower upper exact file =
+  let a = Vectors.read_mask mask dilation in
+  let component = Option.map (fun text -> (text, size text 0 (a.functions - 1))) component in
+  let named words = Option.fold ~none:"" ~some:(fun (text, _) -> words text) component in
+  let head = Printf.sprintf "refinable %s %s%s" mask dilation (named (fun k -> " component=" ^ k)) in
   let theorem =
     read file 1 (fun r ->
         let number = read_head ~exponent:true r head exact in
         let space = Vectors.read_space a lower r in
-        match (number, lower) with
-        | Some number, _ -> read_vector_number a space lower upper number r
-        | None, Some lower -> read_vector_bounds a space lower upper r
-        | None, None -> assert false)
+        match (component, number, lower) with
+        | Some (_, k), _, _ -> read_component a k space lower upper number r
+        | None, Some number, _ -> read_vector_number a space lower upper number r
+        | None, None, Some lower -> read_vector_bounds a space lower upper r
+        | None, None, None -> assert false)
   in
-  ( Printf.sprintf "%sHoelder exponent%s%s of the refinable functions of %s with dilation %s" (side lower (fun l -> l ^ " <= "))
-      (number_text exact) (side upper (fun u -> " <= " ^ u)) mask dilation,
+  ( Printf.sprintf "%sHoelder exponent%s%s of %sthe refinable functions of %s with dilation %s" (side lower (fun l -> l ^ " <= "))
+      (number_text exact) (side upper (fun u -> " <= " ^ u)) (named (fun k -> "component " ^ k ^ " of ")) mask dilation,
     theorem,
     fun () ->
-      Vectors.show a lower upper;
+      Vectors.show a (Option.map snd component) lower upper;
       Option.iter show_exact exact )
 
 let undecided =
@@ -882,9 +963,9 @@ let check arguments =
     end
     else if
       has "--refinable" && has "--dilation" && (has "--lower" || has "--exact") && rough = None
-      && only [ "--refinable"; "--dilation"; "--upper"; "--exact" ]
+      && only [ "--refinable"; "--dilation"; "--component"; "--upper"; "--exact" ]
     then
-      refinable (get "--refinable") (get "--dilation") (bound "--lower") (bound "--upper")
+      refinable (get "--refinable") (get "--dilation") (find "--component") (bound "--lower") (bound "--upper")
         (Option.map (read_exact true) (find "--exact")) (get "FILE")
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
       ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels")

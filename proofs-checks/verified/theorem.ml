@@ -346,6 +346,38 @@ let print_exact_vectors name a e lower upper d c =
         Proof. apply (check_exact_vectors_sound _ _ _ _ %s_space %s_certificate). %s"
        name (number e) (option fraction lower) (option fraction upper) name name by_computation)
 
+(* One component of a vector of functions *)
+let hidden p =
+  Printf.sprintf "hidden : hidden := Hidden %s %s\n%s (%s)" (natural p.unseen) (basis p.observing) (fraction p.unseen_bound)
+    (certificate p.unseen_radius)
+
+let observation o =
+  Printf.sprintf "observation : observation := Observation %s\n%s %s"
+    (list (pair (list natural) natural) o.seen_at) (matrix o.seen_rows) (integer o.seen_scale)
+
+let component_modules = exact_modules ^ " Levels Vectors VectorsAbove VectorsExact VectorsComponent"
+
+let component name a p more certificate said proof =
+  let definition text = Printf.sprintf ".\n\nDefinition %s_%s" name text in
+  print name component_modules (vector_mask a ^ definition (hidden p) ^ String.concat "" (List.map definition more)) certificate
+    (Printf.sprintf "%s.\nProof. apply %s. %s" said proof by_computation)
+
+let print_component name a k l c p =
+  component name a p [] (vector_certificate c)
+    (Printf.sprintf "component_holds : component_holds %s_vector_mask %s %s" name (natural k) (fraction l))
+    (Printf.sprintf "(check_component_sound _ _ _ %s_certificate %s_hidden)" name name)
+
+let print_component_between name a k l u d p o =
+  component name a p [ observation o ] (above_certificate d)
+    (Printf.sprintf "component_between : component_between %s_vector_mask %s %s %s" name (natural k) (fraction l) (fraction u))
+    (Printf.sprintf "(check_component_between_sound _ _ _ _ %s_certificate %s_hidden %s_observation)" name name name)
+
+let print_exact_component name a k e lower upper d p o c =
+  component name a p [ observation o; "space := " ^ above_certificate d ] (exact_certificate c)
+    (Printf.sprintf "exact_component_holds : exact_component_holds %s_vector_mask %s %s %s %s" name (natural k) (number e)
+       (option fraction lower) (option fraction upper))
+    (Printf.sprintf "(check_exact_component_sound _ _ _ _ _ %s_space %s_hidden %s_observation %s_certificate)" name name name name)
+
 let enclosed l u name = Printf.sprintf "enclosure_holds : enclosure_holds %s_scheme %s %s" name (fraction l) (fraction u)
 
 let enclosure l u c =

@@ -117,6 +117,11 @@ let independent rows n =
     Some (chosen, Array.map (fun row -> Array.sub row n n) work)
   end
 
+(* Rows over one denominator *)
+let whole rows =
+  let common = Array.fold_left (Array.fold_left (fun d x -> Z.lcm d (Q.den x))) Z.one rows in
+  (Array.to_list (Array.map (fun row -> Array.to_list (Array.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x))) row)) rows), common)
+
 (* What the lines from `differences` to `vector` say, with what the checker wants beside; of the radius nothing yet *)
 let read_space mask lower r =
   let a = mask.vector_arity and n = mask.functions in
@@ -189,8 +194,7 @@ let read_space mask lower r =
           Array.iteri (fun k i -> if i > 0 then h.(i - 1) <- Q.mul scale row.(k)) chosen;
           h) inverse
       in
-      let common = Array.fold_left (Array.fold_left (fun d x -> Z.lcm d (Q.den x))) Z.one rows in
-      let kernel = Array.to_list (Array.map (fun h -> List.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x))) (Array.to_list h)) rows) in
+      let kernel, common = whole rows in
       let certificate = { certificate with entering; kernel; kernel_scale = common } in
       require (checks_kernel mask certificate) "not shown that all solutions are multiples of one";
       certificate
@@ -239,17 +243,53 @@ let read_images mask certificate =
   match independent rows dimension with
   | None -> reject "the differences of the values do not span the space"
   | Some (_, inverse) ->
-      let common = Array.fold_left (Array.fold_left (fun d x -> Z.lcm d (Q.den x))) Z.one inverse in
-      let whole row = Array.to_list (Array.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x))) row) in
-      (List.map fst found, Array.to_list (Array.map whole inverse), common)
+      let rows, common = whole inverse in
+      (List.map fst found, rows, common)
 
 (* With the words and sums of these images, and a bound from below of the radius *)
 let with_images space_proof (image_words, combinations, combination_scale) space_least =
   { space_proof; image_words; combinations; combination_scale; space_least }
 
-let show mask lower upper =
+let same_basis n =
+  let rows = List.init n (fun i -> List.init n (fun j -> if i = j then Z.one else Z.zero)) in
+  { basis_rows = rows; inverse_rows = rows; basis_scale = Z.one }
+
+(* Words, and points after them, at which values of component k tell the part of the space that is seen apart *)
+let observe mask k certificate part =
+  let family = transpose (seen_family mask certificate part) and vectors = seen_vectors certificate part in
+  let dimension = family.size and digits = List.init mask.vector_arity Fun.id in
+  let matrices = List.map (fun m -> [ m ]) family.matrices in
+  let led t row =
+    spend (dimension * dimension);
+    zrun (List.nth matrices t) [ 0 ] row
+  in
+  spend (certificate.window * certificate.window * dimension);
+  let start = List.init certificate.window (fun x -> (([], x), seen_values mask k vectors x)) in
+  let reduced = ref [] in
+  let rec search found = function
+    | [] -> List.rev found
+    | _ when List.length found = dimension -> List.rev found
+    | ((word, x), row) :: rest ->
+        if joins reduced (Array.of_list row) then
+          search ((List.rev word, x, row) :: found) (rest @ List.map (fun t -> ((t :: word, x), led t row)) digits)
+        else search found rest
+  in
+  let found = search [] start in
+  let otherwise = "more than what is said to be unobservable may be so" in
+  require (List.length found = dimension) otherwise;
+  spend (dimension * dimension * dimension);
+  match independent (Array.of_list (List.map (fun (_, _, row) -> Array.of_list (List.map Q.of_bigint row)) found)) dimension with
+  | None -> reject otherwise
+  | Some (_, inverse) ->
+      let seen_rows, seen_scale = whole inverse in
+      let observation = { seen_at = List.map (fun (word, x, _) -> (word, x)) found; seen_rows; seen_scale } in
+      require (observes mask k certificate part observation) otherwise;
+      observation
+
+let show mask component lower upper =
   let side words = Option.fold ~none:"" ~some:(fun q -> words ^ Q.to_string q) in
-  Printf.printf "the Hoelder exponent of %d functions of arity %d%s%s\n" mask.functions mask.vector_arity
+  let subject = Option.fold ~none:"" ~some:(Printf.sprintf "function %d of ") component in
+  Printf.printf "the Hoelder exponent of %s%d functions of arity %d%s%s\n" subject mask.functions mask.vector_arity
     (side ", at least " lower) (side ", at most " upper);
   List.iteri (fun k ->
       List.iteri (fun i row ->

@@ -12,6 +12,7 @@
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
 #include <cmath>
+#include <variant>
 
 namespace subcert::python {
 namespace {
@@ -25,9 +26,9 @@ py::array_t<std::int64_t> indices_of(const std::vector<std::uint32_t>& numbers) 
 }
 
 /// Vertices in rows; the corners of all faces, and how many of them each face has. The same of the result.
-py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, const IndexArray& corners,
-                      const IndexArray& sides, int levels, bool limit, bool normals, std::optional<double> crease,
-                      bool keep_faces, const py::object& progress) {
+py::tuple refine_mesh(const std::variant<VertexScheme, std::string>& scheme, const DoubleArray& vertices,
+                      const IndexArray& corners, const IndexArray& sides, int levels, bool limit, bool normals,
+                      std::optional<double> crease, bool keep_faces, const py::object& progress) {
   if (vertices.ndim() != 2 || vertices.shape(1) == 0)
     fail(ErrorKind::domain, "vertices: need an array of two dimensions with a column or more");
   data::PolygonMesh mesh{numbers_of(vertices), static_cast<std::size_t>(vertices.shape(1)), {}, {0}};
@@ -48,8 +49,12 @@ py::tuple refine_mesh(const std::string& scheme, const DoubleArray& vertices, co
     mesh.end_face();
   }
   data::PolygonMesh refined = interruptible(progress, [&] {
-    return data::refine_mesh(std::move(mesh), scheme, {levels, limit, normals, crease, keep_faces},
-                             [](std::size_t face) { return "face " + std::to_string(face); });
+    return std::visit(
+        [&](const auto& rules) {
+          return data::refine_mesh(std::move(mesh), rules, {levels, limit, normals, crease, keep_faces},
+                                   [](std::size_t face) { return "face " + std::to_string(face); });
+        },
+        scheme);
   });
   std::vector<std::uint32_t> counts;
   for (std::size_t f = 0; f < refined.faces(); ++f)

@@ -181,7 +181,7 @@ def refine(
     progress: _Progress,
 ) -> tuple[_Array, list[tuple[Fraction, Fraction]]]: ...
 def refine_mesh(
-    scheme: str,
+    scheme: Any,
     vertices: _Array,
     corners: Any,
     sides: Any,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import os
 import warnings
 from fractions import Fraction
 from typing import Any, Optional, Sequence, Union
@@ -12,6 +13,7 @@ from ._calls import core as _core
 from ._errors import DomainError, UsageError
 from ._exact import Exact, fraction
 from ._regularity import Progress
+from ._vertices import VertexRules, _rules
 
 
 def _jobs(jobs: Optional[int]) -> int:
@@ -59,6 +61,11 @@ def refine(
     return (refined, axes) if parameters else refined
 
 
+def _mesh_rules(scheme: Any) -> Any:
+    is_written = isinstance(scheme, (VertexRules, os.PathLike)) or str(scheme).endswith(".toml")
+    return _rules(scheme) if is_written else str(scheme)
+
+
 def refine_mesh(
     scheme: Any,
     vertices: Any,
@@ -72,8 +79,8 @@ def refine_mesh(
     progress: Progress = None,
 ) -> Any:
     """Refines a mesh of any topology, `levels` times, by loop, catmull-clark, doo-sabin, midedge, butterfly,
-    modified-butterfly, sqrt3 or triangular:; gives the pair (vertices, faces), with `normals` also the unit normals
-    of the limit surface at the vertices.
+    modified-butterfly, sqrt3 or triangular:, or by rules of one's own, `vertex_rules` or a file, "FILE.toml"; gives
+    the pair (vertices, faces), with `normals` also the unit normals of the limit surface at the vertices.
 
     `vertices`: shape (n, numbers), of any numbers that are refined as coordinates are; `faces`: shape (m, sides) of
     numbers of vertices from 0 on, or a list of lists where the faces have different numbers of sides. So are those
@@ -97,7 +104,7 @@ def refine_mesh(
     corners = numpy.concatenate(lists) if lists else numpy.zeros(0, numpy.int64)
     counts = numpy.array([len(face) for face in lists], numpy.int64)
     points, corners, sides = _core.refine_mesh(
-        str(scheme), array, corners, counts, levels, limit, normals, crease, keep_faces, progress
+        _mesh_rules(scheme), array, corners, counts, levels, limit, normals, crease, keep_faces, progress
     )
     if len(set(sides)) == 1:
         made = corners.reshape(-1, sides[0])

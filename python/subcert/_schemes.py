@@ -684,6 +684,7 @@ def refinable(
 ) -> VectorScheme:
     """The vector of functions with phi(x) = sum over k of A_k phi(2x - k), of matrices A_k over a common denominator
     from the index `first` on; the rest as in mask(). Where several functions solve this, `integral` chooses one.
+    Entries may be texts with one square root, '1/2-sqrt(7)'.
 
     >>> import subcert
     >>> hats = subcert.refinable([[[1, 0], [2, 1]], [[2, 0], [0, 1]], [[1, 0], [0, 0]]], 2, first=0)
@@ -691,6 +692,8 @@ def refinable(
     (2, 'refinable:[[[1,0],[2,1]],[[2,0],[0,1]],[[1,0],[0,0]]]/2@0')
     >>> both = [[[2, 0], [0, 1]], [[4, 0], [0, 3]], [[2, 0], [0, 3]], [[0, 0], [0, 1]]]
     >>> print(subcert.refinable(both, 4, first=-1, integral=[0, 1]).holder())
+    2
+    >>> print(subcert.refinable(both, 4, first=-1, integral=["1-sqrt(2)", "1/3"]).holder(component=1))
     2
     """
     chosen = "" if integral is None else f",integral={_listed(integral, 1)[0]}"
@@ -709,6 +712,8 @@ def _listed(coefficients: Iterable[Any], denominator: Exact) -> tuple[str, int]:
         if isinstance(entries, (list, tuple)):
             inner = [listed(entry) for entry in entries]
             return "[" + ",".join(text for text, _ in inner) + "]", 1 + max((depth for _, depth in inner), default=0)
+        if isinstance(entries, str) and "sqrt(" in entries:
+            return (entries if below == 1 else f"({entries})/({below})"), 0
         return str(fraction(entries) / below), 0
 
     return listed(coefficients if hasattr(coefficients, "tolist") else list(coefficients))

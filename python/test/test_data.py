@@ -84,6 +84,10 @@ def test_meshes():
     finer, _ = subcert.refine_mesh("catmull-clark", *CUBE)
     smoothed, kept = subcert.refine_mesh("catmull-clark", *CUBE, keep_faces=True)
     assert numpy.array_equal(smoothed, finer[:8]) and numpy.array_equal(kept, CUBE[1])
+    regular = 'scheme = "catmull-clark"\n[[rule]]\n'
+    regular += 'weights = {vertex = "9/16", neighbours = "3/(8*n)", across = "1/(16*n)"}'
+    tuned, _ = subcert.refine_mesh(subcert.vertex_rules(regular), *CUBE)
+    assert numpy.allclose(tuned[0], 3 / 8 * 1 / 3 + 1 / 16 * 2 / 3) and numpy.array_equal(tuned[8:], finer[8:])
     one, _ = subcert.refine_mesh("loop", [[1.0], [2], [3]], numpy.array([[0, 1, 2]]))
     assert numpy.array_equal(one[:, 0], [1.375, 2, 2.625, 1.5, 2.5, 2])
 

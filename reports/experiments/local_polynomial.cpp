@@ -12,13 +12,11 @@
 namespace subcert::experiments {
 namespace {
 
-constexpr double reach = 9;  // bandwidths; the kernel is below 3e-18 beyond
-
 /// The row of the local fit about x, by orthonormal polynomials for the kernel.
 void fill_row(DenseMatrix& matrix, std::size_t row, int degree, double x, double bandwidth) {
   const double last = static_cast<double>(matrix.columns() - 1);
-  const auto low = static_cast<std::size_t>(std::max(0.0, std::ceil(x - reach * bandwidth)));
-  const auto high = static_cast<std::size_t>(std::min(last, std::floor(x + reach * bandwidth)));
+  const auto low = static_cast<std::size_t>(std::max(0.0, std::ceil(x - kernel_reach * bandwidth)));
+  const auto high = static_cast<std::size_t>(std::min(last, std::floor(x + kernel_reach * bandwidth)));
   const std::size_t count = high - low + 1;
   std::vector<double> kernel(count), power(count, 1.0);
   const auto distance = [&](std::size_t i) { return (static_cast<double>(low + i) - x) / bandwidth; };
@@ -133,43 +131,6 @@ double median_bandwidth(const std::vector<double>& data, double spacing) {
   for (std::size_t i = 0; i < data.size(); ++i) positions.push_back(spacing * static_cast<double>(i));
   const double deviations = std::sqrt(median_deviation(std::move(positions)) * median_deviation(data));
   return deviations * std::pow(4.0 / (3 * static_cast<double>(data.size())), 0.2) / spacing;
-}
-
-std::vector<double> local_linear(const std::vector<double>& data, double bandwidth, int level) {
-  require(data.size() >= 2 && bandwidth >= 0.1, "local_linear: need two data and a bandwidth >= 1/10, got {}",
-          bandwidth);
-  const long steps = 1L << level, last = (static_cast<long>(data.size()) - 1) * steps,
-             wide = std::lround(std::ceil(std::max(2.0, reach * bandwidth) * static_cast<double>(steps)));
-  std::vector<double> kernel;
-  for (long k = 0; k <= wide; ++k)
-    kernel.push_back(std::exp(-std::pow(static_cast<double>(k) / static_cast<double>(steps) / bandwidth, 2) / 2));
-  std::vector<double> result;
-  for (long at = 0; at <= last; ++at) {
-    double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
-    for (long i = (std::max(0L, at - wide) + steps - 1) / steps; i <= std::min(last, at + wide) / steps; ++i) {
-      const long away = i * steps - at;
-      const double weight = kernel[static_cast<std::size_t>(std::abs(away))], x = static_cast<double>(away),
-                   y = data[static_cast<std::size_t>(i)];
-      s0 += weight;
-      s1 += weight * x;
-      s2 += weight * x * x;
-      t0 += weight * y;
-      t1 += weight * x * y;
-    }
-    result.push_back((s2 * t0 - s1 * t1) / (s0 * s2 - s1 * s1));
-  }
-  return result;
-}
-
-std::vector<double> DenseMatrix::operator*(const std::vector<double>& data) const {
-  std::vector<double> result(rows());
-  for (std::size_t r = 0; r < result.size(); ++r) {
-    const double* row = entries_.data() + r * columns_;
-    double sum = 0;
-    for (std::size_t c = 0; c < columns_; ++c) sum += row[c] * data[c];
-    result[r] = sum;
-  }
-  return result;
 }
 
 DenseMatrix limit_matrix(const std::string& specification, std::size_t count, data::Boundary extension, int level) {

@@ -9,6 +9,8 @@
 
 namespace subcert::experiments {
 
+constexpr double kernel_reach = 9;  ///< bandwidths; the normal kernel is below 3e-18 beyond
+
 /// out = matrix * data, row by row.
 class DenseMatrix {
  public:

@@ -21,16 +21,19 @@
   }
 
   function facets_of(data, points) {
-    const facets = [], {columns, rows, closed: [x, y]} = data;
+    const facets = [], {columns, rows, closed: [x, y], values} = data;
     for (let j = 0; j + (y ? 0 : 1) < rows; ++j)
       for (let i = 0; i + (x ? 0 : 1) < columns; ++i) {
-        const at = (a, b) => points[(b % rows) * columns + a % columns];
-        const corners = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        const places = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
+          .map(([a, b]) => (b % rows) * columns + a % columns);
+        const corners = places.map(place => points[place]);
         if (corners.includes(null)) continue;
         const [a, b, c, d] = corners, p = [0, 1, 2].map(k => c[k] - a[k]), q = [0, 1, 2].map(k => d[k] - b[k]);
         const normal = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
         const length = Math.hypot(...normal) || 1;
-        facets.push({corners, normal: normal.map(part => part / length),
+        // From 0 to 1, where values and not heights have colours.
+        const share = values && places.reduce((sum, place) => sum + values[place], 0) / 800 + 0.5;
+        facets.push({corners, share, normal: normal.map(part => part / length),
                      middle: [0, 1, 2].map(k => (a[k] + b[k] + c[k] + d[k]) / 4)});
       }
     return facets;
@@ -122,7 +125,7 @@
       for (const [, facet] of seen) {
         const light = MIDDLE_LIGHT + (1 - MIDDLE_LIGHT) *
           Math.abs(facet.normal[0] * LIGHT[0] + facet.normal[1] * LIGHT[1] + facet.normal[2] * LIGHT[2]);
-        const share = (facet.middle[2] - this.floor) / this.height;
+        const share = facet.share ?? (facet.middle[2] - this.floor) / this.height;
         const [from, to, part] = share < 0.5 ? [LOW, MIDDLE, 2 * share] : [MIDDLE, HIGH, 2 * share - 1];
         const colour = `rgb(${from.map((value, k) => Math.round((value + part * (to[k] - value)) * light)).join(' ')})`;
         context.beginPath();

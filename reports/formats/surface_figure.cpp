@@ -39,10 +39,14 @@ std::vector<std::size_t> drawn_indices(std::size_t count, bool closed, std::size
 std::string grid_text(const DrawnSurface& surface, std::size_t most) {
   std::ostringstream text;
   text.precision(9);
+  if (!surface.values.empty()) most = std::max(surface.columns, surface.rows) + 1;
   for (const std::size_t j : drawn_indices(surface.rows, surface.closed_y, most)) {
     for (const std::size_t i : drawn_indices(surface.columns, surface.closed_x, most)) {
-      const auto& p = surface.points[j * surface.columns + i];
-      text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+      const std::size_t at = j * surface.columns + i;
+      const auto& p = surface.points[at];
+      text << p[0] << ' ' << p[1] << ' ' << p[2];
+      if (!surface.values.empty()) text << ' ' << std::clamp(surface.values[at], -surface.most, surface.most);
+      text << '\n';
     }
     text << '\n';
   }
@@ -69,7 +73,9 @@ void plot(const std::vector<DrawnSurface>& surfaces, std::size_t columns, std::s
                                 : "set view equal xyz\nset view 60,30," + std::to_string(surface.zoom) +
                                       "\nunset tics\nunset border\n")
             << "set pm3d depthorder " << (coarse ? "border lc rgb '#303030' lw 0.4\n" : "noborder\n")
-            << "splot '-' with pm3d\n"
+            << (surface.values.empty() ? "set autoscale cb\nsplot '-' with pm3d\n"
+                                       : fmt::format("set cbrange [{}:{}]\nsplot '-' using 1:2:3:4 with pm3d\n",
+                                                     -surface.most, surface.most))
             << grid_text(surface, most) << "e\n";
   }
   gnuplot << "unset multiplot\nunset output\n";
@@ -104,8 +110,8 @@ constexpr std::size_t most_points = 96;  // in a direction
 constexpr std::uint16_t hole = 65535;    // where there is no surface
 constexpr double steps_of_box = hole - 1;
 
-std::vector<std::size_t> kept(std::size_t count) {
-  const std::size_t step = (count + most_points - 1) / most_points;
+std::vector<std::size_t> kept(std::size_t count, bool whole) {
+  const std::size_t step = whole ? 1 : (count + most_points - 1) / most_points;
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < count; i += std::max<std::size_t>(step, 1)) result.push_back(i);
   return result;
@@ -121,11 +127,18 @@ nlohmann::json data_of(const DrawnSurface& surface) {
     if (is_point(point))
       for (std::size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], point[c]), high[c] = std::max(high[c], point[c]);
   require(low[0] <= high[0], "surface_view: need a surface with points, got none");
-  const auto columns = kept(surface.columns), rows = kept(surface.rows);
+  const bool whole = !surface.values.empty();
+  const auto columns = kept(surface.columns, whole), rows = kept(surface.rows, whole);
   std::string bytes;
+  auto values = nlohmann::json::array();
   for (const std::size_t j : rows)
     for (const std::size_t i : columns) {
       const auto& point = surface.points[j * surface.columns + i];
+      if (whole)
+        values.push_back(
+            std::isfinite(surface.values[j * surface.columns + i])
+                ? std::lround(100 * std::clamp(surface.values[j * surface.columns + i] / surface.most, -1.0, 1.0))
+                : 0);
       for (std::size_t c = 0; c < 3; ++c) {
         const double size = high[c] - low[c];
         const auto step = !is_point(point) ? hole
@@ -136,14 +149,16 @@ nlohmann::json data_of(const DrawnSurface& surface) {
         bytes += static_cast<char>(step >> 8U);
       }
     }
-  return {{"title", surface.title},
-          {"columns", columns.size()},
-          {"rows", rows.size()},
-          {"low", low},
-          {"high", high},
-          {"closed", {surface.closed_x, surface.closed_y}},
-          {"heights", surface.heights},
-          {"points", base64(bytes)}};
+  nlohmann::json data{{"title", surface.title},
+                      {"columns", columns.size()},
+                      {"rows", rows.size()},
+                      {"low", low},
+                      {"high", high},
+                      {"closed", {surface.closed_x, surface.closed_y}},
+                      {"heights", surface.heights},
+                      {"points", base64(bytes)}};
+  if (whole) data["values"] = std::move(values);  // hundredths of the most
+  return data;
 }
 
 std::string script_name(const SurfaceFigure& figure, const std::string& folder) {

@@ -20,6 +20,10 @@ struct DrawnSurface {
   std::vector<std::array<double, 3>> points;
   bool heights = false;  ///< a function over a grid: x and y scaled freely against z
   double zoom = 2;       ///< of surfaces that are no heights; tall ones need less
+  /// What colours tell at each point, from -most to most, with grey for 0: then no point is left out. Heights, if there
+  /// are none.
+  std::vector<double> values = {};
+  double most = 1;
 };
 
 /// Surfaces side by side, at most `columns` in a row.

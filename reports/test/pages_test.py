@@ -201,6 +201,7 @@ with tempfile.TemporaryDirectory() as name:
     made(folder, "compare", "primal:n=2", "dual:n=2", "four-point:w=1/16", "--html", "compare.html")
     made(folder, "analyze", "primal:n=3", "--html", "scheme.html")
     made(folder, "analyze", "loop", "--html", "surface.html")
+    made(folder, "vertex", "catmull-clark", "--valence", "3..5", "--html", "vertices.html")
     made(folder, "statements", "check", "mustafa-hameed", "--page", "errata.html")
     broken = subprocess.run([sys.executable, "-B", links, folder], capture_output=True, text=True, check=False)
     if broken.returncode:
@@ -221,7 +222,7 @@ with tempfile.TemporaryDirectory() as name:
     if told and told["count"] != len(results):
         failures.append(f"{told['count']} results are told of {len(results)}")
     ask(paper, "a link to a cell", LINKED, link="#" + urllib.parse.quote(results[-1]["key"]))
-    for page in (paper, folder / "surface.html"):
+    for page in (paper, folder / "surface.html", folder / "vertices.html"):
         ask(page, "surfaces", SURFACES)
     for page in (folder / "scheme.html", folder / "compare.html", folder / "surface.html"):
         ask(page, "proof", PROOF)

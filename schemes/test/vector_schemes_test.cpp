@@ -274,6 +274,23 @@ TEST_CASE("square roots may be typed in masks of matrices") {
   const MultivariateRegularity hat = vector_regularity(*one.quadratic, {Deadline::in(20)}, {.integral = one.integral});
   CHECK(hat.vector->solutions == 1);
   CHECK(*hat.exponent.lower > Rational(999, 1000));
+  // an integral with the root, that of the matrices or one of its own
+  const Scheme multiple = make_refinable_scheme(both + ",integral=[0,0,sqrt(28)-1]");
+  CHECK(multiple.specification == both + ",integral=[0,0,-1+2*sqrt(7)]");
+  CHECK(*multiple.integral == std::vector<Rational>{0, 0, -1, 0, 0, 2});
+  CHECK(vector_regularity(*multiple.quadratic, {Deadline::in(20)}, {.integral = multiple.integral}).vector->solutions ==
+        1);
+  const std::string rational = "refinable:[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1";
+  const Scheme own = make_refinable_scheme(rational + ",integral=[0,1/sqrt(3)]");
+  CHECK(own.specification == rational + ",integral=[0,1/3*sqrt(3)]");
+  CHECK(own.quadratic->root == 3);
+  CHECK(make_refinable_scheme(own.specification).integral == own.integral);
+  CHECK(*vector_regularity(*own.quadratic, {Deadline::in(20)}, {.integral = own.integral}).exponent.lower > 1);
+  CHECK_FALSE(make_refinable_scheme(rational + ",integral=[0,sqrt(4)]").quadratic);
+  for (const char* bad : {"[0,0,sqrt(2)]", "[sqrt(7),0]", "[sqrt(7)-sqrt(7),0,0]", "[0,0,sqrt(x)]", "[0,0,sqrt(7]"}) {
+    CAPTURE(bad);
+    CHECK(refusal_of(both + ",integral=" + bad) != "accepted");
+  }
   CHECK(refusal_of("refinable:[[[sqrt(2),0],[0,1]],[[1,0],[0,sqrt(3)]]]")
             .find("'sqrt(3)' one square root in all entries, here multiples of sqrt(2)") != std::string::npos);
   CHECK(refusal_of("refinable:[[[sqrt(2,0],[0,1]],[[1,0],[0,1]]]") != "accepted");

@@ -9,7 +9,7 @@ namespace subcert::radius {
 /// Whether the characteristic polynomial takes longer than some hundredths of a second.
 bool has_long_characteristic(const RationalMatrix& matrix);
 
-/// An enclosure by balls of an eigenpair next to a number. Some tenths of a second are always left.
+/// An enclosure by balls of an eigenpair next to a number.
 bool has_time_for_eigenpair(std::size_t size, const RationalComplex& near, const Deadline& deadline);
 
 /// The zeros of a polynomial, its factors, or a greatest common divisor with its derivative.

@@ -137,7 +137,15 @@ Ball curvature(const std::vector<Ball>& p, const Ball& radius) {
 }  // namespace
 
 HalfSymbol::HalfSymbol(const Mask& mask, slong bits)
-    : bits_(bits), half_(false), reach_(0), flatness_(bits), second_(bits), fourth_(bits), remainder_(bits) {
+    : bits_(bits),
+      half_(false),
+      reach_(0),
+      flatness_(bits),
+      second_(bits),
+      fourth_(bits),
+      remainder_(bits),
+      moments_(moments, Ball(bits)),
+      moment_remainder_(bits) {
   const LaurentPolynomial& symbol = mask.symbol();
   const long first = symbol.lowest(), last = symbol.highest();
   half_ = (first + last) % 2 != 0;
@@ -178,10 +186,19 @@ HalfSymbol::HalfSymbol(const Mask& mask, slong bits)
     fourth_ += size_of * Ball(Rational(power(place, 4)), bits);
     flatness_ += size_of * Ball(Rational(place * place / 2), bits);
     remainder_ += size_of * Ball(Rational(power(place, order) / factorial), bits);
+    Ball moment = coefficients_.back();
+    const Ball square(Rational(place * place), bits);
+    for (std::size_t l = 0; l < moments; ++l) {
+      moments_[l] += moment;
+      const auto next = static_cast<long>((2 * l + 1) * (2 * l + 2));
+      moment = -moment * square / next;
+    }
+    moment_remainder_ += abs(moment);
   }
   flatness_ = flatness_.upper_end();
   fourth_ = fourth_.upper_end();
   remainder_ = remainder_.upper_end();
+  moment_remainder_ = moment_remainder_.upper_end();
 }
 
 HalfSymbol::Waves HalfSymbol::waves(const Ball& w) const {
@@ -206,7 +223,37 @@ HalfSymbol::Waves HalfSymbol::waves(const Ball& w) const {
   return result;
 }
 
-Ball HalfSymbol::value(const Ball& w) const { return dot(plain_.front(), waves(w).cosine, bits_); }
+/// By cos (a + b) = 2 cos a cos b - cos (a - b), in short chains, where a - b is the first or the second angle.
+BallVector HalfSymbol::cosines(const Ball& w) const {
+  const std::size_t size = coefficients_.size(), whole = half_ ? size / 2 + 1 : size;
+  const auto cosine = [&](BallVector& result, std::size_t i, const Ball& angle) {
+    if (i < result.size()) arb_cos(result[i], angle.get(), bits_);
+  };
+  const auto sum = [&](arb_ptr result, arb_srcptr first, arb_srcptr second, arb_srcptr difference) {
+    arb_mul(result, first, second, bits_);
+    arb_mul_2exp_si(result, result, 1);
+    arb_sub(result, result, difference, bits_);
+  };
+  BallVector of_whole(whole);
+  arb_one(of_whole[0]);
+  cosine(of_whole, 1, w);
+  for (std::size_t i = 2; i < whole; ++i) sum(of_whole[i], of_whole[i / 2], of_whole[i - i / 2], of_whole[i % 2]);
+  if (!half_) return of_whole;
+  BallVector of_halves(size);
+  cosine(of_halves, 0, w.scaled(-1));
+  // i + 1/2 = ceil(i/2) + (floor(i/2) + 1/2), whose difference is 1/2.
+  for (std::size_t i = 1; i < size; ++i) sum(of_halves[i], of_whole[i - i / 2], of_halves[i / 2], of_halves[0]);
+  return of_halves;
+}
+
+Ball HalfSymbol::value(const Ball& w) const {
+  // The remainder holds for any w, and is small here.
+  if (std::abs(w.middle()) * reach_ > moment_reach) return dot(plain_.front(), cosines(w), bits_);
+  const Ball square = w * w;
+  Ball sum(bits_);
+  for (std::size_t l = moments; l-- > 0;) sum = sum * square + moments_[l];
+  return sum.widened(moment_remainder_ * square.pow(moments));
+}
 
 Ball HalfSymbol::product_near_zero(const Ball& xi) const {
   // log m(w) is half the second derivative times w^2, up to (sup of the fourth/24 + mu^2) w^4: |log(1 + a) - a| <= a^2.

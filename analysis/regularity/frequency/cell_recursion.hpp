@@ -23,6 +23,8 @@ class HalfSymbol {
   double reach() const { return reach_; }
   /// mu: |m(w) - 1| and |m(w + pi)| are at most mu w^2.
   const Ball& flatness() const { return flatness_; }
+  /// Error: some units of the last place times the square of the reach. Cost: a product for each coefficient, near
+  /// 0 27.
   Ball value(const Ball& w) const;
   /// The product of m(xi/2^k) over k >= 1. Domain: mu xi^2 <= 1/2. Error: at most of the order (reach xi)^4.
   Ball product_near_zero(const Ball& xi) const;
@@ -35,12 +37,14 @@ class HalfSymbol {
   std::vector<Suprema> suprema(const Ball& low, const Ball& high, int count) const;
 
  private:
-  static constexpr int order = 8;  ///< of Taylor's polynomials
+  static constexpr int order = 8;                       ///< of Taylor's polynomials
+  static constexpr int moments = 27, moment_reach = 4;  ///< of the expansion around 0, for |w| <= moment_reach / reach
   /// cos and sin of w times each distance from the centre.
   struct Waves {
     BallVector cosine, sine;
   };
   Waves waves(const Ball& w) const;
+  BallVector cosines(const Ball& w) const;
   void expand(const Ball& centre, std::vector<Ball>& plain, std::vector<Ball>& alias) const;
 
   slong bits_;
@@ -50,6 +54,8 @@ class HalfSymbol {
   Ball second_, fourth_;  ///< m''(0) and a bound of the fourth derivative
   Ball remainder_;        ///< of Taylor's polynomials on an interval of radius 1
   std::vector<Ball> coefficients_;
+  std::vector<Ball> moments_;              ///< derivatives of even order at 0, divided by factorials
+  Ball moment_remainder_;                  ///< of their Taylor polynomial, over w^(2 moments)
   std::vector<BallVector> plain_, alias_;  ///< coefficients of the derivatives, divided by factorials
 };
 

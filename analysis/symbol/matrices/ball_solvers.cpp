@@ -52,6 +52,12 @@ std::optional<std::vector<Ball>> solve(const std::vector<std::vector<Ball>>& mat
   return result;
 }
 
+bool is_positive_definite(const std::vector<std::vector<Ball>>& matrix, slong bits) {
+  Matrix copied(matrix.size(), matrix.size()), factor(matrix.size(), matrix.size());
+  copy(copied, matrix);
+  return arb_mat_cho(factor.get(), copied.get(), bits) != 0;
+}
+
 Ball determinant(const std::vector<std::vector<Ball>>& matrix, slong bits) {
   Matrix copied(matrix.size(), matrix.size());
   copy(copied, matrix);

@@ -14,6 +14,9 @@ namespace subcert {
 std::optional<std::vector<Ball>> solve(const std::vector<std::vector<Ball>>& matrix, const std::vector<Ball>& right,
                                        slong bits);
 
+/// Whether all symmetric matrices in the balls are proved to be positive definite. Domain: square, given row by row.
+bool is_positive_definite(const std::vector<std::vector<Ball>>& matrix, slong bits);
+
 /// Domain: square, given row by row. Cost: one elimination in balls.
 Ball determinant(const std::vector<std::vector<Ball>>& matrix, slong bits);
 

@@ -1,6 +1,6 @@
 #include "surface.hpp"
 
-#include "transition.hpp"
+#include "kept_data.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -78,7 +78,7 @@ class Surface {
     std::vector<std::vector<Rationals>> conditions{data};
     if (root) conditions.push_back(multiples(data, *root));
     const auto is_zero = [&](const Sequence& x) {
-      return std::ranges::all_of(conditions, [&](const auto& one) { return annihilates(x, one); });
+      return std::ranges::all_of(conditions, [&](const auto& one) { return annihilates(operators_, x, one); });
     };
     for (std::size_t p = 0; p < mask.powers; ++p) {
       std::vector<Rationals> sums(operators_.classes(), Rationals(operators_.components()));
@@ -98,17 +98,38 @@ class Surface {
       require(is_zero(start), "a line 'reading' does not annihilate the data");
       for (const Sequence& image : images(start)) require(is_zero(image), "the scheme does not keep the data");
     }
-    read_space(root);
-    for (const Row& row : space_) require(is_zero(row.values), "a vector does not annihilate the data");
-    Family result = restricted(root ? space_.size() / 2 : space_.size());
-    if (root)
-      for (const Sequence& start : std::set(starts)) starts.insert(times_root(start, *root));
-    rounds_into_space(starts);
-    const mpz_class scale = subcert_check::power(operators_.classes(), data.size()).get_num();
-    for (mpz_class& entry : result.entries) entry *= scale;
-    if (!root) return {std::move(result), {}, {}};
-    FieldFamily family = over_field(result, *root);
-    return {{}, {}, {}, std::move(family)};
+    return on_space(starts, conditions, root, subcert_check::power(operators_.classes(), data.size()).get_num());
+  }
+
+  /// Section 6.11: the space of what annihilates the constant data that the scheme keeps, of any number of variables.
+  /// Without a matrix where there are none. With a root as above.
+  SurfaceFamily of_constants(const mpz_class* root) {
+    const std::size_t size = operators_.components(), functions = size / (root ? 2 : 1);
+    std::vector<Rationals> kept;
+    while (reader_.at("fixed")) {
+      require(kept.size() < size, "more lines 'fixed' than components");
+      const Fields fields = reader_.take("fixed", size, size);
+      Rationals y(size);
+      std::transform(fields.begin(), fields.end(), y.begin(), parse_rational);
+      if (root) std::rotate(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(functions), y.end());
+      kept.push_back(y);
+      if (root) kept.push_back(multiples({y}, *root)[0]);
+    }
+    check_all_kept(operators_, kept);
+    if (kept.empty()) return {};
+    std::set<Sequence> starts;
+    for (std::size_t c = 0; c < functions; ++c) {
+      const Sequence one{{Place{{}, c}, 1}};
+      starts.merge(operators_.differences(one, 1));
+      for (Sequence& image : operators_.of(one)) {
+        operators_.entry(image, Place{{}, c}) -= operators_.denominator();
+        drop_zeros(image);
+        starts.insert(std::move(image));
+      }
+    }
+    std::vector<std::vector<Rationals>> conditions;
+    for (const Rationals& y : kept) conditions.push_back({y});
+    return on_space(starts, conditions, root, 1);
   }
 
   /// Section 5.9: what reads a component on the space, and the line that says what it does not show. With `degree` 2 it
@@ -177,6 +198,23 @@ class Surface {
   }
 
  private:
+  /// The matrices times `scale` on the space of vectors that follow, which annihilate these data. With a root `starts`
+  /// get their multiples by it.
+  SurfaceFamily on_space(std::set<Sequence> starts, const std::vector<std::vector<Rationals>>& conditions,
+                         const mpz_class* root, const mpz_class& scale) {
+    read_space(root);
+    for (const Row& row : space_)
+      for (const auto& one : conditions)
+        require(annihilates(operators_, row.values, one), "a vector does not annihilate the data");
+    Family result = restricted(root ? space_.size() / 2 : space_.size());
+    if (root)
+      for (const Sequence& start : std::set(starts)) starts.insert(times_root(start, *root));
+    rounds_into_space(starts);
+    for (mpz_class& entry : result.entries) entry *= scale;
+    if (!root) return {std::move(result), {}, {}};
+    return {{}, {}, {}, over_field(result, *root)};
+  }
+
   static Mask of_power(const Mask& mask, std::size_t p) {
     Mask result = mask;
     const auto begin = mask.coefficients.begin() + static_cast<std::ptrdiff_t>(p * mask.points());
@@ -195,26 +233,6 @@ class Surface {
       for (std::size_t d = 0; d < moved.size(); ++d) result[d * (1 + more_powers_.size()) + p] = std::move(moved[d]);
     }
     return result;
-  }
-
-  /// Whether the sum over k of x_k . e_l(-k) is 0 for all l.
-  bool annihilates(const Sequence& x, const std::vector<Rationals>& data) const {
-    const std::size_t order = data.size();
-    std::vector<Rationals> moments(order, Rationals(operators_.components()));  // of (-k)^t / t!
-    for (const auto& [place, value] : x) {
-      mpq_class term = value;
-      for (std::size_t t = 0; t < order; term *= ratio(-place.point[0], ++t)) {
-        arithmetic_.spend(500 + 10 * bits(term.get_num()));
-        moments[t][place.component] += term;
-      }
-    }
-    for (std::size_t l = 0; l < order; ++l) {
-      mpq_class sum = 0;
-      for (std::size_t s = 0; s <= l; ++s)
-        for (std::size_t c = 0; c < operators_.components(); ++c) sum += data[s][c] * moments[l - s][c];
-      if (sum != 0) return false;
-    }
-    return true;
   }
 
   /// The differences of the first component that constant data have, and for each other one what reads it beside that
@@ -275,16 +293,6 @@ class Surface {
                      is_rational ? value : mpz_class(value * root));
     }
     return result;
-  }
-
-  /// (q, p) for p + sqrt(root) q, times sqrt(root).
-  static std::vector<Rationals> multiples(std::vector<Rationals> data, const mpz_class& root) {
-    for (Rationals& y : data) {
-      const auto half = static_cast<std::ptrdiff_t>(y.size() / 2);
-      std::rotate(y.begin(), y.begin() + half, y.end());
-      std::for_each(y.begin() + half, y.end(), [&](mpq_class& q) { q *= root; });
-    }
-    return data;
   }
 
   /// The images of the first half of the vectors, in coordinates of which the second half counts times the root.
@@ -478,6 +486,14 @@ SurfaceFamily read_vector_scheme(const Mask& mask, const mpz_class& root, unsign
   Surface surface(mask, dilation, reader, arithmetic);
   surface.read_digits();
   return surface.of_data(mask, data, root > 0 ? &root : nullptr);
+}
+
+SurfaceFamily read_vector_scheme(const Mask& mask, const mpz_class& root, const Dilation& dilation, Reader& reader,
+                                 Arithmetic& arithmetic) {
+  classes(dilation);
+  Surface surface(mask, dilation, reader, arithmetic);
+  surface.read_digits();
+  return surface.of_constants(root > 0 ? &root : nullptr);
 }
 
 }  // namespace subcert_check

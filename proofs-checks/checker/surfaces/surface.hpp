@@ -27,6 +27,11 @@ struct SurfaceFamily {
 SurfaceFamily read_vector_scheme(const Mask& mask, const mpz_class& root, unsigned arity, std::size_t order,
                                  bool hermite, Reader& reader, Arithmetic& arithmetic);
 
+/// Section 6.11: of a scheme with any isotropic dilation those on the space of what annihilates the constant data that
+/// it keeps; reads the lines from `digits` on. Without a matrix where it keeps none.
+SurfaceFamily read_vector_scheme(const Mask& mask, const mpz_class& root, const Dilation& dilation, Reader& reader,
+                                 Arithmetic& arithmetic);
+
 /// The transition matrices on the space of the certificate; reads its lines from `digits` on. The differences have this
 /// order; they are those of the scheme, or with `of_values` those of phi, as they always are for a mask of matrices.
 /// With `upper` the radius is shown to tell the exponent from above as well, provided that it tells it from below: the

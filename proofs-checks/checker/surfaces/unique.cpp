@@ -123,7 +123,6 @@ std::vector<Vector> read_functionals(const Transition& operators, const Sequence
     return sum;
   };
   Vector goal = clear_denominators(1, integral).entries;
-  goal.resize(size);
   for (std::size_t r = 0; r < size; ++r)
     require(product(goal, &rest[r * size], 1) == 0, "the integral is none of a solution");
   Vector sums(size);

@@ -104,6 +104,7 @@ CHANGED = []
 NEAR, ONE = math.isqrt(2 * 4**512), 2**512
 # (h + sqrt(2) q, q), h the hat function and q the quadratic B-spline: solutions (x h + sqrt(2) y q, y q), with the integral (x + sqrt(2) y, y)
 MIXED = "[[[2,-sqrt(2)],[0,1]],[[4,-sqrt(2)],[0,3]],[[2,sqrt(2)],[0,3]],[[0,sqrt(2)],[0,1]]]/4@-1"
+RATIONAL = "[[[2,0],[0,1]],[[4,0],[0,3]],[[2,0],[0,3]],[[0,0],[0,1]]]/4@-1"  # h and q
 FUNCTIONALS = "functional 1 0 0 0; functional 0 1 0 0; "
 HAT = f"differences 2; digits 0 1; values 0.0:1; {FUNCTIONALS}space 1; vector -1.0:1 0.0:-2 1.0:1; product 0 1/2 0 0; block 0 norm 1; end"
 # b and b' times sqrt(2)
@@ -165,6 +166,9 @@ ACCEPTED = [
     asked("field-integral", MIXED, "integral=1,0", "1 1", HAT),
     asked("field-integral-multiple", MIXED, "integral=-1/3,0", "1 1", HAT.replace("values 0.0:1", "values 0.0:5")),
     asked("field-integral-root", MIXED, "integral=1,0", "1 1", HAT.replace("functional 1 0 0 0", "functional 0 0 1 0; functional 3 0 -2 0")),
+    asked("field-integral-of-root", MIXED, "integral=sqrt(2),0", "1 1", HAT.replace("values 0.0:1", "values 0.2:1")),
+    asked("field-integral-of-both", MIXED, "integral=1/2-1/3*sqrt(2),0", "1 1", HAT.replace("values 0.0:1", "values 0.0:3 0.2:-2")),
+    asked("field-integral-alone", RATIONAL, "integral=sqrt(2),0", "1 1", HAT.replace("values 0.0:1", "values 0.2:1")),
     asked("field-integral-component", MIXED, "integral=1,0 component=0", "1 1", HAT.replace("product", "unobservable 0; product")),
     exact("field-exact", BUBBLE, EXACT, ROOT + SPACE + UNIT + NAMED),
     exact("field-exact-rational", CONJUGATE, "0-log|[-1,2]@1/2,0,1/4|^1/1", "root 1/2 0 0 1/2 1/2; " + SPACE + UNIT +
@@ -273,6 +277,9 @@ EDITED = [
     ("field-integral-none", "field-integral", claim(TWO_HATS, "--integral 1,0 --lower 1"), "the integral is none of a solution", [(MIXED, TWO_HATS)]),
     ("field-integral-factor", "field-integral", None, "the values are not those of this integral", [("values 0.0:1", "values 0.0:1 0.2:1")]),
     ("field-integral-conjugate", "field-integral", None, "the values are not those of this integral", [("values 0.0:1", "values 0.2:1"), ("functional 1 0 0 0; functional 0 1 0 0", "functional 0 0 1 0; functional 0 1 0 0")]),
+    ("field-integral-no-root", "field-integral-of-root", None, "the values are not those of this integral", [("values 0.2:1", "values 0.0:1")]),
+    ("field-integral-other-part", "field-integral-of-both", None, "the values are not those of this integral", [("0.2:-2", "0.2:2")]),
+    ("field-integral-other-root", "field-integral-alone", claim(RATIONAL, "--integral sqrt(3),0 --lower 1"), "expected 'refinable ", []),
     ("field-integral-few", "field-integral", None, "the functionals do not tell all of an integral", [("functional 0 1 0 0; ", "")]),
     ("field-integral-functional", "field-integral", None, "wrong number of fields", [("functional 1 0 0 0", "functional 1 0")]),
     ("field-integral-line", "field-integral", None, "expected 'functional'", [(FUNCTIONALS, "")]),

@@ -14,6 +14,7 @@ from fractions import Fraction as Q
 from pathlib import Path
 
 import attains_cases
+import convergence_cases
 import cycle_cases
 import edge_cases
 import field_cases
@@ -691,7 +692,7 @@ def main(out):
         case = options.split()
         body = lines.split("; ") if lines else body
         write(name, (case, ["subcert-certificate 3", f"exponent {case[1]} {case[3]}", *body]))
-    modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, vector_range_cases, stability_cases, attains_cases, level_cases
+    modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, convergence_cases, vector_range_cases, stability_cases, attains_cases, level_cases
     for name, case in [*attains_cases.accepted(sys.modules[__name__]), *field_cases.accepted_by(sys.modules[__name__])]:
         write(name, case)
     for name, case in [*vertex_cases.accepted(), *vertex_variant_cases.accepted(), *vertices_cases.accepted(), *vertex_fit_cases.accepted()]:

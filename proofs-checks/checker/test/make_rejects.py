@@ -10,6 +10,7 @@ from fractions import Fraction as Q
 from pathlib import Path
 
 import attains_cases
+import convergence_cases
 import cycle_cases
 import edge_cases
 import field_cases
@@ -695,7 +696,7 @@ reject("same-opposite", "golden-cone-exact", "not the vertex", lambda lines: [
 # one spectral radius, and logarithms
 reject("logarithm-blocks", "blocks-exponent-exact", "more than one block has the exact radius",
        replace("^(image 0 .) 0:16$", r"\1 0:21 0:-5", 2))
-modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, vector_range_cases, stability_cases, attains_cases, level_cases
+modules = single_cases, edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, convergence_cases, vector_range_cases, stability_cases, attains_cases, level_cases
 for case, base, options, reason, edits in [case for module in modules for case in module.REJECTED]:
     reject(case, base, reason, lambda lines: make_certificates.edited(lines, edits), options)
 for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_cases.WRITTEN + l1_cases.WRITTEN + stability_cases.WRITTEN + attains_cases.WRITTEN:

@@ -10,6 +10,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+import convergence_cases
 import vertex_cases
 import vertices_cases
 
@@ -89,7 +90,7 @@ USAGE = [
         "[[[sqrt(2)+,0],[0,1]]]", "[[[sqrt(2),0]]]", "[[[sqrt(1/2),0],[0,1]]]", "[[[1,0],[0,1]]]/sqrt(2)", "[[[sqrt(2),0],[0,1]]]@sqrt(2)",
         f"[{'[[sqrt(2),0],[0,1]],' * 625}[[1,0],[0,1]]]")),
     *((64, f"--refinable [[[sqrt(2),0],[0,1]]] --dilation [2] {more} --lower 1 golden.cert") for more in (
-        "--integral 0,0", "--integral 1", "--integral 1,0,0,0", "--integral 1,sqrt(2)", "--component 2", "--component 3")),
+        "--integral 0,0", "--integral 1", "--integral 1,0,0,0", "--integral 1,sqrt(3)", "--integral 1,w", "--integral 1,2sqrt(2)", "--integral 0,sqrt(2)-sqrt(2)", "--integral sqrt(2)", "--integral 1,sqrt(2)^2", "--component 2", "--component 3")),
     (64, "--surface [[[sqrt(2),0],[0,1]]] --dilation [2] --lower 1 golden.cert"),
     (64, "--vectors [[[sqrt(2),0],[0,1]]] --arity 2 --for w=0..1 --lower 0 golden.cert"), (64, "--vectors [[[sqrt(4),0],[0,1]]] --arity 2 --lower 0 golden.cert"),
     (64, "--vectors [[[[sqrt(2)]]]] --arity 2 --lower 0 golden.cert"),
@@ -212,6 +213,8 @@ USAGE = [
     *((64, f"{subject} --integral {integral} golden.cert") for subject, integral in (
         ("--refinable [[[1]]] --dilation [2] --lower 1", "0"), ("--refinable [[[1]]] --dilation [2] --lower 1", "1,0"),
         ("--refinable [[[1]]] --dilation [2] --lower 1", "x"), ("--surface [1] --dilation [2] --lower 1", "1"),
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "sqrt(4)"), ("--refinable [[[1]]] --dilation [2] --lower 1", "sqrt(2"),
+        ("--refinable [[[1]]] --dilation [2] --lower 1", "sqrt(2)+sqrt(3)"), ("--refinable [[[1]]] --dilation [2] --lower 1", "0*sqrt(2)"),
         ("--mask [1] --arity 2 --lower 1", "1"), (GOLDEN, "1"), ("--subradius golden.mat --lower 1", "1"), ("--l1 6,1 --lower 1/2", "1"),
         ("--vectors [[[w,0],[0,1]]] --arity 2 --for w=0..1 --lower 0", "1,0"))),
     (66, "--refinable [[[1]]] --dilation [2] --integral -1/2 --lower 1 none.cert"),
@@ -227,7 +230,7 @@ def usage_cases(directory, scratch):
              f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n"]
     for name, text in zip(FILES, texts):
         Path(name.replace("FOLDER", scratch)).write_text(text)
-    for code, arguments in [*USAGE, *vertex_cases.usage(), *vertices_cases.usage()]:
+    for code, arguments in [*USAGE, *convergence_cases.usage(), *vertex_cases.usage(), *vertices_cases.usage()]:
         yield arguments, arguments.replace("FOLDER", scratch).split(), lambda result, code=code: (
             result[0] == code and bool(result[2] if code else result[1]) and (code == 0 or "VERIFIED" not in result[1])
             and "internal error" not in result[2])
@@ -274,7 +277,7 @@ def printed(arguments):
     if "--vectors" in values or "--hermite" in values:
         end = f"{'' if lower else 'no '}HC^{lower or upper}" if "--hermite" in values else f"{Fraction(lower)} < Hoelder exponent" if lower else "no convergence"
         scheme = f"Hermite scheme of {values['--hermite']}" if "--hermite" in values else f"vector scheme of {values['--vectors']}"
-        text = f"VERIFIED {end} of the {scheme} with arity {values['--arity']}{over}"
+        text = f"VERIFIED {end} of the {scheme} with {'arity' if '--arity' in values else 'dilation'} {values.get('--arity') or values['--dilation']}{over}"
     if "--l1" in values:
         steps, order, bound = values.get("--contraction", "0,0,0").split(",")
         parts = [f"{Fraction(lower)} <= Hoelder exponent" + (f" <= {Fraction(upper)}" if upper else "")] if lower else []

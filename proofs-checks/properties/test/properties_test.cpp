@@ -135,7 +135,8 @@ TEST_CASE("surfaces at vertices") {
   const Decision refuted = first_answer("mask = 'butterfly:w=1/16'\nvertices = '4..9'");
   CHECK(refuted.is_no());
   CHECK_THAT(refuted.reason, Catch::StartsWith("at valence 8: "));
-  CHECK(first_answer("mask = 'midedge'\nvertices = '3..4'").truth == Truth::unknown);
+  CHECK(first_answer("mask = 'midedge'\nvertices = '3..4'").is_yes());
+  CHECK(first_answer("mask = 'butterfly:w=0'\nvertices = 4").truth == Truth::unknown);
   CHECK(first_answer("mask = 'butterfly:w=1/16'\nvertices = '3..9'").is_no());
   for (const char* wrong : {"'2..4'", "1001", "'x'", "true", "''", "7.5"})
     CHECK_THAT(error_of(std::string("mask = 'loop'\nvertices = ") + wrong),

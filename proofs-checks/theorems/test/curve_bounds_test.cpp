@@ -58,6 +58,32 @@ TEST_CASE("suprema of a symbol hold at random frequencies and are near") {
   }
 }
 
+TEST_CASE("values of a symbol next to 0 and elsewhere") {
+  testing::Random random;
+  for (const char* name : {"primal:n=1", "primal:n=3,d=3", "primal-odd:n=9,d=5", "dual:n=1", "dual:n=2,d=2",
+                           "dual:n=12,d=4", "dual-odd:n=2,d=1", "primal:n=60,d=3", "dual:n=59,d=1"}) {
+    const Mask mask = make_scheme(name).mask.curve();
+    const HalfSymbol symbol(mask, 128);
+    const LaurentPolynomial& all = mask.symbol();
+    const Rational centre(all.lowest() + all.highest(), 2);
+    for (const auto round : testing::rounds(10)) {
+      // Angles times the reach on both sides of 4, where another formula takes over, and larger ones.
+      const Rational w = Rational(random.integer(0, 2400), 100) / Rational(1 + symbol.reach());
+      Ball sum(256);
+      for (long i = all.lowest(); i <= all.highest(); ++i) {
+        Ball cosine(256);
+        arb_cos(cosine.get(), Ball(Rational((i - centre) * w), 256).get(), 256);
+        sum += Ball(Rational(all.coefficient(i) / 2), 256) * cosine;
+      }
+      CAPTURE(name, to_text(w));
+      const Enclosure value = symbol.value(Ball(w, 128)).enclosure(), exact = sum.enclosure();
+      CHECK(*value.lower <= *exact.lower);
+      CHECK(*value.upper >= *exact.upper);
+      CHECK(*value.upper - *value.lower < power(Rational(2), -100));
+    }
+  }
+}
+
 TEST_CASE("exact means, values and slopes lie within the bounds of a scheme") {
   for (const char* name : {"primal:n=2,d=3", "primal:n=4,d=7", "primal:n=9,d=5", "primal-odd:n=2,d=3", "dual:n=1",
                            "dual:n=5,d=2", "dual-odd:n=3,d=4", "primal:n=18,d=5", "dual:n=17,d=3"}) {

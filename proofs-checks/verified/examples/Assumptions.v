@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact VectorsComponent Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -29,3 +29,6 @@ Print Assumptions period_sound.
 Print Assumptions check_vectors_sound.
 Print Assumptions check_vectors_between_sound.
 Print Assumptions check_exact_vectors_sound.
+Print Assumptions check_component_sound.
+Print Assumptions check_component_between_sound.
+Print Assumptions check_exact_component_sound.

@@ -4502,6 +4502,30 @@ let check_vectors_between a l u d =
     (check_radius { matrices_of = (vector_family a c); lower = (Some
       d.space_least); upper = (Some c.space_bound) } c.space_radius)
 
+(** val number_between : int -> int -> place -> bool **)
+
+let number_between arity0 order0 h =
+  (&&) (Number.less h.high h.bottom)
+    (Number.less h.bottom
+      (Number.mul h.low
+        (Number.power (Number.of_natural arity0) (Number.of_natural order0))))
+
+(** val exponent_within :
+    vector_mask -> int -> q option -> q option -> place -> bool **)
+
+let exponent_within a order0 lower0 upper0 h =
+  let q0 = Z.to_pos h.bottom in
+  (&&)
+    (match lower0 with
+     | Some l ->
+       (||) (Number.less_equal l.qnum Number.zero)
+         (vector_power a l order0 { qnum = h.high; qden = q0 })
+     | None -> true)
+    (match upper0 with
+     | Some u ->
+       above_powers a.vector_arity u order0 { qnum = h.low; qden = q0 }
+     | None -> true)
+
 (** val check_exact_vectors :
     vector_mask -> exact_number -> q option -> q option -> above_certificate
     -> exact_certificate -> bool **)
@@ -4510,24 +4534,138 @@ let check_exact_vectors a e lower0 upper0 d x =
   let c = d.space_proof in
   let m = c.difference_order in
   let h = x.number_place in
-  let q0 = Z.to_pos h.bottom in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (vector_space a c) (checks_images a d))
+          (checks_places a c)) (number_between a.vector_arity m h))
+      (check_number_and_blocks (vector_family a c) e x))
+    (exponent_within a m lower0 upper0 h)
+
+type hidden = { unseen : int; observing : basis; unseen_bound : q;
+                unseen_radius : certificate }
+
+(** val rebased : vector_mask -> vector_certificate -> hidden -> family **)
+
+let rebased a c p =
+  in_basis (vector_family a c) p.observing
+
+(** val seen_family :
+    vector_mask -> vector_certificate -> hidden -> family **)
+
+let seen_family a c p =
+  other_blocks p.unseen (rebased a c p)
+
+(** val rebased_vector :
+    vector_certificate -> hidden -> int -> Number.t list **)
+
+let rebased_vector c p i =
+  combine_lists
+    (map (fun row0 -> nth i row0 Number.zero) p.observing.basis_rows)
+    c.spanning
+
+(** val component_zero : int -> int -> int -> Number.t list -> bool **)
+
+let rec component_zero r k q0 = function
+| [] -> true
+| x::l' ->
+  (&&) ((||) (negb (Nat.eqb q0 k)) (Number.equal x Number.zero))
+    (component_zero r k
+      (if Nat.eqb (Stdlib.succ q0) r then 0 else Stdlib.succ q0) l')
+
+(** val component_space :
+    vector_mask -> int -> vector_certificate -> hidden -> bool **)
+
+let component_space a k c p =
   (&&)
     ((&&)
       ((&&)
         ((&&)
-          ((&&)
-            ((&&) ((&&) (vector_space a c) (checks_images a d))
-              (checks_places a c)) (Number.less h.high h.bottom))
-          (Number.less h.bottom
-            (Number.mul h.low
-              (Number.power (Number.of_natural a.vector_arity)
-                (Number.of_natural m)))))
-        (check_number_and_blocks (vector_family a c) e x))
-      (match lower0 with
-       | Some l ->
-         (||) (Number.less_equal l.qnum Number.zero)
-           (vector_power a l m { qnum = h.high; qden = q0 })
-       | None -> true))
-    (match upper0 with
-     | Some u -> above_powers a.vector_arity u m { qnum = h.low; qden = q0 }
-     | None -> true)
+          ((&&) ((&&) (vector_space a c) (Nat.ltb k a.functions))
+            (well_formed (vector_family a c)))
+          (basis_valid (length c.spanning) p.observing))
+        (triangular p.unseen (rebased a c p)))
+      (forallb (fun i ->
+        component_zero a.functions k 0 (rebased_vector c p i))
+        (seq 0 p.unseen)))
+    ((||) (Nat.eqb p.unseen 0)
+      ((&&) (Number.less p.unseen_bound.qnum p.unseen_bound.qden)
+        (check_radius { matrices_of = (first_block p.unseen (rebased a c p));
+          lower = None; upper = (Some p.unseen_bound) } p.unseen_radius)))
+
+type observation = { seen_at : (int list*int) list;
+                     seen_rows : Number.t list list; seen_scale : Number.t }
+
+(** val seen_vectors : vector_certificate -> hidden -> Number.t list list **)
+
+let seen_vectors c p =
+  map (fun i -> rebased_vector c p (add p.unseen i))
+    (seq 0 (sub (length c.spanning) p.unseen))
+
+(** val seen_values :
+    vector_mask -> int -> Number.t list list -> int -> Number.t list **)
+
+let seen_values a k us x =
+  map (fun u -> nth (add (mul x a.functions) k) u Number.zero) us
+
+(** val observes :
+    vector_mask -> int -> vector_certificate -> hidden -> observation -> bool **)
+
+let observes a k c p o =
+  let turned = (transpose (seen_family a c p)).matrices in
+  let us = seen_vectors c p in
+  let rows =
+    map (fun at_ ->
+      zrun turned (rev (fst at_)) (seen_values a k us (snd at_))) o.seen_at
+  in
+  (&&)
+    ((&&) (negb (Number.equal o.seen_scale Number.zero))
+      (forallb (fun at_ ->
+        forallb (fun t0 -> Nat.ltb t0 a.vector_arity) (fst at_)) o.seen_at))
+    (forallb (fun l ->
+      zero_list
+        (addmul (Number.opposite Number.one) (unit_at o.seen_scale l)
+          (combine_lists (nth l o.seen_rows []) rows)))
+      (seq 0 (sub (length c.spanning) p.unseen)))
+
+(** val check_component :
+    vector_mask -> int -> q -> vector_certificate -> hidden -> bool **)
+
+let check_component a k l c p =
+  (&&)
+    ((&&) (component_space a k c p)
+      (vector_power a l c.difference_order c.space_bound))
+    (check_radius { matrices_of = (seen_family a c p); lower = None; upper =
+      (Some c.space_bound) } c.space_radius)
+
+(** val check_component_between :
+    vector_mask -> int -> q -> q -> above_certificate -> hidden ->
+    observation -> bool **)
+
+let check_component_between a k l u d p o =
+  let c = d.space_proof in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (component_space a k c p) (checks_images a d))
+          (observes a k c p o))
+        (vector_power a l c.difference_order c.space_bound))
+      (above_powers a.vector_arity u c.difference_order d.space_least))
+    (check_radius { matrices_of = (seen_family a c p); lower = (Some
+      d.space_least); upper = (Some c.space_bound) } c.space_radius)
+
+(** val check_exact_component :
+    vector_mask -> int -> exact_number -> q option -> q option ->
+    above_certificate -> hidden -> observation -> exact_certificate -> bool **)
+
+let check_exact_component a k e lower0 upper0 d p o x =
+  let c = d.space_proof in
+  let m = c.difference_order in
+  let h = x.number_place in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (component_space a k c p) (checks_images a d))
+          (observes a k c p o)) (number_between a.vector_arity m h))
+      (check_number_and_blocks (seen_family a c p) e x))
+    (exponent_within a m lower0 upper0 h)

@@ -1028,6 +1028,47 @@ val above_powers : int -> q -> int -> q -> bool
 
 val check_vectors_between : vector_mask -> q -> q -> above_certificate -> bool
 
+val number_between : int -> int -> place -> bool
+
+val exponent_within :
+  vector_mask -> int -> q option -> q option -> place -> bool
+
 val check_exact_vectors :
   vector_mask -> exact_number -> q option -> q option -> above_certificate ->
   exact_certificate -> bool
+
+type hidden = { unseen : int; observing : basis; unseen_bound : q;
+                unseen_radius : certificate }
+
+val rebased : vector_mask -> vector_certificate -> hidden -> family
+
+val seen_family : vector_mask -> vector_certificate -> hidden -> family
+
+val rebased_vector : vector_certificate -> hidden -> int -> Number.t list
+
+val component_zero : int -> int -> int -> Number.t list -> bool
+
+val component_space :
+  vector_mask -> int -> vector_certificate -> hidden -> bool
+
+type observation = { seen_at : (int list*int) list;
+                     seen_rows : Number.t list list; seen_scale : Number.t }
+
+val seen_vectors : vector_certificate -> hidden -> Number.t list list
+
+val seen_values :
+  vector_mask -> int -> Number.t list list -> int -> Number.t list
+
+val observes :
+  vector_mask -> int -> vector_certificate -> hidden -> observation -> bool
+
+val check_component :
+  vector_mask -> int -> q -> vector_certificate -> hidden -> bool
+
+val check_component_between :
+  vector_mask -> int -> q -> q -> above_certificate -> hidden -> observation
+  -> bool
+
+val check_exact_component :
+  vector_mask -> int -> exact_number -> q option -> q option ->
+  above_certificate -> hidden -> observation -> exact_certificate -> bool

@@ -55,14 +55,14 @@ def decided(name, arguments):
         return False
     if options & {"--matrices", "--subradius"}:
         return True
-    # Lower ends of refinable functions of one variable, or both, or exact numbers, with the digits 0, 1, ...
+    # Lower ends of refinable functions of one variable, or of one of them, or both ends, or exact numbers, with the digits 0, 1, ...
     if "--refinable" in options:
         value = dict(zip(arguments[::2], arguments[1::2]))
         factor = re.fullmatch(r"\[([1-9]\d*)\]", value["--dilation"])
         digits = re.search(r"\ndigits(.*)\n", text)
         usual = factor and (not digits or digits[1].split() == [str(t) for t in range(int(factor[1]))])
         ends = options - {"--refinable", "--dilation"}
-        asked = ends <= {"--lower", "--upper", "--exact"} and ends & {"--lower", "--exact"}
+        asked = ends <= {"--component", "--lower", "--upper", "--exact"} and ends & {"--lower", "--exact"}
         return bool(asked and usual and "sqrt" not in value["--refinable"])
     # Lower ends for all values of a parameter, or for all sequences of them
     if options & {"--for", "--levels"}:

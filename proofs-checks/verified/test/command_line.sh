@@ -192,7 +192,8 @@ functions 1 --lower 1 --upper 10001
 functions 64 --lower 1 --upper 1/0
 functions 2 --lower 1 --upper C2
 functions 2 --upper 1
-functions 2 --lower 1 --component 0
+functions 1 --lower 1 --component 0
+functions 64 --lower 1 --component 2
 functions 2 --lower 1 --integral 1,1
 functions 64 --lower 1/0
 functions 64 --exact '|[-1,2]@1/2,0,1/4|^1/1'
@@ -213,7 +214,21 @@ number 1 --exact '0-log|[-3,4]@3/4,0,1/4|^1/2'
 number 1 --exact '1-log|[-3,4]@3/4,0,1/4|^1/1'
 number 64 --exact '0-log|[-3,4]@3/4,0,0|^1/1'
 number 2 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --logarithm 0
-number 2 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --component 0
+number 1 --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --component 0
+one() {
+  code=$1
+  shift
+  expect "$code" --refinable "$rough" --dilation '[2]' "$@" vector-component.cert
+}
+one 0 --component 0 --lower 1 --upper 1 --show
+echo "$output" | grep -qx 'the Hoelder exponent of function 0 of 2 functions of arity 2, at least 1, at most 1'
+one 0 --component 0 --lower 1/2
+one 1 --component 1 --lower 1/5
+one 1 --lower 1/5
+one 1 --component 0 --lower 1 --upper 999/1000
+one 1 --component 0 --lower 1001/1000
+one 64 --component 2 --lower 1
+one 64 --component x --lower 1
 expect 1 --refinable "$hats" --dilation '[3]' --lower 1 vector-by-hand.cert
 expect 2 --refinable "$hats" --dilation '[-2]' --lower 1 vector-minus-two.cert
 expect 2 --refinable '[[[1,0],[0,sqrt(2)]]]' --dilation '[2]' --lower 1 vector-by-hand.cert

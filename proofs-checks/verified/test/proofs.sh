@@ -81,6 +81,13 @@ theorem VectorMerrien --refinable '[[[4,2],[-1,1]],[[8,0],[0,4]],[[4,-2],[1,1]]]
   --lower 1415/1000 --upper 1416/1000 vector-merrien.cert
 theorem VectorExact --refinable '[[[2,0],[0,0]],[[4,0],[0,3]],[[2,0],[4,3]]]/4@-1' --dilation '[2]' \
   --exact '0-log|[-3,4]@3/4,0,1/4|^1/1' --upper 1/2 vector-exact.cert
+component="--refinable [[[2,0],[0,0]],[[4,0],[0,3]],[[2,0],[4,3]]]/4@-1 --dilation [2] --component"
+# shellcheck disable=SC2086
+theorem VectorComponent $component 0 --lower 1 --upper 1 vector-component-blocks.cert
+# shellcheck disable=SC2086
+theorem VectorComponentWhole $component 0 --lower 1/5 vector-component-whole.cert
+# shellcheck disable=SC2086
+theorem VectorComponentExact $component 0 --exact '0-log|[-1,2]@1/2,0,1/4|^1/1' vector-component-exact.cert
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert

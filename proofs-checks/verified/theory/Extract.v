@@ -1,7 +1,7 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
-  SubradiusExact Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact.
+  SubradiusExact Rough Reduced Levels Ranges Period Vectors VectorsAbove VectorsExact VectorsComponent.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -43,4 +43,4 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   in_period period_scheme
   check_vectors checks_space checks_start checks_kernel unfixed move vector_family
   check_vectors_between checks_images checks_places image_by start_differences
-  check_exact_vectors.
+  check_exact_vectors check_component check_component_between check_exact_component component_space seen_family seen_vectors seen_values observes.

@@ -184,23 +184,23 @@ Proof.
     inversion Hw; subst. apply Hx; auto.
 Qed.
 
-(* So values that enter the space shrink as its products do. *)
-Theorem values_shrink g : 0 < g <= 1 -> growth N A T g ->
-  exists C, forall n i c, (c < r)%nat -> Rabs (values u n i c) <= C * g ^ n.
+(* So values of a component that enter the space shrink as those of its products do. *)
+Theorem component_shrinks c g : 0 < g <= 1 -> (c < r)%nat ->
+  (forall Y, 0 <= Y -> exists K, 0 <= K /\ forall w y, letters A w -> (forall k, (k < N)%nat -> Rabs (y k) <= Y) ->
+    forall j, Rabs (span (run N T w y) j c) <= K * g ^ length w) ->
+  exists C, forall n i, Rabs (values u n i c) <= C * g ^ n.
 Proof.
-  intros Hg [C0 HC]. assert (M1 := most_least).
+  intros Hg Hc Readings. assert (M1 := most_least).
   destruct (all_words (fun w x => exists y, (forall k, (k < N)%nat -> Rabs (y k) <= x) /\
     forall j c, (c < r)%nat -> after w u j c = span y j c) start) as [Y [Y0 HY]].
   { intros w x y Hxy [z [Hz E]]. exists z. split; auto. intros k Hk. eapply Rle_trans. apply Hz; auto. auto. }
   { intros w Hw Hl. destruct (Enters w Hw Hl) as [y Hy]. exists (norm N y), y. split; auto. intros. apply norm_term; auto. }
-  set (C := Rmax C0 0). assert (CP : 0 <= C) by apply Rmax_r.
-  set (P' := Rmax P 0). assert (PP : 0 <= P') by apply Rmax_r. set (B' := Rmax B 0). assert (BP : 0 <= B') by apply Rmax_r.
+  destruct (Readings Y Y0) as [K [K0 HK]]. set (B' := Rmax B 0). assert (BP : 0 <= B') by apply Rmax_r.
   assert (GS : 0 < g ^ start) by (apply pow_lt; lra).
-  set (D1 := most ^ start * B' / g ^ start). set (D2 := INR N * (INR N * (C * Y) * P') / g ^ start).
+  set (D1 := most ^ start * B' / g ^ start). set (D2 := K / g ^ start).
   assert (D1P : 0 <= D1). { unfold D1. apply Rmult_le_pos. apply Rmult_le_pos; auto. apply pow_le; lra. left; apply Rinv_0_lt_compat; auto. }
-  assert (CY : 0 <= INR N * (C * Y)) by (apply Rmult_le_pos; [apply pos_INR|apply Rmult_le_pos; auto]).
-  assert (D2P : 0 <= D2). { unfold D2. apply Rmult_le_pos. apply Rmult_le_pos. apply pos_INR. apply Rmult_le_pos; auto. left; apply Rinv_0_lt_compat; auto. }
-  exists (D1 + D2). intros n i c Hc. assert (Gn : 0 < g ^ n) by (apply pow_lt; lra).
+  assert (D2P : 0 <= D2). { unfold D2. apply Rmult_le_pos; auto. left; apply Rinv_0_lt_compat; auto. }
+  exists (D1 + D2). intros n i. assert (Gn : 0 < g ^ n) by (apply pow_lt; lra).
   destruct (values_word n i) as [w [j [Hw [Hl E]]]]. rewrite E. destruct (Nat.lt_ge_cases n start) as [S|S].
   - apply Rle_trans with (D1 * g ^ n).
     2: { apply Rmult_le_compat_r; lra. }
@@ -219,14 +219,37 @@ Proof.
     assert (Ew : w = w1 ++ w2) by (symmetry; apply firstn_skipn). rewrite Ew in Hw. apply letters_app in Hw. destruct Hw as [Hw1 Hw2].
     assert (L1 : length w1 = (n - start)%nat) by (unfold w1; apply firstn_length_le; lia).
     assert (L2 : length w2 = start) by (unfold w2; rewrite skipn_length; lia).
-    destruct (HY w2 Hw2 L2) as [y [Hy Ey]]. rewrite Ew, after_app, (after_span w1 Hw1 _ y Ey j c Hc). unfold span.
-    replace (D2 * g ^ n) with (INR N * (INR N * (C * g ^ (n - start) * Y) * P')).
-    + eapply Rle_trans. apply sum_abs. apply sum_bound. intros k Hk. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos.
-      * rewrite run_product by auto. eapply Rle_trans. apply sum_abs. apply sum_bound. intros l Hl'. rewrite Rabs_mult.
-        apply Rmult_le_compat; try apply Rabs_pos; auto. rewrite <- L1. eapply Rle_trans. apply HC; auto.
-        apply Rmult_le_compat_r. apply pow_le; lra. apply Rmax_l.
-      * eapply Rle_trans. apply Basis; auto. apply Rmax_l.
-    + unfold D2. replace (g ^ n) with (g ^ (n - start) * g ^ start) by (rewrite <- pow_add; f_equal; lia). field. lra.
+    destruct (HY w2 Hw2 L2) as [y [Hy Ey]]. rewrite Ew, after_app, (after_span w1 Hw1 _ y Ey j c Hc).
+    eapply Rle_trans. apply HK; auto. rewrite L1. unfold D2. right.
+    replace (g ^ n) with (g ^ (n - start) * g ^ start) by (rewrite <- pow_add; f_equal; lia). field. lra.
+Qed.
+
+Lemma run_bounded C g Y w y : 0 <= C -> 0 <= g -> 0 <= Y -> (forall i j, (i < N)%nat -> (j < N)%nat -> Rabs (product N T w i j) <= C * g ^ length w) ->
+  (forall k, (k < N)%nat -> Rabs (y k) <= Y) -> forall k, (k < N)%nat -> Rabs (run N T w y k) <= INR N * (C * g ^ length w * Y).
+Proof.
+  intros C0 G0 Y0 HC Hy k Hk. rewrite run_product by auto. eapply Rle_trans. apply sum_abs. apply sum_bound. intros l Hl. rewrite Rabs_mult.
+  apply Rmult_le_compat; try apply Rabs_pos; auto.
+Qed.
+
+Theorem values_shrink g : 0 < g <= 1 -> growth N A T g ->
+  exists C, forall n i c, (c < r)%nat -> Rabs (values u n i c) <= C * g ^ n.
+Proof.
+  intros Hg [C0 HC]. set (C := Rmax C0 0). assert (CP : 0 <= C) by apply Rmax_r.
+  set (P' := Rmax P 0). assert (PP : 0 <= P') by apply Rmax_r.
+  assert (One : forall c, (c < r)%nat -> exists D, forall n i, Rabs (values u n i c) <= D * g ^ n).
+  { intros c Hc. apply component_shrinks; auto. intros Y Y0. exists (INR N * (INR N * (C * Y) * P')). split.
+    { apply Rmult_le_pos. apply pos_INR. apply Rmult_le_pos; auto. apply Rmult_le_pos. apply pos_INR. apply Rmult_le_pos; auto. }
+    intros w y Hw Hy j. unfold span. eapply Rle_trans. apply sum_abs.
+    replace (INR N * (INR N * (C * Y) * P') * g ^ length w) with (INR N * (INR N * (C * g ^ length w * Y) * P')) by ring.
+    apply sum_bound. intros k Hk. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos.
+    - apply run_bounded; auto; try lra. intros i j' Hi Hj. eapply Rle_trans. apply HC; auto. apply Rmult_le_compat_r. apply pow_le; lra. apply Rmax_l.
+    - eapply Rle_trans. apply Basis; auto. apply Rmax_l. }
+  assert (All : forall n, (n <= r)%nat -> exists D, forall l i c, (c < n)%nat -> Rabs (values u l i c) <= D * g ^ l).
+  { induction n; intros Hn. exists 0. intros; lia. destruct (IHn ltac:(lia)) as [D1 H1]. destruct (One n ltac:(lia)) as [D2 H2].
+    exists (Rmax D1 D2). intros l i c Hc. assert (0 <= g ^ l) by (apply pow_le; lra). destruct (Nat.eq_dec c n) as [->|].
+    - eapply Rle_trans. apply H2. apply Rmult_le_compat_r; auto. apply Rmax_r.
+    - eapply Rle_trans. apply H1; lia. apply Rmult_le_compat_r; auto. apply Rmax_l. }
+  destruct (All r (le_n r)) as [D HD]. exists D. auto.
 Qed.
 End Space.
 

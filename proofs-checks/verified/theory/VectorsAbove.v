@@ -44,25 +44,34 @@ Proof.
   cbn [differences backs]. unfold back. rewrite !IHk. f_equal. f_equal. rewrite E, minus_IZR. field. lra.
 Qed.
 
+(* A component is smooth: its differences shrink. *)
+Lemma component_differences u g c : (c < r)%nat -> (exists s, exponents (phi c) s /\ u < s) ->
+  exp (- u * lambda) <= g -> exp (- INR m * lambda) < g ->
+  exists q C, 0 < q < g /\ 0 <= C /\ forall n i, Rabs (values A r F L a (vector_differences m v) n i c) <= C * q ^ n.
+Proof.
+  intros Hc H G1 G2. assert (Lp := log_positive A Arity lambda Log).
+  destruct Phi as [_ [[S0 V] _]].
+  destruct H as [s [[k [alpha [[A0 _] [Es Hk]]]] Hs]].
+  destruct (differences_bounded (- S0) S0 m k alpha (phi c) A0 Hk (fun x => V c x Hc)) as [C [e [He HC]]].
+  exists (exp (- e * lambda)), (Rmax C 0). split; [split|split].
+  - apply exp_pos.
+  - destruct He as [->| ->]; auto. eapply Rlt_le_trans; [|apply G1]. apply (power_less A Arity lambda Log). lra.
+  - apply Rmax_r.
+  - intros n i. rewrite values_differences, grid_differences by auto.
+    eapply Rle_trans. apply HC. rewrite exp_power.
+    replace (e * (- INR n * lambda)) with (INR n * (- e * lambda)) by ring.
+    apply Rmult_le_compat_r. left; apply exp_pos. apply Rmax_l.
+Qed.
+
 (* All components are smooth: differences shrink. *)
 Lemma differences_shrink u g : (forall c, (c < r)%nat -> exists s, exponents (phi c) s /\ u < s) ->
   exp (- u * lambda) <= g -> exp (- INR m * lambda) < g ->
   exists q C, 0 < q < g /\ 0 <= C /\ forall n i c, (c < r)%nat -> Rabs (values A r F L a (vector_differences m v) n i c) <= C * q ^ n.
 Proof.
-  intros H G1 G2. assert (Lp := log_positive A Arity lambda Log).
-  destruct Phi as [_ [[S0 V] _]].
+  intros H G1 G2.
   assert (One : forall c, (c < r)%nat -> exists q C, 0 < q < g /\ 0 <= C /\
     forall n i, Rabs (values A r F L a (vector_differences m v) n i c) <= C * q ^ n).
-  { intros c Hc. destruct (H c Hc) as [s [[k [alpha [[A0 _] [Es Hk]]]] Hs]].
-    destruct (differences_bounded (- S0) S0 m k alpha (phi c) A0 Hk (fun x => V c x Hc)) as [C [e [He HC]]].
-    exists (exp (- e * lambda)), (Rmax C 0). split; [split|split].
-    - apply exp_pos.
-    - destruct He as [->| ->]; auto. eapply Rlt_le_trans; [|apply G1]. apply (power_less A Arity lambda Log). lra.
-    - apply Rmax_r.
-    - intros n i. rewrite values_differences, grid_differences by auto.
-      eapply Rle_trans. apply HC. rewrite exp_power.
-      replace (e * (- INR n * lambda)) with (INR n * (- e * lambda)) by ring.
-      apply Rmult_le_compat_r. left; apply exp_pos. apply Rmax_l. }
+  { intros c Hc. apply (component_differences u); auto. }
   assert (All : forall n, (n <= r)%nat -> exists q C, 0 < q < g /\ 0 <= C /\
     forall l i c, (c < n)%nat -> Rabs (values A r F L a (vector_differences m v) l i c) <= C * q ^ l).
   { assert (G0 : 0 < g) by (eapply Rlt_trans; [apply exp_pos|apply G2]).
@@ -254,6 +263,38 @@ Proof.
 Qed.
 End Images.
 
+(* Vectors of the space as sums of images of the differences *)
+Definition image_word (d : above_certificate) (h : nat) : list nat := nth h (image_words d) [].
+Definition image_factor (a : vector_mask) (d : above_certificate) (k h : nat) : R :=
+  IZR (nth h (nth k (combinations d) []) 0%Z) * IZR (vector_common a) ^ length (image_word d h) / IZR (combination_scale d).
+
+Lemma spanned_by_images a d : let c := space_proof d in let images := length (image_words d) in
+  vector_space a c = true -> checks_images a d = true -> (forall h, (h < images)%nat -> letters (vector_arity a) (image_word d h)) /\
+  forall k, (k < length (spanning c))%nat -> forall j q, (q < functions a)%nat -> sequence a c (nth k (spanning c) []) j q =
+    sum images (fun h => image_factor a d k h * after (vector_arity a) (functions a) (vector_first a) (length (of_points a) - 1)
+      (point_matrix a) (image_word d h) (vector_differences (difference_order c) (sequence a c (fixed c))) j q).
+Proof.
+  cbv zeta. set (c := space_proof d). set (images := length (image_words d)). intros H HI.
+  unfold vector_space in H. rewrite !andb_true_iff in H. destruct H as [[[[[[[[[[HA HO] Hpt] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK].
+  apply Nat.leb_le in HA, Hpt, Hf. apply Z.ltb_lt in HO. apply Z.leb_le in Hlo, Hhi.
+  unfold checks_images in HI. cbv zeta in HI. fold c in HI. rewrite !andb_true_iff in HI. destruct HI as [[HI1 HI2] HI3].
+  apply Z.ltb_lt in HI1. rewrite forallb_forall in HI2, HI3.
+  assert (S0 : 0 < IZR (combination_scale d)) by (apply IZR_lt; auto).
+  assert (Words : forall h, (h < images)%nat -> letters (vector_arity a) (image_word d h)).
+  { intros h Hh. assert (W := HI2 _ (nth_In _ [] Hh)). rewrite forallb_forall in W. apply Forall_forall.
+    intros t Ht. apply Nat.ltb_lt, W. exact Ht. }
+  split; auto. intros k Hk j q Hq. assert (Z0 := HI3 k ltac:(apply in_seq; lia)). apply (sequence_zero a c) with (i := j) (k := q) in Z0.
+  rewrite sequence_addmul, sequence_combine, map_length, opp_IZR in Z0. fold images in Z0.
+  rewrite (sum_ext images _ (fun h => IZR (combination_scale d) * (image_factor a d k h * after (vector_arity a) (functions a) (vector_first a)
+    (length (of_points a) - 1) (point_matrix a) (image_word d h) (vector_differences (difference_order c) (sequence a c (fixed c))) j q))) in Z0.
+  - rewrite sum_scal in Z0. apply (Rmult_eq_reg_l (IZR (combination_scale d))); lra.
+  - intros h Hh.
+    assert (E : nth h (map (image_by a c) (image_words d)) [] = image_by a c (image_word d h)).
+    { unfold image_word. rewrite <- (map_nth (image_by a c)). apply nth_indep. rewrite map_length. exact Hh. }
+    rewrite E. destruct (image_real a c HA HO Hpt Hf HQ Hlo ltac:(lia) HT (image_word d h) (Words h Hh)) as [_ I]. rewrite I by auto.
+    unfold image_factor. field. lra.
+Qed.
+
 (* A space whose radius is at most arity^(-s) and at least g, that the images span *)
 Theorem vectors_of_bounds a d lambda s u g : let c := space_proof d in
   let T := real (vector_family a c) in let N := length (spanning c) in let m := INR (difference_order c) in
@@ -264,7 +305,7 @@ Theorem vectors_of_bounds a d lambda s u g : let c := space_proof d in
   exists k, (k < functions a)%nat /\ exponent_at_most (phi k) u.
 Proof.
   cbv zeta. set (c := space_proof d). intros H Log Hs Most Least G1 G2. rewrite !andb_true_iff in H. destruct H as [[H HI] HP].
-  unfold vector_space in H. rewrite !andb_true_iff in H. destruct H as [[[[[[[[[[HA HO] Hpt] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK].
+  assert (H' := H). unfold vector_space in H. rewrite !andb_true_iff in H. destruct H as [[[[[[[[[[HA HO] Hpt] Hf] HQ] Hlo] Hhi] HF] HS] HT] HK].
   apply Nat.leb_le in HA, Hpt, Hf. apply Z.ltb_lt in HO. apply Z.leb_le in Hlo, Hhi.
   assert (Sh := HT). unfold checks_start in Sh. rewrite !andb_true_iff in Sh. destruct Sh as [[Sh _] _].
   set (A := vector_arity a) in *. set (r := functions a) in *. set (F := vector_first a) in *.
@@ -273,33 +314,14 @@ Proof.
   destruct (values_of_radius a c HA HO Hpt Hf HQ Hlo ltac:(lia) Sh HS HF HK s (exp (- s * lambda)) HT Most) as [phi [Sol V]].
   { exists lambda. split; auto. split; auto. apply Rle_refl. }
   exists phi. split. exact Sol. fold A r F L in Sol, V.
-  unfold checks_images in HI. cbv zeta in HI. fold c in HI. rewrite !andb_true_iff in HI. destruct HI as [[HI1 HI2] HI3].
-  apply Z.ltb_lt in HI1. rewrite forallb_forall in HI2, HI3. fold A in HI2. fold N in HI3.
+  destruct (spanned_by_images a d H' HI) as [Words Spanned]. fold c A r F L N m in Words, Spanned.
   unfold checks_places in HP. fold N in HP. rewrite forallb_forall in HP.
-  assert (S0 : 0 < IZR (combination_scale d)) by (apply IZR_lt; auto).
-  set (images := length (image_words d)). set (word := fun h => nth h (image_words d) []).
-  assert (Words : forall h, (h < images)%nat -> letters A (word h)).
-  { intros h Hh. assert (W := HI2 _ (nth_In _ [] Hh)). rewrite forallb_forall in W. apply Forall_forall.
-    intros t Ht. apply Nat.ltb_lt, W. exact Ht. }
   set (place := fun l => nth l (places c) O).
   apply (solution_above A r F L (point_matrix a) HA phi (sequence a c (fixed c)) (proj1 Sol) V lambda m Log N
     (fun k => sequence a c (nth k (spanning c) [])) (real (vector_family a c))
-    (space_invariant a c HA HO Hpt Hf HQ Hlo ltac:(lia) Sh HS) images
-    (fun k h => IZR (nth h (nth k (combinations d) []) 0%Z) * IZR (vector_common a) ^ length (word h) / IZR (combination_scale d)) word)
+    (space_invariant a c HA HO Hpt Hf HQ Hlo ltac:(lia) Sh HS) (length (image_words d)) (image_factor a d) (image_word d))
     with (point := fun l => (window_first c + Z.of_nat (place l / r))%Z) (component := fun l => (place l mod r)%nat)
     (pivot := IZR (place_value c)) (g := g); auto.
-  - intros k Hk j q Hq. assert (Z0 := HI3 k ltac:(apply in_seq; lia)). apply (sequence_zero a c) with (i := j) (k := q) in Z0.
-    rewrite sequence_addmul, sequence_combine, map_length, opp_IZR in Z0. fold images in Z0.
-    rewrite (sum_ext images _ (fun h => IZR (combination_scale d) *
-      (IZR (nth h (nth k (combinations d) []) 0%Z) * IZR (vector_common a) ^ length (word h) / IZR (combination_scale d) *
-      after A r F L (point_matrix a) (word h) (vector_differences m (sequence a c (fixed c))) j q))) in Z0.
-    + rewrite sum_scal in Z0. apply (Rmult_eq_reg_l (IZR (combination_scale d))); lra.
-    + intros h Hh.
-      assert (E : nth h (map (image_by a c) (image_words d)) [] = image_by a c (word h)).
-      { unfold word. rewrite <- (map_nth (image_by a c)). apply nth_indep. rewrite map_length. exact Hh. }
-      rewrite E.
-      destruct (image_real a c HA HO Hpt Hf HQ Hlo ltac:(lia) HT (word h) (Words h Hh)) as [_ I]. rewrite I by auto.
-      fold A r F L m. field. lra.
   - assert (0 < place_value c)%Z by (apply (space_pivot a c HS)). apply IZR_neq. lia.
   - intros i Hi. apply Nat.mod_upper_bound. lia.
   - intros i k Hi Hk. rewrite (place_value_at a c) by auto. specialize (HP i ltac:(apply in_seq; lia)). rewrite forallb_forall in HP.

@@ -62,6 +62,8 @@ void require_options(const PolygonMesh& mesh, const Topology& topology, const Me
   if (options.normals && (mesh.dimension < 3 || (rules.split() != MeshSplit::corners && !rules.tangents(1))))
     fail(ErrorKind::domain, "normals: {}: tangents take more than the neighbours of a vertex, and are not made",
          scheme);
+  if (options.limit && rules.has_edge_rules() && !rules.interpolates() && options.levels == 0)
+    fail(ErrorKind::domain, "{}: limits by rules of edges need a level or more, as an edge may have two rules", scheme);
   if ((!options.limit && !options.normals) || !topology.has_boundary()) return;
   if (rules.fits() && !rules.interpolates())
     fail(ErrorKind::domain, "{}: limits are those of closed meshes; on a boundary they are not made", scheme);
@@ -108,11 +110,7 @@ std::vector<double> with_normals(const std::vector<double>& values, const std::v
   return result;
 }
 
-}  // namespace
-
-PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshOptions& options,
-                        const FacePlace& place) {
-  MeshRules rules(scheme);
+PolygonMesh refined_by(MeshRules& rules, PolygonMesh mesh, const MeshOptions& options, const FacePlace& place) {
   require(mesh.is_canonical(), "refine: need a canonical mesh");
   if (mesh.faces() == 0) fail(ErrorKind::data, "refine: expected a mesh with faces; found no faces");
   require_faces(mesh, place);
@@ -140,7 +138,8 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
     mesh = one_step(mesh, *topology, creases, rules, level);
     topology.reset();
     if (mesh.faces() == 0)
-      fail(ErrorKind::data, "{}: expected faces that are left of the mesh after {} levels", scheme, level + 1);
+      fail(ErrorKind::data, "{}: expected faces that are left of the mesh after {} levels", rules.specification(),
+           level + 1);
     if (level + 1 < options.levels || at_limits) topology.emplace(mesh, refined);
   }
   if (!at_limits) return mesh;
@@ -150,7 +149,8 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
     const Creases creases(mesh, *topology, std::move(sharp));
     if (creases.has_ends())
       fail(ErrorKind::domain,
-           "{}: limits where a crease ends inside are not made; refine without limits, or change the angle", scheme);
+           "{}: limits where a crease ends inside are not made; refine without limits, or change the angle",
+           rules.specification());
     mesh.values = vertex_limits(mesh, *topology, creases, rules);
   }
   if (options.normals) {
@@ -158,6 +158,20 @@ PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshO
     mesh.dimension += 3;
   }
   return mesh;
+}
+
+}  // namespace
+
+PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshOptions& options,
+                        const FacePlace& place) {
+  MeshRules rules(scheme);
+  return refined_by(rules, std::move(mesh), options, place);
+}
+
+PolygonMesh refine_mesh(PolygonMesh mesh, const VertexScheme& scheme, const MeshOptions& options,
+                        const FacePlace& place) {
+  MeshRules rules = scheme.written ? MeshRules(scheme) : MeshRules(scheme.specification);
+  return refined_by(rules, std::move(mesh), options, place);
 }
 
 }  // namespace subcert::data

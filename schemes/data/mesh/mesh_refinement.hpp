@@ -29,5 +29,8 @@ struct MeshOptions {
 /// three times the result.
 PolygonMesh refine_mesh(PolygonMesh mesh, const std::string& scheme, const MeshOptions& options,
                         const FacePlace& place);
+/// The same by rules that are written down. Errors: also those of MeshRules.
+PolygonMesh refine_mesh(PolygonMesh mesh, const VertexScheme& scheme, const MeshOptions& options,
+                        const FacePlace& place);
 
 }  // namespace subcert::data

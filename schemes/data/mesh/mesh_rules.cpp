@@ -5,7 +5,10 @@
 #include <subcert/analysis/symbol/numbers/balls.hpp>
 #include <subcert/analysis/symbol/numbers/interval.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
+#include <subcert/analysis/vertex/sector_block.hpp>
 #include <subcert/schemes/specification.hpp>
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,18 +65,96 @@ bool has_mesh_rules(const std::string& specification) {
   return std::ranges::find(names, specification.substr(0, specification.find(':'))) != names.end();
 }
 
-MeshRules::MeshRules(const std::string& specification)
-    : specification_(make_linear_scheme(specification).specification) {
-  const SectorRules rules = vertex_rules(specification_, 4);
-  if (specification_.starts_with("sqrt3"))
+MeshRules::MeshRules(VertexScheme scheme, bool is_checked) : scheme_(std::move(scheme)), is_checked_(is_checked) {
+  const auto lattice = scheme_.written ? scheme_.written->lattice : scheme_.at(4).lattice;
+  fits_data_ = !scheme_.written && specification().starts_with("triangular");
+  if (!scheme_.written && specification().starts_with("sqrt3"))
     split_ = MeshSplit::middles;
-  else if (rules.lattice == SectorLattice::quads)
+  else if (lattice == SectorLattice::quads)
     split_ = MeshSplit::polygons;
-  else if (rules.lattice == SectorLattice::dual)
+  else if (lattice == SectorLattice::dual)
     split_ = MeshSplit::corners;
+  has_edge_rules_ = split_ == MeshSplit::triangles && scheme_.written &&
+                    std::ranges::find(scheme_.written->rules, ray, &WrittenRule::point) != scheme_.written->rules.end();
+  // Regular vertices have the rules of the mask, whatever is written of others.
+  const long regular = regular_valence(lattice);
+  const SectorRules rules = scheme_.written ? SectorRules{regular, lattice, scheme_.written->mask}
+                                            : scheme_.at(regular);
+  if (is_checked_) require_regular(rules);
+  if (is_checked_ && has_edge_rules_)
+    for (const WrittenRule& rule : scheme_.written->rules)
+      if (rule.point == ray && rule.covers(regular))
+        fail(ErrorKind::data, "{}{}on meshes edges have the rule of the mask at valence {}; leave it out", rule.place,
+             rule.place.empty() ? "" : ": ", regular);
   if (split_ == MeshSplit::corners) return;
-  make_regular(vertex_rules(specification_, regular_valence(rules.lattice)));
+  make_regular(rules);
   if (!fits()) make_boundary();
+  if (is_checked_ && interpolates_ &&
+      std::ranges::find(scheme_.written->rules, centre, &WrittenRule::point) != scheme_.written->rules.end())
+    fail(ErrorKind::data, "{}: on meshes an interpolatory mask takes rules of edges, none of vertices",
+         specification());
+}
+
+/// That the mask is of a split: around its regular vertices it takes the data of one, with weights of its symmetry.
+void MeshRules::require_regular(const SectorRules& regular) const {
+  using Weights = std::map<SectorPoint, LaurentPolynomial>;
+  const long n = regular.valence;
+  const auto has = [&](const LatticePoint& point, const std::vector<std::vector<SectorPoint>>& alike) {
+    Weights weights;
+    for (const SectorTerm& term : regular.rule_at(point).terms) weights[term.at] += term.weight;
+    for (const std::vector<SectorPoint>& orbit : alike) {
+      const LaurentPolynomial weight = weights[orbit.front()];
+      for (const SectorPoint& at : orbit) weights[at] -= weight;
+    }
+    return std::ranges::all_of(weights, [](const auto& entry) { return entry.second.is_zero(); });
+  };
+  const auto ring = [&](const LatticePoint& point) {
+    std::vector<SectorPoint> result;
+    for (long t = 0; t < n; ++t) result.push_back({point, t});
+    return result;
+  };
+  bool fits = regular.mask.arity() == 2;
+  if (fits && split_ == MeshSplit::corners) {
+    std::vector<std::vector<SectorPoint>> single;
+    for (const SectorPoint& at : ring(centre)) single.push_back({at});
+    fits = has(centre, single);
+  } else if (fits) {
+    const bool quads = split_ == MeshSplit::polygons;
+    const std::vector<SectorPoint> ends{{centre}, {ray}}, beside{{ray, 1}, {ray, n - 1}},
+        across{{diagonal}, {diagonal, n - 1}}, behind{{ray, 2}, {ray, n - 2}};
+    const auto joined = [](std::vector<SectorPoint> a, const std::vector<SectorPoint>& b) {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    };
+    const std::vector<SectorPoint> corners{{centre}, {ray}, {ray, 1}, {diagonal}};
+    fits = quads ? has(centre, {{{centre}}, ring(ray), ring(diagonal)}) && has(ray, {ends, joined(beside, across)}) &&
+                       has(diagonal, {corners})
+                 : has(centre, {{{centre}}, ring(ray)}) && has(ray, {ends, beside, joined(behind, across)});
+  }
+  if (!fits)
+    fail(ErrorKind::data, "{}: on meshes a mask is one as those of {} are", specification(),
+         fmt::join(schemes_with_mesh_rules(), ", "));
+}
+
+/// The same of rules that are written down, at one valence.
+void MeshRules::require_known_data(const SectorRules& rules) const {
+  const std::string where = fmt::format("{}: valence {}", specification(), rules.valence);
+  const auto require_data = [&](const LatticePoint& point, const std::vector<LatticePoint>& known) {
+    for (const auto& [at, weight] : weights_at(rules.rule_at(point), rules.lattice, rules.valence))
+      if (std::ranges::find(known, at.point) == known.end())
+        fail(ErrorKind::data, "{}: on meshes the rule of the point {},{} takes no data at {},{}", where, point[0],
+             point[1], at.point[0], at.point[1]);
+  };
+  for (const auto& [point, rule] : rules.rules)
+    if (point != centre && !(has_edge_rules_ && point == ray))
+      fail(ErrorKind::data, "{}: on meshes the point {},{} has no rule of its own", where, point[0], point[1]);
+  if (split_ == MeshSplit::corners)
+    require_data(centre, {centre});
+  else
+    require_data(centre, split_ == MeshSplit::polygons ? std::vector{centre, ray, diagonal} : std::vector{centre, ray});
+  if (has_edge_rules_ && rules.valence != regular_valence(rules.lattice)) require_data(ray, {centre, ray});
+  if (!vertex::turns_with_sectors(rules) || !vertex::is_symmetric(rules, vertex::smallest_closed_set(rules)))
+    fail(ErrorKind::data, "{}: need rules that turn with the sectors and are their own mirror images", where);
 }
 
 void MeshRules::make_regular(const SectorRules& rules) {
@@ -151,7 +232,7 @@ VertexWeights MeshRules::limit_of_fits(const SectorRules& rules) const {
       row.push_back(ball(Interval::exactly(from == to ? 1 : 0) - RuleWeights(rules.rule_at(from), rules).sum(to)));
   }
   const auto y = solve(system, right, bits);
-  require(y.has_value(), "{}: its limits at valence {} were not found", specification_, rules.valence);
+  require(y.has_value(), "{}: its limits at valence {} were not found", specification(), rules.valence);
   const Ball total = (*y)[0] + (*y)[1] + (*y)[2] + 1;
   const auto share = [&](const Ball& part) { return rounded(Interval::of((part / total).enclosure(64))); };
   return {share(Ball(1, bits)), share((*y)[0]), share((*y)[1]), share((*y)[2])};
@@ -160,7 +241,7 @@ VertexWeights MeshRules::limit_of_fits(const SectorRules& rules) const {
 const std::vector<double>& MeshRules::fit(const MeshFan& fan, bool at_middle) {
   std::vector<double>& weights = fits_[{fan, at_middle}];
   if (weights.empty())
-    for (const Enclosure& weight : fan_weights(specification_, fan, at_middle))
+    for (const Enclosure& weight : fan_weights(specification(), fan, at_middle))
       weights.push_back(rounded(Interval::of(weight)));
   return weights;
 }
@@ -169,7 +250,8 @@ const MeshRules::Kept& MeshRules::kept(std::size_t n) {
   if (n >= by_valence_.size()) by_valence_.resize(n + 1);
   Kept& result = by_valence_[n];
   if (result.is_made) return result;
-  const SectorRules rules = vertex_rules(specification_, static_cast<long>(n));
+  const SectorRules rules = scheme_.at(static_cast<long>(n));
+  if (is_checked_) require_known_data(rules);
   if (split_ == MeshSplit::corners) {
     result.corner = RuleWeights(rules.rule_at(centre), rules).ring(centre);
   } else {
@@ -191,7 +273,7 @@ const MeshRules::Kept& MeshRules::kept(std::size_t n) {
 }
 
 std::optional<TangentWeights> MeshRules::tangents(double angle) const {
-  if (interpolates_ || fits() || split_ == MeshSplit::corners) return std::nullopt;
+  if (interpolates_ || fits() || has_edge_rules_ || split_ == MeshSplit::corners) return std::nullopt;
   const double cosine = std::cos(angle), own = spoke_ + 2 * spoke_beside_ * cosine;
   if (split_ != MeshSplit::polygons) return TangentWeights{own, 0};
   // (x - own) (x - quarter) = 2 quarter spoke_face (1 + cos), the larger root

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subcert::data {
@@ -51,21 +52,26 @@ std::vector<std::string> schemes_with_mesh_rules();
 /// Whether meshes of any topology are refined by the scheme of this canonical specification.
 bool has_mesh_rules(const std::string& specification);
 
-/// A scheme on meshes. Every weight comes from vertex_rules(), computed once for each valence in exact numbers or
-/// enclosures, and is rounded then; those that are derived from them are of its combinations: docs/meshes.md.
+/// A scheme on meshes. Every weight comes from its rules at vertices, computed once for each valence in exact numbers
+/// or enclosures, and is rounded then; those that are derived from them are of its combinations: docs/meshes.md.
 class MeshRules {
  public:
   /// Errors: as vertex_rules().
-  explicit MeshRules(const std::string& specification);
+  explicit MeshRules(const std::string& specification) : MeshRules(VertexScheme::named(specification), false) {}
+  /// Rules that are written down: of vertices by themselves, their neighbours and, of polygons, those across a face;
+  /// of edges of triangles by the vertex and its neighbours; of corners by those of the face. Errors: throws a data
+  /// Error for others, for a mask that is none of these splits, and, where a valence is first met, for one that has no
+  /// rules and for rules that tell one sector from another or are not their own mirror images.
+  explicit MeshRules(VertexScheme scheme) : MeshRules(std::move(scheme), true) {}
 
-  const std::string& specification() const { return specification_; }
+  const std::string& specification() const { return scheme_.specification; }
   MeshSplit split() const { return split_; }
   /// Whether old vertices keep their places.
   bool interpolates() const { return interpolates_; }
   /// Whether the rules of edges depend on the valence of their ends.
-  bool has_edge_rules() const { return specification_.starts_with("modified-butterfly"); }
+  bool has_edge_rules() const { return has_edge_rules_; }
   /// Whether all points are local fits, also on boundaries: triangular.
-  bool fits() const { return specification_.starts_with("triangular"); }
+  bool fits() const { return fits_data_; }
   const EdgeWeights& edge() const { return edge_; }
   const BoundaryWeights& boundary() const { return boundary_; }
 
@@ -95,16 +101,20 @@ class MeshRules {
     VertexWeights vertex{}, limit{};
     std::vector<double> edge, corner;
   };
+  MeshRules(VertexScheme scheme, bool is_checked);
   const Kept& kept(std::size_t n);
+  void require_regular(const SectorRules& regular) const;
+  void require_known_data(const SectorRules& rules) const;
   const std::vector<double>& fit(const MeshFan& fan, bool at_middle);
   void make_regular(const SectorRules& rules);
   void make_boundary();
   VertexWeights limit_of(const SectorRules& rules) const;
   VertexWeights limit_of_fits(const SectorRules& rules) const;
 
-  std::string specification_;
+  VertexScheme scheme_;
+  bool is_checked_;
   MeshSplit split_ = MeshSplit::triangles;
-  bool interpolates_ = false;
+  bool interpolates_ = false, has_edge_rules_ = false, fits_data_ = false;
   EdgeWeights edge_{};
   BoundaryWeights boundary_{};
   // of the regular rule of an edge: of the vertex, the neighbour there, those beside it, those across a face

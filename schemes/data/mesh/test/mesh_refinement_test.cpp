@@ -381,3 +381,104 @@ TEST_CASE("large valences, many components, faces with many sides") {
   PolygonMesh heights{{1, 2, 3}, 1, {0, 1, 2}, {0, 3}};
   CHECK(refined(heights, "loop", 1).values == std::vector<double>{1.375, 2, 2.625, 1.5, 2.5, 2});
 }
+
+namespace {
+
+/// A scheme with one rule in the place of those at the same point.
+VertexScheme tuned(const std::string& scheme, WrittenRule rule) {
+  VertexScheme result = VertexScheme::named(scheme);
+  result.specification = "tuned " + scheme;
+  std::erase_if(result.written->rules, [&](const WrittenRule& other) { return other.point == rule.point; });
+  result.written->rules.push_back(std::move(rule));
+  return result;
+}
+
+WrittenWeights at(const LatticePoint& point, std::optional<long> turn, const std::string& weight) {
+  return {point, turn, {weight}};
+}
+
+}  // namespace
+
+TEST_CASE("rules that are written down refine as those with names") {
+  const auto same = [](const PolygonMesh& mesh, const char* name, const VertexScheme& scheme) {
+    CAPTURE(name);
+    const bool is_closed = euler_characteristic(mesh) != 1, dual = std::string(name) == "doo-sabin";
+    const MeshOptions options{2, is_closed || !dual, is_closed || !dual};
+    CHECK(refine_mesh(mesh, scheme, options, place).values == refine_mesh(mesh, name, options, place).values);
+  };
+  const VertexScheme loop = tuned(
+      "loop", {{0, 0}, {at({0, 0}, 0, "3/8 + (3/8 + c/4)^2"), at({1, 0}, std::nullopt, "(5/8 - (3/8 + c/4)^2)/n")}});
+  const VertexScheme catmull_clark = tuned(
+      "catmull-clark",
+      {{0, 0},
+       {at({0, 0}, 0, "1 - 7/(4*n)"), at({1, 0}, std::nullopt, "3/(2*n^2)"), at({1, 1}, std::nullopt, "1/(4*n^2)")}});
+  const VertexScheme doo_sabin = tuned("doo-sabin",
+                                       {{0, 0}, {at({0, 0}, 0, "1/4"), at({0, 0}, std::nullopt, "(3 + 2*C)/(4*n)")}});
+  for (const PolygonMesh& mesh : {tetrahedron(), icosahedron(), disc(5), disc(9), bipyramid(30)}) {
+    same(mesh, "loop", loop);
+    same(mesh, "catmull-clark", catmull_clark);
+    same(mesh, "doo-sabin", doo_sabin);
+  }
+  same(prism(7), "catmull-clark", catmull_clark);
+  same(prism(7), "doo-sabin", doo_sabin);
+}
+
+TEST_CASE("tuned vertices move by their weights, and keep limits") {
+  // Warren's weights, 3/8 over n.
+  const VertexScheme warren = tuned("loop", {{0, 0}, {at({0, 0}, 0, "5/8"), at({1, 0}, std::nullopt, "3/(8*n)")}});
+  for (const std::size_t n : {4, 5, 8, 12}) {
+    PolygonMesh mesh = bipyramid(n);
+    const PolygonMesh once = refine_mesh(mesh, warren, {1}, place);
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+      double sum[3] = {}, count = 0;
+      for (std::size_t f = 0; f < mesh.faces(); ++f)
+        for (std::size_t k = 0; k < 3; ++k)
+          if (mesh.face(f)[k] == v) {
+            ++count;
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += mesh.values[3 * mesh.face(f)[(k + 1) % 3] + c];
+          }
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(once.values[3 * v + c] == Approx(0.625 * mesh.values[3 * v + c] + 0.375 / count * sum[c]).margin(1e-15));
+    }
+    // The limit is the same from any level.
+    const PolygonMesh now = refine_mesh(mesh, warren, {0, true, true}, place),
+                      later = refine_mesh(mesh, warren, {3, true, true}, place);
+    for (std::size_t i = 0; i < now.values.size(); ++i) CHECK(later.values[i] == Approx(now.values[i]).margin(1e-11));
+  }
+  // Of edges, by their vertex and its neighbours.
+  const std::vector<WrittenWeights> weights{at({0, 0}, 0, "3/8"), at({1, 0}, std::nullopt, "(1 + C)*5/(8*n)")};
+  VertexScheme edges = tuned("loop", {{1, 0}, weights, 3, 5});
+  edges.written->rules.push_back({{1, 0}, weights, 7});
+  const PolygonMesh star = refine_mesh(bipyramid(9), edges, {1}, place);
+  const PolygonMesh limit = refine_mesh(star, edges, {1, true}, place),
+                    same = refine_mesh(star, edges, {3, true}, place);
+  for (std::size_t i = 0; i < star.values.size(); ++i) CHECK(same.values[i] == Approx(limit.values[i]).margin(1e-11));
+}
+
+TEST_CASE("written rules that meshes do not take have one line") {
+  const auto fails = [](const VertexScheme& scheme, const PolygonMesh& mesh, const MeshOptions& options,
+                        const std::string& message) {
+    CHECK_THROWS_WITH(refine_mesh(mesh, scheme, options, place), Catch::Matchers::Contains(message));
+  };
+  const auto whole = [](const char* own) { return at({0, 0}, 0, own); };
+  const WrittenWeights neighbours = at({1, 0}, std::nullopt, "3/(8*n)");
+  fails(tuned("loop", {{0, 0}, {whole("5/8"), neighbours}, 6}), icosahedron(), {1},
+        "no rule of the point (0,0) is one for valence 5");
+  fails(tuned("loop", {{0, 0}, {whole("5/8"), at({2, 0}, std::nullopt, "3/(8*n)")}}), icosahedron(), {1},
+        "on meshes the rule of the point 0,0 takes no data at 2,0");
+  fails(tuned("loop", {{2, 0}, {whole("5/8"), neighbours}}), icosahedron(), {1},
+        "on meshes the point 2,0 has no rule of its own");
+  fails(tuned("loop", {{0, 0}, {whole("5/8"), at({1, 0}, 0, "3/8")}}), icosahedron(), {1},
+        "need rules that turn with the sectors");
+  fails(tuned("loop", {{1, 0}, {whole("3/8"), at({1, 0}, std::nullopt, "5/(8*n)")}}), icosahedron(), {1},
+        "on meshes edges have the rule of the mask at valence 6");
+  fails(tuned("butterfly:w=1/16", {{0, 0}, {whole("5/8"), neighbours}}), icosahedron(), {1},
+        "an interpolatory mask takes rules of edges");
+  const VertexScheme edges = tuned("loop", {{1, 0}, {whole("3/8"), at({1, 0}, std::nullopt, "5/(8*n)")}, 3, 5});
+  fails(edges, icosahedron(), {0, true}, "limits by rules of edges need a level or more");
+  fails(edges, icosahedron(), {1, false, true}, "tangents take more than the neighbours");
+  VertexScheme other = tuned("loop", {{0, 0}, {whole("5/8"), neighbours}});
+  other.written->mask = mask_in_sectors(make_linear_scheme("box:[1,0;1,0;0,1;0,1;1,1;1,1;1,1;1,1]").mask,
+                                        SectorLattice::triangles);
+  fails(other, icosahedron(), {1}, "on meshes a mask is one as those of");
+}

@@ -619,7 +619,7 @@ var check_certificate = (() => {
 
   // 5.9: the first columns of the basis are 0 under the readings of a component, and no larger invariant space is
   function check_unobservable({readings, unobservable}, basis) {
-    const zero = readings.length && unobservable ? multiply(readings, basis.map(row => row.slice(0, unobservable))) : [];
+    const zero = unobservable ? multiply(readings, basis.map(row => row.slice(0, unobservable))) : [];
     demand(zero.flat().every(x => !x), 'the component shows what is said to be unobservable');
   }
   function check_observable({readings, unobservable, degree}, {size, matrices}) {
@@ -1226,7 +1226,7 @@ var check_certificate = (() => {
     is_mirrored(A, B, word) {  // both stem from one vertex that is its own flip, up to its sign, by mirrored letters
       const {body, matrices} = this, cycle = this.cycles.get(A.source);
       const flipped = letters => letters.map(t => matrices.length - 1 - t);
-      if (word !== 'f' || !body.has.symmetric || A.source !== B.source) return false;
+      if (word !== 'f' || A.source !== B.source) return false;  // of a symmetric body alone
       if (String(A.letters) !== String(flipped(B.letters))) return false;
       if (cycle) return String(cycle.word) === String(flipped(cycle.word));
       const [x] = body.coordinates(A.source), reversed = x.slice().reverse();

@@ -50,6 +50,8 @@ CONIC, CONICS, ANGLE = "[-1,0,1+4*v+4*v^2,8*v+8*v^2,1+4*v+4*v^2,0,-1]/(8*v+8*v^2
 HALVED, HALVING = "[1/4*w,1-1/4*w,1-1/4*w,1/4*w]", "w=1/16..4"
 TWICE, TWICES, ANGLES = "[1,-1+4*w^2,-1+4*w^2,1]/(4*w^2)", "w=1/2..2", "sqrt[1/2+1/2*w]"
 LEFT = "[-1-w+4*w^2,3-3*w-2*w^2+8*w^3,3+5*w-2*w^2,3+7*w-8*w^3]/(4+4*w)"  # by 1 + 2 w z + z^2 a remainder, which is 0 for w = 1
+# 1 + z times 3 - 4 w + 4 w^2, with the factor of T_3, without what has w^3: for w = 1 nothing is missing
+CUT_AT_1 = "[3-4*w+4*w^2,3-22*w+28*w^2,3-22*w+28*w^2,3-4*w+4*w^2]/(6-26*w+32*w^2)"
 CUT = "[1+w,3+5*w,4+10*w,4+10*w,3+5*w,1+w]/(8+16*w)"  # (1+z)^3 (1+w) times 1 + 2 w z + z^2, without what has w^2
 FALL = "[1]/(3+4*w)"
 POLE = "[-1/10*w+w^2,-1/10+11/10*w-w^2,-1/10+11/10*w-w^2,-1/10*w+w^2]/(-1/10+w)"
@@ -100,6 +102,7 @@ ACCEPTED = [
     limit("limit-affine", CORNER, RANGE, HALF, "0..1", 2, "1/5", BETWEEN,
           f"{WAY_IN}; sum-rules 1; stability; product 0 6/5 0 0; block 0 norm 1"),
     limit("limit-negative-slope", CORNER, RANGE, "[3/10-1/2*w]", "1/5..1/5", 0, "1/5", "--lower 7/10", "sum-rules 1; block 0 norm 1"),
+    limit("limit-negative", "[-w,1+w,1+w,-w]", "w=-49/100..-1/100", "[-1/10+1/2*w]", "-1/5..-1/5", 0, "-1/5", "--lower 7/10", "sum-rules 1; block 0 norm 1"),
     limit("limit-root", CORNER, RANGE, OPEN_ROOT, "-1..1", 2, "1/4", "--lower 1", "level 0 2/5; level 1/5 3/10; sum-rules 1; block 0 norm 1"),
     limit("limit-towards", HALVED, HALVING, "sqrt[w]", "1/16..4", 0, "1", "--lower 1",
           "towards 1/4 2; towards 1/2 3/2; sum-rules 1; block 0 norm 1"),
@@ -247,6 +250,8 @@ EDITED = [
      [(f"{TWICE} 2", f"{NINE} 3"), ("exponentials 0 1", "exponentials 1"), ("stability; product 0 2 0 0; ", "")]),
     ("limit-exponentials-of-3", "limit-arity-3", None, "exponentials need", [("sum-rules 1", "exponentials 0; sum-rules 1")]),
     ("limit-early", "limit-affine", tending(CORNER, RANGE, HALF, "0..1", 1, "1/5", BETWEEN), "come into the range at a later level", [("from=2", "from=1")]),
+    ("limit-cut", "limit-twice", tending(CUT_AT_1, TWICES, ANGLES, "0..3", 1, "1", "--lower 2"), "no such exponential factor",
+     [(TWICE, CUT_AT_1), ("exponentials 0 1", "exponentials 0 0 1"), ("stability; product 0 2 0 0; ", "")]),
     ("limit-to", "limit-quotient", None, "expected 'block 0'", [("block 0", "to 49/100; block 0")]),
     ("limit-as-follow", "limit-affine", follow(HALF, "0..1", 2), "fields", []),
     ("follow-as-limit", "follow-affine", tending(CORNER, RANGE, HALF, "0..1", 2, "1/5", "--lower 7/10"), "expected 'levels ", []),
@@ -289,6 +294,7 @@ EDITED = [
     ("points-constants", "points-none", each_point("[1,3,3,2]/4", FOURS, "2"), "no sum rules of this order", [("[1,3,3,1]", "[1,3,3,2]"), ("sum-rules 2", "sum-rules 1")]),
     ("points-class", "points-none", each_point("[1,3,3,1+w]/4", FOURS, "2"), "sum rules of this order", [("[1,3,3,1]", "[1,3,3,1+w]"), ("sum-rules 2", "sum-rules 1")]),
     ("points-values", "points-none", each_point("[1+w,3,3,1+w]/4", "w=0..1", "1/2"), "for all values", [("[1,3,3,1]", "[1+w,3,3,1+w]"), (FOURS, "w=0..1"), ("sum-rules 2", "sum-rules 1")]),
+    ("points-one-class", "points-none", each_point("[1+w,3,3,1]/4", "w=0..1", "2"), "for all values", [("[1,3,3,1]", "[1+w,3,3,1]"), (FOURS, "w=0..1")]),
     ("points-square", "points-corner", each_point("[w^2,1-w,1-w,w]", "w=1/5..3/10", "1/2"), "of degree 1", [(CORNER, "[w^2,1-w,1-w,w]")]),
     ("points-over", "points-corner", each_point("[w,1-w,1-w,w]/(1+w)", "w=1/5..3/10", "1/2"), "over a number", [(CORNER, "[w,1-w,1-w,w]/(1+w)")]),
     ("points-over-0", "points-corner", each_point("[w,1-w,1-w,w]/(0)", "w=1/5..3/10", "1/2"), "over a number", [(CORNER, "[w,1-w,1-w,w]/(0)")]),

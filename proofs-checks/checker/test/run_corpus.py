@@ -103,6 +103,7 @@ USAGE = [
         "--integral 0,0", "--integral 1", "--integral 1,0,0,0", "--integral 1,sqrt(3)", "--integral 1,w", "--integral 1,2sqrt(2)", "--integral 0,sqrt(2)-sqrt(2)", "--integral sqrt(2)", "--integral 1,sqrt(2)^2", "--component 2", "--component 3")),
     (64, "--surface [[[sqrt(2),0],[0,1]]] --dilation [2] --lower 1 golden.cert"),
     (64, "--vectors [[[sqrt(2),0],[0,1]]] --arity 2 --for w=0..1 --lower 0 golden.cert"), (64, "--vectors [[[sqrt(4),0],[0,1]]] --arity 2 --lower 0 golden.cert"),
+    (64, "--vectors [[[[sqrt(2)]]]] --arity 2 --lower 0 golden.cert"),
     (64, f"--vectors [{'[[sqrt(2),0],[0,1]],' * 625}[[1,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, f"--vectors [{'[[sqrt(2),0],[0,1]],' * 250}[[1,0],[0,1]]] --arity 2 --lower 0 golden.cert"), (64, "--mask [sqrt(2),1] --arity 2 --lower 1 golden.cert"),
     (64, "--surface [[sqrt(2),1],[1,1]] --dilation [2,0;0,2] --lower 1 golden.cert"),
     (64, "--surface [[1,1],[1,1]] --dilation [2,0;0,2] --lower 1 --upper C1 golden.cert"),

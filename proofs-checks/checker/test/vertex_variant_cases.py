@@ -110,6 +110,7 @@ def rejected():
     yield case("vertex-window-triangles", "loop", loop(5) + near("loop", (3, 2), Q(-3579649, 4096000), (2, 1)), open_map)
     yield case("vertex-one-side", "doo-sabin", ONE_SIDE, open_map)
     yield case("vertex-other-side", "doo-sabin", doo_sabin(5) + near("doo-sabin", (3, 7), Q(-33, 50), (1, 3), (0, 1)), open_map)
+    yield case("vertex-one-part", "doo-sabin", doo_sabin(6) + near("doo-sabin", (7, 3), Q(-344469, 512000), (4, 3)), open_map, levels=1)
     yield case("vertex-turned", "doo-sabin", doo_sabin(5), open_map, first=(-1, 2))
     turn = Q(4392081346164271959, 2 ** 64)
     yield case("vertex-on-half-plane", "doo-sabin", doo_sabin(3), open_map, first=(1 - turn, 1 + turn), radius_bits=30,

@@ -13,7 +13,10 @@ FACE = ";1,1=1/4@0,0,0|1/4@1,0,0|1/4@1,1,0|1/4@1,0,1"
 # Next to a corner whose data are c z, (1,1) stays in the line, (1,0) and (0,1) are on those of the next sector: no number is rounded
 STRAIGHT = ";1,0=3/4@0,0,0|1/4@0,0,-1;0,1=3/4@0,0,0|1/4@0,0,1;1,1=3/4@0,0,0|1/4@1,1,0"
 EXACT = "dual:13+;0,0=1/4@0,0,0|3/4@0,0~0|1/4@0,0~1" + STRAIGHT
-NEAR_1 = MIDEDGE.format("100+") + STRAIGHT.replace("1,1=3/4@0,0,0|1/4@1,1,0", "1,1=1/2@1,0,0|1/2@0,1,0")  # lambda = (1 + c)/2
+HALVED = STRAIGHT.replace("1,1=3/4@0,0,0|1/4@1,1,0", "1,1=1/2@1,0,0|1/2@0,1,0")
+NEAR_1 = MIDEDGE.format("100+") + HALVED  # lambda = (1 + c)/2
+# lambda = 7/10 c - 1/10, of the other frequencies up to -4/5
+NEGATIVE = "dual:40+;0,0=-1/10@0,0,0|7/20@0,0,1|7/20@0,0,-1|2/5@0,0~0" + HALVED
 ON_LINE = {"points": "0,0 1,1"}
 # The plane of x + y w in each sector, with lambda = 1/2 for all n; the constants have 1/2 + (1 - c)/8 - 5/16 nu
 PLANE = ("quads:16+;0,0=1@0,0,0|-5/16/n@0,0,0|5/16/n@1,0~0;1,0=1/2-1/8*c@1,0,0|1/16@1,0,1|1/16@1,0,-1|3/8+1/8*c@0,0,0;"
@@ -92,6 +95,8 @@ def rejected():
     yield case("vertices-constants-moved", "catmull-clark", clark.replace("1@0,0,0", f"1@0,0,0|{LITTLE}@0,0,0|-{LITTLE}@1,0~0"), open_rest)
     yield case("vertices-above-1", "midedge", MIDEDGE.format("100+").replace("1/2@", "3/2@").replace("1/4@", "-1/4@"), open_rest)
     yield case("vertices-share-near-1", "midedge", MIDEDGE.format("100+") + "|-2/9/n@0,0,0|1/9/n@0,0,1|1/9/n@0,0,-1", open_rest)
+    yield case("vertices-share-near-1-line", "midedge", NEAR_1 + "|-1/45/n@0,0,0|1/90/n@0,0,1|1/90/n@0,0,-1", open_rest, points="0,0", halvings=7)
+    yield case("vertices-others-negative", "doo-sabin", NEGATIVE, open_rest, points="0,0", start="3/5", halvings=7)
     yield case("vertices-tend-to-1", "doo-sabin", ds.replace("1/4@0,0~1", "1/4+1/2*c@0,0~1"), open_rest)
     yield case("vertices-folded", "doo-sabin", DOO_SABIN.format("7+").replace("1/4@0,0~1", "149/200@0,0~1"), open_rest, start="199/200", halvings=7)
     near_1 = MIDEDGE.format("100+")

@@ -71,13 +71,15 @@ LocalPolynomialRegression::LocalPolynomialRegression(int degree, std::size_t cou
   if (degree < 0 || degree > 3)
     fail(ErrorKind::domain, "LocalPolynomialRegression: need 0 <= degree <= 3, got {}", degree);
   require(count >= 8, "LocalPolynomialRegression: need count >= 8, got {}", count);
-  for (double bandwidth = (degree + 1) / 4.0; bandwidth <= static_cast<double>(count) / 4; bandwidth *= ratio) {
+  double bandwidth = (degree + 1) / 4.0;
+  while (bandwidth <= static_cast<double>(count) / 4) {
     bandwidths_.push_back(bandwidth);
     DenseMatrix data(count, count), other(positions.size(), count);
     for (std::size_t i = 0; i < count; ++i) fill_row(data, i, degree, static_cast<double>(i), bandwidth);
     for (std::size_t i = 0; i < positions.size(); ++i) fill_row(other, i, degree, positions[i], bandwidth);
     at_data_.push_back(std::move(data));
     at_positions_.push_back(std::move(other));
+    bandwidth *= ratio;
   }
 }
 

@@ -16,6 +16,13 @@ VertexScheme read_vertex_scheme(const std::string& text) {
   return VertexScheme::named(scheme.specification);
 }
 
+void require_values(const VertexScheme& scheme, const std::string& task) {
+  const WrittenLetter* letter = scheme.written ? scheme.written->free_letter() : nullptr;
+  if (letter)
+    fail(ErrorKind::usage, "{}: the letter {} has no value; {} needs one in the file, as value = \"3/8\"",
+         scheme.specification, letter->name, task);
+}
+
 VertexScheme read_free_rules(const std::string& text, const std::vector<std::string>& names) {
   VertexScheme result = read_vertex_scheme(text);
   if (!result.written || result.written->letters.empty())

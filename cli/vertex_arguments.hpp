@@ -16,6 +16,9 @@ inline bool is_rules_file(const std::string& text) { return text.ends_with(".tom
 /// A scheme by its name, or rules that a file says. Errors: throws a usage error, or one of the file.
 VertexScheme read_vertex_scheme(const std::string& text);
 
+/// Errors: throws a usage error for rules with a letter without a value, where `task` takes no ranges of it.
+void require_values(const VertexScheme& scheme, const std::string& task);
+
 /// Such rules with the letters of these ranges free. Errors: throws a usage error.
 VertexScheme read_free_rules(const std::string& text, const std::vector<std::string>& names);
 

@@ -5,6 +5,7 @@
 #include <subcert/cmake/catch.hpp>
 #include <subcert/schemes/vertices/vertex_rules.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace subcert::vertex_surface_test {
@@ -69,6 +70,14 @@ TEST_CASE("sectors follow one another around the vertex") {
       for (std::size_t row = 0; row < surface->rows; ++row)  // a hole between sectors
         CHECK(std::isnan(surface->points[row * surface->columns + side - 1][0]));
     }
+}
+
+TEST_CASE("no heights where what follows the leader is not one number") {
+  const auto surface = found("midedge", 5).surface;
+  REQUIRE(surface);
+  CHECK(!surface->frequency);
+  CHECK(std::ranges::all_of(surface->points, [](const auto& p) { return p[2] == 0 || std::isnan(p[2]); }));
+  CHECK(std::ranges::all_of(surface->curvature, [](double value) { return value == 0 || std::isnan(value); }));
 }
 
 TEST_CASE("no surface where its leader has another frequency, and what it asks for") {

@@ -47,7 +47,7 @@ std::optional<std::array<double, 6>> quadratic_fit(const std::vector<SpacePoint>
 
 class SurfaceOfVertex {
  public:
-  SurfaceOfVertex(const SectorRules& rules, const CharacteristicMap& plane, const CharacteristicMap& heights,
+  SurfaceOfVertex(const SectorRules& rules, const CharacteristicMap& plane, const CharacteristicMap* heights,
                   long frequency, int size)
       : rules_(rules), plane_(plane), heights_(heights), frequency_(frequency), size_(size) {}
 
@@ -57,8 +57,13 @@ class SurfaceOfVertex {
     first_ = dual ? -1 : 0;
     const auto side = static_cast<std::size_t>(size_ + 1 - first_);
     const double none = std::numeric_limits<double>::quiet_NaN();
-    VertexSurface result{
-        rules_.valence, frequency_, (side + 1) * static_cast<std::size_t>(rules_.valence), side, {}, {}, 0};
+    VertexSurface result{rules_.valence,
+                         heights_ ? std::optional(frequency_) : std::nullopt,
+                         (side + 1) * static_cast<std::size_t>(rules_.valence),
+                         side,
+                         {},
+                         {},
+                         0};
     result.points.assign(result.columns * result.rows, {none, none, none});
     result.curvature.assign(result.points.size(), none);
     std::vector<double> outer;
@@ -100,7 +105,7 @@ class SurfaceOfVertex {
   }
   SpacePoint point(const LatticePoint& at, long turn) const {
     const auto [x, y] = turned_value(plane_.data_at(at), 1, rules_.valence, turn);
-    const double height = turned_value(heights_.data_at(at), frequency_, rules_.valence, turn)[0];
+    const double height = heights_ ? turned_value(heights_->data_at(at), frequency_, rules_.valence, turn)[0] : 0;
     return {x * plane_scale_, y * plane_scale_, height * height_scale_};
   }
   void find_scale() {
@@ -119,6 +124,7 @@ class SurfaceOfVertex {
   /// The same in all sectors but for heights, so in the first of those: of the points around it, or, beside the vertex,
   /// where some of them are opposite of the sector, of the next one.
   double curvature(LatticePoint at) const {
+    if (!heights_) return 0;
     if (at == LatticePoint{0, 0} && rules_.lattice != SectorLattice::dual) at = {1, 0};
     std::vector<SpacePoint> around;
     for (long i = -1; i <= 1; ++i)
@@ -140,7 +146,7 @@ class SurfaceOfVertex {
 
   const SectorRules& rules_;
   const CharacteristicMap& plane_;
-  const CharacteristicMap& heights_;
+  const CharacteristicMap* heights_;
   long frequency_;
   long size_;
   long first_ = 0;
@@ -157,15 +163,19 @@ std::optional<VertexSurface> vertex_surface(const SectorRules& rules, const Regu
   if (smoothness.frequency != 1 || !smoothness.subdominant.is_bounded() || rules.valence < 3) return std::nullopt;
   const ClosedSet set = smallest_closed_set(rules);
   const auto spectrum = vertex_spectrum(rules, set, surface_bits);
-  if (!spectrum || spectrum->groups.size() < 2) return std::nullopt;
+  if (!spectrum || spectrum->groups.empty()) return std::nullopt;
   const BallField field(rules.valence, surface_bits);
-  const FrequencyGroup &leader = spectrum->groups[0], &next = spectrum->groups[1];
-  const Ball mu = next.value.real();
-  if (arb_contains_zero(mu.get()) != 0 || arb_contains_zero(imaginary_part(next.value).get()) == 0) return std::nullopt;
-  const auto plane = CharacteristicMap::find(rules, set, *regular.forms, 1, leader.value.real(), field);
-  const auto heights = CharacteristicMap::find(rules, set, *regular.forms, next.frequency, mu, field);
-  if (!plane || !heights) return std::nullopt;
-  return SurfaceOfVertex(rules, *plane, *heights, next.frequency, size).run();
+  const auto plane = CharacteristicMap::find(rules, set, *regular.forms, 1, spectrum->groups[0].value.real(), field);
+  if (!plane) return std::nullopt;
+  const long frequency = spectrum->groups.size() > 1 ? spectrum->groups[1].frequency : 0;
+  const auto heights = [&]() -> std::optional<CharacteristicMap> {
+    if (spectrum->groups.size() < 2) return std::nullopt;
+    const auto& value = spectrum->groups[1].value;
+    const Ball mu = value.real();
+    if (arb_contains_zero(mu.get()) != 0 || arb_contains_zero(imaginary_part(value).get()) == 0) return std::nullopt;
+    return CharacteristicMap::find(rules, set, *regular.forms, frequency, mu, field);
+  }();
+  return SurfaceOfVertex(rules, *plane, heights ? &*heights : nullptr, frequency, size).run();
 }
 
 }  // namespace subcert

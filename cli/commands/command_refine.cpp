@@ -7,6 +7,7 @@
 #include <subcert/cli/commands/level_values.hpp>
 #include <subcert/cli/data_file.hpp>
 #include <subcert/cli/pages/plot.hpp>
+#include <subcert/cli/vertex_arguments.hpp>
 #include <subcert/proofs-checks/vertex_rules_file.hpp>
 #include <subcert/schemes/data/l1/l1_remarks.hpp>
 #include <subcert/schemes/data/mesh/mesh_refinement.hpp>
@@ -158,9 +159,7 @@ VertexScheme written_rules(const RefineCommand& options) {
   if (!levels.recurrence.empty() || !levels.start.empty() || !levels.values.empty())
     fail(ErrorKind::usage, "{}: rules at vertices are the same on all levels", options.scheme);
   VertexScheme scheme = read_vertex_rules(read_input(options.scheme), options.scheme);
-  if (const WrittenLetter* letter = scheme.written->free_letter())
-    fail(ErrorKind::usage, "{}: the letter {} has no value; to refine it needs one in the file, as value = \"3/8\"",
-         options.scheme, letter->name);
+  require_values(scheme, "refine");
   return scheme;
 }
 

@@ -16,6 +16,15 @@ struct VertexPicture {
   std::optional<VertexSurface> surface;
 };
 
+/// The characteristic map, cells in the colours of curvature.
+std::string map_svg(const VertexSurface& surface);
+
+/// What colours tell, from -most to most.
+std::string curvature_scale(double most);
+
+/// What curvature is multiplied by from one ring to the next, |mu|/lambda^2, as text. Domain: where there is a surface.
+std::string curvature_factor(const VertexSmoothness& smoothness);
+
 /// The surfaces side by side, each with its valence. Errors: throws a domain error where there is none, missing_file.
 void draw_vertices(const std::string& plot, const VertexScheme& scheme, const std::vector<VertexPicture>& pictures);
 

@@ -80,6 +80,44 @@ TEST_CASE("gallery and compare: vectors of functions") {
   CHECK(content(page).find("id=\"ghm-limit\"") != std::string::npos);
 }
 
+TEST_CASE("gallery: vertices") {
+  const Folder folder;
+  const std::string page = folder / "page.html";
+  const std::string examples = std::string(SUBCERT_DOCS) + "/examples/vertices/";
+  const Run made = run("gallery --vertices loop midedge " + examples + "warren.toml --valence 3,5 --out " + page);
+  CHECK(made.code == 3);  // midedge at 3
+  CHECK(made.out == page + ": 3 schemes\n");
+  const std::string text = content(page);
+  for (const char* part : {"id=\"loop-3\"", "0.4523<br>curvature bounded</small>", "characteristic map, valence 5",
+                           "no picture</span>", "C1: open</small>", "curvature zero", "at a vertex     n  C1"}) {
+    CAPTURE(part);
+    CHECK(contains(text, part));
+  }
+  for (const char* loading : {"src=", "href=\"http", "@import", "url("}) CHECK(!contains(text, loading));
+  CHECK(run("gallery --vertices butterfly --valence 8 --out " + page).code == 1);
+  CHECK(contains(content(page), "0.4690, frequency 2"));
+  const auto data = run_json("gallery --vertices loop doo-sabin --valence 4 --json").at("schemes");
+  REQUIRE(data.size() == 2);
+  CHECK(data[1].at("valences").at(0).at("c1") == "yes");
+  CHECK(data[0] == [] {
+    auto alone = run_json("vertex loop --valence 4 --json");
+    alone.erase("subcert");
+    return alone;
+  }());
+  check_fails(run("gallery --vertices " + examples + "loop-weight.toml"), 64,
+              examples +
+                  "loop-weight.toml: the letter b has no value; gallery needs one in the file, as value = "
+                  "\"3/8\"");
+  check_fails(run("gallery --vertices --valence 2"), 64,
+              "--valence, position 1: '2'; expected an integer from 3 to 1000 or a range A..B of such with A <= B, as "
+              "in 1..5,8");
+  check_fails(run("gallery --valence 4"), 64, "--valence: needs --vertices beside it");
+  check_fails(run("gallery --vertices --open"), 64, "--open: polygons are not drawn with --vertices");
+  check_fails(run("gallery --vertices loop --all"), 64, "--all: takes no schemes, got 'loop'");
+  check_fails(run("gallery --vertices none.toml"), 66, "none.toml: no such file");
+  CHECK(run("gallery --vertices primal:n=2").code == 64);
+}
+
 TEST_CASE("gallery: wrong usage") {
   check_fails(run("gallery loop: primal:n=0"), 64,
               "scheme specification, position 10: '0'; expected n as an integer from 1 to 2047");

@@ -153,7 +153,7 @@ TEST_CASE("rules of a file refine meshes") {
               half + ": rules at vertices are the same on all levels");
   const std::string loose = std::string(SUBCERT_DOCS) + "/examples/vertices/loop-weight.toml";
   check_fails(run("refine " + loose + " " + star), 64,
-              loose + ": the letter b has no value; to refine it needs one in the file, as value = \"3/8\"");
+              loose + ": the letter b has no value; refine needs one in the file, as value = \"3/8\"");
   check_fails(run("refine " + folder / "none.toml" + " " + star), 66, folder / "none.toml" + ": no such file");
 }
 

@@ -68,12 +68,15 @@ TEST_CASE("vertex: pictures and a page of the surface") {
   CHECK(content(folder / "a.svg").find("loop, n = 3: curvature unbounded") != std::string::npos);
   const std::string text = content(page);
   for (const char* part : {"at a vertex     n  C1", "characteristic map, valence 4",
-                           "data-surface=", "curvature bounded", "Heights have frequency 0"})
+                           "data-surface=", "curvature bounded", "Heights have frequency 0", "2; colours"})
     CHECK(text.find(part) != std::string::npos);
   CHECK(text.find("http://") == std::string::npos);
   CHECK(run("vertex doo-sabin --valence 5 --plot " + folder / "b.html").code == 0);
   CHECK(content(folder / "b.html").find("data-surface=") != std::string::npos);
-  // Where the leader has another frequency.
+  // No heights, but a map; where the leader has another frequency, neither.
+  CHECK(run("vertex midedge --valence 5 --html " + page).code == 0);
+  for (const char* part : {"No surface: the eigenvalue behind", "characteristic map, valence 5"})
+    CHECK(contains(content(page), part));
   CHECK(run("vertex butterfly --valence 8 --html " + page).code == 1);
   CHECK(content(page).find("No picture: the subdominant eigenvalue") != std::string::npos);
   check_fails(

@@ -44,6 +44,7 @@ COMMANDS = [
     ("smooth data.csv --scheme primal:n=2", ["--plot.svg"]), ("refine primal:n=2 data.csv", ["--plot.svg"]),
     ("check vectors.toml", ["--certificate/"]), ("analyze primal:n=1", ["--html"]), ("compare primal:n=1 dual:n=1", ["--out", "--html", "--plot.svg"]),
     ("sweep primal:n=1 --expect holder>3 --quiet", ["--certificates/"]), ("gallery primal:n=1", ["--out"]), ("gallery primal:n=1 --json", ["--out"]),
+    ("gallery --vertices loop --valence 3", ["--out"]),
     ("experiment fig3 --runs 2", ["--out/"]), ("reproduce dyn-2015 --only masks,fig1", ["--out/"]),
 ]
 PRINTED = 17

@@ -382,9 +382,12 @@ std::string legend(const Panel& panel) {
 std::string preview(const Panel& panel) {
   Panel bare = panel;
   bare.y_label.clear();
+  if (bare.title.empty())  // what is drawn is its name
+    for (const Curve& curve : panel.curves)
+      if (!curve.label.empty()) bare.title += (bare.title.empty() ? "" : ", ") + curve.label;
   const std::string text = svg(bare), names = keys(panel, "<span class=\"key {}\"{}>{}</span> ");
-  return (panel.title.empty() ? "" : "<span class=above>" + html(panel.title) + "</span>") + "<svg class=\"preview\"" +
-         text.substr(std::string("<svg class=\"picture\"").size()) +
+  return (panel.title.empty() ? "" : "<span class=above>" + html(panel.title) + "</span>") + "<svg class=\"preview" +
+         text.substr(std::string("<svg class=\"picture").size()) +
          (names.empty() ? "" : "<span class=keys>" + names + "</span>");
 }
 

@@ -202,6 +202,7 @@ with tempfile.TemporaryDirectory() as name:
     made(folder, "analyze", "primal:n=3", "--html", "scheme.html")
     made(folder, "analyze", "loop", "--html", "surface.html")
     made(folder, "vertex", "catmull-clark", "--valence", "3..5", "--html", "vertices.html")
+    made(folder, "gallery", "--vertices", "--valence", "3..5", "--out", "gallery-of-vertices.html")
     made(folder, "statements", "check", "mustafa-hameed", "--page", "errata.html")
     broken = subprocess.run([sys.executable, "-B", links, folder], capture_output=True, text=True, check=False)
     if broken.returncode:

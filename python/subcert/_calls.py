@@ -89,3 +89,7 @@ if TYPE_CHECKING:
     core = _core
 else:
     core = _Core()
+
+
+def threads(jobs: Optional[int]) -> int:
+    return core.all_cores() if jobs is None else jobs

@@ -10,14 +10,11 @@ from typing import Any, Optional, Sequence, Union
 
 from . import _frames, _plots
 from ._calls import core as _core
+from ._calls import threads as _threads
 from ._errors import DomainError, UsageError
 from ._exact import Exact, fraction
 from ._regularity import Progress
 from ._vertices import VertexRules, _rules
-
-
-def _jobs(jobs: Optional[int]) -> int:
-    return _core.all_cores() if jobs is None else jobs
 
 
 def refine(
@@ -55,7 +52,7 @@ def refine(
     if len(ends) < array.ndim - 1:
         raise DomainError(f"closed: need a bool, or one for each axis, got {len(ends)}")
     ends += [False] * (3 - len(ends))
-    how = (levels, boundary, float(constant), limit, _jobs(jobs), progress)
+    how = (levels, boundary, float(constant), limit, _threads(jobs), progress)
     schemes = [str(one) for one in scheme] if isinstance(scheme, (list, tuple)) else [str(scheme)]
     refined, axes = _core.refine(schemes, array, ends, *how)
     return (refined, axes) if parameters else refined
@@ -275,7 +272,7 @@ def smooth(
         if places.ndim != 1 or places.size == 0:
             raise DomainError(f"at: need positions in one dimension, got shape {places.shape}")
     if array.ndim in (2, 3):
-        grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, missing, _jobs(jobs), progress)
+        grid = (str(scheme), boundary, constant, level, bands, kind, at, noise, missing, _threads(jobs), progress)
         curves: dict[str, Any] = {"at as positions": places is not None, "x": x is not None}
         curves.update(weights=weights is not None, slopes=slopes is not None)
         curves.update(derivative=derivative, irregular=bool(irregular), spacing=spacing is not None, origin=origin != 0)
@@ -319,7 +316,7 @@ def smooth(
         select,
         resamples,
         seed,
-        _jobs(jobs),
+        _threads(jobs),
         progress,
     )
     if facts["outliers"]:

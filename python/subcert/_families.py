@@ -9,8 +9,8 @@ from typing import Any, Iterable, Optional, Union
 
 from . import _plots
 from ._calls import core as _core
+from ._calls import threads as _threads
 from ._certificates import Certificate
-from ._data import _jobs
 from ._exact import Decision, Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
 from ._schemes import Named, Scheme, Symbol, VectorScheme, _symbol, scheme
@@ -275,7 +275,7 @@ class Family(Named):
         """For which values between low and high a property holds: convergent, C1, C2, ..., holder>=3/2, sobolev>=1,
         stable, positive, monotone or convex; of matrices convergent, C1, ..., HC1, ... or holder>=3/2."""
         evidence = _core.property_range(
-            self._handle, property, fraction(low), fraction(high), fraction(width), budget, _jobs(jobs), progress
+            self._handle, property, fraction(low), fraction(high), fraction(width), budget, _threads(jobs), progress
         )
         facts = evidence.facts
         return PropertyRange(
@@ -410,7 +410,7 @@ class Family(Named):
     ) -> ExponentCurve:
         """The Hoelder exponent between low and high, piece by piece."""
         evidence = _core.exponent_curve(
-            self._handle, fraction(low), fraction(high), pieces, budget, _jobs(jobs), progress
+            self._handle, fraction(low), fraction(high), pieces, budget, _threads(jobs), progress
         )
         facts = evidence.facts
         return ExponentCurve(

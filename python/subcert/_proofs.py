@@ -8,7 +8,7 @@ import os
 from typing import Any, Optional, Sequence
 
 from ._calls import core as _core
-from ._data import _jobs
+from ._calls import threads as _threads
 from ._errors import DataError, Error, MissingFileError
 from ._exact import Decision
 from ._regularity import Progress
@@ -121,7 +121,7 @@ def check_statements(
 ) -> list[CheckedStatement]:
     """Checks statements: holds, holds-for-all-n, misprint (with witness and correction), false or not-checkable.
     `wide`: larger ranges."""
-    return _made(CheckedStatement, _core.check_statements(list(wanted), wide, _jobs(jobs), progress))
+    return _made(CheckedStatement, _core.check_statements(list(wanted), wide, _threads(jobs), progress))
 
 
 def check(
@@ -150,7 +150,7 @@ def check(
         except OSError as error:
             raise MissingFileError(f"{expectations}: {error.strerror}") from None
     try:
-        found = _core.check_properties(text, budget, _jobs(jobs), progress)
+        found = _core.check_properties(text, budget, _threads(jobs), progress)
     except DataError as error:
         raise DataError(f"{name}{error}") from None
     return [PropertyAnswer(answer=Decision._of(one.pop("answer")), **one) for one in found]
@@ -170,7 +170,7 @@ def reproduce(
     >>> {c.verdict for c in subcert.reproduce("dyn-2015", ["table1"])}
     {'match'}
     """
-    found = json.loads(_core.reproduce(paper, list(only), _jobs(jobs), progress))
+    found = json.loads(_core.reproduce(paper, list(only), _threads(jobs), progress))
     return Comparisons(
         Comparison(
             c["paper"], c["table"], c["cell"], c["printed"], c.get("computed"), c["verdict"], c.get("note") or ""

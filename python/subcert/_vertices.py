@@ -9,7 +9,7 @@ from typing import Any, Iterable, Mapping, Optional, Union
 
 from . import _plots
 from ._calls import core as _core
-from ._data import _jobs
+from ._calls import threads as _threads
 from ._exact import Decision, Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
 from ._schemes import MultivariateScheme, Named, scheme
@@ -304,7 +304,7 @@ def vertex_ranges(
         fraction(width),
         [int(n) for n in valences],
         budget,
-        _jobs(jobs),
+        _threads(jobs),
         progress,
     )
     return [
@@ -354,7 +354,7 @@ def vertex_map(
         int(valence),
         int(resolution),
         budget,
-        _jobs(jobs),
+        _threads(jobs),
         progress,
     )
     return WeightMap(

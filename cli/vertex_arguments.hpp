@@ -11,7 +11,7 @@
 namespace subcert::cli {
 
 /// Whether that is the name of a file with rules at vertices.
-inline bool is_rules_file(const std::string& text) { return text.ends_with(".toml"); }
+inline bool is_rules_file(const std::string& text) { return text.ends_with(".toml") && !text.starts_with("lists:"); }
 
 /// A scheme by its name, or rules that a file says. Errors: throws a usage error, or one of the file.
 VertexScheme read_vertex_scheme(const std::string& text);

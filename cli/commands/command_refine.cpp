@@ -235,7 +235,7 @@ std::vector<NamedGrid> refined_beside(const RefineCommand& options, const DataFi
 }
 
 ExitCode run(const RefineCommand& options) {
-  if (options.scheme.ends_with(".toml")) return run_mesh(options, written_rules(options));
+  if (is_rules_file(options.scheme)) return run_mesh(options, written_rules(options));
   const data::Boundary boundary = *data::parse_boundary(options.boundary);
   const AnyScheme scheme = make_scheme_for_data(options);
   const std::string& name = specification_of(scheme);

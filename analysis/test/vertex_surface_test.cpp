@@ -80,6 +80,12 @@ TEST_CASE("no heights where what follows the leader is not one number") {
   CHECK(std::ranges::all_of(surface->curvature, [](double value) { return value == 0 || std::isnan(value); }));
 }
 
+TEST_CASE("a Jordan block in front has a map, and no heights") {
+  const auto surface = found("midedge", 3, 8).surface;
+  REQUIRE(surface);
+  CHECK_FALSE(surface->frequency);
+}
+
 TEST_CASE("no surface where its leader has another frequency, and what it asks for") {
   CHECK(!found("butterfly:w=1/16", 8).surface);
   const SectorRules rules = vertex_rules("loop", 5);

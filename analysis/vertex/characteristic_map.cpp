@@ -64,6 +64,16 @@ std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rule
   return of_vector(rules, set, forms, frequency, lambda, *vector, field);
 }
 
+std::optional<CharacteristicMap> CharacteristicMap::find(const SectorRules& rules, const ClosedSet& set,
+                                                         const CellForms& forms, const Leader::Share& share,
+                                                         const Ball& lambda, const BallField& field) {
+  if (2 * share.frequency >= rules.valence) return std::nullopt;
+  if (share.vector.empty()) return find(rules, set, forms, share.frequency, lambda, field);
+  std::vector<Ball> vector;
+  for (const CosineField::Number& entry : share.vector) vector.push_back(field.number(entry.polynomial()));
+  return of_vector(rules, set, forms, share.frequency, lambda, vector, field);
+}
+
 CharacteristicMap CharacteristicMap::of_vector(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
                                                long frequency, const Ball& lambda, const std::vector<Ball>& vector,
                                                const BallField& field) {

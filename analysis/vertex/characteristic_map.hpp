@@ -5,6 +5,7 @@
 #include "cosine_field.hpp"
 #include "regular_cells.hpp"
 #include "sector_block.hpp"
+#include "vertex_spectrum.hpp"
 
 #include <array>
 #include <deque>
@@ -60,10 +61,10 @@ class CharacteristicMap {
   static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
                                                long frequency, const Ball& lambda, const BallField& field);
 
-  /// The same from an eigenvector, one of several. Domain: as many numbers as the frequency has unknowns.
-  static CharacteristicMap of_vector(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
-                                     long frequency, const Ball& lambda, const std::vector<Ball>& vector,
-                                     const BallField& field);
+  /// The same of a share of what leads, by its eigenvector where that is one of several. Nothing also where the
+  /// frequency is n/2.
+  static std::optional<CharacteristicMap> find(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
+                                               const Leader::Share& share, const Ball& lambda, const BallField& field);
 
   /// The same for a frequency 1 and 1/n in an interval from 0 on, where lambda = 1 - decay delta, delta = 2 - 2 cos(2
   /// pi/n), so that for n -> infinity z is constant: the data are x = rho and y = s of z = 1 + delta rho + s (w - 1).
@@ -90,6 +91,10 @@ class CharacteristicMap {
   CharacteristicMap(const SectorRules& rules, const CellForms& forms, long frequency, const Ball& lambda,
                     const BallField& field)
       : rules_(rules), forms_(forms), field_(field), block_(rules, {}, frequency, field), inverse_(1 / lambda) {}
+  /// From an eigenvector, in the unknowns of the frequency.
+  static CharacteristicMap of_vector(const SectorRules& rules, const ClosedSet& set, const CellForms& forms,
+                                     long frequency, const Ball& lambda, const std::vector<Ball>& vector,
+                                     const BallField& field);
 
   struct NearOne {
     Ball delta, decay;

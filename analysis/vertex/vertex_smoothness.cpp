@@ -118,13 +118,7 @@ class VertexProof {
 
  private:
   std::optional<CharacteristicMap> map_of(const Leader::Share& share, const Ball& value) {
-    if (2 * share.frequency >= rules_.valence) return std::nullopt;
-    const BallField field(rules_.valence, bits_);
-    if (share.vector.empty())
-      return CharacteristicMap::find(rules_, set_, *regular_.forms, share.frequency, value, field);
-    std::vector<Ball> vector;
-    for (const CosineField::Number& entry : share.vector) vector.push_back(field.number(entry.polynomial()));
-    return CharacteristicMap::of_vector(rules_, set_, *regular_.forms, share.frequency, value, vector, field);
+    return CharacteristicMap::find(rules_, set_, *regular_.forms, share, value, BallField(rules_.valence, bits_));
   }
 
   void prove(const Leader::Share& share, const Ball& value) {

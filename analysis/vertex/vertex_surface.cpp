@@ -163,13 +163,15 @@ std::optional<VertexSurface> vertex_surface(const SectorRules& rules, const Regu
   if (smoothness.frequency != 1 || !smoothness.subdominant.is_bounded() || rules.valence < 3) return std::nullopt;
   const ClosedSet set = smallest_closed_set(rules);
   const auto spectrum = vertex_spectrum(rules, set, surface_bits);
-  if (!spectrum || spectrum->groups.empty()) return std::nullopt;
+  const auto leader = spectrum ? leader_of(*spectrum, rules, set) : std::nullopt;
+  if (!leader) return std::nullopt;
   const BallField field(rules.valence, surface_bits);
-  const auto plane = CharacteristicMap::find(rules, set, *regular.forms, 1, spectrum->groups[0].value.real(), field);
+  const auto plane = CharacteristicMap::find(rules, set, *regular.forms, leader->largest().front(), leader->value,
+                                             field);
   if (!plane) return std::nullopt;
   const long frequency = spectrum->groups.size() > 1 ? spectrum->groups[1].frequency : 0;
   const auto heights = [&]() -> std::optional<CharacteristicMap> {
-    if (spectrum->groups.size() < 2) return std::nullopt;
+    if (!spectrum->has_simple_leader() || spectrum->groups.size() < 2) return std::nullopt;
     const auto& value = spectrum->groups[1].value;
     const Ball mu = value.real();
     if (arb_contains_zero(mu.get()) != 0 || arb_contains_zero(imaginary_part(value).get()) == 0) return std::nullopt;

@@ -226,6 +226,17 @@ std::string product_over_field(const JointSpectralRadius& radius, const FieldBlo
   return product_text(number, product.eigenvalue, product.word);
 }
 
+/// What follows the claim about a scheme: a space, and what is shown of the radius on it.
+void add_proof(Certificate& certificate, std::string space, const FieldSpace& own, const MatrixFamily& family,
+               const JointSpectralRadius& radius, long root) {
+  const BlockProof& proof = *radius.by_blocks();
+  space += blocks_over_field(own, proof.triangular);
+  if (certificate.bounds.upper)
+    space += product_over_field(radius, blocks_of(family, proof.triangular)[proof.leading], proof.leading, root);
+  certificate.sections.push_back({std::move(space)});
+  if (!certificate.bounds.upper) add_sections(certificate, radius.proof, family.count());
+}
+
 }  // namespace
 
 std::string certificate_text::mask_text(const QuadraticMask& mask) {
@@ -299,20 +310,14 @@ Certificate vector_scheme_certificate(const QuadraticMask& mask, bool hermite, c
   const FieldSpace own = space_over_field(scheme.space.basis, mask.components());
   scheme.space.basis = own.basis;
   scheme.space.pivots = own.pivots;
-  const BlockProof& proof = *radius.by_blocks();
   Certificate certificate{
       {ends,
        MaskSubject{
            mask_text(mask), std::to_string(mask.doubled.arity()), {}, false, {}, hermite ? "hermite" : "vectors"}},
       {},
       ends};
-  std::string text = space_of_vectors_text(scheme.space, mask.doubled.arity(), hermite) +
-                     blocks_over_field(own, proof.triangular);
-  if (ends.upper)
-    text += product_over_field(radius, blocks_of(scheme.family, proof.triangular)[proof.leading], proof.leading,
-                               mask.root);
-  certificate.sections.push_back({std::move(text)});
-  if (!ends.upper) add_sections(certificate, radius.proof, scheme.family.count());
+  add_proof(certificate, space_of_vectors_text(scheme.space, mask.doubled.arity(), hermite), own, scheme.family, radius,
+            mask.root);
   return certificate;
 }
 
@@ -333,14 +338,8 @@ Certificate convergence_certificate(const QuadraticMask& mask, const Budget& bud
   const DifferenceSpace& space = *differences.space;
   const JointSpectralRadius& radius = differences.radius;
   const FieldSpace own = space_over_field(space.basis, mask.components());
-  const BlockProof& proof = *radius.by_blocks();
-  std::string text = space_of_constants_text(space.dilation, differences, own.basis, own.pivots) +
-                     blocks_over_field(own, proof.triangular);
-  if (ends.upper)
-    text += product_over_field(radius, blocks_of(space.family, proof.triangular)[proof.leading], proof.leading,
-                               mask.root);
-  certificate.sections.push_back({std::move(text)});
-  if (!ends.upper) add_sections(certificate, radius.proof, space.family.count());
+  add_proof(certificate, space_of_constants_text(space.dilation, differences, own.basis, own.pivots), own, space.family,
+            radius, mask.root);
   return certificate;
 }
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 import warnings
 from fractions import Fraction
 from typing import Any, Optional, Sequence, Union
@@ -14,7 +13,7 @@ from ._calls import threads as _threads
 from ._errors import DomainError, UsageError
 from ._exact import Exact, fraction
 from ._regularity import Progress
-from ._vertices import VertexRules, _rules
+from ._vertices import _read_rules
 
 
 def refine(
@@ -59,8 +58,8 @@ def refine(
 
 
 def _mesh_rules(scheme: Any) -> Any:
-    is_written = isinstance(scheme, (VertexRules, os.PathLike)) or str(scheme).endswith(".toml")
-    return _rules(scheme) if is_written else str(scheme)
+    own = _read_rules(scheme)
+    return str(scheme) if own is None else own
 
 
 def refine_mesh(

@@ -187,12 +187,20 @@ def vertex_rules(text: str) -> VertexRules:
 Surface = Union[str, "os.PathLike[str]", Named, MultivariateScheme, VertexRules]
 
 
-def _rules(surface: Surface) -> Any:
+def _read_rules(surface: Any) -> Any:
+    """The rules of one's own that are meant, or None."""
     if isinstance(surface, VertexRules):
         return surface._handle
     if isinstance(surface, os.PathLike) or (isinstance(surface, str) and surface.endswith(".toml")):
         with open(surface, encoding="utf-8") as file:
             return _core.read_vertex_rules(file.read(), os.fspath(surface))
+    return None
+
+
+def _rules(surface: Any) -> Any:
+    own = _read_rules(surface)
+    if own is not None:
+        return own
     meant = surface if isinstance(surface, MultivariateScheme) else scheme(surface)
     return _core.vertex_scheme(meant._handle)
 

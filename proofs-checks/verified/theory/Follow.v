@@ -231,25 +231,20 @@ Qed.
 Lemma denominator_not_zero x : values x -> q x <> 0.
 Proof. intros H E. assert (P := denominator_positive_there x H). rewrite E in P. lra. Qed.
 
+(* A bound c of the quotient y of p and q at x, multiplied by both denominators *)
+Ltac by_denominators bounded c x y Hx H E :=
+  assert (T0 := Test false _ H x Hx); unfold bounded in T0; rewrite polynomial_addmul, polynomial_map in T0;
+  fold p q in T0; simpl in T0; rewrite opp_IZR, !mult_IZR in T0; assert (P := denominator_positive_there x Hx);
+  assert (D : 0 < IZR (Zpos (Qden c))) by (apply IZR_lt; lia); unfold real_of;
+  apply (Rmult_le_reg_r (IZR (Zpos (Qden c)) * (IZR sign * q x))); [apply Rmult_lt_0_compat; auto|];
+  replace (IZR (Qnum c) / IZR (Zpos (Qden c)) * (IZR (Zpos (Qden c)) * (IZR sign * q x))) with (IZR sign * IZR (Qnum c) * q x) by (field; lra);
+  replace (y * (IZR (Zpos (Qden c)) * (IZR sign * q x))) with (IZR sign * IZR (Zpos (Qden c)) * (y * q x)) by ring; rewrite E; lra.
+
 Lemma quotient_below c x y : values x -> test false (bounded_below sign c (above_bar r) (below_bar r)) = true -> y * q x = p x -> real_of c <= y.
-Proof.
-  intros Hx H E. assert (T0 := Test false _ H x Hx). unfold bounded_below in T0. rewrite polynomial_addmul, polynomial_map in T0.
-  fold p q in T0. simpl in T0. rewrite opp_IZR, !mult_IZR in T0. assert (P := denominator_positive_there x Hx).
-  assert (D : 0 < IZR (Zpos (Qden c))) by (apply IZR_lt; lia). unfold real_of.
-  apply (Rmult_le_reg_r (IZR (Zpos (Qden c)) * (IZR sign * q x))). apply Rmult_lt_0_compat; auto.
-  replace (IZR (Qnum c) / IZR (Zpos (Qden c)) * (IZR (Zpos (Qden c)) * (IZR sign * q x))) with (IZR sign * IZR (Qnum c) * q x) by (field; lra).
-  replace (y * (IZR (Zpos (Qden c)) * (IZR sign * q x))) with (IZR sign * IZR (Zpos (Qden c)) * (y * q x)) by ring. rewrite E. lra.
-Qed.
+Proof. intros Hx H E. by_denominators bounded_below c x y Hx H E. Qed.
 
 Lemma quotient_above d x y : values x -> test false (bounded_above sign d (above_bar r) (below_bar r)) = true -> y * q x = p x -> y <= real_of d.
-Proof.
-  intros Hx H E. assert (T0 := Test false _ H x Hx). unfold bounded_above in T0. rewrite polynomial_addmul, polynomial_map in T0.
-  fold p q in T0. simpl in T0. rewrite opp_IZR, !mult_IZR in T0. assert (P := denominator_positive_there x Hx).
-  assert (D : 0 < IZR (Zpos (Qden d))) by (apply IZR_lt; lia). unfold real_of.
-  apply (Rmult_le_reg_r (IZR (Zpos (Qden d)) * (IZR sign * q x))). apply Rmult_lt_0_compat; auto.
-  replace (IZR (Qnum d) / IZR (Zpos (Qden d)) * (IZR (Zpos (Qden d)) * (IZR sign * q x))) with (IZR sign * IZR (Qnum d) * q x) by (field; lra).
-  replace (y * (IZR (Zpos (Qden d)) * (IZR sign * q x))) with (IZR sign * IZR (Zpos (Qden d)) * (y * q x)) by ring. rewrite E. lra.
-Qed.
+Proof. intros Hx H E. by_denominators bounded_above d x y Hx H E. Qed.
 
 Lemma squared_real c : real_of (squared c) = real_of c * real_of c.
 Proof.

@@ -33,7 +33,9 @@ TEST_CASE("from one ring to the next curvature grows as what is proved of it") {
   for (const auto& [scheme, n] : std::vector<std::pair<std::string, long>>{
            {"loop", 3}, {"loop", 4}, {"loop", 7}, {"catmull-clark", 3}, {"catmull-clark", 5}, {"sqrt3", 3}}) {
     CAPTURE(scheme, n);
-    const auto [smoothness, surface] = found(scheme, n, 48);
+    const auto vertex = found(scheme, n, 48);
+    const auto& smoothness = vertex.smoothness;
+    const auto& surface = vertex.surface;
     REQUIRE(surface);
     const long m = vertex_rules(scheme, n).mask.arity();
     const double lambda = middle(smoothness.subdominant), ratio = middle(smoothness.next) / (lambda * lambda);

@@ -53,6 +53,23 @@ TEST_CASE("classical schemes are C1 at vertices of every valence that was looked
     }
 }
 
+TEST_CASE("Kobbelt's scheme and four-eight are C1 at vertices") {
+  // Of meshes that were refined by the faces and edges that meet, without a chart.
+  const std::map<std::string, std::map<long, double>> values{
+      {"kobbelt", {{3, 0.4263309}, {4, 0.5}, {5, 0.53794385970}, {7, 0.57319703809}}},
+      {"four-eight", {{3, 0.4083114}, {4, 0.5}, {5, 0.55132307670}, {7, 0.60125019010}}}};
+  for (const auto& [scheme, by_valence] : values)
+    for (const auto& [n, lambda] : by_valence) {
+      CAPTURE(scheme, n);
+      const VertexSmoothness at = smoothness(scheme, n);
+      CHECK(at.c1.is_yes());
+      CHECK(is_about(at.subdominant, lambda, n == 3 ? 1e-7 : 1e-10));
+    }
+  CHECK(smoothness("four-eight", 4).exponent.contains(5));
+  CHECK(smoothness("kobbelt:w=1/12", 12).c1.is_yes());
+  CHECK_THROWS_AS(vertex_rules("kobbelt:w=-1/2", 5), Error);
+}
+
 TEST_CASE("curvature and exponents at vertices") {
   const VertexSmoothness loop = smoothness("loop", 3);
   CHECK(is_about(loop.exponent, 1.5));  // mu = 1/8, lambda = 1/4

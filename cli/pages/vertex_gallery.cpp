@@ -56,8 +56,9 @@ std::string plate_html(const VertexPlate& plate) {
 }  // namespace
 
 const std::vector<std::string>& vertex_gallery_schemes() {
-  static const std::vector<std::string> schemes{"loop",      "catmull-clark",      "doo-sabin", "midedge",
-                                                "butterfly", "modified-butterfly", "sqrt3"};
+  static const std::vector<std::string> schemes{"loop",    "catmull-clark", "doo-sabin",
+                                                "midedge", "butterfly",     "modified-butterfly",
+                                                "kobbelt", "sqrt3",         "four-eight"};
   return schemes;
 }
 

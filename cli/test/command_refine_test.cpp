@@ -242,6 +242,11 @@ TEST_CASE("meshes of any topology are refined") {
     refused("--scheme loop " + std::string(option), 64,
             tetrahedron + ": " + std::string(option).substr(0, std::string(option).find(' ')) +
                 ": a mesh is smoothed by --scheme, --steps and --out alone");
+  fails("four-eight " + square, 64,
+        "refine: need a scheme that makes a grid finer along its axes, not one with the dilation [1,-1;1,1]");
+  refused("--scheme kobbelt", 64,
+          "--scheme kobbelt: expected, for a mesh, one of butterfly, catmull-clark, doo-sabin, loop, midedge, "
+          "modified-butterfly, sqrt3, triangular");
   refused("", 64,
           "--scheme : expected, for a mesh, one of butterfly, catmull-clark, doo-sabin, loop, midedge, "
           "modified-butterfly, sqrt3, triangular");

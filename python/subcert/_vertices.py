@@ -215,8 +215,9 @@ def vertices(
     """Whether the surfaces of a scheme are smooth at vertices of these valences, 3 to 1000 each, with proof.
 
     `surface`: one with rules at vertices: loop, catmull-clark, doo-sabin, midedge, butterfly, modified-butterfly,
-    sqrt3, triangular:, or rules of one's own, by `vertex_rules` or as a file, "FILE.toml". `budget`: seconds of
-    processor time, of the part away from vertices. Raises DomainError for other schemes and valences.
+    kobbelt, sqrt3, four-eight, triangular:, or rules of one's own, by `vertex_rules` or as a file, "FILE.toml".
+    `budget`: seconds of processor time, of the part away from vertices. Raises DomainError for other schemes and
+    valences.
 
     >>> import subcert
     >>> [str(at.c1.truth) for at in subcert.vertices("butterfly:w=1/16", range(4, 9))]

@@ -120,6 +120,90 @@ WrittenRules modified_butterfly_rules(const LatticeMask& mask) {
                   {ray, edge(usual), 7}});
 }
 
+/// The four-point rule along edges from the vertex, with a virtual point on their other side: 4 times the mean of the
+/// neighbours, less the three about the edge, less w/(1/2 + w) (4 times the mean of those across, less the four about
+/// the edge). So for n = 4 it is the one opposite, and for each n the first new point of a face, by the four-point rule
+/// from edge to edge, is the same along both edges.
+WrittenRules kobbelt_rules(const LatticeMask& mask) {
+  const Rational tension = -mask.symbol().coefficient({3, 0});
+  require(tension != Rational(-1, 2), "rules at a vertex: need w other than -1/2, got kobbelt:w=-1/2");
+  const char *const h = "1/2 + w", *const wh = "-w*(1/2 + w)", *const w2 = "w^2", *const across = "-w^2/(1/2 + w)";
+  const LatticePoint far{2, 0}, beside{2, 1}, mirrored{1, 2}, corner{2, 2}, further{1, 3};
+  const std::vector<WrittenWeights> edge{one_of(centre, 0, h),
+                                         one_of(ray, 0, "1/2 + 2*w"),
+                                         one_of(ray, 1, "w"),
+                                         one_of(ray, -1, "w"),
+                                         all_of(ray, "-4*w/n"),
+                                         one_of(far, 0, "-w"),
+                                         one_of(diagonal, 0, across),
+                                         one_of(diagonal, -1, across),
+                                         one_of(diagonal, 1, across),
+                                         one_of(diagonal, -2, across),
+                                         all_of(diagonal, "4*w^2/((1/2 + w)*n)")};
+  const std::vector<WrittenWeights> face{one_of(centre, 0, "(1/2 + w)^2"),
+                                         one_of(ray, 0, "(1/2 + w)*(1/2 + 2*w)"),
+                                         one_of(ray, 1, "(1/2 + w)*(1/2 + 2*w)"),
+                                         all_of(ray, "-4*w*(1/2 + w)/n"),
+                                         one_of(diagonal, 0, "1/4 + w"),
+                                         one_of(diagonal, 1, "-w*(1/2 + 2*w)"),
+                                         one_of(diagonal, -1, "-w*(1/2 + 2*w)"),
+                                         all_of(diagonal, "4*w^2/n"),
+                                         one_of(far, 0, wh),
+                                         one_of(far, 1, wh),
+                                         one_of(beside, 0, wh),
+                                         one_of(beside, 1, w2),
+                                         one_of(mirrored, 0, wh),
+                                         one_of(mirrored, -1, w2),
+                                         one_of(corner, 0, w2)};
+  // The mask, with a datum on the ray after the next one.
+  std::vector<WrittenWeights> second_face;
+  const auto is_inner = [](long k) { return k == 0 || k == 1; };
+  for (long x = -1; x <= 2; ++x)
+    for (long y = 0; y <= 3; ++y) {
+      const bool is_beyond = x < 0 && y == 0;
+      const SectorPoint at = is_beyond ? SectorPoint{ray, 2} : *in_sector({x, y}, SectorLattice::quads, 8);
+      const bool u = is_inner(x), v = is_inner(y - 1);
+      second_face.push_back(one_of(at.point, at.turn, u && v ? "(1/2 + w)^2" : u || v ? wh : w2));
+    }
+  WrittenRules rules = written(mask, SectorLattice::quads,
+                               {{ray, edge}, {diagonal, face}, {further, std::move(second_face)}});
+  rules.letters = {{'w', tension}};
+  return rules.with_numbers();  // a file that changes some has letters of its own
+}
+
+/// One step of four-eight at a regular vertex: half way to the mean of its four neighbours.
+SectorRule four_eight_regular(const LatticePoint& vertex, const SectorRules& at) {
+  std::vector<LatticePoint> points(4, vertex);
+  for (const LatticePoint& step : std::vector<LatticePoint>{{1, 0}, {0, 1}, {-1, 0}, {0, -1}})
+    points.push_back(vertex + step);
+  return mean_of(points, at);
+}
+
+/// The first step makes middles of faces, the second those of the squares on the edges.
+std::map<LatticePoint, SectorRule> four_eight_rules(const SectorRules& at) {
+  const LatticePoint next{0, 1};
+  const Rational quarter(1, 4), eighth(1, 8);
+  const SectorRule vertex = towards_the_mean(Rational(1, 2)), middle = mean_of({centre, ray, diagonal, next}, at);
+  std::map<LatticePoint, SectorRule> rules;
+  add(add_ring(add_ring(rules[centre], ray, 0, Rational(1, 2)), diagonal, 0, eighth), centre, Rational(3, 8));
+  for (const SectorRule& end : {vertex, four_eight_regular(ray, at)}) add(rules[ray], quarter, end, 0, at);
+  for (const long turns : {-1L, 0L}) add(rules[ray], quarter, middle, turns, at);
+  add(rules[diagonal], Rational(1, 2), middle, 0, at);
+  for (const SectorRule& corner :
+       {vertex, four_eight_regular(ray, at), four_eight_regular(next, at), four_eight_regular(diagonal, at)})
+    add(rules[diagonal], eighth, corner, 0, at);
+  return rules;
+}
+
+/// The mask is its own mirror image, so that its dilation may be one whose square is 2.
+SectorRules two_step_four_eight_rules(const LatticeMask& mask, long n) {
+  const LatticeMask step(mask.symbol(), Dilation({{1, 1}, {1, -1}}));
+  SectorRules result{n, SectorLattice::quads, {two_step_symbol(step), 2}};
+  result.rules = four_eight_rules(result);
+  result.step = step;
+  return result;
+}
+
 SectorRules two_step_sqrt3_rules(const LatticeMask& mask, long n) {
   SectorRules result{n, SectorLattice::triangles, {two_step_symbol(mask), 3}};
   result.rules = sqrt3_rules(result);
@@ -138,7 +222,8 @@ const std::map<std::string, WrittenMaker, std::less<>>& written_makers() {
   static const std::map<std::string, WrittenMaker, std::less<>> table{
       {"loop", loop_rules},           {"catmull-clark", catmull_clark_rules},
       {"doo-sabin", doo_sabin_rules}, {"midedge", midedge_rules},
-      {"butterfly", butterfly_rules}, {"modified-butterfly", modified_butterfly_rules}};
+      {"butterfly", butterfly_rules}, {"modified-butterfly", modified_butterfly_rules},
+      {"kobbelt", kobbelt_rules}};
   return table;
 }
 
@@ -151,6 +236,7 @@ struct Maker {
 const std::map<std::string, Maker, std::less<>>& makers() {
   static const std::map<std::string, Maker, std::less<>> table{
       {"sqrt3", {[](const Scheme& scheme, long n) { return two_step_sqrt3_rules(scheme.mask, n); }, true}},
+      {"four-eight", {[](const Scheme& scheme, long n) { return two_step_four_eight_rules(scheme.mask, n); }, true}},
       {"triangular", {triangular_rules, false}}};
   return table;
 }

@@ -20,6 +20,8 @@ namespace subcert {
 ///   midedge             1/2, and 1/4 on both sides: two steps, each to the midpoints of the edges [PR97]
 ///   butterfly           the mask along the edges as they are [DLG90]
 ///   modified-butterfly  (1/4 + cos(2 pi t/n) + cos(4 pi t/n)/2) / n at the edges of vertices with n != 6 [ZSS96]
+///   kobbelt:w           the four-point rule from edge to edge, along edges at the vertex with a virtual point [Kob96]
+///   four-eight          two steps, each with the vertex moved half way to the mean of its neighbours [VZ01]
 ///   sqrt3               two steps, each with the vertex moved by (4 - 2c)/9 towards the mean [Kob00]
 ///   triangular          the vertex and its edges by the fits of the mask, to the data in the flat fan: an equilateral
 ///                       grid, 9/4 < L^2 <= 3, d <= 2, no weights but a power; regression_rules.hpp

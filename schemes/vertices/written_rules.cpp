@@ -285,6 +285,17 @@ const WrittenLetter* WrittenRules::free_letter() const {
   return found == letters.end() ? nullptr : &*found;
 }
 
+WrittenRules WrittenRules::with_numbers() const {
+  WrittenRules result = *this;
+  std::erase_if(result.letters, [](const WrittenLetter& letter) { return letter.value.has_value(); });
+  for (const WrittenLetter& letter : letters)
+    if (letter.value)
+      for (WrittenRule& rule : result.rules)
+        for (WrittenWeights& weights : rule.weights)
+          for (std::string& text : weights.values) text = with_number(text, letter.name, *letter.value);
+  return result;
+}
+
 WrittenRules WrittenRules::with_free(const std::vector<std::string>& names) const {
   std::vector<WrittenLetter> free, others;
   for (const WrittenLetter& letter : letters)

@@ -48,6 +48,8 @@ struct WrittenRules {
   /// Such rules with these letters, in this order, as those without values. Errors: throws a usage Error unless these
   /// are letters, and all others have values.
   WrittenRules with_free(const std::vector<std::string>& names) const;
+  /// The same with numbers in the place of the letters that have values.
+  WrittenRules with_numbers() const;
 };
 
 /// How a mask is laid into sectors: of triangles with edges along (1,0), (0,1), (1,1), those of a sector; of a dual

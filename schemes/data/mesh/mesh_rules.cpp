@@ -58,7 +58,12 @@ SectorRule vertex_rule(const SectorRules& rules, MeshSplit split) {
 
 }  // namespace
 
-std::vector<std::string> schemes_with_mesh_rules() { return schemes_with_vertex_rules(); }
+std::vector<std::string> schemes_with_mesh_rules() {
+  std::vector<std::string> names = schemes_with_vertex_rules();
+  // Data beyond the faces at a point; faces that are cut in two.
+  std::erase_if(names, [](const std::string& name) { return name == "kobbelt" || name == "four-eight"; });
+  return names;
+}
 
 bool has_mesh_rules(const std::string& specification) {
   const std::vector<std::string> names = schemes_with_mesh_rules();
@@ -66,6 +71,9 @@ bool has_mesh_rules(const std::string& specification) {
 }
 
 MeshRules::MeshRules(VertexScheme scheme, bool is_checked) : scheme_(std::move(scheme)), is_checked_(is_checked) {
+  if (!is_checked_)
+    require(has_mesh_rules(specification()), "{}: on meshes a scheme is one of {}", specification(),
+            fmt::join(schemes_with_mesh_rules(), ", "));
   const auto lattice = scheme_.written ? scheme_.written->lattice : scheme_.at(4).lattice;
   fits_data_ = !scheme_.written && specification().starts_with("triangular");
   if (!scheme_.written && specification().starts_with("sqrt3"))

@@ -56,7 +56,7 @@ bool has_mesh_rules(const std::string& specification);
 /// or enclosures, and is rounded then; those that are derived from them are of its combinations: docs/meshes.md.
 class MeshRules {
  public:
-  /// Errors: as vertex_rules().
+  /// Domain: has_mesh_rules(). Errors: as vertex_rules().
   explicit MeshRules(const std::string& specification) : MeshRules(VertexScheme::named(specification), false) {}
   /// Rules that are written down: of vertices by themselves, their neighbours and, of polygons, those across a face;
   /// of edges of triangles by the vertex and its neighbours; of corners by those of the face. Errors: throws a data

@@ -22,10 +22,10 @@ let usage =
   \       subcert-check-verified --refinable MASK --dilation '[A]' [--component C] --lower P/Q [--upper P/Q] [--show] FILE\n\
   \                              (vectors of functions; or --exact '0-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...])\n\
   \       subcert-check-verified --vectors 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (schemes of vectors, likewise;\n\
-  \                              without --order one MASK of matrices: it converges, <, not <=)\n\
+  \                              without --order one MASK of matrices: it converges, <, not <=; --hermite ... --lower K: HC^K)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
-   exponents, and about surfaces, refinable functions, Hermite schemes and least absolute deviations, for which subcert-check is there\n\
+   exponents, and about surfaces, refinable functions, several variables and least absolute deviations, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
 let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--each-point"; "--recurrence"; "--start"; "--from"; "--limit"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vertex"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
@@ -770,14 +770,15 @@ let read_vector_radius m sequences c lower strict r =
   read_end r;
   { c with list_bound = bound_of bound; list_radius }
 
+(* Masks in turn are a list in which each is followed by the next one. *)
+let vector_sequences m order =
+  match read_order order (List.length m.each_vector) m.list_arity with
+  | Sequences sequences -> (m, sequences)
+  | Period (first, others) -> Vector_lists.in_turn m (first :: others)
+
 (* A claim about a scheme of vectors with a mask for each level *)
 let vector_lists masks arity order lower file =
-  let m = Vector_lists.read_list masks (read_arity arity) in
-  let m, sequences =
-    match read_order order (List.length m.each_vector) m.list_arity with
-    | Sequences sequences -> (m, sequences)
-    | Period (first, others) -> Vector_lists.in_turn m (first :: others)
-  in
+  let m, sequences = vector_sequences (Vector_lists.read_list masks (read_arity arity)) order in
   let theorem =
     read file 1 (fun r ->
         let number = read_head ~exponent:true r (Printf.sprintf "lists %s %s %s vectors" masks arity order) None in
@@ -790,7 +791,7 @@ let vector_lists masks arity order lower file =
   ( Printf.sprintf "%s <= Hoelder exponent of the vector scheme of %s with arity %s for all sequences of levels%s" (Q.to_string lower) masks arity
       (if order = "any" then "" else " with " ^ order),
     theorem,
-    fun () -> Vector_lists.show m sequences ("at least " ^ Q.to_string lower) )
+    fun () -> Vector_lists.show m sequences (Printf.sprintf "exponents of at least %s of limits of schemes of vectors" (Q.to_string lower)) )
 
 (* A claim about a scheme of vectors with one mask *)
 let vector_scheme mask arity lower file =
@@ -808,7 +809,36 @@ let vector_scheme mask arity lower file =
   in
   ( Printf.sprintf "%s < Hoelder exponent of the vector scheme of %s with arity %s" (Q.to_string lower) mask arity,
     theorem,
-    fun () -> Vector_lists.show m Any ("above " ^ Q.to_string lower) )
+    fun () -> Vector_lists.show m Any (Printf.sprintf "exponents above %s of limits of a scheme of vectors" (Q.to_string lower)) )
+
+(* A claim about a Hermite scheme with one mask, or with one for each level *)
+let hermite_lists masks arity order derivatives file =
+  if Vectors.has_root masks then raise (Sections.Undecided "masks with square roots are decided by subcert-check");
+  let base = read_arity arity in
+  let m, sequences =
+    match order with
+    | None -> (Vector_lists.of_texts [ masks ] base, Any)
+    | Some order -> vector_sequences (Vector_lists.read_list masks base) order
+  in
+  let k = size derivatives 0 500 in
+  let head = match order with Some order -> Printf.sprintf "lists %s %s %s hermite" masks arity order | None -> Printf.sprintf "hermite %s %s" masks arity in
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r head None in
+        require (number = None) "an exact number is that of one mask or family";
+        require (m.list_functions <= k + 1) "fewer derivatives than its data are";
+        let lower = Q.of_int k in
+        let c = Vector_lists.read_space ~hermite:true m lower r in
+        require (k < c.list_order) "the end is not below the number of sum rules";
+        let factors = Vector_lists.derivative_factors_of m c in
+        let c = read_vector_radius m sequences c lower true r in
+        require (check_hermite_lists m sequences k c factors) unproved;
+        fun name -> Theorem.print_hermite_lists name m sequences k c factors)
+  in
+  let of_which = match order with None -> "" | Some "any" -> " for all sequences of levels" | Some order -> " for all sequences of levels with " ^ order in
+  ( Printf.sprintf "HC^%d of the Hermite scheme of %s with arity %s%s" k masks arity of_which,
+    theorem,
+    fun () -> Vector_lists.show m sequences (Printf.sprintf "HC^%d, of Hermite schemes" k) )
 
 (* The intervals that cover a range, one after another, and what is shown of each: the lines from the first `to` on. Bounds are
    below what is needed, as the ends of such claims are not reached, by less than what numbers over `common` may differ. *)
@@ -1056,6 +1086,8 @@ let check arguments =
       | Some order -> vector_lists masks arity order lower (get "FILE")
       | None -> vector_scheme masks arity lower (get "FILE")
     end
+    else if has "--hermite" && has "--arity" && has "--lower" && only [ "--hermite"; "--arity"; "--order" ] then
+      hermite_lists (get "--hermite") (get "--arity") (find "--order") (get "--lower") (get "FILE")
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
       ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels") None
         (Option.get (bound "--lower")) (get "FILE")

@@ -349,14 +349,21 @@ let list_certificate c =
 
 let list_modules = " Subdivision Exponent Along VectorLevels Vectors VectorLists"
 
+let vector_masks m =
+  Printf.sprintf "vector_masks : vector_masks := VectorMasks %s %s %s\n%s" (natural m.list_arity) (natural m.list_functions) (integer m.list_common)
+    (list (pair integer (list matrix)) m.each_vector)
+
 let print_vector_lists name m s l c =
-  let masks = list (pair integer (list matrix)) m.each_vector in
-  print name list_modules
-    (Printf.sprintf "vector_masks : vector_masks := VectorMasks %s %s %s\n%s" (natural m.list_arity) (natural m.list_functions) (integer m.list_common) masks)
-    (list_certificate c)
+  print name list_modules (vector_masks m) (list_certificate c)
     (Printf.sprintf
        "vector_lists_hold : vector_lists_hold %s_vector_masks %s %s.\nProof. apply (check_vector_lists_sound _ _ _ %s_certificate). %s"
        name (sequences s) (fraction l) name by_computation)
+
+let print_hermite_lists name m s k c factors =
+  print name (list_modules ^ " HermiteLists") (vector_masks m) (list_certificate c)
+    (Printf.sprintf
+       "hermite_lists_hold : hermite_lists_hold %s_vector_masks %s %s.\nProof. apply (check_hermite_lists_sound _ _ _ %s_certificate\n%s). %s"
+       name (sequences s) (natural k) name (matrix factors) by_computation)
 
 let print_vector_scheme name a l c =
   print name list_modules (vector_mask a) (list_certificate c)

@@ -128,12 +128,15 @@ let widened shifted size =
 
 (* ---- the certificate --------------------------------------------------------------------------------------------------------- *)
 
-(* What the lines from `sum-rules` to `vector` say, with what the checker wants beside; of the radius nothing yet *)
-let read_space m lower r =
+(* What the lines from `sum-rules` to `vector` say, with what the checker wants beside; of the radius nothing yet. Data of Hermite
+   schemes are those of polynomials and their derivatives. *)
+let read_space ?(hermite = false) m lower r =
   let a = m.list_arity and n = m.list_functions in
   let order = size (List.hd (take r "sum-rules" 1 1)) 1 64 in
   require (Q.leq lower (Q.of_int order)) "the lower end is above the number of sum rules";
-  let data = Array.init order (fun _ -> Array.of_list (List.map rational (take r "data" n n))) in
+  let derivative l = Array.init n (fun c -> if c = l then Q.one else Q.zero) in
+  let line l = if hermite then derivative l else Array.of_list (List.map rational (take r "data" n n)) in
+  let data = Array.init order line in
   let digits = List.map integer (take r "digits" a a) in
   if digits <> List.init a Z.of_int then undecided "certificates with other digits are";
   let mask = vector_number m 0 in
@@ -193,8 +196,19 @@ let read_space m lower r =
   in
   entering 0
 
-let show m order lower =
-  Printf.printf "the exponents of the limits of a scheme of vectors of arity %d and size %d are %s\n" m.list_arity m.list_functions lower;
+(* The weights of component s as differences of order s, which they are if the functional reads values of polynomials *)
+let derivative_factors_of m c =
+  let divided l =
+    let sums = List.rev (snd (List.fold_left (fun (sum, l) x -> let sum = Z.add sum x in (sum, sum :: l)) (Z.zero, []) l)) in
+    List.filteri (fun i _ -> i < List.length l - 1) sums
+  in
+  let rec times s l = if s = 0 then l else times (s - 1) (divided l) in
+  let factors = List.mapi times c.list_weights in
+  require (derivative_factors c m.list_functions factors) "the masks do not keep values and derivatives of polynomials";
+  factors
+
+let show m order what =
+  Printf.printf "%s of arity %d and size %d\n" what m.list_arity m.list_functions;
   List.iteri (fun i (first, matrices) ->
       List.iteri (fun k matrix ->
           List.iteri (fun row numbers ->

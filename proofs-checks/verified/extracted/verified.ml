@@ -5181,3 +5181,48 @@ let check_vector_scheme a l c =
       (below_power_strictly m.list_arity l c.list_order c.list_bound))
     (check_radius { matrices_of = (lists_family m Any c); lower = None;
       upper = (Some c.list_bound) } c.list_radius)
+
+(** val times_differences : int -> Number.t list -> Number.t list **)
+
+let rec times_differences s l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> l)
+    (fun s' ->
+    times_differences s'
+      (addmul (Number.opposite Number.one) (Number.zero::l) l))
+    s
+
+(** val derivative_factors :
+    list_certificate -> int -> Number.t list list -> bool **)
+
+let derivative_factors c r factors =
+  forallb (fun s ->
+    let q0 = nth s factors [] in
+    let w = nth s c.list_weights [] in
+    (&&)
+      ((&&)
+        ((&&)
+          (zero_list
+            (addmul (Number.opposite Number.one) (times_differences s q0) w))
+          (Nat.leb (length w) (Stdlib.succ c.list_order)))
+        (Nat.leb (length q0) (Stdlib.succ c.list_order)))
+      (Number.equal (fold_right Number.add Number.zero q0) c.list_scale))
+    (seq 0 r)
+
+(** val check_hermite_lists :
+    vector_masks -> sequences -> int -> list_certificate -> Number.t list
+    list -> bool **)
+
+let check_hermite_lists m s k c factors =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&) (lists_space m s c)
+            (Nat.leb m.list_functions (Stdlib.succ k)))
+          (below_power_strictly m.list_arity { qnum = (Number.of_natural k);
+            qden = Number.one } c.list_order c.list_bound))
+        (derivative_factors c m.list_functions factors))
+      (negb (Number.equal (nth 0 c.constants Number.zero) Number.zero)))
+    (check_radius { matrices_of = (lists_family m s c); lower = None; upper =
+      (Some c.list_bound) } c.list_radius)

@@ -1191,3 +1191,11 @@ val check_vector_lists :
   vector_masks -> sequences -> q -> list_certificate -> bool
 
 val check_vector_scheme : vector_mask -> q -> list_certificate -> bool
+
+val times_differences : int -> Number.t list -> Number.t list
+
+val derivative_factors : list_certificate -> int -> Number.t list list -> bool
+
+val check_hermite_lists :
+  vector_masks -> sequences -> int -> list_certificate -> Number.t list list
+  -> bool

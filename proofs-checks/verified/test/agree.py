@@ -67,12 +67,13 @@ def decided(name, arguments):
         ends = options - {"--refinable", "--dilation"}
         asked = ends <= {"--component", "--lower", "--upper", "--exact"} and ends & {"--lower", "--exact"}
         return bool(asked and usual and "sqrt" not in value["--refinable"])
-    # Schemes of vectors of one variable, with the digits 0, 1, ...: of one mask, and of lists of masks
-    if "--vectors" in options:
+    # Schemes of vectors, and Hermite schemes, of one variable, with the digits 0, 1, ...: of one mask, and of lists of masks
+    if options & {"--vectors", "--hermite"}:
         value = dict(zip(arguments[::2], arguments[1::2]))
+        kind = "--vectors" if "--vectors" in options else "--hermite"
         digits = re.search(r"\ndigits(.*)\n", text)
         usual = not digits or digits[1].split() == [str(t) for t in range(int(value.get("--arity", 0)))]
-        return options - {"--order"} == {"--vectors", "--arity", "--lower"} and usual and "sqrt" not in value["--vectors"]
+        return options - {"--order"} == {kind, "--arity", "--lower"} and usual and "sqrt" not in value[kind]
     # Lower ends for all values of a parameter, for all sequences of them, or for those that follow from each other
     if options & {"--for", "--levels"}:
         follows = {"--recurrence", "--start", "--from"}
@@ -143,7 +144,7 @@ for line in (directory / "claims.txt").read_text().splitlines():
         for key, end, accepted in (("--lower", 0, False), ("--lower", 100, False), ("--upper", 0, False)):
             compare(f"{name} with {key} {end}", [*alone, key, str(end), f"{name}.cert"], accepted)
         arguments = without("--exact", arguments)
-    if {"--refinable", "--lower"} <= set(arguments) or ({"--vectors", "--lower"} <= set(arguments) and decided(name, arguments)):
+    if {"--refinable", "--lower"} <= set(arguments) or ({"--vectors", "--hermite"} & set(arguments) and decided(name, arguments)):
         alone = without("--upper", arguments)
         at = alone.index("--lower") + 1
         for end in (Fraction(alone[at]), Fraction(alone[at]) * Fraction(6, 7), Fraction(alone[at]) + Fraction(1, 10)):

@@ -2,7 +2,7 @@
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
   SubradiusExact Rough Reduced Along Levels Ranges Follow Period Vectors VectorsAbove VectorsExact VectorsComponent
-  VectorLists.
+  VectorLists HermiteLists.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -47,4 +47,4 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   check_vectors_between checks_images checks_places image_by start_differences
   check_exact_vectors check_component check_component_between check_exact_component component_space seen_family seen_vectors seen_values observes
   check_vector_lists check_vector_scheme lists_family list_window_fits list_spaces list_constants list_shifted list_change list_component
-  list_differences comes arrives list_moves vector_number.
+  list_differences comes arrives list_moves vector_number check_hermite_lists derivative_factors.

@@ -25,6 +25,15 @@ Definition tends_to_vector (A r : nat) (data : nat -> vectors) (y : vec) (F : R 
   continuity F /\ forall eps, 0 < eps -> exists n0, forall n, (n0 <= n)%nat -> forall i c, (c < r)%nat ->
   Rabs (data n i c - y c * F (IZR i / INR A ^ n)) <= eps.
 
+(* What is proved of them with an exponent l: with errors of A^(-n x) for each x < l, multiples of the components of level n are sums of
+   `weight` times values h n at and before a point, h n is near to values v n of one function on the grid of the points i / A^n, and
+   differences of order m of v n are that small. *)
+Definition near_grids (A r m : nat) (lambda l scale : R) (points : nat) (weight : nat -> nat -> R) (data : nat -> vectors) : Prop :=
+  exists h v : nat -> Z -> R, (forall n i, v (S n) (Z.of_nat A * i)%Z = v n i) /\ (exists B, forall i, Rabs (v O i) <= B) /\
+  forall x, 0 < x < l -> exists K, 0 <= K /\ forall n i, Rabs (differences m (v n) i) <= K * exp (- x * lambda) ^ n /\
+  Rabs (h n i - v n i) <= K * exp (- x * lambda) ^ n /\
+  forall c, (c < r)%nat -> Rabs (scale * data n i c - sum points (fun j => weight c j * h n (i - Z.of_nat j)%Z)) <= K * exp (- x * lambda) ^ n.
+
 (* ---- functionals ------------------------------------------------------------------------------------------------- *)
 
 Lemma sum_single n f x : (x < n)%nat -> (forall i, (i < n)%nat -> i <> x -> f i = 0) -> sum n f = f x.
@@ -497,7 +506,7 @@ Qed.
 
 (* The limit, and how near data are to it *)
 Theorem data_limit : exists phi, tends_to_vector A r (data f) (fun c => sum points (weight c) / scale) phi /\ exponent_at_least phi l /\
-  forall eps, 0 < eps -> exists n0, forall n, (n0 <= n)%nat -> forall i, Rabs (reading U (data f n) i - phi (IZR i / INR A ^ n)) <= eps.
+  near_grids A r M lambda l scale points weight (data f).
 Proof.
   destruct grid_values as [v [Same Near]].
   assert (Start : exists B, forall i, Rabs (v O i) <= B).
@@ -557,8 +566,15 @@ Proof.
       apply Rmult_le_compat_r. apply Rmult_le_pos; auto. apply le_INR. lia.
     + rewrite sum_scal. replace (W * D * g x ^ n) with (D * g x ^ n * W) by ring. apply Rmult_le_compat_l. apply Rmult_le_pos; auto.
       apply (sum_term r (fun c => sum points (fun j => Rabs (weight c j))) c); auto.
-  - intros eps He. destruct (small_power (g x) R0 K eps K0 He) as [n0 Hn]. exists n0. intros n Hle i. rewrite V.
-    eapply Rle_trans. apply HK. auto.
+  - exists h, v. split; auto. split. exists B; auto. intros y Hy. destruct (Near y Hy) as [K1 [K10 HK1]]. destruct (all_shrink y Hy) as [K2 [K20 HK2]].
+    destruct (Diff y Hy) as [K3 HK3]. exists (K1 + K2 + Rmax K3 0). assert (K30 := Rmax_r K3 0). split. lra.
+    intros n i. assert (G0 : 0 <= exp (- y * lambda) ^ n) by (apply pow_le; left; apply exp_pos).
+    assert (More : forall z k, z <= k * exp (- y * lambda) ^ n -> k <= K1 + K2 + Rmax K3 0 -> z <= (K1 + K2 + Rmax K3 0) * exp (- y * lambda) ^ n).
+    { intros z k Hz Hk. eapply Rle_trans. apply Hz. apply Rmult_le_compat_r; auto. }
+    split; [|split].
+    + apply (More _ K3). apply HK3. generalize (Rmax_l K3 0). lra.
+    + apply (More _ K1). apply HK1. lra.
+    + intros c Hc. apply (More _ K2). destruct (HK2 n i) as [_ [_ HC2]]. apply HC2; auto. lra.
 Qed.
 End Limit.
 End Levels.

@@ -426,7 +426,8 @@ Definition list_vector : vec := fun d => sum (S (list_order c)) (list_weight d) 
 
 Theorem data_of_growth lambda l f : exp lambda = INR A -> 0 < l <= INR (list_order c) ->
   (forall x, 0 < x < l -> exists C, forall w, letters A w -> forall p q, (p < N)%nat -> (q < N)%nat -> Rabs (level_word N T w p q) <= C * exp (- x * lambda) ^ length w) ->
-  bounded_data r f -> exists phi, tends_to_vector A r (list_data m i f) list_vector phi /\ exponent_at_least phi l.
+  bounded_data r f -> exists phi, tends_to_vector A r (list_data m i f) list_vector phi /\ exponent_at_least phi l /\
+  near_grids A r (list_order c) lambda l (IZR (list_scale c)) (S (list_order c)) list_weight (list_data m i f).
 Proof.
   intros Log Hl Growth Hf. destruct window_facts as [W1 [W2 [W3 [W4 [W5 [W6 W7]]]]]]. assert (E0 : 0 < IZR (list_common m)) by (apply IZR_lt; auto).
   assert (Com := Comes). unfold list_comes in Com. rewrite !andb_true_iff in Com. destruct Com as [[[[C1 C2] C3] C4] _].
@@ -451,7 +452,7 @@ Proof.
   assert (Y3' : Y3 <= Y) by (eapply Rle_trans; [apply (Rmax_l Y3 Y4)|apply Rmax_r]). assert (Y4' : Y4 <= Y) by (eapply Rle_trans; [apply (Rmax_r Y3 Y4)|apply Rmax_r]).
   destruct (data_limit A r lo len W1 F L a (fun k => proj1 (proj2 (proj2 (mask_facts (i k) (Numbers k))))) (fun k => proj2 (proj2 (proj2 (mask_facts (i k) (Numbers k)))))
     N b T P list_invariant HP 3%nat shift_by (fun k Hk j d Hd => basis_outside k j d Hk Hd) shifted_outside (list_order c) lambda l Log Hl Growth U
-    (list_order c) (list_entering c) Y Y (S (list_order c)) list_weight (IZR (list_scale c))) with (f := f) as [phi [Lim [Ex _]]]; auto.
+    (list_order c) (list_entering c) Y Y (S (list_order c)) list_weight (IZR (list_scale c))) with (f := f) as [phi [Lim [Ex Gr]]]; auto.
   - intros j d Hd Hj. apply (short_outside (len - list_order c)); auto. destruct Hj; [left|right]; lia.
   - intros j d Hd. eapply Rle_trans. apply K4. auto.
   - apply IZR_neq. auto.
@@ -585,7 +586,7 @@ Proof.
     + change (1 + n)%nat with (S n). cbn [firstn fold_right]. rewrite plus_IZR, IHn. simpl nth. ring.
   - intros i Hi. destruct (list_radius_growth m s c lambda l _ H Log HU HR i Hi) as [Hn G].
     assert (D := fun f => data_of_growth m c HW HS HM i Hn lambda l f Log Hl G). split.
-    + intros f Hf. destruct (D f Hf) as [F [Lim Ex]]. exists F. split; auto. split; auto.
+    + intros f Hf. destruct (D f Hf) as [F [Lim [Ex _]]]. exists F. split; auto. split; auto.
     + destruct (some_limit m c HW HC i Hn) as [f [F [x [Hf [Lim Hx]]]]]. intros f Hf. destruct (D f Hf) as [F [Lim _]]. exists F. auto.
       exists f, F, x. split; auto. split; auto.
 Qed.

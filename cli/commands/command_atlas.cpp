@@ -23,6 +23,8 @@ namespace subcert::cli {
 namespace {
 
 constexpr std::size_t most_told = 5;  // schemes of a kind
+constexpr const char* how_to_make_it =
+    "'subcert atlas build docs/examples/atlas.toml' makes the one that packages have, in some minutes";
 
 /// Of all commands about an atlas.
 struct AtlasOptions : CommonOptions {
@@ -45,8 +47,14 @@ struct AtlasOptions : CommonOptions {
     if (const auto own = atlas::own_atlas(); own && std::filesystem::exists(*own, error)) files.push_back(*own);
     if (const auto shipped = atlas::shipped_atlas()) files.push_back(*shipped);
     if (files.empty() && !may_be_missing)
-      fail(ErrorKind::missing_file, "atlas {}: there is no such file; 'subcert atlas build' makes one", own().string());
+      fail(ErrorKind::missing_file, "atlas {}: there is no such file; {}", own().string(), how_to_make_it);
     return atlas::Atlas(files);
+  }
+
+  /// Says so where only the user's own file is asked, since a program that was built and not installed has no other.
+  void tell_what_is_missing() const {
+    if (file.empty() && !atlas::shipped_atlas())
+      remark(fmt::format("only {} is asked, no atlas came with this program; {}", own().string(), how_to_make_it));
   }
 };
 
@@ -165,6 +173,7 @@ ExitCode query(const QueryOptions& options) {
   options.answer({{"query", options.text}, {"entries", std::move(found)}, {"open", open}}, text);
   options.remark(fmt::format("{} of {} entries; open {}{}", count, all, left_open,
                              left_open == 0 ? "" : ", the first " + open.front().get<std::string>()));
+  options.tell_what_is_missing();
   return done;
 }
 
@@ -212,6 +221,7 @@ ExitCode site(const SiteOptions& options) {
     print_json({{"page", page}, {"entries", entries}});
   else
     std::cout << page << ": " << counted(entries, "entry", "entries") << "\n";
+  options.tell_what_is_missing();
   return done;
 }
 

@@ -118,6 +118,10 @@ TEST_CASE("atlas: the one that came with the program") {
   CHECK(contains(run_command(own + " atlas query 'arity == 2'").err, "2 of 2 entries"));
   CHECK(std::filesystem::exists(folder / "data/subcert/atlas.sqlite"));
   CHECK(content(shipped) == before);
+  CHECK(!contains(run_command(own + " atlas query 'arity == 2'").err, "no atlas came"));
+  std::filesystem::remove(shipped);
+  CHECK(
+      contains(run_command(own + " atlas query 'arity == 2'").err, "no atlas came with this program; 'subcert atlas"));
 }
 
 TEST_CASE("atlas: shards, joined, are the whole") {

@@ -188,7 +188,8 @@ let read_space ?(hermite = false) m lower r =
   (* how many letters lead all of these into the space and its shifts *)
   let rec entering k =
     require (k <= 12) "differences of the data do not come into the space";
-    let words = float_of_int moves ** float_of_int k *. float_of_int ((List.length m.each_vector + 1 + n) * (work + (List.length wide * window * n))) in
+    let functionals = List.length m.each_vector + 1 + n in
+    let words = (float_of_int moves ** float_of_int k) *. float_of_int (8 * functionals * (work + (List.length wide * window * n))) in
     require (words <= float_of_int max_work) "more work than this checker allows";
     spend (int_of_float words);
     let c = { c with list_entering = k } in

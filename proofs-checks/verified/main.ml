@@ -21,9 +21,11 @@ let usage =
   \                              with --recurrence '[P]/(Q)' --start LOW..HIGH --from K: where values follow from each other)\n\
   \       subcert-check-verified --refinable MASK --dilation '[A]' [--component C] --lower P/Q [--upper P/Q] [--show] FILE\n\
   \                              (vectors of functions; or --exact '0-log|[p0,p1,...,pd]@RE,IM,EPS|^1/L' [...])\n\
+  \       subcert-check-verified --vectors 'MASK;MASK;...' --arity A --order any --lower P/Q [--show] FILE    (schemes of vectors, likewise;\n\
+  \                              without --order one MASK of matrices: it converges, <, not <=; --hermite ... --lower K: HC^K)\n\
   \       subcert-check-verified ... --theorem NAME FILE    (prints a file in which the kernel of Coq checks all of it)\n\
    prints VERIFIED <claim> (exit 0), REJECTED <why, line n> (exit 1), or UNDECIDED <why> (exit 2): other claims about\n\
-   exponents, and about surfaces, refinable functions, vector schemes and least absolute deviations, for which subcert-check is there\n\
+   exponents, and about surfaces, refinable functions, several variables and least absolute deviations, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
 let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--each-point"; "--recurrence"; "--start"; "--from"; "--limit"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vertex"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
@@ -438,10 +440,10 @@ let read_masks text arity =
 
 type order = Sequences of sequences | Period of int * int list
 
-(* any, follows=B-C,B-C,... or period=J,J,... *)
-let read_order text masks =
+(* any, follows=B-C,B-C,... or period=J,J,..., of so many masks *)
+let read_order text count arity =
   let expected = "an order is any, period=0,1,... or follows=0-1,1-0,..." in
-  let number text = size text 0 (List.length masks.each - 1) in
+  let number text = size text 0 (count - 1) in
   let pair text = match String.split_on_char '-' text with [ b; c ] -> (number b, number c) | _ -> reject expected in
   match String.split_on_char '=' text with
   | [ "any" ] -> Sequences Any
@@ -453,12 +455,19 @@ let read_order text masks =
       let numbers = String.split_on_char ',' numbers in
       require (List.length numbers <= 6) "a longer period than this checker allows";
       let numbers = List.map number numbers in
-      let classes = List.fold_left (fun product _ -> product * masks.masks_arity) 1 numbers in
+      let classes = List.fold_left (fun product _ -> product * arity) 1 numbers in
       require (classes <= 64) "a longer period than this checker allows";
-      let longer points k = (masks.masks_arity * (points - 1)) + List.length (snd (List.nth masks.each k)) in
-      require (List.fold_left longer 1 numbers <= 1000) "the masks of a period have more than 1000 coefficients together";
       Period (List.hd numbers, List.tl numbers)
   | _ -> reject expected
+
+let read_order_of_masks text masks =
+  let order = read_order text (List.length masks.each) masks.masks_arity in
+  (match order with
+  | Period (first, others) ->
+      let longer points k = (masks.masks_arity * (points - 1)) + List.length (snd (List.nth masks.each k)) in
+      require (List.fold_left longer 1 (first :: others) <= 1000) "the masks of a period have more than 1000 coefficients together"
+  | Sequences _ -> ());
+  order
 
 let show_masks masks order =
   Printf.printf "the limits of arity %d, a mask for each level\n" masks.masks_arity;
@@ -743,6 +752,94 @@ let levels masks arity order m sequences lower file =
       Printf.printf "the Hoelder exponents are at least %s\n" (Q.to_string lower);
       show_masks m (Sequences sequences) )
 
+(* The family of a claim about schemes of vectors: so much is looked at, and no more *)
+let vector_lists_family m sequences c =
+  let count, states = match sequences with Any -> (List.length m.each_vector, 1) | Follows pairs -> (List.length pairs, states pairs) in
+  let width = states * List.length c.list_spanning in
+  require (width <= 256) "transition matrices larger than 256";
+  require (count * m.list_arity * width * width <= 1 lsl 22) "more entries than 2^22";
+  lists_family m sequences c
+
+(* What proves the radius that is needed, of a claim whose end is reached or, if `strict`, is not *)
+let read_vector_radius m sequences c lower strict r =
+  let family = vector_lists_family m sequences c in
+  let most = most_radius m.list_arity c.list_order (bound_of lower) in
+  let less = if strict then Q.make Z.one (Z.shift_left Z.one (digits + Z.numbits family.denominator)) else Q.zero in
+  let bound = Q.sub most less in
+  let list_radius = read_proof ~single:false family None (Some bound) r in
+  read_end r;
+  { c with list_bound = bound_of bound; list_radius }
+
+(* Masks in turn are a list in which each is followed by the next one. *)
+let vector_sequences m order =
+  match read_order order (List.length m.each_vector) m.list_arity with
+  | Sequences sequences -> (m, sequences)
+  | Period (first, others) -> Vector_lists.in_turn m (first :: others)
+
+(* A claim about a scheme of vectors with a mask for each level *)
+let vector_lists masks arity order lower file =
+  let m, sequences = vector_sequences (Vector_lists.read_list masks (read_arity arity)) order in
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r (Printf.sprintf "lists %s %s %s vectors" masks arity order) None in
+        require (number = None) "an exact number is that of one mask or family";
+        require (Q.sign lower > 0) "the lower end of an exponent must be positive";
+        let c = read_vector_radius m sequences (Vector_lists.read_space m lower r) lower false r and l = bound_of lower in
+        require (check_vector_lists m sequences l c) unproved;
+        fun name -> Theorem.print_vector_lists name m sequences l c)
+  in
+  ( Printf.sprintf "%s <= Hoelder exponent of the vector scheme of %s with arity %s for all sequences of levels%s" (Q.to_string lower) masks arity
+      (if order = "any" then "" else " with " ^ order),
+    theorem,
+    fun () -> Vector_lists.show m sequences (Printf.sprintf "exponents of at least %s of limits of schemes of vectors" (Q.to_string lower)) )
+
+(* A claim about a scheme of vectors with one mask *)
+let vector_scheme mask arity lower file =
+  if Vectors.has_root mask then raise (Sections.Undecided "masks with square roots are decided by subcert-check");
+  let m = Vector_lists.of_texts [ mask ] (read_arity arity) in
+  let a = vector_number m 0 and l = bound_of lower in
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r (Printf.sprintf "vectors %s %s" mask arity) None in
+        require (number = None) "an exact number is that of one mask or family";
+        require (Q.sign lower >= 0) "the lower end of an exponent must be positive";
+        let c = read_vector_radius m Any (Vector_lists.read_space m lower r) lower true r in
+        require (check_vector_scheme a l c) unproved;
+        fun name -> Theorem.print_vector_scheme name a l c)
+  in
+  ( Printf.sprintf "%s < Hoelder exponent of the vector scheme of %s with arity %s" (Q.to_string lower) mask arity,
+    theorem,
+    fun () -> Vector_lists.show m Any (Printf.sprintf "exponents above %s of limits of a scheme of vectors" (Q.to_string lower)) )
+
+(* A claim about a Hermite scheme with one mask, or with one for each level *)
+let hermite_lists masks arity order derivatives file =
+  if order = None && Vectors.has_root masks then raise (Sections.Undecided "masks with square roots are decided by subcert-check");
+  let base = read_arity arity in
+  let m, sequences =
+    match order with
+    | None -> (Vector_lists.of_texts [ masks ] base, Any)
+    | Some order -> vector_sequences (Vector_lists.read_list masks base) order
+  in
+  let k = size derivatives 0 500 in
+  let head = match order with Some order -> Printf.sprintf "lists %s %s %s hermite" masks arity order | None -> Printf.sprintf "hermite %s %s" masks arity in
+  let theorem =
+    read file 1 (fun r ->
+        let number = read_head ~exponent:true r head None in
+        require (number = None) "an exact number is that of one mask or family";
+        require (m.list_functions <= k + 1) "fewer derivatives than its data are";
+        let lower = Q.of_int k in
+        let c = Vector_lists.read_space ~hermite:true m lower r in
+        require (k < c.list_order) "the end is not below the number of sum rules";
+        let factors = Vector_lists.derivative_factors_of m c in
+        let c = read_vector_radius m sequences c lower true r in
+        require (check_hermite_lists m sequences k c factors) unproved;
+        fun name -> Theorem.print_hermite_lists name m sequences k c factors)
+  in
+  let of_which = match order with None -> "" | Some "any" -> " for all sequences of levels" | Some order -> " for all sequences of levels with " ^ order in
+  ( Printf.sprintf "HC^%d of the Hermite scheme of %s with arity %s%s" k masks arity of_which,
+    theorem,
+    fun () -> Vector_lists.show m sequences (Printf.sprintf "HC^%d, of Hermite schemes" k) )
+
 (* The intervals that cover a range, one after another, and what is shown of each: the lines from the first `to` on. Bounds are
    below what is needed, as the ends of such claims are not reached, by less than what numbers over `common` may differ. *)
 let read_intervals a order lower low high one r =
@@ -938,8 +1035,8 @@ let refinable mask dilation component lower upper exact file =
 
 let undecided =
   "of claims about exponents only those of one mask with a lower end, an exact number or no C^K limits are decided here, \
-   those of lists of masks, lower ends for all values of a parameter or all sequences of them, and bounds and exact \
-   numbers of refinable functions of one variable, the others by subcert-check"
+   those of lists of masks, lower ends for all values of a parameter or all sequences of them, of schemes of vectors and \
+   lists of these, and bounds and exact numbers of refinable functions of one variable, the others by subcert-check"
 
 let check arguments =
   if arguments = [ "--help" ] then raise (Rejected (usage, 0));
@@ -983,6 +1080,14 @@ let check arguments =
     then
       refinable (get "--refinable") (get "--dilation") (find "--component") (bound "--lower") (bound "--upper")
         (Option.map (read_exact true) (find "--exact")) (get "FILE")
+    else if has "--vectors" && has "--arity" && has "--lower" && only [ "--vectors"; "--arity"; "--order" ] then begin
+      let masks = get "--vectors" and arity = get "--arity" and lower = Option.get (bound "--lower") in
+      match find "--order" with
+      | Some order -> vector_lists masks arity order lower (get "FILE")
+      | None -> vector_scheme masks arity lower (get "FILE")
+    end
+    else if has "--hermite" && has "--arity" && has "--lower" && only [ "--hermite"; "--arity"; "--order" ] then
+      hermite_lists (get "--hermite") (get "--arity") (find "--order") (get "--lower") (get "FILE")
     else if List.exists (fun range -> has range && only [ "--mask"; "--arity"; range ]) [ "--for"; "--levels" ] && has "--arity" && has "--lower" then
       ranged (get "--mask") (get "--arity") (get (if has "--for" then "--for" else "--levels")) (has "--levels") None
         (Option.get (bound "--lower")) (get "FILE")
@@ -997,7 +1102,7 @@ let check arguments =
       require (only [ "--masks"; "--arity"; "--order"; "--upper"; "--exact"; "--logarithm" ]) usage;
       let masks = get "--masks" and arity = get "--arity" and order = get "--order" in
       let m = read_masks masks arity in
-      match read_order order m with
+      match read_order_of_masks order m with
       | Sequences sequences ->
           require (has "--lower" && only [ "--masks"; "--arity"; "--order" ]) usage;
           levels masks arity order m sequences (Option.get (bound "--lower")) (get "FILE")

@@ -232,7 +232,7 @@ let scheme_of_mask s _ = { more_modules = ""; definition = "scheme : scheme := "
 (* The product of masks in turn, which has the same limits *)
 let scheme_of_period m i others name =
   let turn = Printf.sprintf "%s %s" (natural i) (list natural others) in
-  { more_modules = rough_modules ^ " Levels Period";
+  { more_modules = rough_modules ^ " Along Levels Period";
     definition =
       Printf.sprintf "masks : masks := %s.\n\nDefinition %s_scheme : scheme := period_scheme %s_masks %s" (masks m) name name turn;
     beside =
@@ -279,7 +279,7 @@ let exponent l c =
 
 (* A mask for each level *)
 let print_levels name m s l c =
-  print name " Subdivision Exponent Levels" ("masks : masks := " ^ masks m) (lower_end c)
+  print name " Subdivision Exponent Along Levels" ("masks : masks := " ^ masks m) (lower_end c)
     (Printf.sprintf
        "levels_hold : levels_hold %s_masks %s %s.\nProof. apply (check_levels_sound _ _ _ %s_certificate). %s"
        name (sequences s) (fraction l) name by_computation)
@@ -290,7 +290,7 @@ let print_ranged name a l claim checker certificate =
     Printf.sprintf "mask : ranged := Ranged %s %s\n%s\n%s" (natural a.ranged_arity) (integer a.ranged_first)
       (list vector a.numerators) (vector a.ranged_divisor)
   in
-  print name " Subdivision Exponent Levels Ranges" mask certificate
+  print name " Subdivision Exponent Along Levels Ranges" mask certificate
     (Printf.sprintf "%s : %s %s_mask %s.\nProof. %s. %s" claim claim name l checker by_computation)
 
 let ends low high l = Printf.sprintf "%s %s %s" (fraction low) (fraction high) (fraction l)
@@ -318,7 +318,7 @@ let print_follow name a r first last from low high l common c way =
       (natural a.ranged_arity) (integer a.ranged_first) (list vector a.numerators) (vector a.ranged_divisor) name
       (vector r.above_bar) (vector r.below_bar) r.of_root
   in
-  print name " Subdivision Exponent Levels Ranges Follow" mask (lower_end c)
+  print name " Subdivision Exponent Along Levels Ranges Follow" mask (lower_end c)
     (Printf.sprintf "follow_hold : follow_hold %s_mask %s_step %s %s %s %s.\nProof. apply (check_follow_sound _ _ _ _ _ _ _ _ %s %s_certificate %s). %s"
        name name (fraction first) (option fraction last) (option natural from) (ends low high l) (integer common) name path by_computation)
 
@@ -333,12 +333,42 @@ let vector_certificate c =
     (list matrix c.restricted) (natural c.entering) (integer c.inner_first) (natural c.inner) (natural c.nonzero) (matrix c.kernel)
     (integer c.kernel_scale) (fraction c.space_bound) (certificate c.space_radius)
 
-let vector_modules = " Subdivision Exponent Levels Vectors"
+let vector_modules = " Subdivision Exponent Along Levels Vectors"
 
 let print_vectors name a l c =
   print name vector_modules (vector_mask a) (vector_certificate c)
     (Printf.sprintf
        "vectors_hold : vectors_hold %s_vector_mask %s.\nProof. apply (check_vectors_sound _ _ %s_certificate). %s"
+       name (fraction l) name by_computation)
+
+let list_certificate c =
+  Printf.sprintf "ListCertificate %s %s %s\n%s %s %s\n%s\n%s %s %s\n%s %s %s\n%s %s\n%s %s\n%s %s" (integer c.list_first) (natural c.list_window)
+    (natural c.list_order) (matrix c.list_spanning) (list natural c.list_places) (integer c.list_place_value) (list (list matrix) c.list_restricted)
+    (matrix c.wide) (list natural c.wide_places) (integer c.wide_pivot) (matrix c.wide_rows) (integer c.wide_scale) (natural c.list_entering)
+    (vector c.functional) (vector c.constants) (matrix c.list_weights) (integer c.list_scale) (fraction c.list_bound) (certificate c.list_radius)
+
+let list_modules = " Subdivision Exponent Along VectorLevels Vectors VectorLists"
+
+let vector_masks m =
+  Printf.sprintf "vector_masks : vector_masks := VectorMasks %s %s %s\n%s" (natural m.list_arity) (natural m.list_functions) (integer m.list_common)
+    (list (pair integer (list matrix)) m.each_vector)
+
+let print_vector_lists name m s l c =
+  print name list_modules (vector_masks m) (list_certificate c)
+    (Printf.sprintf
+       "vector_lists_hold : vector_lists_hold %s_vector_masks %s %s.\nProof. apply (check_vector_lists_sound _ _ _ %s_certificate). %s"
+       name (sequences s) (fraction l) name by_computation)
+
+let print_hermite_lists name m s k c factors =
+  print name (list_modules ^ " HermiteLists") (vector_masks m) (list_certificate c)
+    (Printf.sprintf
+       "hermite_lists_hold : hermite_lists_hold %s_vector_masks %s %s.\nProof. apply (check_hermite_lists_sound _ _ _ %s_certificate\n%s). %s"
+       name (sequences s) (natural k) name (matrix factors) by_computation)
+
+let print_vector_scheme name a l c =
+  print name list_modules (vector_mask a) (list_certificate c)
+    (Printf.sprintf
+       "vector_scheme_holds : vector_scheme_holds %s_vector_mask %s.\nProof. apply (check_vector_scheme_sound _ _ %s_certificate). %s"
        name (fraction l) name by_computation)
 
 let above_certificate d =
@@ -354,7 +384,7 @@ let print_vectors_between name a l u d =
 
 let print_exact_vectors name a e lower upper d c =
   print name
-    (exact_modules ^ " Levels Vectors VectorsAbove VectorsExact")
+    (exact_modules ^ " Along Levels Vectors VectorsAbove VectorsExact")
     (Printf.sprintf "%s.\n\nDefinition %s_space := %s" (vector_mask a) name (above_certificate d))
     (exact_certificate c)
     (Printf.sprintf
@@ -371,7 +401,7 @@ let observation o =
   Printf.sprintf "observation : observation := Observation %s\n%s %s"
     (list (pair (list natural) natural) o.seen_at) (matrix o.seen_rows) (integer o.seen_scale)
 
-let component_modules = exact_modules ^ " Levels Vectors VectorsAbove VectorsExact VectorsComponent"
+let component_modules = exact_modules ^ " Along Levels Vectors VectorsAbove VectorsExact VectorsComponent"
 
 let component name a p more certificate said proof =
   let definition text = Printf.sprintf ".\n\nDefinition %s_%s" name text in

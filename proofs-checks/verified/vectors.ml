@@ -29,17 +29,14 @@ let rec tree text at =
 
 let expected = "a mask of matrices is [[[a,b],[c,d]],...]/D@first"
 
-let read_mask text dilation =
-  let length = String.length dilation in
-  require (length > 2 && dilation.[0] = '[' && dilation.[length - 1] = ']') "a dilation is [2] or its rows, [1,2;-2,-1]";
-  let inner = String.sub dilation 1 (length - 2) in
-  if String.exists (fun c -> c = ',' || c = ';') inner then undecided "refinable functions of several variables are";
-  let arity = integer inner in
-  require (Z.gt (Z.abs arity) Z.one && Z.leq (Z.abs arity) (Z.of_int 64)) "a dilation has a determinant of 2 to 64";
-  if Z.sign arity < 0 then undecided "refinable functions with a negative dilation are";
-  let contains part = let n = String.length part in
-    let rec search k = k + n <= String.length text && (String.sub text k n = part || search (k + 1)) in search 0 in
-  if contains "sqrt" then undecided "masks with square roots are";
+let has_root text =
+  let part = "sqrt" in
+  let n = String.length part in
+  let rec search k = k + n <= String.length text && (String.sub text k n = part || search (k + 1)) in
+  search 0
+
+(* The size, the first index and the matrices, of rational numbers *)
+let read_matrices text =
   let lists, stop = tree text 0 in
   let tail = String.sub text stop (String.length text - stop) in
   let over, first = read_tail tail expected in
@@ -51,11 +48,28 @@ let read_mask text dilation =
   require (List.for_all (fun m -> List.length m = functions && List.for_all (fun row -> List.length row = functions) m) matrices)
     "the matrices of a mask are squares of one size";
   require (List.length matrices * functions * functions <= 10_000) "a mask with too many coefficients";
-  let common = List.fold_left (List.fold_left (List.fold_left (fun d x -> Z.lcm d (Q.den x)))) Z.one matrices in
+  (functions, first, matrices)
+
+(* Of the matrices of some masks, and matrices over it *)
+let common_denominator masks =
+  let common = List.fold_left (List.fold_left (List.fold_left (List.fold_left (fun d x -> Z.lcm d (Q.den x))))) Z.one masks in
   require (Z.numbits common <= 10_000) "common denominator too large";
-  let cleared x = Z.mul (Q.num x) (Z.divexact common (Q.den x)) in
-  { vector_arity = Z.to_int arity; functions; vector_first = first; of_points = List.map (List.map (List.map cleared)) matrices;
-    vector_common = common }
+  common
+
+let cleared common = List.map (List.map (List.map (fun x -> Z.mul (Q.num x) (Z.divexact common (Q.den x)))))
+
+let read_mask text dilation =
+  let length = String.length dilation in
+  require (length > 2 && dilation.[0] = '[' && dilation.[length - 1] = ']') "a dilation is [2] or its rows, [1,2;-2,-1]";
+  let inner = String.sub dilation 1 (length - 2) in
+  if String.exists (fun c -> c = ',' || c = ';') inner then undecided "refinable functions of several variables are";
+  let arity = integer inner in
+  require (Z.gt (Z.abs arity) Z.one && Z.leq (Z.abs arity) (Z.of_int 64)) "a dilation has a determinant of 2 to 64";
+  if Z.sign arity < 0 then undecided "refinable functions with a negative dilation are";
+  if has_root text then undecided "masks with square roots are";
+  let functions, first, matrices = read_matrices text in
+  let vector_common = common_denominator [ matrices ] in
+  { vector_arity = Z.to_int arity; functions; vector_first = first; of_points = cleared vector_common matrices; vector_common }
 
 (* POINT.COMPONENT:INTEGER, no place twice *)
 let read_terms mask fields =

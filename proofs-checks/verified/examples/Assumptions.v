@@ -1,5 +1,5 @@
 (* The axioms that the theorems rest on. *)
-From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Follow Period Vectors VectorsAbove VectorsExact VectorsComponent Scheme.
+From Subcert Require Import Radius Existence Check Subradius Exponent Enclosure Exact SubradiusExact Logarithm Rough Reduced Levels Ranges Follow Period Vectors VectorsAbove VectorsExact VectorsComponent VectorLists HermiteLists Scheme.
 
 Print Assumptions radius_exists.
 Print Assumptions check_radius_sound.
@@ -33,3 +33,6 @@ Print Assumptions check_component_sound.
 Print Assumptions check_component_between_sound.
 Print Assumptions check_exact_component_sound.
 Print Assumptions check_follow_sound.
+Print Assumptions check_vector_lists_sound.
+Print Assumptions check_vector_scheme_sound.
+Print Assumptions check_hermite_lists_sound.

@@ -2933,7 +2933,7 @@ let base_positive f h =
 let make f h =
   let n = f.size in
   let d = f.denominator in
-  (fun bs known s v images0 ->
+  (fun bs known0 s v images0 ->
   match s with
   | FromBase k ->
     (match nth_error bs k with
@@ -2949,7 +2949,7 @@ let make f h =
        image_list = images0 }
      | None -> None)
   | FromPoint (i, t0) ->
-    (match PositiveMap.find i known with
+    (match PositiveMap.find i known0 with
      | Some parent ->
        let m = letter f t0 in
        let moved0 = (mv m (fst parent.shown)),(mv m (snd parent.shown)) in
@@ -2974,15 +2974,15 @@ let make f h =
     list -> vertex PositiveMap.t -> vertex list -> (vertex
     PositiveMap.t*vertex list) option **)
 
-let rec build f h bs i given0 known all =
+let rec build f h bs i given0 known0 all =
   match given0 with
-  | [] -> Some (known,all)
+  | [] -> Some (known0,all)
   | p0::rest ->
     let s,p1 = p0 in
     let v,images0 = p1 in
-    (match make f h bs known s v images0 with
+    (match make f h bs known0 s v images0 with
      | Some x ->
-       build f h bs (Number.successor i) rest (PositiveMap.add i x known)
+       build f h bs (Number.successor i) rest (PositiveMap.add i x known0)
          (x::all)
      | None -> None)
 
@@ -2993,14 +2993,14 @@ let rec build f h bs i given0 known all =
 
 let image_right f h =
   let d = f.denominator in
-  (fun bs cone0 known ps weight0 one s r eps x t0 i ->
+  (fun bs cone0 known0 ps weight0 one s r eps x t0 i ->
   match i with
   | Link (j, turns, turns') ->
-    (match PositiveMap.find j known with
+    (match PositiveMap.find j known0 with
      | Some y -> linked f bs x.from (t0::x.path) turns y.from y.path turns'
      | None -> false)
   | Below (j, turns, turns') ->
-    (match PositiveMap.find j known with
+    (match PositiveMap.find j known0 with
      | Some y -> (&&) cone0 (at_most_point f h bs x t0 turns y turns')
      | None -> false)
   | Inside ts ->
@@ -3026,15 +3026,15 @@ let image_right f h =
     Number.t -> Number.t -> Number.t -> Number.t -> Number.t -> vertex -> int
     -> int -> image list -> bool **)
 
-let rec images_right f h bs cone0 known ps weight0 one s r eps x t0 left l =
+let rec images_right f h bs cone0 known0 ps weight0 one s r eps x t0 left l =
   (fun zero next n -> if n = 0 then zero () else next (n - 1))
     (fun _ -> true)
     (fun left' ->
     match l with
     | [] -> false
     | i::l' ->
-      (&&) (image_right f h bs cone0 known ps weight0 one s r eps x t0 i)
-        (images_right f h bs cone0 known ps weight0 one s r eps x
+      (&&) (image_right f h bs cone0 known0 ps weight0 one s r eps x t0 i)
+        (images_right f h bs cone0 known0 ps weight0 one s r eps x
           (Stdlib.succ t0) left' l'))
     left
 
@@ -3054,8 +3054,8 @@ let below f p l h =
        else true))
     (match build f h b.bases Number.one b.given PositiveMap.empty [] with
      | Some p0 ->
-       let known,all = p0 in
-       let ps = PositiveMap.mapi (fun _ v -> v.shown) known in
+       let known0,all = p0 in
+       let ps = PositiveMap.mapi (fun _ v -> v.shown) known0 in
        let eps = largest_of (map (fun v -> v.off) all) in
        (match units b.cone ps b.unit_one 0 b.unit_lines with
         | Some p1 ->
@@ -3063,7 +3063,7 @@ let below f p l h =
           let r0 = Number.add r (Number.mul s eps) in
           (&&) (Number.less r0 b.unit_one)
             (forallb (fun x ->
-              images_right f h b.bases b.cone known ps b.weight_one
+              images_right f h b.bases b.cone known0 ps b.weight_one
                 b.unit_one s r0 eps x 0 (count f) x.image_list) all)
         | None -> false)
      | None -> false))
@@ -3741,7 +3741,7 @@ let follows f h =
 
 let peak_right f h a =
   let n = f.size in
-  (fun known x ->
+  (fun known0 x ->
   (&&)
     ((&&)
       ((&&) (vector_nonnegative x.peak_given)
@@ -3750,7 +3750,7 @@ let peak_right f h a =
     (match x.peak_word with
      | [] -> at_eigenvector f h a x.peak_given x.peak_factor
      | t0::w ->
-       (match PositiveMap.find x.peak_origin known with
+       (match PositiveMap.find x.peak_origin known0 with
         | Some y ->
           (&&)
             ((&&) ((&&) (Nat.ltb t0 (count f)) (same_word w y.peak_word))
@@ -3784,9 +3784,9 @@ let passes f h a =
     family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
     Number.t -> peak -> int -> rise -> bool **)
 
-let rise_right f h a known ps most k x t0 = function
+let rise_right f h a known0 ps most k x t0 = function
 | Reaches j ->
-  (match PositiveMap.find j known with
+  (match PositiveMap.find j known0 with
    | Some y ->
      (&&) (Coq_Pos.eqb y.peak_origin k)
        (match y.peak_word with
@@ -3796,7 +3796,7 @@ let rise_right f h a known ps most k x t0 = function
 | Closes ->
   (&&) x.peak_whole (same_word (t0::x.peak_word) (eigenvector_word a))
 | Passes (j, turns, turns') ->
-  (match PositiveMap.find j known with
+  (match PositiveMap.find j known0 with
    | Some y -> passes f h a most x t0 turns y turns'
    | None -> false)
 | Exceeds ts ->
@@ -3808,20 +3808,20 @@ let rise_right f h a known ps most k x t0 = function
     family -> place -> ascent -> peak PositiveMap.t -> points -> Number.t ->
     Number.t -> peak list -> bool **)
 
-let rec all_right f h a known ps most k = function
+let rec all_right f h a known0 ps most k = function
 | [] -> true
 | x::xs' ->
   (&&)
-    ((&&) (peak_right f h a known x)
-      (paired (rise_right f h a known ps most k x) (seq 0 (count f))
+    ((&&) (peak_right f h a known0 x)
+      (paired (rise_right f h a known0 ps most k x) (seq 0 (count f))
         x.peak_rises))
-    (all_right f h a known ps most (Number.successor k) xs')
+    (all_right f h a known0 ps most (Number.successor k) xs')
 
 (** val check_ascent : family -> exact_number -> place -> ascent -> bool **)
 
 let check_ascent f e h a =
   let most = largest_of (map (fun p -> p.peak_factor) a.peaks) in
-  let known = number Number.one a.peaks in
+  let known0 = number Number.one a.peaks in
   let ps = number Number.one (map (fun x -> x.peak_given,[]) a.peaks) in
   (&&)
     ((&&)
@@ -3845,7 +3845,7 @@ let check_ascent f e h a =
           | x::_ ->
             (&&) (same_word [] x.peak_word)
               (beside_right f e h a x.peak_given))
-       | None -> false)) (all_right f h a known ps most Number.one a.peaks)
+       | None -> false)) (all_right f h a known0 ps most Number.one a.peaks)
 
 (** val check_exact_subradius :
     family -> exact_number -> q option -> q option -> place -> ascent ->
@@ -3928,41 +3928,15 @@ let check_reduced a c check =
   (&&) ((&&) (check_factor a c.other_scheme c.shift_factor) (converges a c))
     (check c.other_scheme)
 
-type masks = { masks_arity : int; masks_common : Number.t;
-               each : (Number.t*Number.t list) list }
-
-(** val no_mask : Number.t*Number.t list **)
-
-let no_mask =
-  Number.zero,[]
-
 type sequences =
 | Any
 | Follows of (int*int) list
 
-(** val scheme_of : masks -> (Number.t*Number.t list) -> scheme **)
+(** val any_of : int -> Number.t -> zmat list list -> family **)
 
-let scheme_of m p =
-  { arity = m.masks_arity; first = (fst p); coefficients = (snd p); common =
-    m.masks_common }
-
-(** val level_symbols : masks -> int -> Number.t list list **)
-
-let level_symbols m order0 =
-  map (fun p -> difference_symbol (scheme_of m p) order0) m.each
-
-(** val level_size : masks -> int -> int **)
-
-let level_size m order0 =
-  fold_right (fun b most -> Nat.max (matrix_size m.masks_arity b) most)
-    (Stdlib.succ 0) (level_symbols m order0)
-
-(** val any_family : masks -> int -> family **)
-
-let any_family m order0 =
-  let size0 = level_size m order0 in
-  { size = size0; denominator = m.masks_common; matrices =
-  (flat_map (transition m.masks_arity size0) (level_symbols m order0)) }
+let any_of size0 denominator0 each0 =
+  { size = size0; denominator = denominator0; matrices =
+    (flat_map (fun ms -> ms) each0) }
 
 (** val row_in_place : int -> int -> int -> Number.t list -> Number.t list **)
 
@@ -3986,23 +3960,64 @@ let states pairs0 =
     (fold_right (fun e most -> Nat.max (fst e) (Nat.max (snd e) most)) 0
       pairs0)
 
-(** val follows_family : masks -> int -> (int*int) list -> family **)
+(** val follows_of :
+    int -> Number.t -> zmat list list -> (int*int) list -> family **)
 
-let follows_family m order0 pairs0 =
-  let size0 = level_size m order0 in
+let follows_of size0 denominator0 each0 pairs0 =
   let k = states pairs0 in
-  let symbols = level_symbols m order0 in
-  { size = (mul k size0); denominator = m.masks_common; matrices =
+  { size = (mul k size0); denominator = denominator0; matrices =
   (flat_map (fun e ->
-    map (in_place k size0 (fst e) (snd e))
-      (transition m.masks_arity size0 (nth (snd e) symbols []))) pairs0) }
+    map (in_place k size0 (fst e) (snd e)) (nth (snd e) each0 [])) pairs0) }
+
+(** val along : sequences -> int -> Number.t -> zmat list list -> family **)
+
+let along s size0 denominator0 each0 =
+  match s with
+  | Any -> any_of size0 denominator0 each0
+  | Follows pairs0 -> follows_of size0 denominator0 each0 pairs0
+
+(** val known : int -> sequences -> bool **)
+
+let known n = function
+| Any -> true
+| Follows pairs0 ->
+  forallb (fun e -> (&&) (Nat.ltb (fst e) n) (Nat.ltb (snd e) n)) pairs0
+
+type masks = { masks_arity : int; masks_common : Number.t;
+               each : (Number.t*Number.t list) list }
+
+(** val no_mask : Number.t*Number.t list **)
+
+let no_mask =
+  Number.zero,[]
+
+(** val scheme_of : masks -> (Number.t*Number.t list) -> scheme **)
+
+let scheme_of m p =
+  { arity = m.masks_arity; first = (fst p); coefficients = (snd p); common =
+    m.masks_common }
+
+(** val level_symbols : masks -> int -> Number.t list list **)
+
+let level_symbols m order0 =
+  map (fun p -> difference_symbol (scheme_of m p) order0) m.each
+
+(** val level_size : masks -> int -> int **)
+
+let level_size m order0 =
+  fold_right (fun b most -> Nat.max (matrix_size m.masks_arity b) most)
+    (Stdlib.succ 0) (level_symbols m order0)
+
+(** val level_matrices : masks -> int -> zmat list list **)
+
+let level_matrices m order0 =
+  map (transition m.masks_arity (level_size m order0))
+    (level_symbols m order0)
 
 (** val levels_family : masks -> sequences -> int -> family **)
 
 let levels_family m s order0 =
-  match s with
-  | Any -> any_family m order0
-  | Follows pairs0 -> follows_family m order0 pairs0
+  along s (level_size m order0) m.masks_common (level_matrices m order0)
 
 (** val levels_reduce : masks -> sequences -> q -> int -> q -> bool **)
 
@@ -4012,12 +4027,7 @@ let levels_reduce m s l order0 u =
       ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) m.masks_arity)
         (forallb (fun p -> reducible (scheme_of m p) order0) m.each))
       (below_power (scheme_of m no_mask) l order0 u))
-    (match s with
-     | Any -> true
-     | Follows pairs0 ->
-       forallb (fun e ->
-         (&&) (Nat.ltb (fst e) (length m.each))
-           (Nat.ltb (snd e) (length m.each))) pairs0)
+    (known (length m.each) s)
 
 (** val check_levels :
     masks -> sequences -> q -> exponent_certificate -> bool **)
@@ -4095,7 +4105,7 @@ let has_control_masks a low0 high0 common0 =
 (** val range_family : masks -> int -> family **)
 
 let range_family m order0 =
-  let all = any_family m order0 in
+  let all = levels_family m Any order0 in
   let n = length m.each in
   { size = all.size; denominator = m.masks_common; matrices =
   (flat_map (fun t0 ->
@@ -4898,3 +4908,321 @@ let check_exact_component a k e lower0 upper0 d p o x =
           (observes a k c p o)) (number_between a.vector_arity m h))
       (check_number_and_blocks (seen_family a c p) e x))
     (exponent_within a m lower0 upper0 h)
+
+type vector_masks = { list_arity : int; list_functions : int;
+                      list_common : Number.t;
+                      each_vector : (Number.t*zmat list) list }
+
+(** val vector_number : vector_masks -> int -> vector_mask **)
+
+let vector_number m i =
+  { vector_arity = m.list_arity; functions = m.list_functions; vector_first =
+    (fst (nth i m.each_vector (Number.zero,[]))); of_points =
+    (snd (nth i m.each_vector (Number.zero,[]))); vector_common =
+    m.list_common }
+
+type list_certificate = { list_first : Number.t; list_window : int;
+                          list_order : int;
+                          list_spanning : Number.t list list;
+                          list_places : int list;
+                          list_place_value : Number.t;
+                          list_restricted : zmat list list;
+                          wide : Number.t list list; wide_places : int list;
+                          wide_pivot : Number.t;
+                          wide_rows : Number.t list list;
+                          wide_scale : Number.t; list_entering : int;
+                          functional : Number.t list;
+                          constants : Number.t list;
+                          list_weights : Number.t list list;
+                          list_scale : Number.t; list_bound : q;
+                          list_radius : certificate }
+
+(** val space_of : list_certificate -> int -> vector_certificate **)
+
+let space_of c i =
+  { window_first = c.list_first; window = c.list_window; fixed = [];
+    difference_order = c.list_order; spanning = c.list_spanning; places =
+    c.list_places; place_value = c.list_place_value; restricted =
+    (nth i c.list_restricted []); entering = c.list_entering; inner_first =
+    Number.zero; inner = 0; nonzero = 0; kernel = []; kernel_scale =
+    Number.zero; space_bound = c.list_bound; space_radius = c.list_radius }
+
+(** val lists_family :
+    vector_masks -> sequences -> list_certificate -> family **)
+
+let lists_family m s c =
+  along s (length c.list_spanning)
+    (Number.mul m.list_common c.list_place_value)
+    (map
+      (map
+        (map
+          (map
+            (Number.mul
+              (Number.power (Number.of_natural m.list_arity)
+                (Number.of_natural c.list_order)))))) c.list_restricted)
+
+(** val constants_total :
+    int -> Number.t -> zmat list -> Number.t list -> Number.t -> int ->
+    Number.t **)
+
+let rec constants_total a k ms y t0 d =
+  match ms with
+  | [] -> Number.zero
+  | m::rest ->
+    Number.add
+      (if Number.equal
+            (Number.mul (Number.of_natural a)
+              (Number.divide (Number.sub t0 k) (Number.of_natural a)))
+            (Number.sub t0 k)
+       then dot (map (fun row0 -> nth d row0 Number.zero) m) y
+       else Number.zero)
+      (constants_total a (Number.add k Number.one) rest y t0 d)
+
+(** val arrives :
+    (Number.t list -> Number.t list) list -> (Number.t list -> bool) -> int
+    -> Number.t list -> bool **)
+
+let rec arrives moves inside n u =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> inside u)
+    (fun k -> forallb (fun move0 -> arrives moves inside k (move0 u)) moves)
+    n
+
+(** val list_moves :
+    vector_masks -> list_certificate -> (Number.t list -> Number.t list) list **)
+
+let list_moves m c =
+  let a = m.list_arity in
+  let r = m.list_functions in
+  let lo = c.list_first in
+  let len = c.list_window in
+  flat_map (fun p -> map (move a r lo len (fst p) (snd p)) (seq 0 a))
+    m.each_vector
+
+(** val comes : vector_masks -> list_certificate -> Number.t list -> bool **)
+
+let comes m c =
+  let r = m.list_functions in
+  let len = c.list_window in
+  let size0 = mul len r in
+  (fun u ->
+  (&&) (zero_list (skipn size0 u))
+    (arrives (list_moves m c) (in_space c.wide c.wide_places c.wide_pivot)
+      c.list_entering (firstn size0 u)))
+
+(** val list_shifted :
+    vector_masks -> list_certificate -> Number.t list list **)
+
+let list_shifted m c =
+  let r = m.list_functions in
+  app (map (skipn r) c.list_spanning)
+    (app c.list_spanning (map (app (repeat Number.zero r)) c.list_spanning))
+
+(** val list_change :
+    vector_masks -> list_certificate -> (Number.t*zmat list) -> Number.t list **)
+
+let list_change m c =
+  let a = m.list_arity in
+  let r = m.list_functions in
+  let lo = c.list_first in
+  let len = c.list_window in
+  (fun p ->
+  addmul (Number.opposite m.list_common) c.functional
+    (move a r lo len (fst p) (snd p) 0 c.functional))
+
+(** val list_differences :
+    vector_masks -> list_certificate -> Number.t list **)
+
+let list_differences m c =
+  let r = m.list_functions in
+  iterate c.list_order (step_difference r) c.functional
+
+(** val list_component :
+    vector_masks -> list_certificate -> int -> Number.t list **)
+
+let list_component m c =
+  let r = m.list_functions in
+  let lo = c.list_first in
+  (fun d ->
+  addmul c.list_scale
+    (unit_at Number.one (add (mul (Z.to_nat (Number.opposite lo)) r) d))
+    (combine_lists (map Number.opposite (nth d c.list_weights []))
+      (map (fun j -> app (repeat Number.zero (mul j r)) c.functional)
+        (seq 0 (Stdlib.succ c.list_order)))))
+
+(** val list_window_fits : vector_masks -> list_certificate -> bool **)
+
+let list_window_fits m c =
+  let a = m.list_arity in
+  let r = m.list_functions in
+  let lo = c.list_first in
+  let len = c.list_window in
+  let size0 = mul len r in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&)
+              ((&&)
+                ((&&) (Nat.leb (Stdlib.succ (Stdlib.succ 0)) a)
+                  (Number.less Number.zero m.list_common))
+                (Nat.leb (Stdlib.succ 0) r))
+              (Number.less_equal lo Number.zero))
+            (Number.less Number.zero (Number.add lo (Number.of_natural len))))
+          (Nat.leb c.list_order len))
+        (forallb (fun b ->
+          (&&) (Nat.leb (add r (length b)) size0) (zero_list (firstn r b)))
+          c.list_spanning))
+      (Nat.leb (length c.functional) (mul (sub len c.list_order) r)))
+    (forallb (fun p ->
+      (&&)
+        ((&&)
+          ((&&) (Nat.leb (Stdlib.succ 0) (length (snd p)))
+            (forallb (square r) (snd p)))
+          (Number.less_equal
+            (Number.mul (Number.sub (Number.of_natural a) Number.one) lo)
+            (fst p)))
+        (Number.less_equal
+          (Number.add (fst p)
+            (Number.of_natural (sub (length (snd p)) (Stdlib.succ 0))))
+          (Number.mul (Number.sub (Number.of_natural a) Number.one)
+            (Number.sub (Number.add lo (Number.of_natural len)) Number.one))))
+      m.each_vector)
+
+(** val list_spaces : vector_masks -> list_certificate -> bool **)
+
+let list_spaces m c =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&) (Nat.eqb (length c.list_restricted) (length m.each_vector))
+            (forallb (forallb (square (length c.list_spanning)))
+              c.list_restricted))
+          (forallb (fun i -> checks_space (vector_number m i) (space_of c i))
+            (seq 0 (length m.each_vector))))
+        (negb (Number.equal c.wide_pivot Number.zero)))
+      (negb (Number.equal c.wide_scale Number.zero)))
+    (forallb (fun k ->
+      zero_list
+        (addmul (Number.opposite c.wide_scale) (nth k c.wide [])
+          (combine_lists (nth k c.wide_rows []) (list_shifted m c))))
+      (seq 0 (length c.wide)))
+
+(** val list_constants : vector_masks -> list_certificate -> bool **)
+
+let list_constants m c =
+  let a = m.list_arity in
+  let r = m.list_functions in
+  (&&)
+    ((&&)
+      (existsb (fun d ->
+        negb (Number.equal (nth d c.constants Number.zero) Number.zero))
+        (seq 0 r)) (Nat.eqb (length c.constants) r))
+    (forallb (fun p ->
+      forallb (fun t0 ->
+        forallb (fun d ->
+          Number.equal
+            (constants_total a (fst p) (snd p) c.constants
+              (Number.of_natural t0) d)
+            (Number.mul m.list_common (nth d c.constants Number.zero)))
+          (seq 0 r)) (seq 0 a)) m.each_vector)
+
+(** val list_comes : vector_masks -> list_certificate -> bool **)
+
+let list_comes m c =
+  let r = m.list_functions in
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          (forallb (fun p -> comes m c (list_change m c p)) m.each_vector)
+          (comes m c (list_differences m c)))
+        (forallb (fun d -> comes m c (list_component m c d)) (seq 0 r)))
+      (negb (Number.equal c.list_scale Number.zero)))
+    (existsb (fun d ->
+      negb
+        (Number.equal
+          (fold_right Number.add Number.zero
+            (firstn (Stdlib.succ c.list_order) (nth d c.list_weights [])))
+          Number.zero)) (seq 0 r))
+
+(** val lists_space :
+    vector_masks -> sequences -> list_certificate -> bool **)
+
+let lists_space m s c =
+  (&&)
+    ((&&)
+      ((&&) ((&&) (list_window_fits m c) (list_spaces m c))
+        (list_constants m c)) (list_comes m c))
+    (known (length m.each_vector) s)
+
+(** val check_vector_lists :
+    vector_masks -> sequences -> q -> list_certificate -> bool **)
+
+let check_vector_lists m s l c =
+  (&&)
+    ((&&) (lists_space m s c)
+      (below_power { arity = m.list_arity; first = Number.zero;
+        coefficients = []; common = Number.one } l c.list_order c.list_bound))
+    (check_radius { matrices_of = (lists_family m s c); lower = None; upper =
+      (Some c.list_bound) } c.list_radius)
+
+(** val check_vector_scheme : vector_mask -> q -> list_certificate -> bool **)
+
+let check_vector_scheme a l c =
+  let m = { list_arity = a.vector_arity; list_functions = a.functions;
+    list_common = a.vector_common; each_vector =
+    ((a.vector_first,a.of_points)::[]) }
+  in
+  (&&)
+    ((&&) (lists_space m Any c)
+      (below_power_strictly m.list_arity l c.list_order c.list_bound))
+    (check_radius { matrices_of = (lists_family m Any c); lower = None;
+      upper = (Some c.list_bound) } c.list_radius)
+
+(** val times_differences : int -> Number.t list -> Number.t list **)
+
+let rec times_differences s l =
+  (fun zero next n -> if n = 0 then zero () else next (n - 1))
+    (fun _ -> l)
+    (fun s' ->
+    times_differences s'
+      (addmul (Number.opposite Number.one) (Number.zero::l) l))
+    s
+
+(** val derivative_factors :
+    list_certificate -> int -> Number.t list list -> bool **)
+
+let derivative_factors c r factors =
+  forallb (fun s ->
+    let q0 = nth s factors [] in
+    let w = nth s c.list_weights [] in
+    (&&)
+      ((&&)
+        ((&&)
+          (zero_list
+            (addmul (Number.opposite Number.one) (times_differences s q0) w))
+          (Nat.leb (length w) (Stdlib.succ c.list_order)))
+        (Nat.leb (length q0) (Stdlib.succ c.list_order)))
+      (Number.equal (fold_right Number.add Number.zero q0) c.list_scale))
+    (seq 0 r)
+
+(** val check_hermite_lists :
+    vector_masks -> sequences -> int -> list_certificate -> Number.t list
+    list -> bool **)
+
+let check_hermite_lists m s k c factors =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&) (lists_space m s c)
+            (Nat.leb m.list_functions (Stdlib.succ k)))
+          (below_power_strictly m.list_arity { qnum = (Number.of_natural k);
+            qden = Number.one } c.list_order c.list_bound))
+        (derivative_factors c m.list_functions factors))
+      (negb (Number.equal (nth 0 c.constants Number.zero) Number.zero)))
+    (check_radius { matrices_of = (lists_family m s c); lower = None; upper =
+      (Some c.list_bound) } c.list_radius)

@@ -882,22 +882,11 @@ val check_factor : scheme -> scheme -> Number.t list -> bool
 
 val check_reduced : scheme -> reduction -> (scheme -> bool) -> bool
 
-type masks = { masks_arity : int; masks_common : Number.t;
-               each : (Number.t*Number.t list) list }
-
-val no_mask : Number.t*Number.t list
-
 type sequences =
 | Any
 | Follows of (int*int) list
 
-val scheme_of : masks -> (Number.t*Number.t list) -> scheme
-
-val level_symbols : masks -> int -> Number.t list list
-
-val level_size : masks -> int -> int
-
-val any_family : masks -> int -> family
+val any_of : int -> Number.t -> zmat list list -> family
 
 val row_in_place : int -> int -> int -> Number.t list -> Number.t list
 
@@ -905,7 +894,24 @@ val in_place : int -> int -> int -> int -> zmat -> zmat
 
 val states : (int*int) list -> int
 
-val follows_family : masks -> int -> (int*int) list -> family
+val follows_of : int -> Number.t -> zmat list list -> (int*int) list -> family
+
+val along : sequences -> int -> Number.t -> zmat list list -> family
+
+val known : int -> sequences -> bool
+
+type masks = { masks_arity : int; masks_common : Number.t;
+               each : (Number.t*Number.t list) list }
+
+val no_mask : Number.t*Number.t list
+
+val scheme_of : masks -> (Number.t*Number.t list) -> scheme
+
+val level_symbols : masks -> int -> Number.t list list
+
+val level_size : masks -> int -> int
+
+val level_matrices : masks -> int -> zmat list list
 
 val levels_family : masks -> sequences -> int -> family
 
@@ -1123,3 +1129,73 @@ val check_component_between :
 val check_exact_component :
   vector_mask -> int -> exact_number -> q option -> q option ->
   above_certificate -> hidden -> observation -> exact_certificate -> bool
+
+type vector_masks = { list_arity : int; list_functions : int;
+                      list_common : Number.t;
+                      each_vector : (Number.t*zmat list) list }
+
+val vector_number : vector_masks -> int -> vector_mask
+
+type list_certificate = { list_first : Number.t; list_window : int;
+                          list_order : int;
+                          list_spanning : Number.t list list;
+                          list_places : int list;
+                          list_place_value : Number.t;
+                          list_restricted : zmat list list;
+                          wide : Number.t list list; wide_places : int list;
+                          wide_pivot : Number.t;
+                          wide_rows : Number.t list list;
+                          wide_scale : Number.t; list_entering : int;
+                          functional : Number.t list;
+                          constants : Number.t list;
+                          list_weights : Number.t list list;
+                          list_scale : Number.t; list_bound : q;
+                          list_radius : certificate }
+
+val space_of : list_certificate -> int -> vector_certificate
+
+val lists_family : vector_masks -> sequences -> list_certificate -> family
+
+val constants_total :
+  int -> Number.t -> zmat list -> Number.t list -> Number.t -> int -> Number.t
+
+val arrives :
+  (Number.t list -> Number.t list) list -> (Number.t list -> bool) -> int ->
+  Number.t list -> bool
+
+val list_moves :
+  vector_masks -> list_certificate -> (Number.t list -> Number.t list) list
+
+val comes : vector_masks -> list_certificate -> Number.t list -> bool
+
+val list_shifted : vector_masks -> list_certificate -> Number.t list list
+
+val list_change :
+  vector_masks -> list_certificate -> (Number.t*zmat list) -> Number.t list
+
+val list_differences : vector_masks -> list_certificate -> Number.t list
+
+val list_component : vector_masks -> list_certificate -> int -> Number.t list
+
+val list_window_fits : vector_masks -> list_certificate -> bool
+
+val list_spaces : vector_masks -> list_certificate -> bool
+
+val list_constants : vector_masks -> list_certificate -> bool
+
+val list_comes : vector_masks -> list_certificate -> bool
+
+val lists_space : vector_masks -> sequences -> list_certificate -> bool
+
+val check_vector_lists :
+  vector_masks -> sequences -> q -> list_certificate -> bool
+
+val check_vector_scheme : vector_mask -> q -> list_certificate -> bool
+
+val times_differences : int -> Number.t list -> Number.t list
+
+val derivative_factors : list_certificate -> int -> Number.t list list -> bool
+
+val check_hermite_lists :
+  vector_masks -> sequences -> int -> list_certificate -> Number.t list list
+  -> bool

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs the verified checker and the one in C++ on a corpus of claims. Usage: agree.py VERIFIED CHECKER DIRECTORY
 
-Claims about radii and subradii, about exponents of one mask or of a list, and about lower ends for values of a parameter: both print the same verdict, and `VERIFIED` in
-the same words. Of a corpus of right claims also with other bounds, with other exact numbers, and without what is claimed beside.
+Claims about radii and subradii, about exponents of one mask or of a list, of schemes of vectors, and about lower ends for
+values of a parameter: both print the same verdict, and `VERIFIED` in the same words. Of a corpus of right claims also with other bounds, with other exact numbers, and without what is claimed beside.
 Other claims are never decided here."""
 import re
 import subprocess
@@ -27,8 +27,9 @@ proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sig
                "follow-inside",
                # the line `stability` of a range says nothing here
                "range-halved-61"}
-# Its solutions are multiples of one by the ends of the supports of the components, which are not looked at here.
-proved_there = {"vector-ends"}
+# Its solutions are multiples of one by the ends of the supports of the components, which are not looked at here; its masks
+# keep polynomials at different places.
+proved_there = {"vector-ends", "vector-list-places"}
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.
 sharper = {"unit-short", "unit-long"}
 # Claims that are far from the truth: the same with a little more are true as well.
@@ -66,6 +67,13 @@ def decided(name, arguments):
         ends = options - {"--refinable", "--dilation"}
         asked = ends <= {"--component", "--lower", "--upper", "--exact"} and ends & {"--lower", "--exact"}
         return bool(asked and usual and "sqrt" not in value["--refinable"])
+    # Schemes of vectors, and Hermite schemes, of one variable, with the digits 0, 1, ...: of one mask, and of lists of masks
+    if options & {"--vectors", "--hermite"}:
+        value = dict(zip(arguments[::2], arguments[1::2]))
+        kind = "--vectors" if "--vectors" in options else "--hermite"
+        digits = re.search(r"\ndigits(.*)\n", text)
+        usual = not digits or digits[1].split() == [str(t) for t in range(int(value.get("--arity", 0)))]
+        return options - {"--order"} == {kind, "--arity", "--lower"} and usual and "sqrt" not in value[kind]
     # Lower ends for all values of a parameter, for all sequences of them, or for those that follow from each other
     if options & {"--for", "--levels"}:
         follows = {"--recurrence", "--start", "--from"}
@@ -136,7 +144,7 @@ for line in (directory / "claims.txt").read_text().splitlines():
         for key, end, accepted in (("--lower", 0, False), ("--lower", 100, False), ("--upper", 0, False)):
             compare(f"{name} with {key} {end}", [*alone, key, str(end), f"{name}.cert"], accepted)
         arguments = without("--exact", arguments)
-    if {"--refinable", "--lower"} <= set(arguments):
+    if {"--refinable", "--lower"} <= set(arguments) or ({"--vectors", "--hermite"} & set(arguments) and decided(name, arguments)):
         alone = without("--upper", arguments)
         at = alone.index("--lower") + 1
         for end in (Fraction(alone[at]), Fraction(alone[at]) * Fraction(6, 7), Fraction(alone[at]) + Fraction(1, 10)):

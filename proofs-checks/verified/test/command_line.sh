@@ -263,6 +263,66 @@ for dilation in '' '2' '[]' '[1]' '[65]' '[x]'; do
   expect 64 --refinable "$hats" --dilation "$dilation" --lower 1 vector-by-hand.cert
 done
 expect 66 --refinable "$hats" --dilation '[2]' --lower 1 none.cert
+# schemes of vectors, of one mask and of lists
+quarter='[[[1/4,0],[0,1/2]],[[3/4,0],[0,1/2]],[[3/4,0],[0,0]],[[1/4,0],[0,0]]]@0'
+corner() {
+  code=$1
+  shift
+  expect "$code" --vectors "$quarter" --arity 2 "$@" vectors-one-holder.cert
+}
+corner 0 --lower 99/100 --show
+echo "$output" | grep -qx 'mask 0, matrix 1, row 1: 0 1/2'
+echo "$output" | grep -qx 'exponents above 99/100 of limits of a scheme of vectors of arity 2 and size 2'
+corner 0 --lower 0
+corner 1 --lower 1
+corner 1 --lower -1
+corner 64 --lower 1/0
+corner 2
+corner 2 --upper 0
+corner 1 --lower 0 --order any
+expect 1 --hermite "$quarter" --arity 2 --lower 1 vectors-one-holder.cert
+expect 2 --vectors "$quarter" --dilation '[2]' --lower 0 vectors-one-holder.cert
+expect 2 --vectors "$(echo "$quarter" | sed 's/3/sqrt(2)/')" --arity 2 --lower 0 vectors-one-holder.cert
+two="$quarter;[[[2/5,0],[0,1/2]],[[3/5,0],[0,1/2]],[[3/5,0],[0,0]],[[2/5,0],[0,0]]]@0"
+in_turn() {
+  code=$1
+  shift
+  expect "$code" --vectors "$two" --arity 2 "$@" vector-list-in-turn.cert
+}
+in_turn 0 --order follows=0-1,1-0 --lower 3/4 --show
+echo "$output" | grep -qx 'mask 1, matrix 3, row 0: 2/5 0'
+echo "$output" | grep -qx 'mask 1 may be followed by mask 0'
+in_turn 0 --order follows=0-1,1-0 --lower 1/2
+in_turn 1 --order follows=0-1,1-0 --lower 4/5
+in_turn 1 --order follows=0-1,1-0 --lower 0
+in_turn 1 --order any --lower 3/4
+in_turn 2 --order follows=0-1,1-0
+in_turn 2 --order follows=0-1,1-0 --lower 1/2 --upper 1
+for order in '' all follows follows= follows=0 follows=0-2 follows=0-1, period= period=2 period=0,1,0,1,0,1,0; do
+  in_turn 64 --order "$order" --lower 1/2
+done
+for masks in '' ';' "$quarter;" "$quarter;[[[1]],[[1]]]" "$quarter;$quarter@1" "$quarter;[[[1/2,0],[0,1]]]@1000"; do
+  expect 64 --vectors "$masks" --arity 2 --order any --lower 1/2 vector-list-in-turn.cert
+done
+smooth='[[[1/2,3/4],[-1/8,-1/8]],[[1,0],[0,1/2]],[[1/2,-3/4],[1/8,-1/8]]]@-1'
+hermite() {
+  code=$1
+  shift
+  expect "$code" --hermite "$smooth" --arity 2 "$@" hermite-list-one.cert
+}
+hermite 0 --order any --lower 1 --show
+echo "$output" | grep -qx 'HC^1, of Hermite schemes of arity 2 and size 2'
+hermite 1 --order any --lower 0
+hermite 1 --order any --lower 2
+hermite 1 --order follows=0-0 --lower 1
+hermite 1 --lower 1
+hermite 2 --order any
+hermite 2 --upper 1
+hermite 64 --order any --lower 1/2
+hermite 64 --order any --lower -1
+hermite 64 --order any --lower 501
+expect 64 --vectors "$two" --arity 17 --order any --lower 1/2 vector-list-in-turn.cert
+expect 66 --vectors "$two" --arity 2 --order any --lower 1/2 none.cert
 
 cd "$here/accept"
 slow() {

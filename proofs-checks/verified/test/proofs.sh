@@ -93,6 +93,16 @@ theorem VectorComponent $component 0 --lower 1 --upper 1 vector-component-blocks
 theorem VectorComponentWhole $component 0 --lower 1/5 vector-component-whole.cert
 # shellcheck disable=SC2086
 theorem VectorComponentExact $component 0 --exact '0-log|[-1,2]@1/2,0,1/4|^1/1' vector-component-exact.cert
+vectors() {
+  sed -n "s/^$1 --[a-z]* \([^ ]*\) .*/\1/p" "$corpus/claims.txt"
+}
+theorem VectorScheme --vectors "$(vectors vectors-one-holder)" --arity 2 --lower 99/100 vectors-one-holder.cert
+theorem VectorList --vectors "$(vectors vector-list-in-turn)" --arity 2 --order follows=0-1,1-0 --lower 3/4 \
+  vector-list-in-turn.cert
+theorem VectorListMerrien --vectors "$(vectors hermite-list-as-vectors)" --arity 2 --order any --lower 1 \
+  hermite-list-as-vectors.cert
+theorem HermiteList --hermite "$(vectors hermite-list-period)" --arity 2 --order period=0,1 --lower 1 \
+  hermite-list-period.cert
 theorem Columns --matrices columns.mat --lower 1 --upper 11/10 columns-graph-word.cert
 theorem Shears --matrices shears.mat --lower 1618/1000 --upper 17/10 shears-graph.cert
 theorem ConeExact --matrices golden.mat --exact '|[-1,-1,1]@8/5,0,1/10|^1/1' golden-cone-exact.cert

@@ -1,7 +1,8 @@
 (* The checker as a program in OCaml, with the integers of zarith: of numbers only what ../number.ml lists is trusted. *)
 Require Import ZArith QArith.
 From Subcert Require Import Integers Sections Eigenvalue Quadratic Graph Check Subradius Exponent Enclosure Number Attained Cycles Largest Exact Logarithm
-  SubradiusExact Rough Reduced Levels Ranges Follow Period Vectors VectorsAbove VectorsExact VectorsComponent.
+  SubradiusExact Rough Reduced Along Levels Ranges Follow Period Vectors VectorsAbove VectorsExact VectorsComponent
+  VectorLists HermiteLists.
 Require Import Extraction.
 
 Extraction Language OCaml.
@@ -44,4 +45,6 @@ Extraction "verified.ml" check_radius check_upper check_lower in_basis basis_val
   in_period period_scheme
   check_vectors checks_space checks_start checks_kernel unfixed move vector_family
   check_vectors_between checks_images checks_places image_by start_differences
-  check_exact_vectors check_component check_component_between check_exact_component component_space seen_family seen_vectors seen_values observes.
+  check_exact_vectors check_component check_component_between check_exact_component component_space seen_family seen_vectors seen_values observes
+  check_vector_lists check_vector_scheme lists_family list_window_fits list_spaces list_constants list_shifted list_change list_component
+  list_differences comes arrives list_moves vector_number check_hermite_lists derivative_factors.

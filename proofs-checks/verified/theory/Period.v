@@ -2,7 +2,7 @@
    converges, all levels do, to the same limit (SPEC.md, section 6.5, `period`). *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Integers Sections Subdivision Coefficients Exponent Smooth Rough Levels.
+From Subcert Require Import Radius Integers Sections Subdivision Coefficients Exponent Smooth Rough Along Levels.
 Import ListNotations.
 Open Scope Z_scope.
 

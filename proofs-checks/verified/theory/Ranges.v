@@ -3,7 +3,7 @@
    the control masks, and products of matrices of such combinations are convex combinations of products. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Exponent Levels.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Exponent Along Levels.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -68,7 +68,7 @@ Definition has_control_masks (a : ranged) (low high : Q) (common : Z) : bool :=
 
 (* The matrices of digit 0 of all masks, then those of digit 1, and so on *)
 Definition range_family (m : masks) (order : nat) : family :=
-  let all := any_family m order in let n := length (each m) in
+  let all := levels_family m Any order in let n := length (each m) in
   Family (size all) (masks_common m)
     (flat_map (fun t => map (fun j => letter all (j * masks_arity m + t)) (seq 0 n)) (seq 0 (masks_arity m))).
 
@@ -252,13 +252,15 @@ Qed.
 Lemma range_entry j t p q : (j < n)%nat -> (t < A)%nat -> (p < W)%nat -> (q < W)%nat ->
   real (range_family m M) (t * n + j) p q = scheme_matrix A (symbol_number m M j) t p q.
 Proof.
-  intros Hj Ht Hp Hq. rewrite <- (any_entry m M) by auto. unfold real, mr. f_equal. f_equal. f_equal.
+  intros Hj Ht Hp Hq. transitivity (matrix_of W (masks_common m) (level_matrices m M) j t p q); [|apply (level_matrix m M); auto].
+  rewrite <- (any_entry A _ _ _ (matrices_digits m M)) by (auto; rewrite matrices_length; auto). unfold real, mr. f_equal. f_equal. f_equal.
   unfold letter at 1. unfold range_family. cbv zeta. cbn [matrices]. fold A n.
-  rewrite (nth_flat_map (fun t => map (fun j => letter (any_family m M) (j * A + t)) (seq 0 n)) n 0%nat [] (seq 0 A) t j)
+  change (any_of W (masks_common m) (level_matrices m M)) with (levels_family m Any M).
+  rewrite (nth_flat_map (fun t => map (fun j => letter (levels_family m Any M) (j * A + t)) (seq 0 n)) n 0%nat [] (seq 0 A) t j)
     by (rewrite ?seq_length; auto; intros; rewrite map_length, seq_length; auto).
   rewrite seq_nth by auto. cbn [Nat.add].
-  rewrite nth_indep with (d' := letter (any_family m M) (0 * A + t)) by (rewrite map_length, seq_length; auto).
-  rewrite (map_nth (fun j => letter (any_family m M) (j * A + t)) (seq 0 n) 0%nat j), seq_nth by auto. reflexivity.
+  rewrite nth_indep with (d' := letter (levels_family m Any M) (0 * A + t)) by (rewrite map_length, seq_length; auto).
+  rewrite (map_nth (fun j => letter (levels_family m Any M) (j * A + t)) (seq 0 n) 0%nat j), seq_nth by auto. reflexivity.
 Qed.
 
 Lemma combinations_alike theta : (forall k, weights_of n (theta k)) -> exists K P,

@@ -2,7 +2,7 @@
    itself, its joint spectral radius, and that fixed vectors at the integers are multiples of one. *)
 Require Import Reals List ZArith QArith Lia Lra Bool.
 From Coq Require Import FunctionalExtensionality.
-From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Grid Refinable Exponent Levels.
+From Subcert Require Import Radius Existence Integers Sections Check Subdivision Coefficients Grid Refinable Exponent Along.
 Import ListNotations.
 Open Scope Z_scope.
 

@@ -75,7 +75,8 @@ class CellOperators {
         for (const auto& [k, entry] : columns_[letter][p]) sum += static_cast<Wide>(product.rows[row][k]) * entry;
         result.rows[row][p] = static_cast<long>(sum / scale_);
       }
-    result.error = product.error * most_ + 1 + rounded_ * Rational(largest(product));
+    // In whole units: exact ones would have as many digits as the product has factors.
+    result.error = to_integer(product.error * most_ + 1 + rounded_ * Rational(largest(product)), Rounding::up);
     return result;
   }
   /// Whether what is made of it fits.

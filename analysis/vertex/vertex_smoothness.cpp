@@ -223,7 +223,7 @@ RegularPart regular_part(const SectorRules& rules, const Budget& budget) {
       if (!result.c1.is_yes()) break;
     }
   }
-  result.forms = std::make_shared<const CellForms>(rules.mask);
+  if (result.c1.is_yes()) result.forms = std::make_shared<const CellForms>(rules.mask);
   return result;
 }
 

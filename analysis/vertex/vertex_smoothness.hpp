@@ -21,7 +21,7 @@ struct RegularPart {
   Decision c1;         ///< whether all limits have continuous first derivatives, the limits of divided differences
   Enclosure exponent;  ///< of Hoelder, as regularity_of()
   bool curved;         ///< whether second derivatives are proved to exist almost everywhere, bounded
-  std::shared_ptr<const vertex::CellForms> forms;
+  std::shared_ptr<const vertex::CellForms> forms;  ///< where c1 is yes
 };
 
 /// Of the mask of rules, by their `step` where they have one. Errors: throws Error for a step that is none. Cost: that

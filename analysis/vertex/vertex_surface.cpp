@@ -160,7 +160,8 @@ std::optional<VertexSurface> vertex_surface(const SectorRules& rules, const Regu
   require(size >= 4, "surface near a vertex: need 4 points or more along a ray, got {}", size);
   require(smoothness.valence == rules.valence, "surface near a vertex: need what is said of valence {}, got {}",
           rules.valence, smoothness.valence);
-  if (smoothness.frequency != 1 || !smoothness.subdominant.is_bounded() || rules.valence < 3) return std::nullopt;
+  if (!regular.forms || smoothness.frequency != 1 || !smoothness.subdominant.is_bounded() || rules.valence < 3)
+    return std::nullopt;
   const ClosedSet set = smallest_closed_set(rules);
   const auto spectrum = vertex_spectrum(rules, set, surface_bits);
   const auto leader = spectrum ? leader_of(*spectrum, rules, set) : std::nullopt;

@@ -100,7 +100,8 @@ def main():
     parser.add_argument("--seed", type=int, nargs="+", default=[int(time.time())])
     parser.add_argument("--seconds", type=float, default=float("inf"), help="of wall clock; no run is begun later")
     parser.add_argument("--budget", type=float, nargs=2, default=(0.5, 3), metavar=("LOW", "HIGH"))
-    parser.add_argument("--kind", choices=("regularity", "vector", "jsr", "range", "list", "page"), help="draw these only")
+    parser.add_argument("--kind", choices=("regularity", "vector", "jsr", "range", "list", "page", "vertex"),
+                        help="draw these only")
     parser.add_argument("--report", help="JSON lines, one for each finding")
     options = parser.parse_args()
     program, end = os.path.abspath(options.program), time.monotonic() + options.seconds

@@ -373,6 +373,55 @@ def vector_case(rng, low, high):
     return case
 
 
+# ---- vertices of surfaces
+
+def valences(rng):
+    """Small ones often, and the regular ones."""
+    return sorted({rng.choice((3, 4, 5, 6, 7, 8, rng.randint(3, 40))) for _ in range(rng.randint(1, 3))})
+
+
+def named_at_vertices(rng):
+    return rng.choice((
+        lambda: rng.choice(("loop", "catmull-clark", "doo-sabin", "midedge", "modified-butterfly", "sqrt3",
+                            "four-eight")),
+        lambda: f"butterfly:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}",
+        lambda: f"kobbelt:w={rational(rng, Fraction(-1, 8), Fraction(1, 4))}",
+        lambda: f"triangular:L={Fraction(rng.randint(1501, 1732), 1000)},"
+                f"d={rng.randint(0, 2)}" + rng.choice(("", f",power={rng.randint(1, 4)}"))))()
+
+
+def rules_of_vertices(rng):
+    """A file with rules, and the letter and number that are in it."""
+    b = rng.choice((Fraction(0), Fraction(1), rational(rng, Fraction(-1, 2), Fraction(3, 2)),
+                    rational(rng, Fraction(-9), Fraction(9))))
+    kind = rng.choice(("loop", "doo-sabin", "catmull-clark", "butterfly"))
+    text = f'scheme = "{kind}"\n[[rule]]\n'
+    if kind == "loop":  # the vertex moves by b towards the mean of its neighbours
+        text += f'weights = {{vertex = "1 - ({b})", neighbours = "({b})/n"}}\n'
+    elif kind == "doo-sabin":  # b is the eigenvalue of frequency 1, the others are 1/4
+        text += f'weights = {{corner = "1/4", corners = "(3/4 + 2*({b} - 1/4)*C)/n"}}\n'
+    elif kind == "catmull-clark":
+        part = rational(rng, Fraction(-1), Fraction(1))
+        text += f'weights = {{vertex = "1 - ({b}) - ({part})", neighbours = "({b})/n", across = "({part})/n"}}\n'
+    else:
+        text += (f'valence = "3..5,7.."\npoint = "edge"\n'
+                 f'weights = {{vertex = "1 - ({b})", neighbours = "(({b}) + C + (2*C^2 - 1)/2)/n"}}\n')
+    return text, kind, b
+
+
+def vertex_case(rng, low, high):
+    case = Case("vertex", ["vertex", "rules.toml"], budget(rng, low, high))
+    if rng.random() < 0.5:
+        case.arguments[1] = named_at_vertices(rng)
+    else:
+        case.files["rules.toml"], case.facts["kind"], case.facts["b"] = rules_of_vertices(rng)
+    at = valences(rng)
+    case.arguments += ["--valence", ",".join(map(str, at))]
+    case.facts["beside"] = 4 + len(at)  # the budget is that of the regular part
+    case.facts["certificates"] = rng.random() < 0.3
+    return case
+
+
 # ---- cases
 
 def budget(rng, low, high):
@@ -491,5 +540,5 @@ def page_case(rng, low, high):
 
 
 def any_case(rng, low, high):
-    kinds = (regularity_case, vector_case, jsr_case, range_case, list_case, page_case)
-    return rng.choices(kinds, (40, 15, 25, 8, 8, 12))[0](rng, low, high)
+    kinds = (regularity_case, vector_case, jsr_case, range_case, list_case, page_case, vertex_case)
+    return rng.choices(kinds, (36, 14, 22, 8, 8, 12, 8))[0](rng, low, high)

@@ -1,5 +1,7 @@
 """What a run may not do. A judge gets the case and its run and yields findings: the kind and what is wrong."""
+import glob
 import json
+import math
 import os
 from decimal import Decimal
 from fractions import Fraction
@@ -20,7 +22,7 @@ GUARD = 1e-9  # of logarithms in double precision, relative to 1
 
 def budget_seconds(case):
     """Processor time that a run may take."""
-    return 1.2 * case.budget + 1
+    return 1.2 * case.budget + 1 + case.facts.get("beside", 0)
 
 
 def end(enclosure, side):
@@ -336,10 +338,45 @@ def middle(enclosures_of_runs, side):
     return sorted(enclosures_of_runs, key=key)[len(enclosures_of_runs) // 2]
 
 
+# ---- vertices
+
+def vertices(case, run):
+    """What is said together, what is known of the rules that were drawn, and certificates."""
+    for at in (run.answer or {}).get("valences", ()):
+        n, c1, exponent = at["valence"], at["c1"], at.get("exponent")
+        if c1 == "yes" and at["frequency"] != 1:
+            yield "wrong", f"C1 at valence {n} with frequency {at['frequency']} in front"
+        if c1 == "yes" and exponent and end(exponent, "lower") is not None and end(exponent, "lower") < 1:
+            yield "wrong", f"C1 at valence {n} with an exponent from {exponent['lower']} on"
+        if c1 == "no" and exponent and end(exponent, "lower") is not None and end(exponent, "lower") > 1:
+            yield "wrong", f"not C1 at valence {n} with an exponent from {exponent['lower']} on"
+        expected = known_at_vertex(case.facts.get("kind"), case.facts.get("b"), n)
+        if expected and c1 not in (expected, "unknown"):
+            yield "wrong", f"C1 at valence {n}: {c1}, here {expected}"
+    if case.facts["certificates"] and run.answer:
+        run.again([*case.arguments, *case.limits, "--certificate", "certificates"])
+        if glob.glob(os.path.join(run.folder, "certificates/*.cert")):
+            checked = run.again(["verify", "certificates"])
+            if checked.code != 0:
+                yield "certificate", f"verify: exit {checked.code}: {(checked.output + checked.errors)[:300]}"
+
+
+def known_at_vertex(kind, b, n):
+    """'yes' or 'no' where the eigenvalues are known: (3 + 2 cos 2 pi/n)/8 and 5/8 - b; b and 1/4."""
+    c = math.cos(2 * math.pi / n)
+    if kind == "loop":
+        first, other = (3 + 2 * c) / 8, abs(5 / 8 - float(b))
+        return None if abs(first - other) < GUARD else "yes" if other < first else "no"
+    if kind == "doo-sabin" and (b <= Fraction(1, 4) or b > 1):
+        return "no"
+    return None
+
+
 OF_ALL = (ending, resources, not_empty)
 OF_COMMAND = {"regularity": (exponent, certificate), "vector": (vector, twin, certificate),
-              "jsr": (radius, certificate), "range": (pieces,), "levels": (masks_alone,), "limit": (values,), "variance": (curve,),
-              "mask": (coefficients,)}
+              "jsr": (radius, certificate), "range": (pieces,), "levels": (masks_alone,), "limit": (values,),
+              "variance": (curve,), "mask": (coefficients,), "vertex": (vertices,)}
+
 
 
 def findings(case, run, with_longer):

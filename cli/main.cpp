@@ -38,11 +38,16 @@ int complain(const std::string& message, cli::ExitCode code) {
 std::string about_file(const Error& error, const std::span<char*> arguments) {
   const auto* refused = dynamic_cast<const SpecificationError*>(&error);
   std::error_code none;
-  if (!refused || refused->position() != 1 || !std::filesystem::is_regular_file(refused->token(), none)) return "";
+  if (!refused || refused->position() != 1) return "";
+  if (std::filesystem::is_directory(refused->token(), none)) return "; it is a folder";
+  if (!std::filesystem::is_regular_file(refused->token(), none)) return "";
   for (std::size_t i = 2; i < arguments.size(); ++i)  // behind the command
     if (refused->token() == arguments[i] && i + 1 < arguments.size() && cli::is_scheme(arguments[i + 1]))
       return std::string("; it is a file, and the scheme stands before it: 'subcert ") + arguments[1] + " " +
              arguments[i + 1] + " " + arguments[i] + "'";
+  if (refused->token().ends_with(".toml"))
+    return "; it is a file: rules at vertices are for 'subcert vertex FILE' and 'subcert refine FILE MESH', plans for "
+           "'subcert sweep FILE', properties for 'subcert check FILE'";
   return "; it is a file: 'subcert sweep FILE' takes one with a scheme a line, and \"$(cat FILE)\" stands for one with "
          "a mask";
 }

@@ -50,11 +50,23 @@ CLI::Validator whole() {
       "");
 }
 
-/// Refuses one file for two answers, and standard output for another one than the first.
+/// The files among the arguments, which are read.
+std::map<std::filesystem::path, std::string> files_read(const CLI::App& app) {
+  std::map<std::filesystem::path, std::string> files;
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional())
+      for (const std::string& text : option->results())
+        if (std::error_code error; std::filesystem::is_regular_file(text, error))
+          files.emplace(std::filesystem::weakly_canonical(text, error), "");
+  return files;
+}
+
+/// Refuses one file for two answers, an answer in the place of a file that is read, and standard output for another one
+/// than the first.
 void require_different_files(const CLI::App& app) {
-  std::map<std::filesystem::path, std::string> taken;
-  for (const std::string name :
-       {"--out", "--plot", "--csv", "--html", "--page", "--certificate", "--journal", "--junit", "--sarif"}) {
+  std::map<std::filesystem::path, std::string> taken = files_read(app);
+  for (const std::string name : {"--out", "--plot", "--csv", "--html", "--page", "--stencils-header", "--certificate",
+                                 "--journal", "--junit", "--sarif"}) {
     const CLI::Option* option = app.get_option_no_throw(name);
     if (!option || option->count() == 0) continue;
     const std::string& file = option->results().front();
@@ -63,6 +75,8 @@ void require_different_files(const CLI::App& app) {
     if (file == "-") continue;
     std::error_code error;
     const auto [other, is_new] = taken.emplace(std::filesystem::weakly_canonical(file, error), name);
+    if (!is_new && other->second.empty())
+      fail(ErrorKind::usage, "{} {}: it is read, and would be overwritten; expected another file", name, file);
     if (!is_new)
       fail(ErrorKind::usage, "{} {}: {} is to write there, too; expected another file", name, file, other->second);
   }

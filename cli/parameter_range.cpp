@@ -59,11 +59,6 @@ std::vector<std::string> read_names(const std::vector<std::string>& over) {
   return names;
 }
 
-std::string number_text(const Rational& value, Rounding rounding, int digits) {
-  const std::string exact = to_text(value);
-  return exact.size() <= 12 ? exact : to_decimal(value, digits, rounding);
-}
-
 int digits_apart(const Rational& low, const Rational& high) {
   return low < high ? digits_within(std::max(abs(low), abs(high)), (high - low) / 4, 12) : 12;
 }

@@ -7,6 +7,7 @@
 #include <subcert/analysis/family/property_range.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/polynomials/box.hpp>
+#include <subcert/reports/facts/range_summary.hpp>
 
 #include <utility>
 
@@ -21,8 +22,7 @@ Box read_box(const std::vector<std::string>& over, const std::vector<std::string
 /// The names of two or three parameters, in the order of --over. Errors: throws a usage error.
 std::vector<std::string> read_names(const std::vector<std::string>& over);
 
-/// Exact where that is short, else rounded to so many digits.
-std::string number_text(const Rational& value, Rounding rounding = Rounding::nearest, int digits = 12);
+using facts::number_text;
 /// So many digits that the ends of an interval differ as they are printed, 12 at least.
 int digits_apart(const Rational& low, const Rational& high);
 std::string number_text(const Enclosure& value);

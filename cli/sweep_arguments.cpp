@@ -20,15 +20,19 @@ namespace {
 void add_lines(const std::string& file, std::vector<sweeps::SchemeText>& schemes) {
   std::istringstream lines(read_input(file));
   std::size_t number = 1;
-  for (std::string line; std::getline(lines, line); ++number)
+  for (std::string line; std::getline(lines, line); ++number) {
+    if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // the mark of UTF-8
     if (line.find_first_not_of(" \t\r") != std::string::npos && !line.starts_with('#'))
       schemes.push_back(
           {line.substr(0, line.find_last_not_of(" \t\r") + 1), fmt::format("{}, line {}", input_name(file), number)});
+  }
 }
 
-/// Whether the argument names a file of schemes.
+/// Whether the argument names a file of schemes, or a folder, which is refused as no file.
 bool is_list(const std::string& text) {
-  return text == standard_stream || text.ends_with(".txt") || std::filesystem::is_regular_file(text);
+  std::error_code none;
+  if (text == standard_stream || text.ends_with(".txt") || std::filesystem::is_regular_file(text, none)) return true;
+  return std::filesystem::is_directory(text, none) && !is_scheme(text);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <subcert/cli/width.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/matrices_file.hpp>
+#include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/reports/facts/exponents.hpp>
 
 #include <fmt/format.h>
@@ -56,9 +57,10 @@ std::vector<Bound> decided(const Enclosure& radius, const std::optional<Rational
   return result;
 }
 
-/// Ends as soon as each bound that was asked for is proved or refuted.
-JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Rational>& lower,
-                              const std::optional<Rational>& upper, const Budget& budget) {
+/// Ends as soon as each bound that was asked for is proved or refuted: first a product above the lower one is looked
+/// for, and then the radius.
+JointSpectralRadius searched(const MatrixFamily& family, const std::optional<Rational>& lower,
+                             const std::optional<Rational>& upper, const Budget& budget) {
   std::optional<ProductEvidence> product;
   if (lower) {
     product = find_product_above(family, *lower, {budget.deadline.after(upper ? 0.3 : 0.5), budget.memory});
@@ -80,6 +82,20 @@ JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Ra
     if (!result.by_blocks()) result.product = std::move(*product);
   }
   return result;
+}
+
+/// A lower bound that is false has no product, and most are told by the radius soon: so there is a short search before
+/// the long one.
+JointSpectralRadius radius_of(const MatrixFamily& family, const std::optional<Rational>& lower,
+                              const std::optional<Rational>& upper, const Budget& budget) {
+  constexpr double first_share = 0.02;
+  if (lower) {
+    JointSpectralRadius quick = searched(family, lower, upper, {budget.deadline.after(first_share), budget.memory});
+    if (std::ranges::none_of(decided(quick.radius, lower, upper),
+                             [](const Bound& bound) { return bound.holds == Truth::unknown; }))
+      return quick;
+  }
+  return searched(family, lower, upper, budget);
 }
 
 /// The end of both kinds of answers.
@@ -214,6 +230,7 @@ ExitCode run(const JsrOptions& options) {
         {"", "graph",
          fmt::format("{} successions, {} matrices of size {}", file.graph.size(), family.count(), family.size())});
   append(list, radius_facts_of(radius, word, family.size(), wanted));
+  append(list, radius_formula_facts(family, radius));
   return print(std::move(list), decided(radius.radius, lower, upper), certificate, radius.exact.is_yes(),
                radius.is_closed() && wanted.holds(radius.radius), options);
 }

@@ -7,6 +7,7 @@
 #include <subcert/analysis/vertex/every_valence.hpp>
 #include <subcert/cli/pages/plot.hpp>
 #include <subcert/cli/pages/vertex_pictures.hpp>
+#include <subcert/cli/paper_form.hpp>
 #include <subcert/cli/parameter_range.hpp>
 #include <subcert/cli/vertex_arguments.hpp>
 #include <subcert/proofs-checks/certificates/vertex_certificate.hpp>
@@ -36,6 +37,7 @@ struct VertexOptions : SearchOptions {
   std::string over;
   std::string property = facts::property_text(WeightProperty::c1);
   std::string width = "1e-6";
+  PaperForm form;
 };
 
 /// One for each valence where smoothness is proved by what certificates can say, and one for all that follow.
@@ -61,9 +63,10 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
 /// For which values of a letter.
 ExitCode run_over(const VertexOptions& options) {
   if (options.all || options.stencils || !options.header.empty() || !options.certificate.empty() ||
-      !options.plot.empty() || !options.html.empty())
+      !options.plot.empty() || !options.html.empty() || options.form.asked_for())
     fail(ErrorKind::usage,
-         "--over: need no --all-valences, --stencils, --stencils-header, --certificate, --plot or --html beside it");
+         "--over: need no --all-valences, --stencils, --stencils-header, --certificate, --plot, --html, --latex or "
+         "--markdown beside it");
   const std::vector<int> numbers = parse_number_list("--valence", options.valence, smallest_valence, largest_valence);
   const WeightProperty property = facts::parse_weight_property(options.property, "--property");
   const auto width = parse_number(options.width);
@@ -101,6 +104,9 @@ void draw(const VertexOptions& options, const VertexScheme& scheme, const std::v
 }
 
 ExitCode run(const VertexOptions& options) {
+  require_one_form(options, options.form);
+  if (options.form.asked_for() && options.stencils)
+    fail(ErrorKind::usage, "--stencils: need no --latex or --markdown beside it; --stencils-header writes a file");
   if (!options.over.empty()) return run_over(options);
   if (options.all && options.valence != usual_valences)
     fail(ErrorKind::usage, "--all-valences: need no --valence beside it, got {}", options.valence);
@@ -135,7 +141,11 @@ ExitCode run(const VertexOptions& options) {
   if (!options.certificate.empty()) written = write_certificates_of(options, rules, valences, family, rest, json);
   draw(options, scheme, rules, regular, valences, page_text(list, 14));
   options.end_progress();
-  options.answer(json, page_text(list, 14) + written.text);
+  if (options.form.asked_for())
+    answer(options, options.form,
+           TableAnswer{"% " + scheme.specification + ", at vertices of valence n\n", vertex_rows(valences, rest)});
+  else
+    options.answer(json, page_text(list, 14) + written.text);
   written.failure.raise();
   // More time would only help with the regular part.
   return exit_code(all_of(valences, rest), regular.c1.is_yes());
@@ -163,6 +173,7 @@ void add_vertex(Command& app) {
   command.option("--width", options->width, "With --over: of what is left open about an end")
       .exact_number()
       .with_default();
+  add_paper_form(command, options->form, "The table of valences in LaTeX", "The table of valences in Markdown");
   add_limits(command, *options);
   std::string known;
   for (const std::string& name : schemes_with_vertex_rules()) known += " " + name;

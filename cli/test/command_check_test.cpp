@@ -43,6 +43,9 @@ TEST_CASE("properties from standard input, and files in the place of schemes") {
   CHECK(run("check - < " + file).err.starts_with("subcert: standard input, line 2, column "));
   const std::string list = folder.write("masks.txt", "1 3 3 1\n");
   CHECK(run("mask " + list).err.find("it is a file: 'subcert sweep FILE' takes one") != std::string::npos);
+  CHECK(run("mask " + file).err.find("it is a file: rules at vertices are for 'subcert vertex FILE'") !=
+        std::string::npos);
+  CHECK(run("mask " + folder.path.string()).err.find("; it is a folder") != std::string::npos);
   CHECK(run("mask nothing.txt").err.find("it is a file") == std::string::npos);
   CHECK(run("refine " + list + " chaikin")
             .err.ends_with("; it is a file, and the scheme stands before it: 'subcert refine "
@@ -102,6 +105,19 @@ TEST_CASE("a scheme that cannot be read is its own error, and the others have th
   // What fails is worse.
   folder.write("file.toml", "[[scheme]]\nmask = 'x:'\nholder = '>= 1'\n[[scheme]]\nmask = 'dd:n=2'\nreproduces = 4\n");
   CHECK(run("check " + file).code == 1);
+}
+
+TEST_CASE("comparisons by the signs of papers, and what was found in the place of one") {
+  const Folder folder;
+  const std::string file = folder.write(
+      "file.toml",
+      "[[scheme]]\nmask = 'dd:n=2'\nsmoothness = '\xe2\x89\xa5 1'\nholder = '\xe2\x89\xa4 2'\n"
+      "[[scheme]]\nmask = 'dd:n=2'\nsmoothness = 'C1'\n");
+  const Run found = run("check " + file);
+  CHECK(found.code == 65);
+  CHECK(contains(found.out, ":3: dd:n=2: smoothness >= 1\nholds"));
+  CHECK(contains(found.out, ":4: dd:n=2: holder <= 2\n"));
+  CHECK(contains(found.out, ":7:14: the scheme ('smoothness' takes \">= K\"; found 'C1')"));
 }
 
 TEST_CASE("a number that the exponent is to have exactly") {

@@ -100,6 +100,8 @@ TEST_CASE("jsr: exact numbers, lines, graphs and targets") {
   CHECK(with(golden + R"(, "edges": [[0,1,0],[1,2,1]]})").at("radius").at("upper") == "0");
   CHECK(with(golden + "}", " --lower 1.618").at("lower").at("verdict") == "proved");
   CHECK(with(golden + "}", " --upper 1.62").at("upper").at("verdict") == "proved");
+  CHECK(with(golden + "}", "").at("formula") == "(3/2+1/2*sqrt(5))^(1/2)");
+  CHECK(with(golden + "}", " --lower 1.7 --budget 20", 1).at("lower").at("verdict") == "refuted");
   CHECK(with(golden + "}", " --lower 1.619", 1).at("lower").at("verdict") == "refuted");
   CHECK(with(golden + "}", " --lower 1.6 --upper 1.618", 1).at("upper").at("verdict") == "refuted");
   CHECK(run("jsr " + file + " --lower x").code == 64);

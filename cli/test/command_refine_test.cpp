@@ -145,8 +145,11 @@ TEST_CASE("rules of a file refine meshes") {
         0);
   const std::string star = file("s.obj",
                                 "v 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n");
-  check_fails(run("refine " + half + " " + star + " --levels 1"), 65,
-              half + ", line 4, column 11, 'weights': no rule of the point (0,0) is one for valence 4");
+  check_fails(
+      run("refine " + half + " " + star + " --levels 1"), 65,
+      half +
+          ", line 4, column 11, 'weights': no rule of the point (0,0) is for valence 4; expected one, as the file "
+          "replaces the scheme's rules of this point at all valences");
   check_fails(run("refine " + half + " samples.csv"), 64,
               half + ": rules at vertices refine meshes, .obj, .ply, .off, .stl; got samples.csv");
   check_fails(run("refine " + half + " " + star + " --start v0=1"), 64,

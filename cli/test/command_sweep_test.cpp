@@ -60,6 +60,17 @@ TEST_CASE("sweep: a file has a scheme in each line") {
   CHECK(run("sweep nowhere.txt").code == 66);
 }
 
+TEST_CASE("sweep: a file with the mark of UTF-8, and a folder") {
+  const Folder folder;
+  const std::string list = folder.write("list.txt",
+                                        "\xef\xbb\xbf"
+                                        "chaikin\r\ndd:n=2\r\n");
+  const Run found = run("sweep " + list + " --in-order");
+  CHECK(found.code == 0);
+  CHECK(found.out.find("\nchaikin,3,yes,2,2,") != std::string::npos);
+  check_fails(run("sweep " + folder / ""), 66, folder / "" + ": expected a file; found a folder");
+}
+
 TEST_CASE("sweep: a crash costs its scheme alone") {
   const Folder folder;
   const std::string worker = write_script(

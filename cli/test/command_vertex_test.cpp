@@ -52,12 +52,12 @@ TEST_CASE("vertex: stencils in JSON, and as a header that a compiler of C takes"
   CHECK(stencils.at("limit")[3].at("exact") == "1/12");
   CHECK(stencils.at("limit")[3].at("sector") == 2);
   CHECK(stencils.at("tangents")[0][1].at("exact") == "1/2");
-  CHECK(stencils.at("tangents")[1][0].at("exact") == "s*(1)");
+  CHECK(stencils.at("tangents")[1][0].at("exact") == "s");
   std::ifstream file(header);
   const std::string text(std::istreambuf_iterator<char>(file), {});
   CHECK(text.find("static const int loop_6_data[7][3] = {\n  {0, 0, 0},\n  {1, 0, 0},") != std::string::npos);
   CHECK(text.find("static const double loop_6_limit[7] = {\n  0.5,  /* 1/2 */") != std::string::npos);
-  CHECK(text.find("0.8660254037844386,  /* s*(1) */") != std::string::npos);
+  CHECK(text.find("0.8660254037844386,  /* s */") != std::string::npos);
   CHECK(std::system(("cc -std=c99 -Wall -Werror -Wno-unused -x c -fsyntax-only " + header).c_str()) == 0);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("vertex: files that are no rules get one line with file, line and key"
       {"[[rule]]\nweights = {vertex = \"1/2\", neighbours = [\"1/4\", \"1/4\"]}",
        "line 3, column 41, 'neighbours': a row of 2 weights; need 3, one for each sector"},
       {"[[rule]]\nvalence = 4\n" + weights,
-       "line 4, column 11, 'weights': no rule of the point (0,0) is one for valence 3"},
+       "line 4, column 11, 'weights': no rule of the point (0,0) is for valence 3"},
       {"[[rule]]\nvalence = \"2..\"\n" + weights, "line 3, column 11: '2..' is no valence"},
       {"[[rule]]\n" + weights + "\n[[rule]]\nvalence = 5\n" + weights, "two rules of the point (0,0) at valence 5"},
       {"[[rule]]\nweights = {vertex = 0.5, neighbours = \"1/(2*n)\"}",
@@ -257,4 +257,29 @@ TEST_CASE("vertex: certificates by affine fits, where the mask has signs, and no
   const Run verified = run("verify " + place);
   CHECK(verified.code == 0);
   CHECK(joined(verified.out).find("C^1 limits of almost all data around triangles:7") != std::string::npos);
+}
+
+TEST_CASE("vertex: the table of valences for papers") {
+  const Run latex = run("vertex loop --valence 3,7 --latex");
+  CHECK(latex.code == 0);
+  CHECK(latex.out.starts_with("% loop, at vertices of valence n\n% needs \\usepackage{booktabs}\n"));
+  CHECK(latex.out.find("3 & yes & 0.25 & 0.125 & 1.5 & unbounded") != std::string::npos);
+  const Run markdown = run("vertex catmull-clark --valence 3 --all-valences --markdown");
+  CHECK(markdown.code == 64);
+  const Run all = run("vertex catmull-clark --all-valences --markdown");
+  CHECK(all.code == 0);
+  CHECK(all.out.starts_with("| n | C1 | subdominant | next modulus | exponent | curvature |\n"));
+  CHECK(all.out.find("| 13 and above | yes |") != std::string::npos);
+  CHECK(run("vertex loop --latex --json").code == 64);
+  CHECK(run("vertex loop --latex --stencils").code == 64);
+}
+
+TEST_CASE("vertex: a file of rules is one input") {
+  const Folder folder;
+  const std::string file = folder.write("own.toml",
+                                        "scheme = \"loop\"\n[[rule]]\nvalence = 5\n"
+                                        "weights = {vertex = \"3/5\", neighbours = \"2/25\"}\n");
+  const nlohmann::json inputs = run_json("vertex " + file + " --valence 5").at("subcert").at("inputs");
+  REQUIRE(inputs.size() == 1);
+  CHECK(inputs[0].at("sha256") == run_command("sha256sum " + file).out.substr(0, 64));
 }

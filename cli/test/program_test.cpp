@@ -215,6 +215,18 @@ TEST_CASE("standard output takes one answer") {
   }
 }
 
+TEST_CASE("answers do not go to a file that is read") {
+  const Folder folder;
+  const std::string data = folder.write("data.csv", "x,y\n0,1\n1,2\n2,3\n3,5\n4,4\n");
+  for (const std::string& command :
+       {"smooth " + data + " --scheme chaikin --out ", "refine chaikin " + data + " --out "}) {
+    const Run result = run(command + (folder / ".") + "/data.csv");
+    CHECK(result.code == 64);
+    CHECK(contains(result.err, "/data.csv: it is read, and would be overwritten; expected another file"));
+    CHECK(content(data).starts_with("x,y\n0,1\n"));
+  }
+}
+
 TEST_CASE("two answers do not go to one file") {
   const Folder folder;
   const std::string file = folder / "x.html";

@@ -4352,3 +4352,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
 })();
 
 if (typeof module === 'object') module.exports = {check_certificate};
+if (typeof require === 'function' && typeof module === 'object' && require.main === module) {
+  console.error('checker.js alone checks nothing: node main.js takes the arguments');  // 0 would look like VERIFIED
+  process.exitCode = 64;
+}

@@ -22,7 +22,9 @@ std::optional<Rational> exact_number(const toml::node& node) {
 }
 
 [[noreturn]] void refuse(const toml::node& node, const Property& property) {
-  throw FileError(place_of(node), "'" + property.name + "' takes " + property.values);
+  const auto text = node.as_string() ? node.as_string()->get() : std::string();
+  const std::string found = text.empty() ? "" : "; found " + in_quotes(text);
+  throw FileError(place_of(node), "'" + property.name + "' takes " + property.values + found);
 }
 
 /// A number without a sign, which could mean each of them.
@@ -38,6 +40,13 @@ void refuse_number_alone(const toml::node& node, const Property& property) {
                                               property.name, property.values, number, others));
 }
 
+/// With `>=` for the sign of one character, as papers print it.
+std::string with_plain_signs(std::string value) {
+  for (const auto& [sign, plain] : {std::pair("\xe2\x89\xa5", ">="), std::pair("\xe2\x89\xa4", "<=")})
+    if (value.starts_with(sign)) value.replace(0, std::string_view(sign).size(), plain);
+  return value;
+}
+
 void read_comparison(Expectation& to, const toml::node& node, const Property& property) {
   if (const auto* integer = node.as_integer(); integer && property.expects == Expects::whole_number) {
     to.relation = "=";
@@ -48,7 +57,7 @@ void read_comparison(Expectation& to, const toml::node& node, const Property& pr
   refuse_number_alone(node, property);
   const auto* text = node.as_string();
   if (!text) refuse(node, property);
-  const std::string& value = text->get();
+  const std::string value = with_plain_signs(text->get());
   for (const char* relation : {">=", "<=", ">", "<", "="}) {
     if (value.rfind(relation, 0) != 0) continue;
     const std::size_t begin = value.find_first_not_of(' ', std::string(relation).size());

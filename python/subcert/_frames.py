@@ -55,7 +55,8 @@ def _read(path: str) -> Any:
         with numpy.load(path, allow_pickle=False) as arrays:
             return {name: arrays[name] for name in arrays.files}
     if ending not in (".parquet", ".feather", ".arrow"):
-        raise UsageError(f"{path}: expected a name that ends in .npy, .npz, .parquet, .feather or .arrow")
+        hint = "; pandas.read_csv reads tables of text" if ending in (".csv", ".tsv", ".txt", ".dat") else ""
+        raise UsageError(f"{path}: expected a name that ends in .npy, .npz, .parquet, .feather or .arrow{hint}")
     try:
         from pyarrow import feather, parquet  # type: ignore[import]
     except ImportError:

@@ -16,6 +16,8 @@ _COLOURS = {"yes": "#7fbf7b", "no": "#e0a3a0", "unknown": "#d0d0d0"}
 def axes(ax: Any, **projection: Any) -> Any:
     """Those given, or new ones."""
     if ax is not None:
+        if not hasattr(ax, "plot"):
+            raise TypeError(f"ax: expected axes of matplotlib, got {ax!r}; .plot().figure.savefig(name) writes a file")
         return ax
     try:
         from matplotlib import pyplot  # type: ignore[import]

@@ -106,6 +106,13 @@ def _made(kind: Any, answer: str) -> list[Any]:
     return [kind(**{name: one[name] or "" for name in names}) for one in json.loads(answer)]
 
 
+def _ids(wanted: tuple[Any, ...]) -> list[str]:
+    for one in wanted:
+        if not isinstance(one, str):
+            raise TypeError(f"expected ids of statements or papers, one after another, got {one!r}")
+    return list(wanted)
+
+
 def statements(*wanted: str) -> list[Statement]:
     """The statements with these ids, or of these papers; all where none is named.
 
@@ -113,7 +120,7 @@ def statements(*wanted: str) -> list[Statement]:
     >>> subcert.statements("dyn-2015/eq-2")[0].recorded
     'holds-for-all-n'
     """
-    return _made(Statement, _core.statements(list(wanted)))
+    return _made(Statement, _core.statements(_ids(wanted)))
 
 
 def check_statements(
@@ -121,7 +128,7 @@ def check_statements(
 ) -> list[CheckedStatement]:
     """Checks statements: holds, holds-for-all-n, misprint (with witness and correction), false or not-checkable.
     `wide`: larger ranges."""
-    return _made(CheckedStatement, _core.check_statements(list(wanted), wide, _threads(jobs), progress))
+    return _made(CheckedStatement, _core.check_statements(_ids(wanted), wide, _threads(jobs), progress))
 
 
 def check(

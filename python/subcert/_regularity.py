@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
 from fractions import Fraction
 from typing import Any, Callable, Iterable, Optional, Sequence
 
@@ -290,11 +291,20 @@ def exponent_of(evidence: Any, again: Computation) -> HolderExponent:
 
 def _lists(matrices: Iterable[Any]) -> list[list[list[Fraction]]]:
     """Nested lists, integer or object arrays, and matrices of sympy, as Fractions."""
+    if isinstance(matrices, (str, os.PathLike)):
+        file = "those of a file are json.load(file)['matrices']"
+        raise TypeError(f"matrices: expected a list of matrices, got {matrices!r}; {file}")
     result = []
     for matrix in matrices:
         if hasattr(matrix, "tolist"):  # arrays of numpy, matrices of sympy
             matrix = matrix.tolist()
-        result.append([[fraction(entry) for entry in row] for row in matrix])
+        try:
+            rows = [list(row) for row in matrix]
+        except TypeError:
+            raise TypeError(
+                f"matrices: expected a list of matrices, each a list of rows, got the matrix {matrix!r}"
+            ) from None
+        result.append([[fraction(entry) for entry in row] for row in rows])
     return result
 
 

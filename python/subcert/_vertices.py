@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import numbers
 import os
 from fractions import Fraction
 from typing import Any, Iterable, Mapping, Optional, Union
@@ -10,6 +11,7 @@ from typing import Any, Iterable, Mapping, Optional, Union
 from . import _plots
 from ._calls import core as _core
 from ._calls import threads as _threads
+from ._errors import MissingFileError
 from ._exact import Decision, Enclosure, Exact, Truth, fraction, optional_enclosure
 from ._regularity import Progress
 from ._schemes import MultivariateScheme, Named, scheme
@@ -192,9 +194,28 @@ def _read_rules(surface: Any) -> Any:
     if isinstance(surface, VertexRules):
         return surface._handle
     if isinstance(surface, os.PathLike) or (isinstance(surface, str) and surface.endswith(".toml")):
-        with open(surface, encoding="utf-8") as file:
-            return _core.read_vertex_rules(file.read(), os.fspath(surface))
+        try:
+            with open(surface, encoding="utf-8") as file:
+                text = file.read()
+        except OSError as error:
+            raise MissingFileError(f"{os.fspath(surface)}: {error.strerror}") from None
+        return _core.read_vertex_rules(text, os.fspath(surface))
     return None
+
+
+def _number(valence: Any) -> int:
+    if not isinstance(valence, numbers.Integral):
+        raise TypeError(f"valence: expected an integer, as 5, got {valence!r}")
+    return int(valence)
+
+
+def _numbers(valences: Any) -> list[int]:
+    """One valence, or several."""
+    if isinstance(valences, numbers.Integral):
+        return [_number(valences)]
+    if isinstance(valences, str) or not hasattr(valences, "__iter__"):
+        raise TypeError(f"valences: expected integers, as 5 or range(3, 13), got {valences!r}")
+    return [_number(n) for n in valences]
 
 
 def _rules(surface: Any) -> Any:
@@ -207,7 +228,7 @@ def _rules(surface: Any) -> Any:
 
 def vertices(
     surface: Surface,
-    valences: Iterable[int] = range(3, 13),
+    valences: Union[int, Iterable[int]] = range(3, 13),
     *,
     budget: float = 60,
     progress: Progress = None,
@@ -223,7 +244,7 @@ def vertices(
     >>> [str(at.c1.truth) for at in subcert.vertices("butterfly:w=1/16", range(4, 9))]
     ['yes', 'yes', 'yes', 'yes', 'no']
     """
-    found = _core.vertices(_rules(surface), [int(n) for n in valences], budget, progress)
+    found = _core.vertices(_rules(surface), _numbers(valences), budget, progress)
     return [
         Vertex(
             valence,
@@ -253,7 +274,7 @@ def every_valence(
     >>> str(subcert.every_valence("catmull-clark").c1.truth)
     'yes'
     """
-    least, c1, open_ranges, intervals = _core.every_valence(_rules(surface), int(first), budget, progress)
+    least, c1, open_ranges, intervals = _core.every_valence(_rules(surface), _number(first), budget, progress)
     return EveryValence(least, Decision._of(c1), open_ranges, intervals)
 
 
@@ -270,7 +291,7 @@ def vertex_stencils(
     """
     limit, first, second = (
         [StencilWeight(point, sector, Enclosure._of(weight), exact) for point, sector, weight, exact in stencil]
-        for stencil in _core.vertex_stencils(_rules(surface), int(valence), budget, progress)
+        for stencil in _core.vertex_stencils(_rules(surface), _number(valence), budget, progress)
     )
     return VertexStencils(limit, (first, second))
 
@@ -280,7 +301,7 @@ def vertex_ranges(
     letter: str,
     low: Exact,
     high: Exact,
-    valences: Iterable[int] = range(3, 13),
+    valences: Union[int, Iterable[int]] = range(3, 13),
     *,
     property: str = "C1",
     width: Exact = "1e-6",
@@ -311,7 +332,7 @@ def vertex_ranges(
         fraction(low),
         fraction(high),
         fraction(width),
-        [int(n) for n in valences],
+        _numbers(valences),
         budget,
         _threads(jobs),
         progress,
@@ -360,14 +381,14 @@ def vertex_map(
         property,
         [fraction(over[letter][0]) for letter in letters],
         [fraction(over[letter][1]) for letter in letters],
-        int(valence),
+        _number(valence),
         int(resolution),
         budget,
         _threads(jobs),
         progress,
     )
     return WeightMap(
-        int(valence),
+        _number(valence),
         tuple(letters),
         tuple(WeightCell(c[0], c[1], Truth(c[2]), c[3]) for c in cells),
         complete,

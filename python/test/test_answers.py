@@ -248,6 +248,23 @@ def test_surfaces_at_vertices_of_any_valence():
         subcert.vertices("loop", [2])
     with pytest.raises(subcert.DomainError, match="no rules at vertices"):
         subcert.vertices("primal:n=2")
+    assert subcert.vertices("loop", 7) == [seven]
+    for wrong in ("3..5", [5.5], 5.0):
+        with pytest.raises(TypeError, match="valence"):
+            subcert.vertices("loop", wrong)
+    with pytest.raises(subcert.MissingFileError, match="nowhere.toml: No such file"):
+        subcert.vertices("nowhere.toml")
+
+
+def test_wrong_types_are_named_with_what_would_be_right():
+    with pytest.raises(TypeError, match="a list of matrices, each a list of rows"):
+        subcert.jsr([[1, 1], [0, 1]])
+    with pytest.raises(TypeError, match="json.load"):
+        subcert.jsr("pair.json")
+    with pytest.raises(TypeError, match="ids of statements or papers, one after another"):
+        subcert.check_statements(["dyn-2015"])
+    with pytest.raises(TypeError, match="savefig"):
+        subcert.scheme("chaikin").plot("chaikin.png")
 
 
 def test_stencils_at_vertices():

@@ -1,5 +1,6 @@
 #include "exponent_formula.hpp"
 
+#include <subcert/analysis/radii/joint/named_radius.hpp>
 #include <subcert/analysis/symbol/polynomials/quadratic_number.hpp>
 #include <subcert/analysis/symbol/polynomials/real_roots.hpp>
 #include <subcert/reports/formats/paper_text.hpp>
@@ -71,17 +72,27 @@ std::string ExponentFormula::factor(const char* dot) const {
   return (rules == 0 ? "-" : fmt::format("{} - ", rules)) + (dimension == 1 ? "" : fmt::format("{}{}", dimension, dot));
 }
 
-std::string ExponentFormula::text() const {
+/// Whose root is meant.
+std::string ExponentFormula::number() const {
+  return rational_ ? to_text(*rational_) : !root_.empty() ? root_ : exponent_.radius.point.im == 0 ? "r" : "|r|";
+}
+
+/// What r is, where it has to be said.
+std::string ExponentFormula::equation() const {
+  if (rational_ || !root_.empty()) return "";
   const AttainedNumber& radius = exponent_.radius;
-  const bool plain = rational_ || !root_.empty();
-  const std::string number = rational_              ? to_text(*rational_)
-                             : !root_.empty()       ? root_
-                             : radius.point.im == 0 ? "r"
-                                                    : "|r|";
-  std::string text = fmt::format("{}log_{}({})", factor("*"), exponent_.base, number);
-  if (radius.length > 1) text += fmt::format("/{}", radius.length);
-  if (!plain) text += fmt::format(", {} = 0, r = {}", polynomial_in_r(radius.polynomial), decimals(radius.point));
-  return text;
+  return fmt::format(", {} = 0, r = {}", polynomial_in_r(radius.polynomial), decimals(radius.point));
+}
+
+std::string ExponentFormula::text() const {
+  std::string text = fmt::format("{}log_{}({})", factor("*"), exponent_.base, number());
+  if (exponent_.radius.length > 1) text += fmt::format("/{}", exponent_.radius.length);
+  return text + equation();
+}
+
+std::string ExponentFormula::text_of_radius() const {
+  const std::size_t length = exponent_.radius.length;
+  return (length == 1 ? number() : fmt::format("({})^(1/{})", number(), length)) + equation();
 }
 
 std::string ExponentFormula::latex() const {
@@ -120,6 +131,16 @@ std::optional<ExponentFormula> exponent_formula(const Scheme& scheme, const Regu
 
 std::optional<ExponentFormula> exponent_formula(const ExponentOfList& found) {
   return formula_of(named_exponent(found));
+}
+
+Facts radius_formula_facts(const MatrixFamily& family, const JointSpectralRadius& radius) {
+  const auto number = named_radius(family, radius, largest_named_degree);
+  const auto formula = number ? formula_of(NamedExponent{0, 2, 1, *number}) : std::nullopt;
+  if (!formula) return formula_facts(formula);
+  const std::string text = formula->text_of_radius();
+  const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
+  return {whole ? member("formula", text) : plain("formula", "formula", text),
+          member("radius_number", formula->json())};
 }
 
 Facts formula_facts(const std::optional<ExponentFormula>& formula) {

@@ -69,7 +69,8 @@ std::string weights_in_c(const std::map<SectorPoint, Row>& rows, std::size_t col
 
 std::string exact_weight_text(const StencilWeight& weight, bool of_second_tangent) {
   const std::string text = to_text(*weight.exact, 'c');
-  return of_second_tangent ? fmt::format("s*({})", text) : text;
+  if (!of_second_tangent) return text;
+  return text == "1" ? "s" : text == "-1" ? "-s" : fmt::format("s*({})", text);
 }
 
 std::string stencils_table(const VertexStencils& stencils) {

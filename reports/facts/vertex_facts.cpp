@@ -11,13 +11,20 @@ constexpr int digits = 10;
 
 std::string cell(const Enclosure& value) { return value.lower || value.upper ? enclosure_text(value, digits) : ""; }
 
+/// Of a row of the table.
+std::vector<std::string> cells(const VertexSmoothness& at) {
+  return {std::to_string(at.valence), to_text(at.c1.truth),
+          cell(at.subdominant),       cell(at.next),
+          cell(at.exponent),          at.curvature ? to_text(*at.curvature) : ""};
+}
+
 std::string table(const std::vector<VertexSmoothness>& valences) {
   std::string text = fmt::format("{:>3}  {:<7}  {:<12}  {:<12}  {:<26}  {}", "n", "C1", "lambda", "|mu|", "exponent",
                                  "curvature");
   for (const VertexSmoothness& at : valences) {
-    const std::string line = fmt::format("\n{:>3}  {:<7}  {:<12}  {:<12}  {:<26}  {}", at.valence, to_text(at.c1.truth),
-                                         cell(at.subdominant), cell(at.next), cell(at.exponent),
-                                         at.curvature ? to_text(*at.curvature) : "");
+    const std::vector<std::string> of = cells(at);
+    const std::string line = fmt::format("\n{:>3}  {:<7}  {:<12}  {:<12}  {:<26}  {}", of[0], of[1], of[2], of[3],
+                                         of[4], of[5]);
     text += line.substr(0, line.find_last_not_of(' ') + 1);
   }
   return text;
@@ -72,6 +79,14 @@ Fact of_rest(const EveryValence& rest) {
 }
 
 }  // namespace
+
+std::vector<std::vector<std::string>> vertex_rows(const std::vector<VertexSmoothness>& valences,
+                                                  const std::optional<EveryValence>& rest) {
+  std::vector<std::vector<std::string>> rows{{"n", "C1", "subdominant", "next modulus", "exponent", "curvature"}};
+  for (const VertexSmoothness& at : valences) rows.push_back(cells(at));
+  if (rest) rows.push_back({fmt::format("{} and above", rest->first), to_text(rest->c1.truth), "", "", "", ""});
+  return rows;
+}
 
 Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest) {
   const auto is = [&](Truth truth) { return [=](const VertexSmoothness& at) { return at.c1.truth == truth; }; };

@@ -21,6 +21,10 @@ Facts vertex_facts(const VertexScheme& scheme, const RegularPart& regular,
                    const std::optional<EveryValence>& rest = std::nullopt,
                    const std::vector<StencilsAt>& stencils = {});
 
+/// The table of valences for papers, below names of its columns; all that follow are its last row.
+std::vector<std::vector<std::string>> vertex_rows(const std::vector<VertexSmoothness>& valences,
+                                                  const std::optional<EveryValence>& rest = std::nullopt);
+
 /// Of all these valences: no where it is no for one.
 Truth all_of(const std::vector<VertexSmoothness>& valences, const std::optional<EveryValence>& rest = std::nullopt);
 

@@ -240,7 +240,10 @@ const WrittenRule* rule_of(const WrittenRules& written, const LatticePoint& poin
   if (!place || valence == regular_valence(written.lattice)) return nullptr;
   const std::string what = valence == SectorRuleFamily::many ? "all large valences"
                                                              : fmt::format("valence {}", valence);
-  refuse(place->place, fmt::format("no rule of the point ({},{}) is one for {}", point[0], point[1], what));
+  refuse(place->place,
+         fmt::format("no rule of the point ({},{}) is for {}; expected one, as the file replaces the scheme's rules of "
+                     "this point at all valences",
+                     point[0], point[1], what));
 }
 
 void require_value(const WrittenRules& written) {

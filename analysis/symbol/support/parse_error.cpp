@@ -119,6 +119,11 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t most = 6;
+  std::vector<std::string> kinds;  // as conjecture-8-n of conjecture-8
+  for (const std::string& candidate : known)
+    if (!word.empty() && candidate.starts_with(std::string(word) + "-")) kinds.push_back(candidate);
+  if (kinds.size() > 1 && kinds.size() <= most) return fmt::format("; did you mean one of {}?", fmt::join(kinds, ", "));
   std::string nearest = nearest_word(word, known);
   if (nearest.empty()) nearest = only_longer_word(word, known);
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";

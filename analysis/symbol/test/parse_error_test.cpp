@@ -39,6 +39,7 @@ TEST_CASE("the word that is meant") {
   CHECK(nearest_word(std::string(1000000, 'a'), words).empty());
   CHECK(did_you_mean("pimal", words) == "; did you mean 'primal'?");
   CHECK(did_you_mean("x", words).empty());
+  CHECK(did_you_mean("rule-8", {"rule-7", "rule-8-n", "rule-8-d"}) == "; did you mean one of rule-8-n, rule-8-d?");
   const std::vector<std::string> options{"--levels", "--level-of-detail", "--property"};
   CHECK(did_you_mean("--prop", options) == "; did you mean '--property'?");
   CHECK(did_you_mean("--pr", options).empty());

@@ -67,10 +67,13 @@ std::optional<long> day_of(int year, int month, int day) {
 constexpr std::array<std::string_view, 12> month_names{"January",   "February", "March",    "April",
                                                        "May",       "June",     "July",     "August",
                                                        "September", "October",  "November", "December"};
-constexpr std::array<std::string_view, 14> known_forms{"%Y-%m-%d", "%Y-%m",  "%YQ%q", "%Y-Q%q",  "%Y Q%q",
-                                                       "%Yq%q",    "Q%q %Y", "%YM%m", "%YM%n",   "%Ym%n",
-                                                       "%b %Y",    "%B %Y",  "%b-%Y", "%b-%e-%Y"};
+constexpr std::array<std::string_view, 16> known_forms{"%Y-%m-%d", "%Y-%m",    "%YQ%q",    "%Y-Q%q",  "%Y Q%q", "%Yq%q",
+                                                       "Q%q %Y",   "%YM%m",    "%YM%n",    "%Ym%n",   "%b %Y",  "%B %Y",
+                                                       "%b-%Y",    "%b-%e-%Y", "%d.%m.%Y", "%e.%n.%Y"};
 constexpr std::string_view basic_form = "%Y%m%d";
+
+/// Day, month and year between full stops, which nobody writes in another order.
+bool is_dotted(std::string_view form) { return form.ends_with(".%Y"); }
 
 std::string_view name_of_month(std::size_t month, char field) {
   return month_names[month - 1].substr(0, field == 'b' ? 3 : std::string_view::npos);
@@ -177,7 +180,8 @@ std::optional<Date> read_date(std::string_view text, std::string_view form) {
   if (cursor.rest().empty()) return Date{static_cast<double>(*units), made};
   made.times = true;
   made.mark = cursor.rest().front();
-  if (made.date != DateForm{}.date || (!cursor.take('T') && !cursor.take(' '))) return std::nullopt;
+  const bool iso = made.date == DateForm{}.date;
+  if ((!iso && !is_dotted(form)) || (!(iso && cursor.take('T')) && !cursor.take(' '))) return std::nullopt;
   const auto seconds = read_time(cursor);
   made.zone = cursor.rest();
   if (!seconds || !is_zone(made.zone)) return std::nullopt;
@@ -266,11 +270,15 @@ std::string to_text(double value, const DateForm& form) {
   const long long day = all >= 0 ? all / of_day : -((of_day - 1 - all) / of_day), rest = all - day * of_day;
   const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
   const bool between = of_months ? !whole : !form.times && rest != 0, basic = form.date == basic_form;
-  std::string text = date_text(date, between && !basic ? DateForm{}.date : form.date);
+  const bool dotted = is_dotted(form.date);
+  std::string text = date_text(date, between && !basic && !dotted ? DateForm{}.date : form.date);
   if (!form.times && rest == 0) return text;
   const long long second = rest / micros_of_second, micro = rest % micros_of_second;
-  text += fmt::format("{0}{1:02}{4}{2:02}{4}{3:02}", form.times ? form.mark : "T", second / 3600, second / 60 % 60,
-                      second % 60, basic ? "" : ":");
+  text += fmt::format("{0}{1:02}{4}{2:02}{4}{3:02}",
+                      form.times ? form.mark
+                      : dotted   ? " "
+                                 : "T",
+                      second / 3600, second / 60 % 60, second % 60, basic ? "" : ":");
   if (micro != 0) {
     text += fmt::format(".{:06}", micro);
     text.erase(text.find_last_not_of('0') + 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// Dates and times as ISO 8601 writes them, months and quarters.
+/// Dates and times as ISO 8601 writes them or between full stops, months and quarters.
 
 #include <optional>
 #include <string>
@@ -11,8 +11,8 @@ namespace subcert::data {
 /// What positions count in.
 enum class DateUnit { second, day, month, quarter };
 
-/// How the dates of a column are written. Canonical: mark and zone empty for dates without times, which `%Y-%m-%d`
-/// alone has.
+/// How the dates of a column are written. Canonical: mark and zone empty for dates without times; times
+/// stand behind `%Y-%m-%d`, `%d.%m.%Y` and `%e.%n.%Y` alone.
 struct DateForm {
   bool times = false;             ///< else days, months or quarters alone
   std::string mark = {};          ///< between date and time: T or a blank
@@ -32,9 +32,10 @@ struct Date {
 };
 
 /// All readings of a text, the most likely first: `2024-02-29`, `2024-02-29T12:30`, `2024-02-29 12:30:05.25Z`,
-/// `2024-02-29T12:30:05+01:00`, `Feb-29-2024`; months as `2024-02`, `Feb 2024`, `February 2024`, `Feb-2024`, `2024M2`;
-/// quarters as `2024Q1`, `2024-Q1`, `2024 Q1`, `Q1 2024`; in the Gregorian calendar, of years 1 to 9999. Several where
-/// one text may be written by several forms, as `May 2024` and `2024M12` are.
+/// `2024-02-29T12:30:05+01:00`, `Feb-29-2024`, `29.02.2024`, `1.2.2024 12:30`; months as `2024-02`, `Feb 2024`,
+/// `February 2024`, `Feb-2024`, `2024M2`; quarters as `2024Q1`, `2024-Q1`, `2024 Q1`, `Q1 2024`; in the Gregorian
+/// calendar, of years 1 to 9999. Several where one text may be written by several forms, as `May 2024` and `2024M12`
+/// are.
 std::vector<Date> readings_of_date(std::string_view text);
 
 /// The value of a text in this form; nothing for other text.

@@ -262,6 +262,12 @@ class TableReader::Lines {
     return std::string(", a number with a comma for the decimal point") + (form_.text ? " (--decimal , takes it)" : "");
   }
 
+  /// For a date between slashes.
+  static std::string other_date(std::string_view field) {
+    const bool date = std::ranges::count(field, '/') == 2 && field.find_first_not_of("0123456789/") == field.npos;
+    return date ? ", a date that does not say which number is the month (2024-02-29 and 29.2.2024 do)" : "";
+  }
+
   void start() {
     started_ = true;
     table_.columns = fields_.size();
@@ -271,7 +277,7 @@ class TableReader::Lines {
   /// For text, and numbers that are not finite.
   std::string expected_of(const Field& field, std::string_view text) const {
     if (field.kind == Kind::infinite) return "a finite number; found " + in_quotes(text);
-    return "a number; found " + in_quotes(text) + other_mark(text) + why_no_header(text);
+    return "a number; found " + in_quotes(text) + other_mark(text) + other_date(text) + why_no_header(text);
   }
 
   void add_row() {

@@ -219,7 +219,12 @@ TEST_CASE("dates are read and written as ISO 8601 has them") {
                            "2024M00",
                            "2024-02T12:00",
                            "Feb-30-2024",
-                           "Feb-0-2024"}) {
+                           "Feb-0-2024",
+                           "30.02.2024",
+                           "2.29.2024",
+                           "29.02.24",
+                           "29.02.2024T12:30:00",
+                           "29/02/2024"}) {
     CAPTURE(text);
     CHECK(readings_of_date(text).empty());
   }
@@ -243,7 +248,11 @@ TEST_CASE("dates are read and written as ISO 8601 has them") {
                            "May 2024",
                            "September 1968",
                            "Dec-1969",
-                           "Jan-1-1995"}) {
+                           "Jan-1-1995",
+                           "29.02.2024",
+                           "1.2.2024",
+                           "10.12.2024",
+                           "29.02.2024 12:30:00"}) {
     CAPTURE(text);
     for (const Date& date : readings_of_date(text)) {
       CHECK(to_text(date.value, date.form) == text);
@@ -251,6 +260,11 @@ TEST_CASE("dates are read and written as ISO 8601 has them") {
     }
     CHECK_FALSE(readings_of_date(text).empty());
   }
+  CHECK(to_text(0.5, date_of("29.02.2024").form) == "01.01.1970 12:00:00");
+  CHECK(
+      error_of("1\n29/02/2024\n") ==
+      "f, line 2, column 1: expected a number; found '29/02/2024', a date that does not say which number is the month "
+      "(2024-02-29 and 29.2.2024 do)");
   CHECK(to_text(0.5, DateForm{}) == "1970-01-01T12:00:00");
   CHECK(to_text(-0.25, DateForm{}) == "1969-12-31T18:00:00");
   CHECK_THROWS(to_text(1e12, DateForm{}));

@@ -463,7 +463,7 @@ TEST_CASE("written rules that meshes do not take have one line") {
   const auto whole = [](const char* own) { return at({0, 0}, 0, own); };
   const WrittenWeights neighbours = at({1, 0}, std::nullopt, "3/(8*n)");
   fails(tuned("loop", {{0, 0}, {whole("5/8"), neighbours}, 6}), icosahedron(), {1},
-        "no rule of the point (0,0) is one for valence 5");
+        "no rule of the point (0,0) is for valence 5");
   fails(tuned("loop", {{0, 0}, {whole("5/8"), at({2, 0}, std::nullopt, "3/(8*n)")}}), icosahedron(), {1},
         "on meshes the rule of the point 0,0 takes no data at 2,0");
   fails(tuned("loop", {{2, 0}, {whole("5/8"), neighbours}}), icosahedron(), {1},

@@ -324,7 +324,7 @@ std::string without_array(std::string text) {
 /// z1 and z2, or z_1 and z_2, and z3, as x, y and z, where no other letters stand for them.
 std::string in_own_letters(std::string text) {
   const auto has_index = [&](std::size_t i, char digit) {
-    return text[i] == 'z' && i + 1 < text.size() && text[i + (text[i + 1] == '_' ? 2 : 1)] == digit;
+    return text[i] == 'z' && text[i + (text[i + 1] == '_' ? 2 : 1)] == digit;  // a string ends with a 0
   };
   if (text.find_first_of("xy") != std::string::npos) return text;
   std::string result;

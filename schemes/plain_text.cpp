@@ -247,7 +247,7 @@ class Plain {
   /// `\frac{1}{16}`, `\frac12`, `\frac{w}{2}`
   void latex_fraction(std::size_t end) {
     const auto argument = [&] {
-      while (end < text_.size() && text_[end] == ' ') ++end;
+      end = std::min(text_.find_first_not_of(' ', end), text_.size());
       if (end == text_.size()) fail(at_, end - at_, "\\frac with two arguments");
       string_view inside = text_.substr(end, 1);
       const std::size_t begin = end + (inside == "{" ? 1 : 0);

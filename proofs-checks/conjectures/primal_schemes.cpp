@@ -37,7 +37,7 @@ PrimalSchemes distinct_primal_schemes(const std::vector<int>& n, const std::vect
       const PrimalScheme next{degree + 1, points};
       if (degree > 2 * points - 1) {
         result.skipped.push_back({scheme, {2 * points - 1, points}});
-      } else if (std::binary_search(d.begin(), d.end(), next.d) && next.d <= 2 * points - 1 && degree % 2 == 0 &&
+      } else if (std::binary_search(d.begin(), d.end(), next.d) && degree % 2 == 0 &&
                  make_scheme(scheme.specification()).mask.curve() == make_scheme(next.specification()).mask.curve()) {
         result.skipped.push_back({scheme, next});
       } else {

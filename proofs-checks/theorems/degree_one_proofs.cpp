@@ -103,9 +103,10 @@ std::vector<Check> slope_checks(const Constants& c) {
   const Ball pi = Ball::pi(proof_bits), N = exactly(N_after_tail);
   const auto stated = [&](const char* name) { return exactly(c[name]); };
   for (int n = 2; n < tail; ++n) {
-    Enclosure slope = ends(n).slope;
-    if (slope.upper) slope = Enclosure::exactly(*slope.upper * (n * n));
-    checks.push_back(less("6.1", "n^2 D_n < s" + at(n), slope, Enclosure::exactly(c["s"])));
+    const std::optional<Rational>& slope = ends(n).slope.upper;
+    checks.push_back(less("6.1", "n^2 D_n < s" + at(n),
+                          slope ? Enclosure::exactly(*slope * (n * n)) : Enclosure::at_least(0),
+                          Enclosure::exactly(c["s"])));
   }
   append(checks, {defining(c, "Z", "pi kappa n_1/(2 n_1 - 1) + h pi^2/3",
                            pi * stated("kappa") * tail / (2 * tail - 1) + stated("h") * pi * pi / 3),

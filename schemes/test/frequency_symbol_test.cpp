@@ -72,6 +72,12 @@ TEST_CASE("symbols as books on wavelets print them") {
   }
   CHECK(make_parametric_scheme("2cos^2(ω/2)(1+16μ cos(ω) sin²(ω/2))").mask.to_text('w') ==
         make_parametric_scheme("four-point:w").mask.to_text('w'));
+  // e may be a parameter.
+  for (const char* power : {"e^2", "e^{2}"}) {
+    CAPTURE(power);
+    CHECK(make_parametric_scheme(fmt::format("2cos^2(w/2)(1+{}*sin^2(w/2))", power)).mask.to_text('e') ==
+          make_parametric_scheme("[-e^2/8,1/2,1+e^2/4,1/2,-e^2/8]@-2").mask.to_text('e'));
+  }
   CHECK(laurent_of("(1+2cos(w))^2/3*e^{iw},arity=3") == laurent_of("[1,2,3,2,1]/3@-1,arity=3"));
 }
 

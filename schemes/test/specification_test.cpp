@@ -5,6 +5,8 @@
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <fmt/format.h>
+
 #include <fstream>
 
 using namespace subcert;
@@ -294,4 +296,14 @@ TEST_CASE("masks with two letters, by their values") {
   CHECK(make_parametric_mask(six_points, "tw").at({0, Rational(1, 16)}) == mask.at({Rational(1, 16), 0}));
   CHECK_THROWS_AS(make_parametric_mask("four-point:w", "wt"), SpecificationError);
   CHECK_THROWS_AS(make_parametric_mask("mask:[w,1-w+s]@0", "wt"), SpecificationError);
+}
+
+TEST_CASE("matrices with letters are those with numbers in their place") {
+  const std::string matrices = "[[[{0},1],[0,1/2]],[[1,1],[{0},0]]]@-1";
+  for (const char* form : {"refinable", "vector", "hermite"}) {
+    CAPTURE(form);
+    const std::string text = form + (":" + matrices);
+    CHECK(make_parametric_mask(fmt::format(fmt::runtime(text), "w"), "w").lattice_mask_at({Rational(1, 3)}) ==
+          make_refinable_scheme(fmt::format(fmt::runtime(text), "1/3")).mask);
+  }
 }

@@ -487,7 +487,8 @@ TEST_CASE("names of vectors of functions that cannot be read") {
     CHECK_THROWS_WITH(make_scheme(text), Catch::Contains("scheme of"));
   }
   CHECK_THROWS(multiple_knot_bspline_mask(2, 3));
-  CHECK_THROWS(hermite_interpolation_mask(0, 2));
+  for (const auto& [n, order, arity] : {std::tuple(0, 2, 2), {2, 0, 2}, {2, 2, 1}})
+    CHECK_THROWS_WITH(hermite_interpolation_mask(n, order, arity), Catch::Contains("need n >= 1, order >= 1"));
   CHECK_THROWS(vector_tensor_product({geronimo_hardin_massopust_mask()}));
 }
 

@@ -136,6 +136,8 @@ TEST_CASE("findings tell bounds from rates") {
   }
   CHECK(decay_finding(1, {{4, Enclosure::exactly(1)}}).sentence("max psi") ==
         "n max psi is 4 for n = 4; a single n has no rate.");
+  CHECK(decay_finding(1, {{4, {Rational(1, 4), Rational(1, 3)}}}).sentence("max psi") ==
+        "n max psi is 1 ... 1.33334 for n = 4; a single n has no rate.");
   CHECK_FAILS(decay_finding(1, {}), domain);
 }
 
@@ -182,6 +184,25 @@ TEST_CASE("maxima beside their limit") {
   REQUIRE(limit->exponent);
   CHECK(limit->exponent->contains(1));
   CHECK(*limit->exponent->upper - *limit->exponent->lower < Rational(1, 1'000'000));
+  // A rate is told where two maxima bound it.
+  const auto told = [](const std::vector<CertifiedMaximum>& of) { return limit_comparison(1, of)->sentence(); };
+  CHECK_THAT(told(maxima), Catch::EndsWith(" - 1 is 0.0125 at n = 20 and falls like n^-r with r = 1 from n = 10 on."));
+  CHECK_THAT(told({{3, Enclosure::exactly(1)}}), Catch::EndsWith(" at n = 3."));
+  CHECK_THAT(told({{10, Enclosure::at_least(1)}, {20, Enclosure::exactly(1)}}), Catch::EndsWith(" at n = 20."));
   CHECK_FALSE(limit_comparison(1, {{3, Enclosure::exactly(1)}})->exponent);
   CHECK_FALSE(limit_comparison(101, maxima));
+}
+
+TEST_CASE("both conjectures hold for the first schemes") {
+  const PrimalSchemes first = distinct_primal_schemes({1, 2}, {1});
+  const auto rates = check_conjecture_7(first, {}, {});
+  REQUIRE(rates);
+  CHECK(rates->rows.size() == 2);
+  CHECK(rates->rows.front().sup.contains(1));
+  CHECK(rates->limits.count(1) == 1);
+  const auto order = check_conjecture_8(first, {}, {});
+  REQUIRE(order);
+  CHECK(order->verdict == Truth::yes);
+  CHECK(order->count(Truth::yes) == 1);
+  CHECK(order->count(Truth::no) == 0);
 }

@@ -75,6 +75,43 @@ TEST_CASE("what needs convergence is not said without it") {
     CHECK(answer.truth == Truth::unknown);
     CHECK_THAT(answer.reason, Catch::StartsWith("convergence is not proved: "));
   }
+  // Sixteen levels do not contract, and the exponent is positive.
+  check_all("mask = 'four-point:w=-0.4999'\n", {"convergent = true", "sobolev = '>= 0'"});
+}
+
+TEST_CASE("rounded masks whose convergence is not proved have no smoothness") {
+  for (const char* text : {"holder = '>= 0'", "smoothness = '>= 0'"}) {
+    CAPTURE(text);
+    const Decision answer = first_answer(std::string("mask = 'mask:[1,1+t,0,-t],where=100000000t^2-2:0..1'\n") + text);
+    CHECK(answer.truth == Truth::unknown);
+    CHECK(answer.reason == "convergence is not proved");
+  }
+}
+
+TEST_CASE("without time nothing is said of exponents") {
+  for (const char* text : {"mask = 'quincunx:'\nsobolev = '>= 0'", "mask = 'ghm'\nsobolev = '>= 0'"}) {
+    CAPTURE(text);
+    const ExpectedScheme scheme = read_expectations(text).front();
+    const Decision answer = has_property(scheme, scheme.expectations.front(), {0});
+    CAPTURE(answer.reason);
+    CHECK(answer.truth == Truth::unknown);
+  }
+}
+
+TEST_CASE("masks whose coset sums are not 1 have no exponent") {
+  ExpectedScheme scheme = read_expectations("mask = 'dd:n=2'\nholder = '>= 0'").front();
+  std::get<Scheme>(scheme.scheme).mask = Mask(LaurentPolynomial({1, 1, 1}, -1), 2);
+  const Decision answer = has_property(scheme, scheme.expectations.front(), {20});
+  CHECK(answer.is_no());
+  CHECK_THAT(answer.reason, Catch::StartsWith("a coset sum is not 1"));
+}
+
+TEST_CASE("Hermite schemes keep what is proved") {
+  const std::string merrien = "mask = 'merrien:lambda=-1/8,mu=-1/2'\n";
+  check_all(merrien, {"HC = '>= 0'", "HC = '>= 1'", "reproduces = 3"});
+  const Decision refuted = first_answer(merrien + "HC = '>= 2'");
+  CHECK(refuted.is_no());
+  CHECK(refuted.reason == "HC^1 is proved, HC^2 refuted");
 }
 
 TEST_CASE("properties of vectors of functions") {

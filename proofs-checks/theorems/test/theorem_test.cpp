@@ -8,8 +8,10 @@
 #include <subcert/proofs-checks/theorems/limit_constant.hpp>
 #include <subcert/proofs-checks/theorems/proofs.hpp>
 #include <subcert/proofs-checks/theorems/theorem.hpp>
+#include <subcert/proofs-checks/theorems/variance_ends.hpp>
 #include <subcert/schemes/specification.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace subcert;
@@ -119,6 +121,41 @@ TEST_CASE("decimals") {
   CHECK(decimal("7") == 7);
   CHECK(decimal("7.25e-8") == Rational(725, 100) / power(Rational(10), 8));
   for (const char* wrong : {"", ".", "1/2", "1.2.3", "x", "1e", "e5"}) CHECK_FAILS(decimal(wrong), usage);
+}
+
+const Check& check_of(const Theorem& theorem, const std::string& id) {
+  return *std::find_if(theorem.checks.begin(), theorem.checks.end(), [&](const Check& one) { return one.id == id; });
+}
+
+TEST_CASE("the slopes of the theorem are the bounds of single curves") {
+  int n = 2;
+  for (const Check& check : proved("conjecture-7", 1).checks)
+    if (check.id == "6.1") {
+      CAPTURE(n);
+      CHECK(*check.left.lower == *variance_ends(n, 1).slope.upper * (n * n));
+      ++n;
+    }
+  CHECK(n > 20);
+}
+
+TEST_CASE("the step of x_- is that of its formula") {
+  // At n = (d^2 + 1)/2.
+  const auto x = [](const Rational& d) -> Rational {
+    return 16 * d * (d + 1) / (25 * (2 * d + 3)) * (1 - power((d + 1) / (d * d), 2));
+  };
+  CHECK(*check_of(proved("conjecture-8-d-large", 97), "T.15").right.lower == x(195) - x(193));
+}
+
+TEST_CASE("the bound beyond the turning point is that of its formula") {
+  // The square of binom(8, 4) 9/2^8, and nu = 90.
+  const double nu = 90, gamma = std::pow(9 * 70 / 256.0, 2), beta = 1.4, square = beta * beta - 1, e = std::exp(1.0);
+  const double eta = (beta * beta + 1) / std::sqrt(nu * std::pow(square, 3));
+  const double beyond = (beta / square / 2 + std::log((beta + 1) / (beta - 1)) / 4) / std::sqrt(nu) *
+                        std::pow(std::sqrt(eta * eta + 1) + eta, 2);
+  const double before = std::sqrt(gamma) * 2 * beta / 11 * std::pow(beta * e / 4, 10) /
+                        (std::sqrt(2 * e) * (1 - std::pow(2.0, -10)));
+  CHECK(check_of(proved("limit-constants-order", 1), "S.1").left.upper->convert_to<double>() ==
+        Approx(gamma * beyond + before));
 }
 
 TEST_CASE("what holds for every degree can be asked for every degree") {

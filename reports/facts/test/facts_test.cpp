@@ -1,10 +1,15 @@
 #include <subcert/cmake/catch.hpp>
+#include <subcert/reports/facts/exponents.hpp>
 #include <subcert/reports/facts/fact.hpp>
 #include <subcert/reports/facts/family_facts.hpp>
+#include <subcert/reports/facts/l1_facts.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/reports/facts/scheme_facts.hpp>
 #include <subcert/reports/facts/screen_lines.hpp>
+#include <subcert/reports/facts/weight_facts.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -147,6 +152,81 @@ TEST_CASE("enclosures and intervals as JSON keep both ends, rounded outward or e
   CHECK(interval_json({Rational(1, 3), Rational(2, 3)}) == Json{{"lower", "1/3"}, {"upper", "2/3"}});
   CHECK(enclosure_json(std::nullopt).is_null());
   CHECK(numbers_json({Rational(1, 3), 2}) == Json{"1/3", "2"});
+}
+
+TEST_CASE("ends of exponents say something where they are positive") {
+  const auto part = [](const Enclosure& exponent) { return positive_part(exponent); };
+  CHECK((part({1, 2}).lower == Rational(1) && part({1, 2}).upper == Rational(2)));
+  CHECK((!part({0, 2}).lower && part({0, 2}).upper == Rational(2)));
+  CHECK((!part({-1, 0}).lower && !part({-1, 0}).upper));
+  CHECK((!part({std::nullopt, Rational(2)}).lower && part({std::nullopt, Rational(2)}).upper == Rational(2)));
+  CHECK((part(Enclosure::at_least(1)).lower == Rational(1) && !part(Enclosure::at_least(1)).upper));
+  CHECK(find(mask_facts(make_linear_scheme("dd:n=2")), "support")->text ==
+        "mask -3 ... 3, basic limit function [-3, 3]");
+}
+
+TEST_CASE("exponents in closed form, where they are short") {
+  const LaurentPolynomial three({-3, 1}, 0);
+  CHECK(ExponentFormula({0, 2, 1, {three, {3, 0}}}).text() == "-log_2(3)");
+  CHECK(ExponentFormula({4, 2, 1, {three, {3, 0}}}).text() == "4 - log_2(3)");
+  CHECK(ExponentFormula({4, 3, 2, {three, {3, 0}, 5}}).text() == "4 - 2*log_3(3)/5");
+  // Polynomials that are read have 100 characters at most.
+  const auto is_short = [](std::size_t length) {
+    const Rational constant = power(Rational(10), static_cast<int>(length - std::string("r^3+").size() - 1));
+    return ExponentFormula({1, 2, 1, {LaurentPolynomial({constant, 0, 0, 1}, 0), {-1, 0}}}).is_short();
+  };
+  CHECK(is_short(99));
+  CHECK(is_short(100));
+  CHECK_FALSE(is_short(101));
+}
+
+TEST_CASE("Hermite schemes alone have a spectral degree") {
+  const auto of = [](const char* specification) {
+    const Scheme scheme = make_refinable_scheme(specification);
+    return page_json(regularity_facts(scheme, regularity_of(scheme.mask, {Deadline::in(1)}, {.levels = 4}), {}, {}));
+  };
+  CHECK(of("ghm").at("spectral_degree").is_null());
+  CHECK_FALSE(of("merrien:lambda=-1/8,mu=-1/2").at("spectral_degree").is_null());
+}
+
+TEST_CASE("values of a weight: pieces, and the ends where they meet") {
+  const Decision yes{Truth::yes, ""}, no{Truth::no, "too large"}, open{Truth::unknown, "no time"};
+  WeightRange range{5, {{0, 1, yes}, {1, 2, open}, {2, 3, no}}, {}};
+  CHECK_FALSE(is_decided(range));
+  // Ends of other pieces decide nothing.
+  for (const Rational& low : {Rational(1, 2), Rational(5, 2)}) {
+    range.ends = {{low, low + Rational(1, 4), std::nullopt, {}, yes}};
+    CHECK_FALSE(is_decided(range));
+  }
+  for (const auto& [low, high] : {std::pair<Rational, Rational>{1, Rational(3, 2)}, {Rational(3, 2), 2}}) {
+    range.ends = {{low, high, std::nullopt, {}, yes}};
+    CHECK(is_decided(range));
+  }
+  range.ends = {{Rational(5, 4), Rational(3, 2), LaurentPolynomial(Rational(4, 3)), {}, no}};
+  CHECK(is_decided(range));
+  VertexScheme scheme = VertexScheme::named("loop");
+  const LatticeMask mask = make_linear_scheme("loop").mask;
+  scheme.written = WrittenRules{SectorLattice::triangles, mask, {}, {{'b'}}};
+  const Facts list = weight_facts(scheme, {mask, yes, Enclosure::at_least(2), true, nullptr}, WeightProperty::c1,
+                                  {range});
+  CHECK(find(list, "n = 5")->text ==
+        "proved     0 <= b <= 1\nend        b = 4/3, near 5/4: refuted there\nrefuted    2 <= b <= 3: too large");
+}
+
+TEST_CASE("rules of least absolute deviations: windows of up to twelve points") {
+  const auto list = [](int points, int degree, const std::string& options) {
+    data::LeastAbsoluteLimit limit;
+    limit.points = points;
+    limit.degree = degree;
+    const std::string text = fmt::format("l1:points={},d={}{}", points, degree, options);
+    return l1_facts(make_l1_scheme(text), limit, {Deadline::in(0)});
+  };
+  CHECK(find(list(12, 1, ",exact"), "left over") != nullptr);
+  CHECK(find(list(14, 1, ",exact"), "left over") == nullptr);
+  CHECK(find(list(3, 1, ",exact"), "left over") != nullptr);
+  CHECK(find(list(4, 1, ",iterations=2"), "impulse") != nullptr);
+  CHECK(find(list(12, 1, ",iterations=2"), "impulse") != nullptr);
+  CHECK(find(list(4, 0, ",iterations=2"), "impulse") == nullptr);
 }
 
 TEST_CASE("lines of the screen: broken at blanks, no word lost, words that are too long stay whole") {

@@ -22,10 +22,10 @@ LevelDependentScheme scheme_of_list(const std::string& file) {
   const properties::MaskListFile read = read_lists(file);
   if (read.list.period.empty())
     fail(ErrorKind::usage, "{}: expected period = [...], which says what mask each level takes", file);
-  if (read.list.masks.front().components() > 1)
-    fail(ErrorKind::usage, "{}: levels of data and of limits are of masks of numbers", file);
   std::vector<std::string> names;
   LevelDependentScheme result;
+  if (read.list.masks.front().components() > 1)
+    result.form = read.list.hermite ? VectorForm::hermite : VectorForm::vector;
   for (const std::size_t number : read.list.period) {
     names.push_back(read.specifications[number]);
     result.masks.again.emplace_back(read.list.masks[number]);
@@ -34,7 +34,7 @@ LevelDependentScheme scheme_of_list(const std::string& file) {
   return result;
 }
 
-/// The mask of a family of numbers. Errors: throws a domain error where it has none there.
+/// Errors: throws a domain error where it has none there.
 LatticeMask mask_at(const ParametricScheme& family, const Rational& value) {
   if (family.mask.denominator()(value) == 0)
     fail(ErrorKind::domain, "{}: there is no mask for {} = {}", family.specification, family.name, to_text(value));
@@ -44,7 +44,7 @@ LatticeMask mask_at(const ParametricScheme& family, const Rational& value) {
 /// `w=1/16,1/20`: these, and the last one at all later levels.
 LevelDependentScheme scheme_of_values(const ParametricScheme& family, const std::string& written) {
   const std::string text = plain_text(written), head = family.name + "=";
-  LevelDependentScheme result;
+  LevelDependentScheme result{"", {}, form_of_levels(family.form)};
   std::vector<std::string> values;
   std::istringstream parts(text.starts_with(head) ? text.substr(head.size()) : "");
   for (std::string part; std::getline(parts, part, ',');) {
@@ -125,7 +125,8 @@ void add_level_options(Command& command, LevelOptions& options) {
 
 LevelDependentScheme FollowedFamily::levels(int count) const {
   const int known = std::clamp(count, 1, most_levels_refined);
-  return {specification, masks_of_levels(family.mask, recurrence, start, static_cast<std::size_t>(known))};
+  return {specification, masks_of_levels(family.mask, recurrence, start, static_cast<std::size_t>(known)),
+          form_of_levels(family.form)};
 }
 
 std::optional<std::variant<LevelDependentScheme, FollowedFamily>> read_levels(const std::string& scheme,
@@ -144,7 +145,6 @@ std::optional<std::variant<LevelDependentScheme, FollowedFamily>> read_levels(co
     fail(ErrorKind::usage, "--recurrence and --start: expected both or none");
   if (follows && listed) fail(ErrorKind::usage, "--values: cannot be asked for with --recurrence");
   ParametricScheme family = make_parametric_scheme(scheme);
-  if (family.form) fail(ErrorKind::usage, "{}: levels are of masks of numbers", scheme);
   if (listed) return scheme_of_values(family, options.values);
   return followed(std::move(family), options);
 }

@@ -359,7 +359,6 @@ TEST_CASE("levels: lists of masks of matrices") {
   check_fails(run(any + " --property HC0"), 64, "levels: need HC1 or more, as there are 1 derivatives, got HC0");
   check_fails(run("levels lists:" + folder.write("ghm.toml", "masks = [\"ghm\"]") + " --property HC1"), 64,
               "--property: expected convergent, C1, C2, ... or holder>=3/2, got 'HC1'");
-  CHECK(run("limit lists:" + folder.write("turn.toml", pair + "period = [0, 1]")).code == 64);
 }
 
 TEST_CASE("levels: certificates of lists of masks of matrices") {

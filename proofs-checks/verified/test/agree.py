@@ -25,8 +25,8 @@ proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sig
                "kept-tiny-error",
                # what is 0 between the ends of an interval may be so at the ends of its halves
                "follow-inside",
-               # the line `stability` of a range says nothing here
-               "range-halved-61"}
+               # the line `stability` of a range, or of a list, says nothing here
+               "range-halved-61", "list-not-stable-lower", "list-stable-no-product"}
 # Its solutions are multiples of one by the ends of the supports of the components, which are not looked at here.
 proved_there = {"vector-ends"}
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.
@@ -72,7 +72,7 @@ def decided(name, arguments):
         return options in ({"--mask", "--arity", "--for", "--lower"}, {"--mask", "--arity", "--levels", "--lower"},
                            {"--mask", "--arity", "--levels", "--lower"} | follows)
     if "--masks" in options and not arguments[arguments.index("--order") + 1].startswith("period"):
-        return True
+        return "--upper" not in options
     subject = {"--masks", "--order", "--arity"} if "--masks" in options else {"--mask", "--arity"}
     ends = options - subject
     known = {"--lower", "--upper", "--exact", "--logarithm"}

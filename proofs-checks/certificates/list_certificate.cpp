@@ -55,9 +55,8 @@ Mask in_one(const MaskList& list, const std::vector<std::size_t>& sequence) {
 std::optional<std::string> upper_end_of(const MaskList& list, const ExponentOfList& found) {
   const ProductEvidence& product = found.radius.product;
   double classes = 1;
-  for (std::size_t k = 0; k < product.word.size(); ++k) classes *= list.masks.front().arity();
+  for (std::size_t k = 0; k < found.sequence.size(); ++k) classes *= list.masks.front().arity();
   if (!found.exponent.upper || proved_lower(product) <= 1 || classes > most_classes) return std::nullopt;
-  // A word that is longer than its sequence has the masks of that again and again.
   const Mask one = in_one(list, found.sequence);
   if (common_factor_of_cosets(one).length() != 1) return std::nullopt;
   return upper_end_by(product, found.sum_rules, list.masks.front().arity());

@@ -2159,7 +2159,8 @@ var check_certificate = (() => {
   // Stable shifts of the limits of the sequence with the masks of a product again and again
   function check_sequence(list, letters, order) {
     const {arity, follows} = list, masks = letters.map(T => follows.length ? follows[Math.floor(T / arity)][1] : Math.floor(T / arity));
-    check_stability(masks_in_one(list, masks), order, null, null);
+    const period = range_of(masks.length).map(i => i + 1).find(n => masks.length % n === 0 && masks.every((k, i) => k === masks[i % n]));
+    check_stability(masks_in_one(list, masks.slice(0, period)), order, null, null);
   }
   // w -> STEP or the root of it: the numerator and the denominator, and the first values
   function read_following(step, start, from, letter) {

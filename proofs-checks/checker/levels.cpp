@@ -211,6 +211,11 @@ void check_stability(const MaskList& list, const std::vector<std::size_t>& produ
   std::vector<std::size_t> sequence;
   for (const std::size_t letter : product)
     sequence.push_back(list.follows.empty() ? letter / list.arity : list.follows[letter / list.arity].second);
+  std::size_t period = 1;
+  while (sequence.size() % period != 0 ||
+         !std::equal(sequence.begin() + static_cast<std::ptrdiff_t>(period), sequence.end(), sequence.begin()))
+    ++period;
+  sequence.resize(period);
   const unsigned arity = arity_in_one(list, sequence.size());
   check_stability(masks_in_one(list, sequence, arithmetic), arity, sum_rules, Range{}, 0, arithmetic);
 }

@@ -284,7 +284,7 @@ EDITED = [
      [(FOUR_SPLINE, NOT_STABLE), ("sum-rules 4", "sum-rules 2"), ("product 0 4", "product 0 2"), (LIST_POLYTOPE, "block 0 norm 2")]),
     ("list-not-stable-lower", "list-least", lists(NOT_STABLE, "any", "--lower 1/2"), "stability",
      [(FOUR_SPLINE, NOT_STABLE), ("sum-rules 4", "sum-rules 2"), ("product 0 4", "product 0 2"), (LIST_POLYTOPE, "block 0 norm 2")]),
-    ("list-least-seven", "list-least-six", None, "a longer period", [("product 0 4096 0 0", "product 0 16384 0 0 0")]),
+    ("list-least-seven", "list-least-six", None, "a longer period", [("product 0 4096 0 0 0 0 0 0 0", "product 0 2 0 0 0 0 0 0 0 2")]),
     ("list-least-smooth", "list-one", lists("[1,3,3,1]/4", "any", "--lower 2 --upper 2"), "no exponent below the number of sum rules",
      [("sum-rules 2", "sum-rules 2; stability; product 0 1 0 0")]),
     ("list-no-way", "list-least-in-turn", None, "proves no positive spectral radius", [("product 0 8 0 0 3", "product 0 8 0 0 0")]),

@@ -89,9 +89,6 @@ ExitCode run_levels(const std::variant<LevelDependentScheme, FollowedFamily>& le
   if (options.level < 0) options.level = usual_level;
   if (const auto* scheme = std::get_if<LevelDependentScheme>(&levels)) return run_levels(*scheme, options);
   const auto& family = std::get<FollowedFamily>(levels);
-  if (family.family.form)
-    fail(ErrorKind::usage, "--recurrence: {}: limits of recurrences are of masks of numbers",
-         family.family.specification);
   return print_limit_values(family.specification,
                             limit_values(family.family.mask, family.recurrence, family.start, options.level), options);
 }

@@ -34,7 +34,7 @@ LevelDependentScheme scheme_of_list(const std::string& file) {
   return result;
 }
 
-/// Errors: throws a domain error where it has none there.
+/// The mask of a family of numbers. Errors: throws a domain error where it has none there.
 LatticeMask mask_at(const ParametricScheme& family, const Rational& value) {
   if (family.mask.denominator()(value) == 0)
     fail(ErrorKind::domain, "{}: there is no mask for {} = {}", family.specification, family.name, to_text(value));
@@ -44,7 +44,7 @@ LatticeMask mask_at(const ParametricScheme& family, const Rational& value) {
 /// `w=1/16,1/20`: these, and the last one at all later levels.
 LevelDependentScheme scheme_of_values(const ParametricScheme& family, const std::string& written) {
   const std::string text = plain_text(written), head = family.name + "=";
-  LevelDependentScheme result{"", {}, form_of_levels(family.form)};
+  LevelDependentScheme result;
   std::vector<std::string> values;
   std::istringstream parts(text.starts_with(head) ? text.substr(head.size()) : "");
   for (std::string part; std::getline(parts, part, ',');) {
@@ -125,8 +125,7 @@ void add_level_options(Command& command, LevelOptions& options) {
 
 LevelDependentScheme FollowedFamily::levels(int count) const {
   const int known = std::clamp(count, 1, most_levels_refined);
-  return {specification, masks_of_levels(family.mask, recurrence, start, static_cast<std::size_t>(known)),
-          form_of_levels(family.form)};
+  return {specification, masks_of_levels(family.mask, recurrence, start, static_cast<std::size_t>(known))};
 }
 
 std::optional<std::variant<LevelDependentScheme, FollowedFamily>> read_levels(const std::string& scheme,
@@ -145,6 +144,7 @@ std::optional<std::variant<LevelDependentScheme, FollowedFamily>> read_levels(co
     fail(ErrorKind::usage, "--recurrence and --start: expected both or none");
   if (follows && listed) fail(ErrorKind::usage, "--values: cannot be asked for with --recurrence");
   ParametricScheme family = make_parametric_scheme(scheme);
+  if (family.form) fail(ErrorKind::usage, "{}: levels are of masks of numbers", scheme);
   if (listed) return scheme_of_values(family, options.values);
   return followed(std::move(family), options);
 }

@@ -265,6 +265,7 @@ def printed(arguments):
     subject = f"{subject} and integral {integral}" if integral else subject
     subject = f"{subject}, and C^1 limits of almost all data around {vertex}" if vertex else subject
     subject = f"component {component} of {subject}" if component else subject
+    what = "least " + what if "--masks" in values and upper and not order.startswith("period") else what
     relation = "<" if range_ and not limit else "<="
     rough = upper and upper.startswith("C")
     if rough:

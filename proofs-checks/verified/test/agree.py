@@ -26,14 +26,14 @@ proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sig
                # what is 0 between the ends of an interval may be so at the ends of its halves
                "follow-inside",
                # the line `stability` of a range, or of a list, says nothing here
-               "range-halved-61", "list-not-stable-lower", "list-stable-no-product"}
+               "range-halved-61", "list-not-stable-lower", "list-stable-no-product", "list-stability"}
 # Its solutions are multiples of one by the ends of the supports of the components, which are not looked at here.
 proved_there = {"vector-ends"}
 # With large residuals, too, this checker proves a little more: it does not round norms of units up to integers.
 sharper = {"unit-short", "unit-long"}
 # Claims that are far from the truth: the same with a little more are true as well.
 loose = {"turns-graph-close", "single-hat-square", "single-transfer", "upper-10000", "inverse-296-bits", "denominators",
-         "list-wide", "list-in-turn", "list-spline-last", "list-first-alone", "list-arity-3-follows", "period",
+         "list-wide", "list-in-turn", "list-stable", "list-spline-last", "list-first-alone", "list-arity-3-follows", "period",
          "corner-levels-half", "square-range", "quotient-converges", "quotient-denominators-coprime", "quotient-no-constant",
          "range-halved-60", "levels-dual", "levels-conic"}
 
